@@ -1,0 +1,40 @@
+# Every target of the house is made here, so that warnings and sanitizers are the same everywhere.
+
+set(WAYBREAKER_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
+option(WAYBREAKER_COVERAGE "Instrument for gcov" OFF)
+
+function(waybreaker_flags target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+                         -Wnon-virtual-dtor -Woverloaded-virtual)
+  if(PROJECT_IS_TOP_LEVEL)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(WAYBREAKER_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${WAYBREAKER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=${WAYBREAKER_SANITIZE})
+  endif()
+  if(WAYBREAKER_COVERAGE)
+    target_compile_options(${target} PRIVATE --coverage)
+    target_link_options(${target} PRIVATE --coverage)
+  endif()
+endfunction()
+
+# waybreaker_library(NAME SOURCES file... [USES folder...] [NEEDS library...])
+# One static library per folder of src/. It can include its own folder, the public headers, and the folders it USES: a
+# forbidden use fails to link, and tests/architecture fails on a forbidden #include.
+function(waybreaker_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;NEEDS" ${ARGN})
+  set(target waybreaker_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(waybreaker::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+                             $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  foreach(used IN LISTS ARG_USES)
+    target_link_libraries(${target} PUBLIC waybreaker_${used})
+  endforeach()
+  target_link_libraries(${target} PRIVATE ${ARG_NEEDS})
+  waybreaker_flags(${target})
+endfunction()

@@ -1,0 +1,78 @@
+// Plan: what a mission's planning gives back, as data (contract, section 4).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "waybreaker/cell.hpp"
+
+namespace waybreaker {
+
+enum class AgentKind { ground, air };
+
+// A point of an agent's path: cell units and the time it is there. Two in a row at one place are a wait.
+struct Waypoint {
+    double x = 0;
+    double y = 0;
+    double t = 0;  // in cells / speed
+    friend bool operator==(const Waypoint&, const Waypoint&) = default;
+};
+
+struct AgentPlan {
+    std::string id;
+    AgentKind kind = AgentKind::ground;
+    double speed = 1;  // cells per unit of time
+    std::vector<Waypoint> path;
+};
+
+// One obstacle the air agent removes.
+struct Removal {
+    ObstacleId obstacle;
+    std::int64_t source_id = 0;
+    std::uint32_t cells = 0;
+    std::uint32_t hits = 0;  // in the search before removal
+    Cell at;                 // where the air agent breaches it
+    double cleared_at = 0;
+    std::optional<double> entered_at;  // when the ground agent first touches a cell of it
+};
+
+// The mission at one stage: without removal ("before") or as planned ("after"). A length is empty where there is no
+// path.
+struct Outcome {
+    struct Ground {
+        std::optional<double> length;
+        std::uint64_t expanded = 0;
+        std::uint64_t generated = 0;
+        double seconds = 0;
+        std::vector<Cell> path;
+    } ground;
+    struct Air {
+        double length = 0;
+        std::vector<Cell> path;
+    } air;
+    std::optional<double> makespan;  // when the last agent reaches its goal
+    std::optional<double> flowtime;  // sum over agents of when each reaches its goal
+};
+
+// `no_plan`: valid input, but the ground agent cannot reach its goal. `limit_reached`, `stopped`: a search ended early.
+enum class PlanStatus { solved, no_plan, limit_reached, stopped };
+
+struct Plan {
+    PlanStatus status = PlanStatus::no_plan;
+    Outcome before;
+    Outcome after;
+    std::optional<double> bound;    // proven lower limit of the objective; empty where the method proves none
+    std::vector<Removal> removed;   // in the order of the flight
+    std::vector<AgentPlan> agents;  // the timed paths; empty unless solved
+    struct Seconds {
+        double label = 0;   // filled in by whoever labelled the map
+        double search = 0;  // both ground searches
+        double select = 0;
+        double flight = 0;
+        double total = 0;
+    } seconds;
+};
+
+}  // namespace waybreaker

@@ -1,0 +1,24 @@
+// The plan file, "waybreaker-plan/1" (contract, section 4).
+#pragma once
+
+#include <string>
+
+#include "io/map_file.hpp"
+#include "waybreaker/mission.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker::io {
+
+// What a plan file says of its making beside the plan itself.
+struct PlanContext {
+    const MapFile& map;
+    const Mission& mission;
+    const MissionOptions& options;
+    Connectivity connectivity = Connectivity::four;
+    bool timing_fields = true;  // false: no "seconds" anywhere, so that equal input gives equal bytes
+};
+
+// The whole document, indented, with a final newline. Same input, same bytes, `seconds` aside.
+std::string plan_json(const Plan& plan, const PlanContext& context);
+
+}  // namespace waybreaker::io

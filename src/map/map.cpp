@@ -1,0 +1,92 @@
+#include "waybreaker/map.hpp"
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+
+#include "map/bit_run.hpp"
+#include "map/label.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker {
+
+Map::Map(Grid grid, Connectivity connectivity) : Map(grid, label_components(grid, connectivity)) {}
+
+Map::Map(Grid grid, std::vector<std::uint32_t> labels)
+    : grid_(std::move(grid)), transposed_(grid_.transposed()), labels_(std::move(labels)) {
+    for (int y = 0; y < height(); ++y) {
+        const std::uint32_t* row = labels_.data() + std::size_t(y) * std::size_t(width());
+        for_each_run(grid_.row(y), width(), [&](int first, int last) {
+            // A run of blocked cells can hold several obstacles where the labels come from outside.
+            while (first <= last) {
+                const ObstacleId id{row[first]};
+                int end = first + 1;
+                while (end <= last && row[end] == id.value) ++end;
+                if (id.value > obstacles_.size()) obstacles_.push_back({.id = id, .bounds = {{first, y}, {first, y}}});
+                Obstacle& obstacle = obstacles_[id.value - 1];
+                obstacle.cells += std::uint32_t(end - first);
+                obstacle.bounds.min.x = std::min(obstacle.bounds.min.x, first);
+                obstacle.bounds.max.x = std::max(obstacle.bounds.max.x, end - 1);
+                obstacle.bounds.max.y = y;
+                first = end;
+            }
+        });
+    }
+}
+
+Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
+                     std::span<const ObstacleAttributes> attributes) {
+    Grid grid(width, height);
+    if (labels.size() != grid.cell_count()) {
+        throw InputError("a label map of " + std::to_string(width) + " x " + std::to_string(height) + " cells needs " +
+                         std::to_string(grid.cell_count()) + " labels, not " + std::to_string(labels.size()));
+    }
+    std::unordered_map<std::uint32_t, std::uint32_t> id_of_label;
+    std::vector<std::uint32_t> label_of_id;
+    std::uint32_t* label = labels.data();
+    for (int y = 0; y < height; ++y) {
+        std::uint32_t last_label = 0;
+        std::uint32_t last_id = 0;
+        for (int x = 0; x < width; ++x, ++label) {
+            if (*label == 0) continue;
+            if (*label != last_label) {
+                const auto [known, is_new] = id_of_label.try_emplace(*label, std::uint32_t(label_of_id.size() + 1));
+                if (is_new) label_of_id.push_back(*label);
+                last_label = *label;
+                last_id = known->second;
+            }
+            *label = last_id;
+            grid.set_blocked({x, y}, true);
+        }
+    }
+    Map map(std::move(grid), std::move(labels));
+    for (Obstacle& obstacle : map.obstacles_) {
+        const std::uint32_t source_label = label_of_id[obstacle.id.value - 1];
+        if (source_label >= attributes.size()) continue;
+        obstacle.destructible = attributes[source_label].destructible;
+        obstacle.source_id = attributes[source_label].source_id;
+    }
+    return map;
+}
+
+std::vector<Cell> Map::boundary(ObstacleId id) const {
+    const Box& bounds = obstacle(id).bounds;
+    const Cell first{std::max(bounds.min.x - 1, 0), std::max(bounds.min.y - 1, 0)};
+    const Cell last{std::min(bounds.max.x + 1, width() - 1), std::min(bounds.max.y + 1, height() - 1)};
+    std::vector<Cell> cells;
+    for (Cell c = first; c.y <= last.y; ++c.y) {
+        for (c.x = first.x; c.x <= last.x; ++c.x) {
+            if (obstacle_at(c) == id) continue;
+            bool touches = false;
+            for (Cell n{c.x - 1, std::max(c.y - 1, 0)}; n.y <= std::min(c.y + 1, height() - 1) && !touches; ++n.y) {
+                for (n.x = std::max(c.x - 1, 0); n.x <= std::min(c.x + 1, width() - 1); ++n.x) {
+                    touches = touches || obstacle_at(n) == id;
+                }
+            }
+            if (touches) cells.push_back(c);
+        }
+    }
+    return cells;
+}
+
+}  // namespace waybreaker
