@@ -11,7 +11,7 @@ enum class Corners { none, cut, squeeze };
 
 struct Motion {
     Corners corners = Corners::none;
-    double radius = 0.5;   // of the disc agent, in cells: 0.5 to 64, thousandths count; used with Corners::none
+    double radius = 0.5;   // of the disc agent, in cells: 0.5 to 32, thousandths count; used with Corners::none
     bool diagonal = true;  // eight neighbours; false: four
 };
 

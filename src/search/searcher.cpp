@@ -1,1 +1,113 @@
-// stub
+// Puts a search together from its parts, as the options say.
+#include "search/best_first.hpp"
+#include "search/jump_steps.hpp"
+#include "search/observers.hpp"
+#include "search/parents.hpp"
+#include "search/steps.hpp"
+#include "waybreaker/error.hpp"
+#include "waybreaker/search.hpp"
+
+namespace waybreaker {
+
+class Searcher::Memory {
+  public:
+    NodeStore nodes;
+    std::vector<OpenEntry> open;
+};
+
+Searcher::Searcher() : memory_(std::make_unique<Memory>()) {}
+Searcher::~Searcher() = default;
+Searcher::Searcher(Searcher&&) noexcept = default;
+Searcher& Searcher::operator=(Searcher&&) noexcept = default;
+
+namespace {
+
+bool is_wide(const Motion& motion) {
+    return motion.corners == Corners::none && motion.radius > 0.5;
+}
+
+Heuristic heuristic_of(const SearchOptions& options) {
+    if (options.planner == Planner::dijkstra || options.planner == Planner::bfs) return Heuristic::zero;
+    if (options.heuristic) return *options.heuristic;
+    if (options.planner == Planner::theta || options.planner == Planner::lazy_theta) return Heuristic::euclidean;
+    return options.motion.diagonal ? Heuristic::octile : Heuristic::manhattan;
+}
+
+// The parts are chosen one after the other, each choice a function: steps, parents, order, observer.
+struct Assembly {
+    const Query& query;
+    NodeStore& nodes;
+    std::vector<OpenEntry>& open;
+
+    template <class Order, class Steps, class Parents, class Observer>
+    SearchResult run(const Steps& moves, const Parents& parents, Observer& observer) const {
+        return BestFirst<Steps, Parents, Order, Observer>(query, nodes, open, moves, parents, observer).run();
+    }
+
+    template <class Steps, class Parents, class Observer>
+    SearchResult order(const Steps& moves, const Parents& parents, Observer& observer) const {
+        return query.options.tie_break == TieBreak::g_max ? run<LargerGFirst>(moves, parents, observer)
+                                                          : run<SmallerGFirst>(moves, parents, observer);
+    }
+
+    template <class Steps, class Parents>
+    SearchResult observe(const Steps& moves, const Parents& parents) const {
+        if (query.options.listener != nullptr) {
+            ListeningHitCounter observer(query.map, *query.options.listener);
+            SearchResult result = order(moves, parents, observer);
+            if (query.options.count_hits) result.hits = observer.take();
+            return result;
+        }
+        if (query.options.count_hits) {
+            HitCounter observer(query.map);
+            SearchResult result = order(moves, parents, observer);
+            result.hits = observer.take();
+            return result;
+        }
+        NoObserver observer;
+        return order(moves, parents, observer);
+    }
+
+    template <class Steps>
+    SearchResult parents(const Steps& moves, const LineOfSight& sight) const {
+        if (query.options.planner == Planner::theta) return observe(moves, ThetaParents{sight});
+        if (query.options.planner == Planner::lazy_theta) return observe(moves, LazyThetaParents<Steps>{sight, moves});
+        return observe(moves, StepParents{});
+    }
+
+    SearchResult assemble(const LineOfSight& sight) const {
+        const Motion& motion = query.options.motion;
+        if (query.options.planner == Planner::jps) {
+            return observe(JumpSteps(query.map, motion.corners, query.goal), StepParents{});
+        }
+        const bool unit_cost = query.options.planner == Planner::bfs;
+        if (is_wide(motion)) return parents(WideSteps(sight, motion, unit_cost), sight);
+        return parents(GridSteps(query.map, motion, unit_cost), sight);
+    }
+};
+
+}  // namespace
+
+void validate(const SearchOptions& options) {
+    validate(options.motion);
+    if (!(options.weight >= 1)) throw InputError("the heuristic's weight must be at least 1");
+    if (options.planner != Planner::jps) return;
+    if (!options.motion.diagonal) throw InputError("jps needs eight neighbours: use astar for four");
+    if (is_wide(options.motion))
+        throw InputError("jps plans for a radius of 0.5 only: use astar or theta for larger agents");
+}
+
+SearchResult Searcher::find(const OpenedMap& map, Cell start, Cell goal, const SearchOptions& options) {
+    validate(options);
+    const LineOfSight sight(map, options.motion);
+    const auto stands = [&](Cell c) { return map.map().grid().contains(c) && sight.fits(c); };
+    if (!stands(start) || !stands(goal)) {
+        SearchResult nowhere;
+        if (options.count_hits) nowhere.hits.assign(map.map().obstacles().size() + 1, 0);
+        return nowhere;
+    }
+    const Query query{map, start, goal, heuristic_of(options), options.weight, options};
+    return Assembly{query, memory_->nodes, memory_->open}.assemble(sight);
+}
+
+}  // namespace waybreaker

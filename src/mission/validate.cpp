@@ -1,0 +1,83 @@
+// Missions that can be put on a map, and the paper's way to set one up.
+#include <cmath>
+#include <optional>
+
+#include "waybreaker/error.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+namespace {
+
+std::string text(Cell c) {
+    return std::to_string(c.x) + "," + std::to_string(c.y);
+}
+
+// The nearest cell, in rings around `at`, where the agent can stand.
+std::optional<Cell> nearest_place(const OpenedMap& map, Cell at, const Motion& motion) {
+    const int rings = std::max(map.width(), map.height());
+    for (int ring = 1; ring <= rings; ++ring) {
+        std::optional<Cell> best;
+        for (int dy = -ring; dy <= ring; ++dy) {
+            const int stride = std::abs(dy) == ring ? 1 : 2 * ring;
+            for (int dx = -ring; dx <= ring; dx += stride) {
+                const Cell c{at.x + dx, at.y + dy};
+                if (!map.map().grid().contains(c) || !fits(map, c, motion)) continue;
+                if (!best || distance(c, at) < distance(*best, at)) best = c;
+            }
+        }
+        if (best) return best;
+    }
+    return std::nullopt;
+}
+
+void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std::string& what, const Motion& motion) {
+    const std::string where = "the " + agent.id + " agent's " + what + " " + text(at);
+    if (!map.map().grid().contains(at)) {
+        throw InputError(where + " is off the map: x goes from 0 to " + std::to_string(map.width() - 1) +
+                         ", y from 0 to " + std::to_string(map.height() - 1));
+    }
+    if (agent.kind == AgentKind::air || fits(map, at, motion)) return;
+    const ObstacleId obstacle = map.map().obstacle_at(at);
+    const std::string reason = obstacle ? " lies inside obstacle " + std::to_string(obstacle.value)
+                                        : " is too narrow for a radius of " + std::to_string(motion.radius);
+    const std::optional<Cell> place = nearest_place(map, at, motion);
+    throw InputError(where + reason +
+                     (place ? "; a free cell near it is " + text(*place) : "; the map has no free cell"));
+}
+
+}  // namespace
+
+Mission ground_and_air(Cell start, Cell goal) {
+    return {{{.id = "ground", .kind = AgentKind::ground, .start = start, .goal = goal},
+             {.id = "air", .kind = AgentKind::air, .start = start, .goal = goal}}};
+}
+
+MissionOptions paper_options(int removals) {
+    MissionOptions options;
+    options.removals = removals;
+    // For one obstacle the paper flies the shortest way past it, which is what `optimal` does.
+    options.flight = removals == 1 ? FlightRule::optimal : FlightRule::nearest;
+    return options;
+}
+
+void validate(const Map& map, const Mission& mission, const MissionOptions& options) {
+    validate(options.search);
+    if (options.removals < 0) throw InputError("the number of removals cannot be negative");
+    int ground_agents = 0;
+    int air_agents = 0;
+    const OpenedMap closed(map);
+    for (const Agent& agent : mission.agents) {
+        ++(agent.kind == AgentKind::ground ? ground_agents : air_agents);
+        if (!(agent.speed > 0) || !std::isfinite(agent.speed)) {
+            throw InputError("the " + agent.id + " agent's speed must be a positive number");
+        }
+        validate_place(closed, agent, agent.start, "start", options.search.motion);
+        validate_place(closed, agent, agent.goal, "goal", options.search.motion);
+    }
+    if (ground_agents != 1 || air_agents != 1) {
+        throw InputError("a mission has one ground agent and one air agent, not " + std::to_string(ground_agents) +
+                         " and " + std::to_string(air_agents));
+    }
+}
+
+}  // namespace waybreaker

@@ -1,0 +1,23 @@
+// Timeline: who is where when, and when the ground agent first touches a removed obstacle.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "waybreaker/map.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker {
+
+// Length of a path of cell centres, in cells.
+double path_length(std::span<const Cell> path);
+
+// The path driven without a stop from time 0 on.
+std::vector<Waypoint> timed(std::span<const Cell> path, double speed);
+
+// When an agent of that radius (cells; 0 for a point) first touches a cell of the obstacle: the first time after which
+// its open disc meets the closed cell. Empty if it never does.
+std::optional<double> first_touch(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path, double radius);
+
+}  // namespace waybreaker
