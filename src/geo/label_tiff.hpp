@@ -1,9 +1,14 @@
 // GeoTIFF label maps: obstacle id per cell, 0 = free, with coordinate system. The format `waybreaker import` writes.
+//
+// What GDAL's tools keep is kept in its own places: coordinate system and cell size, the title as TIFF image
+// description, the attribution as TIFF copyright. What they have no place for, who each obstacle is, stands in one
+// metadata item, WAYBREAKER_OBSTACLES, which gdal_translate copies too: see docs/data.md.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "waybreaker/map.hpp"
 
@@ -27,10 +32,12 @@ struct LabelTiff {
     std::string title;        // place and window, for captions; may be empty
 };
 
-// Throws InputError (file and remedy) on anything that is not such a map, or too large for the limits of grid.hpp.
-LabelTiff read_label_tiff(const std::string& path);
+// The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. `name` is how
+// it is called in errors. Throws InputError (name and remedy) on anything that is not such a map, or too large for the
+// limits of grid.hpp.
+LabelTiff read_label_tiff(std::string_view bytes, const std::string& name);
 
-// Written whole or not at all. Small: compressed, labels in the least integer type.
-void write_label_tiff(const std::string& path, const LabelTiff& tiff);
+// The bytes of such a file. Small: compressed, labels in the least type of 16 or 32 bits.
+std::string label_tiff_bytes(const LabelTiff& tiff);
 
 }  // namespace waybreaker::geo
