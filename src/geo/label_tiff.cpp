@@ -1,1 +1,235 @@
-// stub
+#include "geo/label_tiff.hpp"
+
+#include <fmt/format.h>
+#include <gdal_frmts.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "geo/gdal_scope.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::geo {
+namespace {
+
+constexpr const char* title_item = "TIFFTAG_IMAGEDESCRIPTION";
+constexpr const char* attribution_item = "TIFFTAG_COPYRIGHT";
+constexpr const char* obstacles_item = "WAYBREAKER_OBSTACLES";
+
+// Cells may be this much (a share of their side) off a square.
+constexpr double square_tolerance = 1e-3;
+
+InputError refusal(const std::string& name, const std::string& message) {
+    return InputError(name + ": " + message);
+}
+
+std::string metadata(GDALDataset& file, const char* item) {
+    const char* text = file.GetMetadataItem(item);
+    return text ? text : "";
+}
+
+// One entry per obstacle, in id order, between commas: its source id, with a `!` before it if it cannot be destroyed.
+std::string obstacles_text(const Map& map) {
+    std::string text;
+    bool worth_writing = false;
+    for (const Obstacle& obstacle : map.obstacles()) {
+        if (!text.empty()) text += ',';
+        text += fmt::format("{}{}", obstacle.destructible ? "" : "!", obstacle.source_id);
+        worth_writing = worth_writing || !obstacle.destructible || obstacle.source_id != 0;
+    }
+    return worth_writing ? text : "";
+}
+
+std::vector<ObstacleAttributes> parse_obstacles(std::string_view text, const std::string& name) {
+    std::vector<ObstacleAttributes> attributes(1);
+    while (!text.empty()) {
+        ObstacleAttributes& obstacle = attributes.emplace_back();
+        if (text.front() == '!') {
+            obstacle.destructible = false;
+            text.remove_prefix(1);
+        }
+        const char* end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, obstacle.source_id);
+        const bool separated = rest != end && *rest == ',' && rest + 1 != end;
+        if (error != std::errc() || (rest != end && !separated)) {
+            throw refusal(name, fmt::format("entry {} of its metadata item {} is no source id; drop the item with "
+                                            "'gdal_edit.py -unsetmd' or import the map anew",
+                                            attributes.size() - 1, obstacles_item));
+        }
+        text.remove_prefix(std::size_t(rest - text.data()) + (separated ? 1 : 0));
+    }
+    return attributes;
+}
+
+// Looks at the header alone, so that nothing large is allocated for a map that is refused.
+void check_layout(GDALDataset& file, const std::string& name) {
+    if (file.GetRasterCount() != 1) {
+        throw refusal(name, fmt::format("has {} bands, a label map has one; pick one with 'gdal_translate -b 1'",
+                                        file.GetRasterCount()));
+    }
+    GDALRasterBand& band = *file.GetRasterBand(1);
+    const GDALDataType type = band.GetRasterDataType();
+    const bool fits =
+        type == GDT_Byte || type == GDT_UInt16 || type == GDT_Int16 || type == GDT_UInt32 || type == GDT_Int32;
+    if (!fits) {
+        throw refusal(name, fmt::format("has cells of type {}, obstacle ids are integers of up to 32 bits; convert it "
+                                        "with 'gdal_translate -ot UInt32'",
+                                        GDALGetDataTypeName(type)));
+    }
+    const auto width = std::size_t(band.GetXSize());
+    const auto height = std::size_t(band.GetYSize());
+    if (width > max_side || height > max_side || width * height > max_cells) {
+        throw refusal(name, fmt::format("has {} x {} cells; a map has sides of at most {} and at most {} cells in all: "
+                                        "cut a piece out with 'gdal_translate -srcwin'",
+                                        width, height, max_side, max_cells));
+    }
+    int block_width = 0;
+    int block_height = 0;
+    band.GetBlockSize(&block_width, &block_height);
+    const std::size_t block = std::size_t(block_width) * std::size_t(block_height);
+    if (block > std::max(4 * width * height, std::size_t{4096} * 4096)) {
+        throw refusal(name,
+                      fmt::format("is cut into tiles of {} x {} cells, far larger than itself; write it anew with "
+                                  "'gdal_translate -co TILED=NO'",
+                                  block_width, block_height));
+    }
+}
+
+// The ids of all cells, row by row; cells without data are free.
+std::vector<std::uint32_t> read_labels(GDALDataset& file, const std::string& name) {
+    GDALRasterBand& band = *file.GetRasterBand(1);
+    const int width = band.GetXSize();
+    const int height = band.GetYSize();
+    const GDALDataType type = band.GetRasterDataType();
+    const bool is_signed = type == GDT_Int16 || type == GDT_Int32;
+    std::vector<std::uint32_t> labels(std::size_t(width) * std::size_t(height));
+    const GdalScope gdal;
+    const CPLErr outcome = band.RasterIO(GF_Read, 0, 0, width, height, labels.data(), width, height,
+                                         is_signed ? GDT_Int32 : GDT_UInt32, 0, 0, nullptr);
+    if (outcome != CE_None || gdal.failed()) {
+        throw refusal(name, "is damaged or cut short: " + gdal.failure());
+    }
+
+    int has_no_data = 0;
+    const double no_data = band.GetNoDataValue(&has_no_data);
+    if (has_no_data && no_data >= std::numeric_limits<std::int32_t>::min() &&
+        no_data <= std::numeric_limits<std::uint32_t>::max() && no_data == std::floor(no_data)) {
+        const auto no_data_label = std::uint32_t(std::int64_t(no_data));
+        std::replace(labels.begin(), labels.end(), no_data_label, 0U);
+    }
+    const auto negative = std::find_if(labels.begin(), labels.end(), [](std::uint32_t l) { return l >> 31 != 0; });
+    if (is_signed && negative != labels.end()) {
+        const std::ptrdiff_t at = negative - labels.begin();
+        throw refusal(name, fmt::format("has the negative obstacle id {} at cell {},{}; ids start at 1, 0 is free",
+                                        std::int32_t(*negative), at % width, at / width));
+    }
+    return labels;
+}
+
+// Cell size in metres, and where the map lies if the file knows its coordinate system.
+struct Place {
+    double cell_size = 1;
+    std::optional<Georeference> georeference;
+};
+
+Place read_place(GDALDataset& file, const std::string& name) {
+    Place place;
+    std::array<double, 6> transform{};
+    if (file.GetGeoTransform(transform.data()) != CE_None) return place;
+    const auto [west, cell_x, skew_x, north, skew_y, cell_y] = transform;
+    if (!std::all_of(transform.begin(), transform.end(), [](double t) { return std::isfinite(t); })) {
+        throw refusal(name, "has a georeference that is not a number; give it one with 'gdal_edit.py -a_ullr'");
+    }
+    if (skew_x != 0 || skew_y != 0 || !(cell_x > 0) || !(cell_y < 0)) {
+        throw refusal(name, "is rotated or not north-up; straighten it with 'gdalwarp -r near'");
+    }
+    if (!(std::abs(cell_x + cell_y) <= square_tolerance * cell_x)) {
+        throw refusal(
+            name,
+            fmt::format("has cells of {:.6g} x {:.6g}, cells must be square; resample it with 'gdalwarp -r near -tr'",
+                        cell_x, -cell_y));
+    }
+    place.cell_size = cell_x;
+    const OGRSpatialReference* system = file.GetSpatialRef();
+    if (system == nullptr) return place;
+    if (system->IsGeographic()) {
+        throw refusal(name,
+                      "has cells in degrees, which are not square on the ground; project it with "
+                      "'gdalwarp -r near -t_srs EPSG:326ZZ', ZZ being its UTM zone");
+    }
+    place.cell_size = cell_x * system->GetLinearUnits();
+    char* text = nullptr;
+    system->exportToWkt(&text);
+    place.georeference = Georeference{text ? text : "", transform};
+    CPLFree(text);
+    return place;
+}
+
+GDALDriver& tiff_driver() {
+    GDALRegister_GTiff();
+    return *GetGDALDriverManager()->GetDriverByName("GTiff");
+}
+
+}  // namespace
+
+LabelTiff read_label_tiff(std::string_view bytes, const std::string& name) {
+    tiff_driver();
+    const GdalScope gdal;
+    const MemoryFile memory(bytes);
+    const char* const only_tiff[] = {"GTiff", nullptr};
+    const GDALDatasetUniquePtr file(GDALDataset::Open(memory.path().c_str(), GDAL_OF_RASTER, only_tiff));
+    if (!file) throw refusal(name, "is no GeoTIFF map: " + gdal.failure());
+    check_layout(*file, name);
+    Place place = read_place(*file, name);
+    const std::vector<ObstacleAttributes> attributes = parse_obstacles(metadata(*file, obstacles_item), name);
+    const int width = file->GetRasterXSize();
+    const int height = file->GetRasterYSize();
+    return {.map = Map::from_labels(width, height, read_labels(*file, name), attributes),
+            .cell_size = place.cell_size,
+            .georeference = std::move(place.georeference),
+            .attribution = metadata(*file, attribution_item),
+            .title = metadata(*file, title_item)};
+}
+
+std::string label_tiff_bytes(const LabelTiff& tiff) {
+    GDALDriver& driver = tiff_driver();
+    const GdalScope gdal;
+    const MemoryFile memory;
+    const int width = tiff.map.width();
+    const int height = tiff.map.height();
+    const bool short_ids = tiff.map.obstacles().size() <= std::numeric_limits<std::uint16_t>::max();
+    // Long strips compress better; a million cells a strip keeps a reader's buffers small.
+    CPLStringList options;
+    options.SetNameValue("COMPRESS", "DEFLATE");
+    options.SetNameValue("ZLEVEL", "9");
+    options.SetNameValue("PREDICTOR", "2");
+    options.SetNameValue("BLOCKYSIZE", std::to_string(std::clamp((1 << 20) / width, 1, height)).c_str());
+    GDALDatasetUniquePtr file(
+        driver.Create(memory.path().c_str(), width, height, 1, short_ids ? GDT_UInt16 : GDT_UInt32, options.List()));
+    if (!file) throw InputError("cannot make a GeoTIFF: " + gdal.failure());
+
+    std::array<double, 6> transform{0, tiff.cell_size, 0, 0, 0, -tiff.cell_size};
+    if (tiff.georeference) {
+        transform = tiff.georeference->transform;
+        const OGRSpatialReference system(tiff.georeference->crs.c_str());
+        file->SetSpatialRef(&system);
+    }
+    file->SetGeoTransform(transform.data());
+    file->SetMetadataItem("TIFFTAG_SOFTWARE", "waybreaker");
+    if (!tiff.title.empty()) file->SetMetadataItem(title_item, tiff.title.c_str());
+    if (!tiff.attribution.empty()) file->SetMetadataItem(attribution_item, tiff.attribution.c_str());
+    const std::string obstacles = obstacles_text(tiff.map);
+    if (!obstacles.empty()) file->SetMetadataItem(obstacles_item, obstacles.c_str());
+
+    auto* labels = const_cast<std::uint32_t*>(tiff.map.labels().data());  // GDAL only reads it
+    const CPLErr outcome = file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, width, height, labels, width, height,
+                                                            GDT_UInt32, 0, 0, nullptr);
+    file.reset();
+    if (outcome != CE_None || gdal.failed()) throw InputError("cannot make a GeoTIFF: " + gdal.failure());
+    return memory.bytes();
+}
+
+}  // namespace waybreaker::geo

@@ -27,9 +27,9 @@ struct Georeference {
 struct LabelTiff {
     Map map;
     double cell_size = 1;  // metres per cell
-    std::optional<Georeference> georeference;
-    std::string attribution;  // of the source data; may be empty
-    std::string title;        // place and window, for captions; may be empty
+    std::optional<Georeference> georeference = {};
+    std::string attribution = {};  // of the source data; may be empty
+    std::string title = {};        // place and window, for captions; may be empty
 };
 
 // The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. `name` is how

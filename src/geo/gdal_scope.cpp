@@ -1,0 +1,70 @@
+#include "geo/gdal_scope.hpp"
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_vsi.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace waybreaker::geo {
+namespace {
+
+constexpr std::array<const char*, 2> side_file_options{"GDAL_PAM_ENABLED", "CPL_VSIL_GZIP_WRITE_PROPERTIES"};
+
+void CPL_STDCALL on_error(CPLErr severity, CPLErrorNum, const char* message) {
+    if (severity >= CE_Failure) static_cast<GdalScope*>(CPLGetErrorHandlerUserData())->remember(message);
+}
+
+}  // namespace
+
+GdalScope::GdalScope() {
+    CPLPushErrorHandlerEx(on_error, this);
+    for (std::size_t i = 0; i < side_file_options.size(); ++i) {
+        if (const char* former = CPLGetThreadLocalConfigOption(side_file_options[i], nullptr)) {
+            former_options_[i] = former;
+        }
+        CPLSetThreadLocalConfigOption(side_file_options[i], "NO");
+    }
+}
+
+GdalScope::~GdalScope() {
+    for (std::size_t i = 0; i < side_file_options.size(); ++i) {
+        const std::optional<std::string>& former = former_options_[i];
+        CPLSetThreadLocalConfigOption(side_file_options[i], former ? former->c_str() : nullptr);
+    }
+    CPLPopErrorHandler();
+}
+
+void GdalScope::remember(const char* message) {
+    if (failed()) return;
+    failure_ = message;
+    std::replace_if(
+        failure_.begin(), failure_.end(), [](unsigned char c) { return c < ' '; }, ' ');
+    if (failure_.empty()) failure_ = "unknown cause";
+}
+
+std::string GdalScope::failure() const {
+    return failed() ? failure_ : "unknown cause";
+}
+
+// An address is a name that no other living object has.
+MemoryFile::MemoryFile() : path_(fmt::format("/vsimem/waybreaker/{}.tif", fmt::ptr(this))) {}
+
+MemoryFile::MemoryFile(std::string_view bytes) : MemoryFile() {
+    auto* data = reinterpret_cast<GByte*>(const_cast<char*>(bytes.data()));
+    VSIFCloseL(VSIFileFromMemBuffer(path_.c_str(), data, bytes.size(), FALSE));
+}
+
+MemoryFile::~MemoryFile() {
+    VSIUnlink(path_.c_str());
+}
+
+std::string MemoryFile::bytes() const {
+    vsi_l_offset size = 0;
+    const GByte* data = VSIGetMemFileBuffer(path_.c_str(), &size, FALSE);
+    return data ? std::string(reinterpret_cast<const char*>(data), size) : std::string();
+}
+
+}  // namespace waybreaker::geo

@@ -1,0 +1,49 @@
+// GDAL, kept on a short lead: quiet, without side files, and with its errors as ours.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace waybreaker::geo {
+
+// While it lives, GDAL on this thread prints nothing and writes no side files (.aux.xml, .gz.properties); its first
+// failure is remembered. What was set before comes back at the end, so scopes nest; the inner does not tell the outer.
+class GdalScope {
+  public:
+    GdalScope();
+    ~GdalScope();
+    GdalScope(const GdalScope&) = delete;
+    GdalScope& operator=(const GdalScope&) = delete;
+
+    bool failed() const { return !failure_.empty(); }
+    // GDAL's own words in one line, or "unknown cause".
+    std::string failure() const;
+
+    // For GDAL's error handler.
+    void remember(const char* message);
+
+  private:
+    std::string failure_;
+    std::array<std::optional<std::string>, 2> former_options_;
+};
+
+// A file in GDAL's memory, unknown to others and gone with this object.
+class MemoryFile {
+  public:
+    MemoryFile();
+    // Only a view: the bytes must outlive it, and nobody may write to the file.
+    explicit MemoryFile(std::string_view bytes);
+    ~MemoryFile();
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    const std::string& path() const { return path_; }
+    std::string bytes() const;
+
+  private:
+    std::string path_;
+};
+
+}  // namespace waybreaker::geo

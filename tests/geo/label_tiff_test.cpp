@@ -1,0 +1,313 @@
+// Label maps survive their file format, and GDAL's own tools; whatever else comes is refused in one helpful line.
+#include "geo/label_tiff.hpp"
+
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <functional>
+
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::geo {
+namespace {
+
+const char* const memory_path = "/vsimem/label_tiff_test.tif";
+
+std::string take_memory_file() {
+    vsi_l_offset size = 0;
+    const GByte* data = VSIGetMemFileBuffer(memory_path, &size, FALSE);
+    std::string bytes(reinterpret_cast<const char*>(data), size);
+    VSIUnlink(memory_path);
+    return bytes;
+}
+
+// What another program might have written: an 8 x 4 raster of `type`, changed by `edit` before it is closed.
+std::string foreign_tiff(GDALDataType type, int bands, const std::function<void(GDALDataset&)>& edit = {},
+                         int width = 8, int height = 4, const char* option = nullptr) {
+    GDALAllRegister();
+    CPLStringList options;
+    if (option) options.AddString(option);
+    GDALDatasetUniquePtr file(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(memory_path, width, height,
+                                                                                       bands, type, options.List()));
+    if (edit) edit(*file);
+    file.reset();
+    return take_memory_file();
+}
+
+void write_cells(GDALDataset& file, std::vector<std::int32_t> cells) {
+    ASSERT_EQ(cells.size(), 32U);
+    ASSERT_EQ(file.GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 8, 4, cells.data(), 8, 4, GDT_Int32, 0, 0, nullptr),
+              CE_None);
+}
+
+// The same file after `gdal_translate OPTIONS`.
+std::string translated(const std::string& bytes, const std::vector<const char*>& arguments) {
+    GDALAllRegister();
+    const char* const in_path = "/vsimem/label_tiff_test_in.tif";
+    std::string copy = bytes;
+    VSIFCloseL(VSIFileFromMemBuffer(in_path, reinterpret_cast<GByte*>(copy.data()), copy.size(), FALSE));
+    CPLStringList list;
+    for (const char* argument : arguments) list.AddString(argument);
+    GDALTranslateOptions* options = GDALTranslateOptionsNew(list.List(), nullptr);
+    GDALDatasetUniquePtr in(GDALDataset::Open(in_path));
+    GDALClose(GDALTranslate(memory_path, GDALDataset::ToHandle(in.get()), options, nullptr));
+    GDALTranslateOptionsFree(options);
+    in.reset();
+    VSIUnlink(in_path);
+    return take_memory_file();
+}
+
+// 5 x 3 cells, three obstacles in two touching pieces and one apart, in UTM zone 33N.
+LabelTiff small_map() {
+    const std::vector<ObstacleAttributes> attributes{{}, {true, 4711}, {false, -12345678901}, {true, 0}};
+    OGRSpatialReference utm;
+    utm.SetWellKnownGeogCS("WGS84");
+    utm.SetUTM(33, TRUE);
+    char* text = nullptr;
+    utm.exportToWkt(&text);
+    LabelTiff tiff{.map = Map::from_labels(5, 3,
+                                           {1, 1, 2, 0, 0,  //
+                                            0, 2, 2, 0, 3,  //
+                                            0, 0, 0, 0, 3},
+                                           attributes),
+                   .cell_size = 2.4,
+                   .georeference = Georeference{text, {390000.25, 2.4, 0, 5820000.75, 0, -2.4}},
+                   .attribution = "(c) somebody, some licence 1.0",
+                   .title = "Place, 12 m around Zürich"};
+    CPLFree(text);
+    return tiff;
+}
+
+void expect_same_obstacles(const Map& a, const Map& b) {
+    ASSERT_EQ(a.width(), b.width());
+    ASSERT_EQ(a.height(), b.height());
+    EXPECT_TRUE(std::equal(a.labels().begin(), a.labels().end(), b.labels().begin(), b.labels().end()));
+    ASSERT_EQ(a.obstacles().size(), b.obstacles().size());
+    for (std::size_t i = 0; i < a.obstacles().size(); ++i) {
+        EXPECT_EQ(a.obstacles()[i].source_id, b.obstacles()[i].source_id);
+        EXPECT_EQ(a.obstacles()[i].destructible, b.obstacles()[i].destructible);
+        EXPECT_EQ(a.obstacles()[i].bounds, b.obstacles()[i].bounds);
+    }
+}
+
+TEST(LabelTiff, comes_back_whole) {
+    const LabelTiff written = small_map();
+    const LabelTiff read = read_label_tiff(label_tiff_bytes(written), "city.tif");
+    expect_same_obstacles(written.map, read.map);
+    EXPECT_EQ(read.cell_size, 2.4);
+    EXPECT_EQ(read.attribution, written.attribution);
+    EXPECT_EQ(read.title, written.title);
+    ASSERT_TRUE(read.georeference);
+    EXPECT_EQ(read.georeference->transform, written.georeference->transform);
+    EXPECT_EQ(read.georeference->crs_name(), "WGS 84 / UTM zone 33N");
+}
+
+TEST(LabelTiff, same_map_gives_same_bytes) {
+    EXPECT_EQ(label_tiff_bytes(small_map()), label_tiff_bytes(small_map()));
+}
+
+TEST(LabelTiff, keeps_the_cell_size_where_no_place_is_known) {
+    const LabelTiff read =
+        read_label_tiff(label_tiff_bytes({.map = Map::from_labels(2, 1, {0, 7}), .cell_size = 0.5}), "city.tif");
+    EXPECT_EQ(read.cell_size, 0.5);
+    EXPECT_FALSE(read.georeference);
+}
+
+TEST(LabelTiff, puts_cell_centres_on_the_ground) {
+    Georeference place = *small_map().georeference;
+    const auto [lon, lat] = place.lon_lat(4, 2);
+    OGRSpatialReference utm(place.crs.c_str());
+    OGRSpatialReference wgs84;
+    wgs84.SetWellKnownGeogCS("WGS84");
+    wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    std::unique_ptr<OGRCoordinateTransformation> to_utm(OGRCreateCoordinateTransformation(&wgs84, &utm));
+    double east = lon;
+    double north = lat;
+    ASSERT_TRUE(to_utm->Transform(1, &east, &north));
+    EXPECT_NEAR(east, 390000.25 + 4.5 * 2.4, 1e-3);
+    EXPECT_NEAR(north, 5820000.75 - 2.5 * 2.4, 1e-3);
+}
+
+RC_GTEST_PROP(LabelTiff, comes_back_whole_whatever_it_holds, ()) {
+    const int width = *rc::gen::inRange(1, 40);
+    const int height = *rc::gen::inRange(1, 40);
+    const std::size_t cells = std::size_t(width) * std::size_t(height);
+    // Large labels now and then: ids of the file do not depend on them.
+    const auto labels = *rc::gen::container<std::vector<std::uint32_t>>(
+        cells, rc::gen::element<std::uint32_t>(0, 0, 1, 2, 3, 70000, 4000000000));
+    std::vector<ObstacleAttributes> attributes(4);
+    for (ObstacleAttributes& obstacle : attributes) {
+        obstacle = {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<std::int64_t>()};
+    }
+    const LabelTiff written{.map = Map::from_labels(width, height, labels, attributes)};
+    expect_same_obstacles(written.map, read_label_tiff(label_tiff_bytes(written), "city.tif").map);
+}
+
+TEST(LabelTiff, holds_more_obstacles_than_16_bits) {
+    std::vector<std::uint32_t> labels(300 * 300);
+    for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = std::uint32_t(i);
+    const LabelTiff written{.map = Map::from_labels(300, 300, labels)};
+    const LabelTiff read = read_label_tiff(label_tiff_bytes(written), "city.tif");
+    EXPECT_EQ(read.map.obstacles().size(), 300U * 300U - 1);
+    expect_same_obstacles(written.map, read.map);
+}
+
+TEST(LabelTiff, survives_gdal_translate) {
+    const LabelTiff original = small_map();
+    const std::string bytes = label_tiff_bytes(original);
+    const std::vector<std::vector<const char*>> variants{
+        {},
+        {"-co", "TILED=YES", "-co", "COMPRESS=LZW"},
+        {"-ot", "Byte"},
+        {"-ot", "Int32", "-co", "BIGTIFF=YES"},
+        {"-ot", "UInt32", "-co", "ENDIANNESS=BIG", "-co", "COMPRESS=DEFLATE", "-co", "PREDICTOR=2"},
+        {"-of", "COG"},
+    };
+    for (const auto& arguments : variants) {
+        SCOPED_TRACE(arguments.empty() ? "plain" : arguments.back());
+        const LabelTiff read = read_label_tiff(translated(bytes, arguments), "city.tif");
+        expect_same_obstacles(original.map, read.map);
+        EXPECT_EQ(read.attribution, original.attribution);
+        EXPECT_EQ(read.title, original.title);
+        EXPECT_EQ(read.georeference->transform, original.georeference->transform);
+    }
+}
+
+TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
+    const std::string piece = translated(label_tiff_bytes(small_map()), {"-srcwin", "2", "0", "3", "3"});
+    const Map map = read_label_tiff(piece, "piece.tif").map;
+    ASSERT_EQ(map.obstacles().size(), 2U);
+    EXPECT_EQ(map.obstacle(map.obstacle_at({0, 0})).source_id, -12345678901);
+    EXPECT_FALSE(map.obstacle(map.obstacle_at({0, 0})).destructible);
+    EXPECT_EQ(map.obstacle(map.obstacle_at({2, 2})).source_id, 0);
+    EXPECT_TRUE(map.obstacle(map.obstacle_at({2, 2})).destructible);
+}
+
+TEST(LabelTiff, takes_cells_without_data_for_free) {
+    const std::string bytes = foreign_tiff(GDT_Int16, 1, [](GDALDataset& file) {
+        std::vector<std::int32_t> cells(32, -9999);
+        cells[9] = 5;
+        write_cells(file, cells);
+        file.GetRasterBand(1)->SetNoDataValue(-9999);
+    });
+    const Map map = read_label_tiff(bytes, "foreign.tif").map;
+    ASSERT_EQ(map.obstacles().size(), 1U);
+    EXPECT_EQ(map.obstacle_at({1, 1}), ObstacleId{1});
+    EXPECT_EQ(map.obstacles()[0].cells, 1U);
+}
+
+TEST(LabelTiff, measures_cells_in_metres_whatever_the_unit) {
+    const std::string bytes = foreign_tiff(GDT_Byte, 1, [](GDALDataset& file) {
+        OGRSpatialReference feet;
+        feet.importFromEPSG(2263);  // New York Long Island, US survey feet
+        file.SetSpatialRef(&feet);
+        std::array<double, 6> transform{980000, 10, 0, 210000, 0, -10};
+        file.SetGeoTransform(transform.data());
+    });
+    EXPECT_NEAR(read_label_tiff(bytes, "feet.tif").cell_size, 3.048006, 1e-6);
+}
+
+void set_transform(GDALDataset& file, std::array<double, 6> transform) {
+    file.SetGeoTransform(transform.data());
+}
+
+TEST(LabelTiff, refuses_what_is_no_label_map_and_says_why) {
+    const std::string good = label_tiff_bytes(small_map());
+    struct Case {
+        const char* what;
+        std::string bytes;
+        const char* message;
+    };
+    const std::vector<Case> cases{
+        {"empty", "", "is no GeoTIFF map"},
+        {"text", "type octile\nheight 4\n", "is no GeoTIFF map"},
+        {"magic and junk", std::string("II*\0\x08\0\0\0", 8) + std::string(500, '\xff'), "is no GeoTIFF map"},
+        {"header cut short", good.substr(0, 10), "is no GeoTIFF map"},
+        {"two bands", foreign_tiff(GDT_Byte, 2), "has 2 bands"},
+        {"floats", foreign_tiff(GDT_Float32, 1), "-ot UInt32"},
+        {"64 bits", foreign_tiff(GDT_Int64, 1), "-ot UInt32"},
+        {"too wide", foreign_tiff(GDT_Byte, 1, {}, 40000, 2, "SPARSE_OK=YES"), "-srcwin"},
+        {"too many cells", foreign_tiff(GDT_Byte, 1, {}, 20000, 20000, "SPARSE_OK=YES"), "-srcwin"},
+        {"rotated",
+         foreign_tiff(GDT_Byte, 1,
+                      [](GDALDataset& f) {
+                          set_transform(f, {0, 2, 1, 0, 1, -2});
+                      }),
+         "not north-up"},
+        {"south-up",
+         foreign_tiff(GDT_Byte, 1,
+                      [](GDALDataset& f) {
+                          set_transform(f, {0, 2, 0, 0, 0, 2});
+                      }),
+         "not north-up"},
+        {"oblong cells",
+         foreign_tiff(GDT_Byte, 1,
+                      [](GDALDataset& f) {
+                          set_transform(f, {0, 2, 0, 0, 0, -2.1});
+                      }),
+         "must be square"},
+        {"degrees",
+         foreign_tiff(GDT_Byte, 1,
+                      [](GDALDataset& f) {
+                          OGRSpatialReference wgs84;
+                          wgs84.SetWellKnownGeogCS("WGS84");
+                          f.SetSpatialRef(&wgs84);
+                          set_transform(f, {13, 1e-5, 0, 52, 0, -1e-5});
+                      }),
+         "in degrees"},
+        {"negative id",
+         foreign_tiff(GDT_Int32, 1,
+                      [](GDALDataset& f) {
+                          std::vector<std::int32_t> labels(32, 0);
+                          labels[13] = -3;
+                          write_cells(f, labels);
+                      }),
+         "negative obstacle id -3 at cell 5,1"},
+        {"damaged ids",
+         foreign_tiff(GDT_Byte, 1, [](GDALDataset& f) { f.SetMetadataItem("WAYBREAKER_OBSTACLES", "12,!34,x5"); }),
+         "entry 3 of its metadata item"},
+        {"ids end in a comma",
+         foreign_tiff(GDT_Byte, 1, [](GDALDataset& f) { f.SetMetadataItem("WAYBREAKER_OBSTACLES", "12,"); }),
+         "entry 1 of its metadata item"},
+    };
+    for (const Case& bad : cases) {
+        SCOPED_TRACE(bad.what);
+        try {
+            read_label_tiff(bad.bytes, "bad.tif");
+            ADD_FAILURE() << "was read";
+        } catch (const InputError& error) {
+            const std::string message = error.what();
+            EXPECT_EQ(message.find("bad.tif: "), 0U) << message;
+            EXPECT_NE(message.find(bad.message), std::string::npos) << message;
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+        }
+    }
+}
+
+TEST(LabelTiff, survives_being_cut_anywhere) {
+    const std::string good = label_tiff_bytes(small_map());
+    for (std::size_t length = 0; length < good.size(); ++length) {
+        try {
+            // What GDAL stores last may be missing without harm; whatever is read is the map itself.
+            expect_same_obstacles(read_label_tiff(good.substr(0, length), "cut.tif").map, small_map().map);
+        } catch (const InputError&) {
+        }
+    }
+}
+
+RC_GTEST_PROP(LabelTiff, survives_any_change_of_a_byte, ()) {
+    std::string bytes = label_tiff_bytes(small_map());
+    const auto changes = *rc::gen::inRange(1, 4);
+    for (int i = 0; i < changes; ++i) {
+        bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::arbitrary<char>();
+    }
+    try {
+        read_label_tiff(bytes, "changed.tif");
+    } catch (const InputError&) {
+    }
+}
+
+}  // namespace
+}  // namespace waybreaker::geo
