@@ -1,0 +1,197 @@
+// The rules of docs/architecture.md: who may use whom, files that can be read in one sitting, no paths of anybody's
+// machine. The table of that page is the rule; it stands nowhere else.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int max_lines = 400;
+
+struct Rules {
+    std::map<std::string, std::set<std::string>> may_use;  // by folder, all it may use, itself included
+    std::map<std::string, std::string> owner;              // of a public header: the folder that implements it
+};
+
+std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
+    std::vector<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+        found.push_back(match->str(1));
+    }
+    return found;
+}
+
+// Reads table rows "| `src/map/` | what it holds | `grid.hpp` `map.hpp` | core |".
+Rules read_rules(const std::string& page) {
+    static const std::regex row(R"(\| `(?:src/|include/)?(\w+)/` \|[^|]*\|([^|]*)\|([^|]*)\|)");
+    static const std::regex header(R"(`([\w.]+)`)");
+    static const std::regex word(R"((\w+))");
+    Rules rules;
+    for (std::sregex_iterator match(page.begin(), page.end(), row), end; match != end; ++match) {
+        const std::string folder = match->str(1);
+        for (const std::string& name : matches(match->str(2), header)) rules.owner[name] = folder;
+        std::set<std::string>& used = rules.may_use[folder];
+        used.insert(folder);
+        // Rows stand below what they use, so what a used folder may use is known.
+        for (const std::string& name : matches(match->str(3), word)) used.merge(std::set(rules.may_use.at(name)));
+    }
+    return rules;
+}
+
+// What is wrong with the uses of a source file or CMakeLists.txt, one line each; `path` is relative to the project.
+std::vector<std::string> forbidden_uses(const Rules& rules, const fs::path& path, const std::string& text) {
+    static const std::regex include(R"re(#\s*include\s*["<]([\w.]+/[\w./]+)[">])re");
+    static const std::regex uses(R"(\bUSES((?:\s+[a-z_]+)+))");
+    static const std::regex target(R"(\bwaybreaker_([a-z]+)\b(?!\())");
+    static const std::regex word(R"(([a-z_]+))");
+
+    std::vector<std::string> used;
+    std::vector<std::string> findings;
+    if (path.filename() == "CMakeLists.txt") {
+        for (const std::string& list : matches(text, uses)) {
+            for (const std::string& folder : matches(list, word)) used.push_back(folder);
+        }
+        for (const std::string& folder : matches(text, target)) used.push_back(folder);
+    } else {
+        for (const std::string& name : matches(text, include)) {
+            const std::string first = name.substr(0, name.find('/'));
+            const auto owner = rules.owner.find(fs::path(name).filename());
+            if (first != "waybreaker") {
+                used.push_back(first);
+            } else if (owner != rules.owner.end()) {
+                used.push_back(owner->second);
+            } else {
+                findings.push_back(path.string() + " includes " + name + ", which no folder of the table owns");
+            }
+        }
+    }
+
+    auto part = path.begin();
+    if (*part == "src" || *part == "include") ++part;
+    std::string folder = *part;
+    if (folder == "waybreaker" && rules.owner.contains(path.filename())) folder = rules.owner.at(path.filename());
+    if (!rules.may_use.contains(folder)) return {path.string() + " is in a folder the table does not know"};
+    for (const std::string& name : used) {
+        // Other names are libraries from elsewhere: what may be linked is seen in NEEDS.
+        if (rules.may_use.contains(name) && !rules.may_use.at(folder).contains(name)) {
+            findings.push_back(path.string() + " uses " + name + ", which " + folder + " may not");
+        }
+    }
+    return findings;
+}
+
+std::string read(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+const fs::path project = WAYBREAKER_SOURCE_DIR;
+
+// Calls visit(path relative to the project, text) for every text file of ours below the given folders.
+template <class Visit>
+void for_each_file(std::initializer_list<const char*> folders, Visit visit) {
+    static const std::set<std::string> extensions = {"", ".cpp", ".hpp", ".txt", ".md", ".cmake", ".json"};
+    for (const char* folder : folders) {
+        if (!fs::exists(project / folder)) continue;
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(project / folder)) {
+            if (!entry.is_regular_file() || !extensions.contains(entry.path().extension())) continue;
+            visit(fs::relative(entry.path(), project), read(entry.path()));
+        }
+    }
+}
+
+const Rules& rules() {
+    static const Rules result = read_rules(read(project / "docs/architecture.md"));
+    return result;
+}
+
+TEST(Layout, EveryFolderUsesOnlyWhatItMay) {
+    for_each_file({"src", "apps", "include"}, [](const fs::path& path, const std::string& text) {
+        const std::string extension = path.extension();
+        if (extension != ".cpp" && extension != ".hpp" && path.filename() != "CMakeLists.txt") return;
+        if (path == "src/CMakeLists.txt") return;  // adds the folders, is none
+        for (const std::string& finding : forbidden_uses(rules(), path, text)) ADD_FAILURE() << finding;
+    });
+}
+
+TEST(Layout, EveryFolderOfTheTableExists) {
+    EXPECT_GE(rules().may_use.size(), 10U) << "the table of docs/architecture.md is not read";
+    for (const auto& [folder, used] : rules().may_use) {
+        EXPECT_TRUE(fs::exists(project / "src" / folder) || fs::exists(project / folder) ||
+                    fs::exists(project / "include" / folder))
+            << folder;
+    }
+}
+
+TEST(Layout, FilesCanBeReadInOneSitting) {
+    for_each_file({"src", "apps", "include", "tests", "fuzz", "bench", "examples", "cmake", "scripts"},
+                  [](const fs::path& path, const std::string& text) {
+                      const std::string extension = path.extension();
+                      if (extension == ".txt" && path.filename() != "CMakeLists.txt") return;  // expected output
+                      if (extension == ".json") return;
+                      EXPECT_LE(std::count(text.begin(), text.end(), '\n'), max_lines) << path;
+                  });
+}
+
+TEST(Layout, NoPathOfAnybodysMachine) {
+    static const std::regex machine_path(R"((^|[\s"'(=`])/(home|root|work|Users)/)");
+    for_each_file({"src", "apps", "include", "tests", "fuzz", "bench", "examples", "cmake", "scripts", "docs", "data"},
+                  [](const fs::path& path, const std::string& text) {
+                      std::istringstream lines(text);
+                      int number = 0;
+                      for (std::string line; std::getline(lines, line);) {
+                          ++number;
+                          EXPECT_FALSE(std::regex_search(line, machine_path)) << path << ":" << number << ": " << line;
+                      }
+                  });
+}
+
+// The checks above find what they are for.
+class ForbiddenUses : public testing::Test {
+  protected:
+    std::vector<std::string> of(const char* path, const char* text) const { return forbidden_uses(table, path, text); }
+
+    const Rules table = read_rules(
+        "| `src/core/` | cells | `cell.hpp` | |\n"
+        "| `src/map/` | grid | `map.hpp` | core |\n"
+        "| `src/search/` | loop | `search.hpp` | map |\n"
+        "| `src/plan/` | data | `plan.hpp` | core |\n"
+        "| `include/waybreaker/` | face | `waybreaker.hpp` | search plan |\n");
+};
+
+TEST_F(ForbiddenUses, AllowWhatTheTableSaysAndWhatThatMayUse) {
+    EXPECT_TRUE(of("src/search/a.cpp", "#include \"map/x.hpp\"\n#include \"core/y.hpp\"\n#include <vector>").empty());
+    EXPECT_TRUE(of("src/search/a.cpp", "#include \"search/x.hpp\"\n#include \"waybreaker/map.hpp\"").empty());
+    EXPECT_TRUE(of("include/waybreaker/waybreaker.hpp", "#include \"waybreaker/plan.hpp\"").empty());
+    EXPECT_TRUE(of("src/search/CMakeLists.txt", "waybreaker_library(search SOURCES a.cpp USES map NEEDS fmt)").empty());
+}
+
+TEST_F(ForbiddenUses, FindIncludes) {
+    EXPECT_EQ(of("src/map/a.cpp", "#include \"search/x.hpp\"").size(), 1U);
+    EXPECT_EQ(of("src/plan/deep/a.hpp", "  # include <search/x.hpp>").size(), 1U);
+    EXPECT_EQ(of("src/plan/a.cpp", "#include \"waybreaker/map.hpp\"").size(), 1U);
+    EXPECT_EQ(of("include/waybreaker/map.hpp", "#include \"waybreaker/search.hpp\"").size(), 1U);
+    EXPECT_EQ(of("src/map/a.cpp", "#include \"waybreaker/unknown.hpp\"").size(), 1U);
+}
+
+TEST_F(ForbiddenUses, FindLinks) {
+    EXPECT_EQ(of("src/map/CMakeLists.txt", "waybreaker_library(map SOURCES a.cpp USES core\n  search)").size(), 1U);
+    EXPECT_EQ(of("src/map/CMakeLists.txt", "target_link_libraries(waybreaker_map PUBLIC waybreaker_plan)").size(), 1U);
+}
+
+TEST_F(ForbiddenUses, FindFoldersTheTableDoesNotKnow) {
+    EXPECT_EQ(of("src/utils/a.cpp", "").size(), 1U);
+}
+
+}  // namespace
