@@ -16,6 +16,8 @@ class LineOfSight {
   public:
     LineOfSight(const OpenedMap& map, const Motion& motion);
 
+    bool is_unit_disc() const { return model_ == Model::disc; }
+
     // Whether the agent can stand on a cell of the map.
     bool fits(Cell at) const { return model_ == Model::wide_disc ? wide_disc_fits(at) : !map_->blocked(at); }
 

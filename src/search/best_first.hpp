@@ -31,8 +31,8 @@ struct Query {
 template <class Steps, class Parents, class Order, class Observer>
 class BestFirst {
   public:
-    BestFirst(const Query& query, NodeStore& nodes, std::vector<OpenEntry>& open_memory, const Steps& moves,
-              const Parents& parents, Observer& observer)
+    BestFirst(const Query& query, NodeStore& nodes, OpenMemory& open_memory, const Steps& moves, const Parents& parents,
+              Observer& observer)
         : query_(query), nodes_(nodes), open_(open_memory), moves_(moves), parents_(parents), observer_(observer) {}
 
     SearchResult run() {
@@ -54,7 +54,7 @@ class BestFirst {
         node.parent = CellKey(parent);
         nodes_.open(node);
         const double f = g + query_.weight * estimate(query_.heuristic, to, query_.goal);
-        open_.push({f, g, CellKey(to)});
+        open_.push({f, float(g), CellKey(to)});
         if (is_new) {
             ++generated_;
             observer_.generated(to, parent, g, f);
@@ -69,7 +69,7 @@ class BestFirst {
             const OpenEntry entry = open_.pop();
             const Cell cell = entry.key.cell();
             Node& node = nodes_.at(cell);
-            if (nodes_.is_closed(node) || entry.g != node.g) continue;  // an older, longer way here
+            if (nodes_.is_closed(node)) continue;  // by a shorter way, found later
             if (result_.expanded >= query_.options.expansion_limit) return SearchStatus::limit_reached;
             if (result_.expanded % 1024 == 0 && query_.options.stop.stop_requested()) return SearchStatus::stopped;
             parents_.settle(*this, cell, node);

@@ -50,6 +50,10 @@ class NodeStore {
     double g(const Node& node) const {
         return (node.stamp | 1U) == stamp_ + 1 ? node.g : std::numeric_limits<double>::infinity();
     }
+    // Whether this query has reached the node from that parent.
+    bool has_parent(const Node& node, CellKey parent) const {
+        return (node.stamp | 1U) == stamp_ + 1 && node.parent.value == parent.value;
+    }
     void open(Node& node) const { node.stamp = stamp_; }
     void close(Node& node) const { node.stamp = stamp_ + 1; }
 

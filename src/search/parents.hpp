@@ -26,10 +26,12 @@ struct StepParents {
 
 // Theta*: the parent of that cell, where it is in sight; else that cell.
 //
-// By the triangle inequality the way through the grandparent is never longer than the way through the cell. So if not
-// even that would improve the successor, neither can, and line of sight need not be looked at.
-struct ThetaParents {
-    const LineOfSight& sight;
+// Two things spare most looks along the line. By the triangle inequality the way through the grandparent is never
+// longer than the way through the cell, so where not even that would improve the successor, neither can. And sight can
+// be inferred: see inferred().
+class ThetaParents {
+  public:
+    ThetaParents(const OpenedMap& map, const LineOfSight& sight) : map_(map), sight_(sight) {}
 
     template <class Search>
     void settle(Search&, Cell, Node&) const {}
@@ -39,16 +41,74 @@ struct ThetaParents {
         const Cell parent = node.parent.cell();
         return [this, &search, cell, g = node.g, parent, parent_g = search.nodes().at(parent).g](Cell to, Node& next,
                                                                                                  double cost) {
+            if (search.nodes().has_parent(next, CellKey(parent))) return;  // nothing would change
             const double known = search.nodes().g(next);
             const double straight = parent_g + distance(parent, to);
             if (straight >= known) return;
-            if (sight.clear(parent, to)) {
+            if (inferred(search.nodes(), parent, to, &next) || sight_.clear(parent, to)) {
                 search.improve(to, next, parent, straight);
             } else if (g + cost < known) {
                 search.improve(to, next, cell, g + cost);
             }
         };
     }
+
+  private:
+    // Whether `to` is surely in sight of `from` because cells before it are: those that have `from` as their parent.
+    //
+    // Look at the line of cells across the segment k cells before its end. The segment passes between two neighbours
+    // there, or through one cell. The strips swept to these two are less than one cell apart, so together they cover
+    // all that the segment sweeps before that line. What it sweeps on the last k + 1 lines lies within two cells of it
+    // and is looked at here. (tests/search checks both claims for every segment up to some length.)
+    bool inferred(const NodeStore& nodes, Cell from, Cell to, const Node* node) const {
+        if (!sight_.is_unit_disc()) return false;
+        const int dx = to.x - from.x;
+        const int dy = to.y - from.y;
+        const Axis x{std::abs(dx), dx < 0 ? -1 : 1, dx < 0 ? -1 : 1, to.x};
+        const Axis y{std::abs(dy), dy < 0 ? -1 : 1, std::ptrdiff_t(nodes.width()) * (dy < 0 ? -1 : 1), to.y};
+        return x.length >= y.length
+                   ? inferred(nodes, CellKey(from), node, x, y, [this](int column) { return map_.column(column); })
+                   : inferred(nodes, CellKey(from), node, y, x, [this](int row) { return map_.row(row); });
+    }
+
+    // A segment along one axis: cells to its end, direction, distance of neighbours in the node store, where it ends.
+    struct Axis {
+        int length;
+        int step;
+        std::ptrdiff_t stride;
+        int end;
+    };
+
+    template <class LineAt>
+    static bool inferred(const NodeStore& nodes, CellKey from, const Node* node, const Axis& major, const Axis& minor,
+                         LineAt line_at) {
+        constexpr int furthest = 8;  // lines back; beyond, the look along the whole segment is as cheap
+        // On line k the segment lies (behind - rest / major.length) cells before its end across.
+        int behind = 0;
+        int rest = 0;
+        for (int k = 0; k <= furthest && k < major.length; ++k) {
+            // What it may sweep on this line: from two cells beyond the lower neighbour to one before, inside the
+            // segment's box.
+            const int a = minor.end - minor.step * (behind - std::min(behind, 2));
+            const int b = minor.end - minor.step * (behind + std::min(minor.length - behind, 1));
+            const auto [first, last] = std::minmax(a, b);
+            if (any_bit(line_at(major.end - major.step * k), unsigned(first + 1), unsigned(last + 1))) return false;
+            const Node* const lower = node - k * major.stride - behind * minor.stride;
+            if (k > 0 && nodes.has_parent(*lower, from) &&
+                (rest == 0 || nodes.has_parent(*(lower + minor.stride), from))) {
+                return true;
+            }
+            rest -= minor.length;
+            if (rest < 0) {
+                rest += major.length;
+                ++behind;
+            }
+        }
+        return false;
+    }
+
+    const OpenedMap& map_;
+    const LineOfSight& sight_;
 };
 
 // Lazy Theta*: takes the grandparent on trust and looks when the cell is taken from the open list; if it is out of

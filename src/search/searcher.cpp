@@ -12,7 +12,7 @@ namespace waybreaker {
 class Searcher::Memory {
   public:
     NodeStore nodes;
-    std::vector<OpenEntry> open;
+    OpenMemory open;
 };
 
 Searcher::Searcher() : memory_(std::make_unique<Memory>()) {}
@@ -37,7 +37,7 @@ Heuristic heuristic_of(const SearchOptions& options) {
 struct Assembly {
     const Query& query;
     NodeStore& nodes;
-    std::vector<OpenEntry>& open;
+    OpenMemory& open;
 
     template <class Order, class Steps, class Parents, class Observer>
     SearchResult run(const Steps& moves, const Parents& parents, Observer& observer) const {
@@ -70,7 +70,7 @@ struct Assembly {
 
     template <class Steps>
     SearchResult parents(const Steps& moves, const LineOfSight& sight) const {
-        if (query.options.planner == Planner::theta) return observe(moves, ThetaParents{sight});
+        if (query.options.planner == Planner::theta) return observe(moves, ThetaParents(query.map, sight));
         if (query.options.planner == Planner::lazy_theta) return observe(moves, LazyThetaParents<Steps>{sight, moves});
         return observe(moves, StepParents{});
     }
