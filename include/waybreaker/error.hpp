@@ -15,7 +15,7 @@ class InputError : public std::runtime_error {
 
     // "FILE:LINE: message", the form editors can jump to. Lines count from 1; 0 means the file as a whole.
     InputError(const std::string& file, std::size_t line, const std::string& message)
-        : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : std::string()) + ": " + message) {}
+        : std::runtime_error((line > 0 ? file + ":" + std::to_string(line) : file) + ": " + message) {}
 };
 
 }  // namespace waybreaker

@@ -1,19 +1,25 @@
 // MovingAI benchmark files: `.map` and `.scen` (Sturtevant 2012). Standard library only.
 //
+//     std::ifstream in("Berlin_0_512.map");
+//     Map map(read_movingai_map(in, "Berlin_0_512.map"));
+//
 // Terrain: `.` and `G` (ground) and `S` (swamp) are passable, everything else is blocked. Lines end in LF or CRLF.
+// A scenario file may lack its `version` line; columns are separated by tabs or spaces.
 #pragma once
 
 #include <istream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "waybreaker/grid.hpp"
 
 namespace waybreaker {
 
-// `name` is how the input is called in errors. Throws InputError with name and line; sizes over the limits of grid.hpp
-// are refused before anything is allocated.
+// `name` is how the input is called in errors. Throws InputError with name and line. Nothing is allocated for a map
+// before its rows are known to be there and its size to be within the limits of grid.hpp.
 Grid read_movingai_map(std::istream& in, const std::string& name);
+Grid read_movingai_map(std::string_view bytes, const std::string& name);
 
 struct Scenario {
     int bucket = 0;
@@ -26,5 +32,6 @@ struct Scenario {
 };
 
 std::vector<Scenario> read_movingai_scenarios(std::istream& in, const std::string& name);
+std::vector<Scenario> read_movingai_scenarios(std::string_view bytes, const std::string& name);
 
 }  // namespace waybreaker

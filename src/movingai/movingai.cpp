@@ -1,1 +1,179 @@
-// stub
+// MovingAI maps and scenarios. Both are read whole, then scanned line by line.
+#include "waybreaker/movingai.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "movingai/text_lines.hpp"
+
+namespace waybreaker {
+namespace {
+
+// The largest map fits with room to spare; an endless stream is cut off.
+constexpr std::size_t max_bytes = std::size_t{1} << 30;
+
+std::string all_bytes(std::istream& in, const std::string& name) {
+    constexpr std::size_t chunk = std::size_t{1} << 16;
+    std::string bytes;
+    std::size_t size = 0;
+    while (in) {
+        if (size > max_bytes) throw InputError(name, 0, "is over 1 GiB, more than any map or scenario file needs");
+        bytes.resize(std::max(size + chunk, size * 2));
+        in.read(bytes.data() + size, std::streamsize(bytes.size() - size));
+        size += std::size_t(in.gcount());
+    }
+    if (!in.eof()) throw InputError(name, 0, "cannot be read: check that it is a file and that you may read it");
+    bytes.resize(size);
+    return bytes;
+}
+
+struct Size {
+    std::optional<int> width;
+    std::optional<int> height;
+};
+
+int header_number(const TextLines& lines, std::string_view key, std::string_view word) {
+    const std::optional<int> value = number<int>(word);
+    if (!value || *value < 1 || *value > max_side) {
+        lines.fail("the " + std::string(key) + " is " + quoted(word) + ", but must be a number from 1 to " +
+                   std::to_string(max_side));
+    }
+    return *value;
+}
+
+// The lines down to `map`.
+Size read_header(TextLines& lines) {
+    const std::string form = "a MovingAI map begins with the lines 'type octile', 'height H', 'width W' and 'map'";
+    if (words(lines.next().value_or("")) != std::vector<std::string_view>{"type", "octile"}) {
+        lines.fail("not a MovingAI map: " + form);
+    }
+    Size size;
+    while (const std::optional<std::string_view> line = lines.next()) {
+        const std::vector<std::string_view> parts = words(*line);
+        if (parts.size() == 1 && parts[0] == "map") {
+            if (!size.width) lines.fail("no width is given before 'map': " + form);
+            if (!size.height) lines.fail("no height is given before 'map': " + form);
+            return size;
+        }
+        if (parts.size() != 2 || (parts[0] != "width" && parts[0] != "height")) {
+            lines.fail("unexpected header line " + quoted(*line) + ": " + form);
+        }
+        std::optional<int>& side = parts[0] == "width" ? size.width : size.height;
+        if (side) lines.fail("the " + std::string(parts[0]) + " is given twice");
+        side = header_number(lines, parts[0], parts[1]);
+    }
+    lines.fail("the file ends within its header: " + form);
+}
+
+// The rows as views into the text: so many, all of one length, and nothing after them.
+std::vector<std::string_view> read_rows(TextLines& lines, int width, int height) {
+    std::vector<std::string_view> rows;
+    while (std::ssize(rows) < height) {
+        const std::optional<std::string_view> row = lines.next();
+        if (!row) {
+            lines.fail("the map ends after " + std::to_string(rows.size()) + " of " + std::to_string(height) +
+                       " rows: is the file cut off, or its height wrong?");
+        }
+        if (std::ssize(*row) != width) {
+            lines.fail("this row has " + std::to_string(row->size()) + " cells, but the width is " +
+                       std::to_string(width) + ": mend the row or the header");
+        }
+        rows.push_back(*row);
+    }
+    while (const std::optional<std::string_view> line = lines.next()) {
+        if (!words(*line).empty()) {
+            lines.fail("more lines follow the " + std::to_string(height) +
+                       " rows of the map: is the height in the header wrong?");
+        }
+    }
+    return rows;
+}
+
+constexpr std::array<bool, 256> passable = [] {
+    std::array<bool, 256> table{};
+    table['.'] = table['G'] = table['S'] = true;
+    return table;
+}();
+
+Cell cell_of(const TextLines& lines, std::string_view x_word, std::string_view y_word, const Scenario& scenario) {
+    const std::optional<int> x = number<int>(x_word);
+    const std::optional<int> y = number<int>(y_word);
+    if (!x || !y || *x < 0 || *y < 0 || *x >= scenario.width || *y >= scenario.height) {
+        lines.fail("the cell " + quoted(x_word) + ", " + quoted(y_word) + " does not lie on a map of " +
+                   std::to_string(scenario.width) + " x " + std::to_string(scenario.height) + " cells");
+    }
+    return {*x, *y};
+}
+
+Scenario read_scenario(const TextLines& lines, const std::vector<std::string_view>& columns) {
+    if (columns.size() != 9) {
+        lines.fail("a scenario has 9 columns (bucket, map, width, height, start x, y, goal x, y, length), this line " +
+                   std::to_string(columns.size()));
+    }
+    Scenario scenario;
+    const std::optional<int> bucket = number<int>(columns[0]);
+    if (!bucket) lines.fail("the bucket is " + quoted(columns[0]) + ", but must be a whole number");
+    scenario.bucket = *bucket;
+    scenario.map = columns[1];
+    scenario.width = header_number(lines, "width", columns[2]);
+    scenario.height = header_number(lines, "height", columns[3]);
+    scenario.start = cell_of(lines, columns[4], columns[5], scenario);
+    scenario.goal = cell_of(lines, columns[6], columns[7], scenario);
+    const std::optional<double> length = number<double>(columns[8]);
+    if (!length || !std::isfinite(*length) || *length < 0) {
+        lines.fail("the length is " + quoted(columns[8]) + ", but must be a number, 0 or more");
+    }
+    scenario.optimal_length = *length;
+    return scenario;
+}
+
+}  // namespace
+
+Grid read_movingai_map(std::string_view bytes, const std::string& name) {
+    TextLines lines(bytes, name);
+    const Size size = read_header(lines);
+    const int width = *size.width;
+    const int height = *size.height;
+    if (std::size_t(width) * std::size_t(height) > max_cells) {
+        lines.fail("a map of " + std::to_string(width) + " x " + std::to_string(height) +
+                   " cells is too large: it may have at most " + std::to_string(max_cells));
+    }
+    const std::vector<std::string_view> rows = read_rows(lines, width, height);
+    Grid grid(width, height);
+    for (int y = 0; y < height; ++y) {
+        const std::string_view row = rows[std::size_t(y)];
+        for (int x = 0; x < width; ++x) {
+            if (!passable[static_cast<unsigned char>(row[std::size_t(x)])]) grid.set_blocked({x, y}, true);
+        }
+    }
+    return grid;
+}
+
+Grid read_movingai_map(std::istream& in, const std::string& name) {
+    return read_movingai_map(all_bytes(in, name), name);
+}
+
+std::vector<Scenario> read_movingai_scenarios(std::string_view bytes, const std::string& name) {
+    TextLines lines(bytes, name);
+    std::vector<Scenario> scenarios;
+    bool first = true;
+    while (const std::optional<std::string_view> line = lines.next()) {
+        const std::vector<std::string_view> columns = words(*line);
+        if (columns.empty()) continue;
+        const bool is_version = first && columns.size() == 2 && columns[0] == "version";
+        first = false;
+        if (!is_version) {
+            scenarios.push_back(read_scenario(lines, columns));
+        } else if (columns[1] != "1" && columns[1] != "1.0") {
+            lines.fail("scenarios of version " + quoted(columns[1]) + " cannot be read, only of version 1");
+        }
+    }
+    return scenarios;
+}
+
+std::vector<Scenario> read_movingai_scenarios(std::istream& in, const std::string& name) {
+    return read_movingai_scenarios(all_bytes(in, name), name);
+}
+
+}  // namespace waybreaker

@@ -1,0 +1,68 @@
+// Text cut into lines, words and numbers, with the line number that errors name.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "waybreaker/error.hpp"
+
+namespace waybreaker {
+
+// The lines of a text one by one, without their LF or CRLF. Views into the text.
+class TextLines {
+  public:
+    TextLines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+
+    // Empty at the end of the text.
+    std::optional<std::string_view> next() {
+        if (rest_.empty()) return std::nullopt;
+        ++number_;
+        const std::size_t end = rest_.find('\n');
+        std::string_view line = rest_.substr(0, end);
+        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        return line;
+    }
+
+    // About the line that next() gave last.
+    [[noreturn]] void fail(const std::string& message) const { throw InputError(name_, number_, message); }
+
+  private:
+    std::string_view rest_;
+    const std::string& name_;
+    std::size_t number_ = 0;
+};
+
+// What stands between spaces and tabs.
+inline std::vector<std::string_view> words(std::string_view line) {
+    std::vector<std::string_view> found;
+    for (std::size_t begin = 0; (begin = line.find_first_not_of(" \t", begin)) != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
+        found.push_back(line.substr(begin, end - begin));
+        begin = end;
+    }
+    return found;
+}
+
+// The number a word is, if it is one from end to end.
+template <class Number>
+std::optional<Number> number(std::string_view word) {
+    Number value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return value;
+}
+
+// A foreign word for an error message: its first characters, with nothing that a terminal would obey.
+inline std::string quoted(std::string_view word) {
+    std::string text = "'";
+    for (const char c : word.substr(0, 32)) text += c >= ' ' && c <= '~' ? c : '?';
+    return text + (word.size() > 32 ? "...'" : "'");
+}
+
+}  // namespace waybreaker
