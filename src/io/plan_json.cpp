@@ -1,1 +1,176 @@
-// stub
+#include "io/plan_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace waybreaker::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view name(Planner planner) {
+    switch (planner) {
+        case Planner::theta:
+            return "theta";
+        case Planner::lazy_theta:
+            return "lazy-theta";
+        case Planner::astar:
+            return "astar";
+        case Planner::jps:
+            return "jps";
+        case Planner::dijkstra:
+            return "dijkstra";
+        case Planner::bfs:
+            break;
+    }
+    return "bfs";
+}
+
+std::string_view name(Corners corners) {
+    switch (corners) {
+        case Corners::none:
+            return "none";
+        case Corners::cut:
+            return "cut";
+        case Corners::squeeze:
+            break;
+    }
+    return "squeeze";
+}
+
+std::string_view name(PlanStatus status) {
+    switch (status) {
+        case PlanStatus::solved:
+            return "solved";
+        case PlanStatus::no_plan:
+            return "no_plan";
+        case PlanStatus::limit_reached:
+            return "limit_reached";
+        case PlanStatus::stopped:
+            break;
+    }
+    return "stopped";
+}
+
+std::string_view name(FlightRule rule) {
+    return rule == FlightRule::optimal ? "optimal" : "nearest";
+}
+
+std::string_view name(Objective objective) {
+    return objective == Objective::makespan ? "makespan" : "flowtime";
+}
+
+std::string_view name(AgentKind kind) {
+    return kind == AgentKind::ground ? "ground" : "air";
+}
+
+Json number(std::optional<double> value) {
+    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+// A whole number of cells stands without a decimal point.
+Json coordinate(double value) {
+    return value == std::floor(value) && std::abs(value) < 1e9 ? Json(std::int64_t(value)) : number(value);
+}
+
+Json map_json(const MapFile& map) {
+    return {{"source", map.source},
+            {"width", map.map.width()},
+            {"height", map.map.height()},
+            {"cell_size", number(map.cell_size)},
+            {"digest", map.digest}};
+}
+
+Json options_json(const PlanContext& context) {
+    const MissionOptions& options = context.options;
+    const Motion& motion = options.search.motion;
+    return {{"planner", name(options.search.planner)},
+            {"weight", number(options.search.weight)},
+            {"select", "hits"},
+            {"flight", name(options.flight)},
+            {"timing", "ignore"},
+            {"objective", name(options.objective)},
+            {"removals", options.removals},
+            {"connectivity", context.connectivity == Connectivity::four ? 4 : 8},
+            {"corners", name(motion.corners)},
+            {"radius", number(motion.radius)}};
+}
+
+Json outcome_json(const Outcome& outcome, bool timing_fields) {
+    Json ground{{"length", number(outcome.ground.length)},
+                {"expanded", outcome.ground.expanded},
+                {"generated", outcome.ground.generated}};
+    if (timing_fields) ground["seconds"] = number(outcome.ground.seconds);
+    return {{"ground", std::move(ground)},
+            {"air", {{"length", number(outcome.air.length)}}},
+            {"makespan", number(outcome.makespan)},
+            {"flowtime", number(outcome.flowtime)}};
+}
+
+Json bound_json(const Plan& plan, Objective objective) {
+    if (!plan.bound) return nullptr;
+    const std::optional<double> reached = objective == Objective::makespan ? plan.after.makespan : plan.after.flowtime;
+    Json bound{{name(objective), number(plan.bound)}, {"gap", nullptr}};
+    if (reached) bound["gap"] = number(*plan.bound > 0 ? *reached / *plan.bound - 1 : 0);
+    return bound;
+}
+
+Json removal_json(const Removal& removal) {
+    Json json{{"obstacle", removal.obstacle.value}, {"cells", removal.cells}, {"hits", removal.hits}};
+    if (removal.source_id != 0) json["source_id"] = removal.source_id;
+    json["at"] = {removal.at.x, removal.at.y};
+    json["cleared_at"] = number(removal.cleared_at);
+    json["entered_at"] = number(removal.entered_at);
+    return json;
+}
+
+Json agent_json(const AgentPlan& agent) {
+    Json path = Json::array();
+    for (const Waypoint& point : agent.path) {
+        path.push_back(Json::array({coordinate(point.x), coordinate(point.y), number(point.t)}));
+    }
+    return {{"id", agent.id}, {"kind", name(agent.kind)}, {"speed", number(agent.speed)}, {"path", std::move(path)}};
+}
+
+Json seconds_json(const Plan::Seconds& seconds) {
+    return {{"label", number(seconds.label)},
+            {"search", number(seconds.search)},
+            {"select", number(seconds.select)},
+            {"flight", number(seconds.flight)},
+            {"total", number(seconds.total)}};
+}
+
+// JSON for people: a line for each member of the document and for each object of a list, the rest on one line.
+std::string pretty(const Json& json, const std::string& indent = "") {
+    if (!json.is_structured() || json.empty()) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const bool lines = indent.empty() || (json.is_array() && json.front().is_object());
+    const std::string inner = indent + "  ";
+    std::string text;
+    for (const auto& [key, value] : json.items()) {
+        if (!text.empty()) text += lines ? ",\n" + inner : ", ";
+        if (json.is_object()) text += Json(key).dump() + ": ";
+        text += pretty(value, inner);
+    }
+    if (lines) text = "\n" + inner + text + "\n" + indent;
+    return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+}  // namespace
+
+std::string plan_json(const Plan& plan, const PlanContext& context) {
+    Json json{{"format", "waybreaker-plan/1"},
+              {"status", name(plan.status)},
+              {"map", map_json(context.map)},
+              {"options", options_json(context)},
+              {"before", outcome_json(plan.before, context.timing_fields)},
+              {"after", outcome_json(plan.after, context.timing_fields)},
+              {"bound", bound_json(plan, context.options.objective)},
+              {"removed", Json::array()},
+              {"agents", Json::array()}};
+    for (const Removal& removal : plan.removed) json["removed"].push_back(removal_json(removal));
+    for (const AgentPlan& agent : plan.agents) json["agents"].push_back(agent_json(agent));
+    if (context.timing_fields) json["seconds"] = seconds_json(plan.seconds);
+    return pretty(json) + "\n";
+}
+
+}  // namespace waybreaker::io
