@@ -7,6 +7,7 @@
 
 #include "io/digest.hpp"
 #include "io/output_file.hpp"
+#include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 
 namespace waybreaker::io {
@@ -73,6 +74,11 @@ MapFile read_map_file(const std::string& path, Connectivity connectivity) {
                 .attribution = {},
                 .title = xml.task.title,
                 .task = std::move(xml.task)};
+    }
+    if (!bytes.starts_with("type")) {
+        throw InputError(path, 0,
+                         "not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in "
+                         "the authors' XML or a GeoTIFF label map");
     }
     auto [map, seconds] = label(read_movingai_map(std::string_view(bytes), path));
     return {.map = std::move(map),

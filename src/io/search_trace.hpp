@@ -15,7 +15,7 @@
 
 namespace waybreaker::io {
 
-// Listens to one search, gives the trace back as text. About 60 bytes an event.
+// Listens to one search, gives the trace back as text. About 120 bytes an event.
 class SearchTrace final : public SearchListener {
   public:
     SearchTrace(const OpenedMap& map, Cell start, Cell goal);
