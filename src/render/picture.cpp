@@ -1,1 +1,233 @@
-// stub
+#include "render/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "render/caption.hpp"
+#include "render/layout.hpp"
+#include "render/palette.hpp"
+#include "render/sample.hpp"
+#include "render/signs.hpp"
+#include "render/xml_text.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::render {
+namespace {
+
+void validate(const PictureOptions& options) {
+    if (options.width < least_width || options.width > most_width) {
+        throw InputError(
+            fmt::format("a picture cannot be {} pixels wide: choose {} to {}", options.width, least_width, most_width));
+    }
+    if (!(options.cell_size > 1e-6 && options.cell_size < 1e6)) {
+        throw InputError(fmt::format("a cell cannot measure {} metres: give 0.000001 to 1000000", options.cell_size));
+    }
+}
+
+// Everything the parts of one picture are drawn from.
+struct Scene {
+    const Map& map;
+    const Mission& mission;
+    const Plan& plan;
+    const PictureOptions& options;
+    Layout layout;
+
+    double unit() const { return layout.unit; }
+    double raster_scale() const { return layout.cell * layout.sample_step; }
+    std::vector<Point> on_map(const std::vector<Cell>& path) const {
+        std::vector<Point> points;
+        for (const Cell cell : path) points.push_back(layout.at(cell));
+        return points;
+    }
+    // Each place once, in the order of the agents.
+    std::vector<Point> places(Cell Agent::*which) const {
+        std::vector<Cell> cells;
+        for (const Agent& agent : mission.agents) {
+            if (std::find(cells.begin(), cells.end(), agent.*which) == cells.end()) cells.push_back(agent.*which);
+        }
+        return on_map(cells);
+    }
+};
+
+std::string rectangle(Rectangle r, std::string_view more) {
+    return fmt::format(R"(<rect x="{:.6g}" y="{:.6g}" width="{:.6g}" height="{:.6g}" {}/>)"
+                       "\n",
+                       r.x, r.y, r.width, r.height, more);
+}
+
+std::string draw_obstacles(const Scene& scene) {
+    const Layout& layout = scene.layout;
+    const Sample sample(scene.map, scene.plan.removed, layout.sample_step);
+    const auto paths = outlines(sample.raster());
+    std::string out = rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street));
+    for (const Look look : {Look::obstacle, Look::fixed_obstacle, Look::removed}) {
+        out += obstacle_sign(look, paths[std::size_t(look)], {layout.map.x, layout.map.y}, scene.raster_scale(),
+                             scene.unit());
+    }
+    return out + rectangle(layout.window, fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.4g}")", colour::frame,
+                                                      1.2 * scene.unit()));
+}
+
+std::string draw_paths(const Scene& scene) {
+    const Outcome& before = scene.plan.before;
+    const Outcome& after = scene.plan.after;
+    const auto draw = [&](PathSign sign, const std::vector<Cell>& path) {
+        return path_sign(sign, scene.on_map(path), scene.unit());
+    };
+    std::string out;
+    if (before.air.path != after.air.path) out += draw(PathSign::air_before, before.air.path);
+    if (before.ground.path != after.ground.path) out += draw(PathSign::ground_before, before.ground.path);
+    return out + draw(PathSign::ground, after.ground.path) + draw(PathSign::air, after.air.path);
+}
+
+// Start and goal above everything; the breaches keep clear of them. More than 99 breaches are not numbered.
+std::string draw_marks(const Scene& scene) {
+    const std::vector<Point> starts = scene.places(&Agent::start);
+    const std::vector<Point> goals = scene.places(&Agent::goal);
+    std::vector<Cell> cells;
+    for (const Removal& removal : scene.plan.removed) cells.push_back(removal.at);
+    const std::vector<Point> breaches = scene.on_map(cells);
+    const bool numbered = breaches.size() <= 99;
+    std::vector<Point> labels = breaches;
+    if (numbered) {
+        std::vector<Point> taken = starts;
+        taken.insert(taken.end(), goals.begin(), goals.end());
+        labels = spread_labels(breaches, taken, size::breach_label * scene.unit(), scene.layout.window);
+    }
+
+    std::string out;
+    for (std::size_t i = 0; i < breaches.size(); ++i) {
+        out += breach_sign(breaches[i], labels[i], numbered ? std::to_string(i + 1) : "", scene.unit());
+    }
+    for (const Point start : starts) out += start_sign(start, scene.unit());
+    for (const Point goal : goals) out += goal_sign(goal, scene.unit());
+    return out;
+}
+
+struct LegendEntry {
+    std::string sign;  // drawn at the origin: 46 thousandths wide, centred vertically
+    std::string_view name;
+};
+
+// The signs that this picture uses.
+std::vector<LegendEntry> legend(const Scene& scene) {
+    const double unit = scene.unit();
+    const Point middle = {23 * unit, 0};
+    const auto path = [&](PathSign sign) { return path_sign(sign, {{2 * unit, 0}, {44 * unit, 0}}, unit); };
+    const auto swatch = [&](Look look) {
+        const double scale = scene.raster_scale();
+        const double width = 34 * unit / scale;
+        const double height = 16 * unit / scale;
+        return obstacle_sign(look, fmt::format("M0 0h{0:.4g}v{1:.4g}h-{0:.4g}z", width, height), {6 * unit, -8 * unit},
+                             scale, unit);
+    };
+    const auto is_fixed = [](const Obstacle& obstacle) { return !obstacle.destructible; };
+    const auto all = scene.map.obstacles();
+    const Outcome& before = scene.plan.before;
+    const Outcome& after = scene.plan.after;
+
+    std::vector<LegendEntry> entries = {{start_sign(middle, unit), "start"}, {goal_sign(middle, unit), "goal"}};
+    if (!after.ground.path.empty()) entries.push_back({path(PathSign::ground), "ground path"});
+    if (before.ground.path != after.ground.path && !before.ground.path.empty()) {
+        entries.push_back({path(PathSign::ground_before), "ground path before"});
+    }
+    entries.push_back({path(PathSign::air), "air path"});
+    if (before.air.path != after.air.path) entries.push_back({path(PathSign::air_before), "air path before"});
+    if (!std::all_of(all.begin(), all.end(), is_fixed)) entries.push_back({swatch(Look::obstacle), "obstacle"});
+    if (std::any_of(all.begin(), all.end(), is_fixed))
+        entries.push_back({swatch(Look::fixed_obstacle), "not removable"});
+    if (!scene.plan.removed.empty()) {
+        entries.push_back({swatch(Look::removed), "removed obstacle"});
+        entries.push_back({breach_sign(middle, middle, "1", unit), "breach point"});
+    }
+    return entries;
+}
+
+std::string draw_legend(const Scene& scene, double top) {
+    const double unit = scene.unit();
+    const std::vector<LegendEntry> entries = legend(scene);
+    const std::size_t rows = (entries.size() + 1) / 2;
+    std::string out;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const double x = (size::margin + (i < rows ? 0 : 275)) * unit;
+        const double y = top + (double(i % rows) + 0.5) * size::row * unit;
+        out += fmt::format("<g transform=\"translate({:.6g} {:.6g})\">\n{}</g>\n", x, y, entries[i].sign);
+        out += text({x + 58 * unit, y + 0.36 * size::text * unit}, entries[i].name, size::text * unit, colour::ink);
+    }
+    return out;
+}
+
+std::string draw_figures(const Scene& scene, double top) {
+    const double unit = scene.unit();
+    const double left = 590 * unit;
+    const double columns[] = {795 * unit, 883 * unit, (1000 - size::margin) * unit};  // right ends
+    double y = top + 0.5 * size::row * unit + 0.36 * size::text * unit;
+    const auto cell = [&](int column, std::string_view content, bool bold, std::string_view colour) {
+        const Point at = {column == 0 ? left : columns[column - 1], y};
+        return text(at, content, size::text * unit, colour, column == 0 ? Anchor::start : Anchor::end, bold);
+    };
+    std::string out = cell(0, scene.options.metres ? "in metres" : "in cells", false, colour::faded_ink) +
+                      cell(1, "before", false, colour::faded_ink) + cell(2, "after", false, colour::faded_ink);
+    for (const FigureRow& row : figures(scene.mission, scene.plan, scene.options)) {
+        y += size::row * unit;
+        const bool bold = row.name == "makespan";
+        out += cell(0, row.name, bold, colour::ink) + cell(1, row.before, bold, colour::ink) +
+               cell(2, row.after, bold, colour::ink) + cell(3, row.change, bold, colour::ink);
+    }
+    return out;
+}
+
+std::string draw_scale_bar(const Scene& scene) {
+    const Layout& layout = scene.layout;
+    const double unit = scene.unit();
+    const ScaleBar bar = scale_bar(layout, scene.options);
+    const double right = layout.window.x + layout.window.width;
+    const double y = layout.window.y + layout.window.height + 22 * unit;
+    const double tick = 5 * unit;
+    const std::string line = fmt::format(
+        R"(<path d="M{0:.6g} {1:.6g}v{2:.4g}h{3:.6g}v-{2:.4g}" fill="none" stroke="{4}" stroke-width="{5:.4g}"/>)"
+        "\n",
+        right - bar.length, y - tick, 2 * tick, bar.length, colour::ink, 1.8 * unit);
+    const double baseline = y + 0.36 * size::small_text * unit;
+    const std::string extent = fmt::format("{} \u00D7 {} cells", scene.map.width(), scene.map.height());
+    return line +
+           text({right - bar.length - 10 * unit, baseline}, bar.label, size::small_text * unit, colour::ink,
+                Anchor::end) +
+           text({layout.window.x, baseline}, extent, size::small_text * unit, colour::faded_ink);
+}
+
+constexpr std::size_t legend_rows = 6;  // the table of figures has as many
+
+std::string draw_words(const Scene& scene) {
+    const Layout& layout = scene.layout;
+    const double unit = scene.unit();
+    const double left = size::margin * unit;
+    const double footer = layout.height - (legend_rows * size::row + 44) * unit;
+    return text({left, 44 * unit}, xml_text(scene.options.title, 50), size::title * unit, colour::ink, Anchor::start,
+                true) +
+           text({left, 75 * unit}, headline(scene.mission, scene.plan, scene.options), size::headline * unit,
+                colour::ink) +
+           draw_scale_bar(scene) + draw_legend(scene, footer) + draw_figures(scene, footer) +
+           text({left, layout.height - 14 * unit}, xml_text(scene.options.attribution, 110), size::small_text * unit,
+                colour::faded_ink);
+}
+
+}  // namespace
+
+std::string svg(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
+    validate(options);
+    const Scene scene = {map, mission, plan, options, lay_out(map, options, legend_rows)};
+    const Layout& layout = scene.layout;
+    const std::string head = fmt::format(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:g}" height="{1:g}" viewBox="0 0 {0:g} {1:g}" role="img" font-family="DejaVu Sans, Verdana, Helvetica, sans-serif">)"
+        "\n<title>{2}</title>\n<desc>{3}</desc>\n<defs>\n{4}</defs>\n",
+        layout.width, layout.height, xml_text(options.title, 200), headline(mission, plan, options),
+        hatching(layout.unit, scene.raster_scale()));
+    return head + rectangle({0, 0, layout.width, layout.height}, fmt::format(R"(fill="{}")", colour::paper)) +
+           draw_obstacles(scene) + draw_paths(scene) + draw_marks(scene) + draw_words(scene) + "</svg>\n";
+}
+
+}  // namespace waybreaker::render

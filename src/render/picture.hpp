@@ -1,4 +1,6 @@
 // The picture of a plan: map, obstacles, removed ones, both agents' paths before and after, legend, scale bar, caption.
+//
+//     save("plan.svg", render::svg(map, mission, plan, {.title = "Berlin_0_512.map"}));
 #pragma once
 
 #include <string>
@@ -9,15 +11,20 @@
 
 namespace waybreaker::render {
 
+inline constexpr int least_width = 300;
+inline constexpr int most_width = 8000;
+
 struct PictureOptions {
-    int width = 1200;         // pixels; the height follows from the map
-    double cell_size = 1;     // metres per cell, for the scale bar
-    bool metres = false;      // lengths in metres instead of cells
-    std::string title;        // first line of the caption
-    std::string attribution;  // small print, e.g. "(c) OpenStreetMap contributors, ODbL 1.0"
+    int width = 1200;         // pixels, least_width to most_width; the height follows from the map
+    double cell_size = 1;     // metres a cell, > 0: lengths are multiplied by it
+    bool metres = false;      // what lengths are then called: metres, or cells
+    std::string title;        // first line; any bytes
+    std::string attribution;  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
 };
 
-// An SVG document. Same input, same bytes.
+// An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so
+// that the size is bounded by the picture's. Same input, same bytes. Throws InputError if the width or the cell size is
+// out of range.
 std::string svg(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options);
 
 // The same picture as PNG bytes.

@@ -1,0 +1,44 @@
+// How a picture looks: colours (Okabe, Ito 2008, told apart by colour-blind readers too) and sizes. Sizes are in
+// thousandths of the picture's width, so that a picture looks the same at 600 and at 2000 pixels.
+#pragma once
+
+#include <string_view>
+
+namespace waybreaker::render {
+
+namespace colour {
+inline constexpr std::string_view paper = "#faf8f4";
+inline constexpr std::string_view street = "#fffefb";
+inline constexpr std::string_view frame = "#cdc5b8";
+inline constexpr std::string_view obstacle = "#ddd6ca";
+inline constexpr std::string_view obstacle_edge = "#aba191";
+inline constexpr std::string_view fixed_obstacle = "#b5ab9c";  // cannot be removed
+inline constexpr std::string_view fixed_obstacle_edge = "#7d7467";
+inline constexpr std::string_view removed = "#d55e00";       // vermilion
+inline constexpr std::string_view removed_tint = "#fbe3d1";  // under the hatching
+inline constexpr std::string_view breach = "#b84a00";        // vermilion, dark enough to carry white figures
+inline constexpr std::string_view ground = "#0072b2";        // blue
+inline constexpr std::string_view air = "#e69f00";           // orange
+inline constexpr std::string_view air_edge = "#6b4300";      // gives orange its contrast on white
+inline constexpr std::string_view ink = "#26231f";
+inline constexpr std::string_view faded_ink = "#6a635a";
+inline constexpr std::string_view halo = "#ffffff";
+}  // namespace colour
+
+namespace size {
+inline constexpr double margin = 30;
+inline constexpr double text = 17.5;
+inline constexpr double small_text = 14.5;
+inline constexpr double headline = 20;
+inline constexpr double title = 27;
+inline constexpr double row = 27;  // from one line of the legend to the next
+inline constexpr double path = 4.6;
+inline constexpr double path_before = 2.4;
+inline constexpr double edge = 0.7;  // of an obstacle
+inline constexpr double removed_edge = 2;
+inline constexpr double breach_label = 11;  // radius
+inline constexpr double start = 10;         // radius
+inline constexpr double goal = 16;          // radius of the star
+}  // namespace size
+
+}  // namespace waybreaker::render

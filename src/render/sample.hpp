@@ -1,0 +1,31 @@
+// Sample: the labels to draw, and a coarser stand-in for maps whose cells are smaller than what a pixel can show.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/outline.hpp"
+#include "waybreaker/map.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker::render {
+
+// Owns what its raster points to; a sample of step 1 also points into the map, which must outlive it.
+class Sample {
+  public:
+    // One cell of the raster stands for step * step cells of the map (fewer at the right and lower edges). With step 1
+    // labels are obstacle ids; with more they are looks, so neighbours melt together: a coarse cell is removed if any
+    // of its cells is, otherwise blocked if at least half of its cells are. Time O(cells of the map).
+    Sample(const Map& map, std::span<const Removal> removed, int step);
+
+    LabelRaster raster() const;
+
+  private:
+    const Map* map_;
+    int step_;
+    std::vector<Look> looks_;
+    std::vector<std::uint32_t> coarse_labels_;
+};
+
+}  // namespace waybreaker::render

@@ -1,0 +1,142 @@
+#include "render/signs.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "render/palette.hpp"
+
+namespace waybreaker::render {
+namespace {
+
+struct LineStyle {
+    std::string_view colour;
+    double width;
+    std::vector<double> dashes;    // in thousandths; empty: solid
+    std::string_view edge_colour;  // empty: none
+    double opacity;
+};
+
+LineStyle style_of(PathSign sign) {
+    switch (sign) {
+        case PathSign::ground:
+            return {colour::ground, size::path, {}, "", 1};
+        case PathSign::air:
+            return {colour::air, size::path, {11, 8.5}, colour::air_edge, 1};
+        case PathSign::ground_before:
+            return {colour::ground, size::path_before, {7, 5}, "", 0.75};
+        case PathSign::air_before:
+            return {colour::air_edge, size::path_before, {0.1, 5.5}, "", 0.75};
+    }
+    return {};
+}
+
+std::string path_data(const std::vector<Point>& points) {
+    std::string data;
+    for (const Point& p : points) data += fmt::format("{}{:.6g} {:.6g}", data.empty() ? "M" : "L", p.x, p.y);
+    return data;
+}
+
+std::string line(std::string_view data, std::string_view colour, double width, std::string_view more) {
+    return fmt::format(
+        R"(<path d="{}" fill="none" stroke="{}" stroke-width="{:.4g}" stroke-linejoin="round" stroke-linecap="round"{}/>)"
+        "\n",
+        data, colour, width, more);
+}
+
+std::string star(Point centre, double radius) {
+    std::string data;
+    for (int tip = 0; tip < 10; ++tip) {
+        const double angle = std::numbers::pi / 5 * tip;
+        const double r = tip % 2 == 0 ? radius : 0.46 * radius;
+        data += fmt::format("{}{:.6g} {:.6g}", tip == 0 ? "M" : "L", centre.x + r * std::sin(angle),
+                            centre.y - r * std::cos(angle));
+    }
+    return data + "z";
+}
+
+std::string disc(Point centre, double radius, std::string_view fill, std::string_view edge, double edge_width) {
+    return fmt::format(R"(<circle cx="{:.6g}" cy="{:.6g}" r="{:.4g}" fill="{}" stroke="{}" stroke-width="{:.4g}"/>)"
+                       "\n",
+                       centre.x, centre.y, radius, fill, edge, edge_width);
+}
+
+}  // namespace
+
+std::string path_sign(PathSign sign, const std::vector<Point>& points, double unit) {
+    if (points.empty()) return "";
+    const LineStyle style = style_of(sign);
+    const std::string data = path_data(points);
+    std::string dashes;
+    if (!style.dashes.empty()) {
+        dashes = fmt::format(R"( stroke-dasharray="{:.4g} {:.4g}")", style.dashes[0] * unit, style.dashes[1] * unit);
+    }
+    const double width = style.width * unit;
+    std::string lines = line(data, colour::halo, width + 4 * unit, R"( stroke-opacity="0.75")");
+    if (!style.edge_colour.empty()) lines += line(data, style.edge_colour, width + 1.8 * unit, dashes);
+    if (style.opacity < 1) dashes += fmt::format(R"( stroke-opacity="{:.4g}")", style.opacity);
+    return lines + line(data, style.colour, width, dashes);
+}
+
+std::string start_sign(Point at, double unit) {
+    return disc(at, (size::start + 2) * unit, colour::halo, colour::halo, unit) +
+           disc(at, (size::start - 2) * unit, colour::halo, colour::ink, 4 * unit);
+}
+
+std::string goal_sign(Point at, double unit) {
+    return fmt::format(
+        R"(<path d="{}" fill="{}" stroke="{}" stroke-width="{:.4g}" stroke-linejoin="round" paint-order="stroke"/>)"
+        "\n",
+        star(at, size::goal * unit), colour::ink, colour::halo, 5 * unit);
+}
+
+std::string breach_sign(Point at, Point label, std::string_view number, double unit) {
+    std::string sign;
+    if (std::hypot(at.x - label.x, at.y - label.y) > unit) {
+        sign += line(path_data({at, label}), colour::halo, 4 * unit, "");
+        sign += line(path_data({at, label}), colour::breach, 2 * unit, "");
+        sign += disc(at, 4 * unit, colour::breach, colour::halo, 1.5 * unit);
+    }
+    const double radius = number.empty() ? 0.5 * size::breach_label : size::breach_label;
+    sign += disc(label, radius * unit, colour::breach, colour::halo, 2 * unit);
+    if (number.empty()) return sign;
+    const double pixels = (number.size() < 2 ? 16 : 13) * unit;
+    return sign + text({label.x, label.y + 0.36 * pixels}, number, pixels, colour::halo, Anchor::middle, true);
+}
+
+std::string obstacle_sign(Look look, std::string_view data, Point origin, double scale, double unit) {
+    if (data.empty()) return "";
+    struct Style {
+        std::string_view fill, edge;
+        double edge_width;
+    };
+    constexpr Style styles[look_count] = {{colour::obstacle, colour::obstacle_edge, size::edge},
+                                          {colour::fixed_obstacle, colour::fixed_obstacle_edge, size::edge},
+                                          {"url(#hatching)", colour::removed, size::removed_edge}};
+    const Style& style = styles[std::size_t(look)];
+    // The data is drawn in its own units, so the width of the edge is given in them too.
+    return fmt::format(
+        R"svg(<path transform="translate({:.6g} {:.6g}) scale({:.6g})" fill="{}" fill-rule="evenodd" stroke="{}" stroke-width="{:.4g}" stroke-linejoin="round" d="{}"/>)svg"
+        "\n",
+        origin.x, origin.y, scale, style.fill, style.edge, style.edge_width * unit / scale, data);
+}
+
+std::string hatching(double unit, double scale) {
+    const double step = 7 * unit / scale;
+    return fmt::format(
+        R"svg(<pattern id="hatching" width="{0:.4g}" height="{0:.4g}" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">)svg"
+        R"(<rect width="{0:.4g}" height="{0:.4g}" fill="{1}"/><rect width="{2:.4g}" height="{0:.4g}" fill="{3}"/></pattern>)"
+        "\n",
+        step, colour::removed_tint, 0.3 * step, colour::removed);
+}
+
+std::string text(Point at, std::string_view content, double pixels, std::string_view colour, Anchor anchor, bool bold) {
+    constexpr std::string_view anchors[] = {"", R"( text-anchor="middle")", R"( text-anchor="end")"};
+    return fmt::format(R"(<text x="{:.6g}" y="{:.6g}" font-size="{:.4g}" fill="{}"{}{}>{}</text>)"
+                       "\n",
+                       at.x, at.y, pixels, colour, anchors[std::size_t(anchor)], bold ? R"( font-weight="bold")" : "",
+                       content);
+}
+
+}  // namespace waybreaker::render

@@ -1,0 +1,37 @@
+// Signs: the graphic vocabulary of a picture, drawn alike on the map and in the legend. All return SVG elements.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/layout.hpp"
+#include "render/outline.hpp"
+
+namespace waybreaker::render {
+
+enum class PathSign { ground, air, ground_before, air_before };
+
+// Paths differ in colour and in pattern: ground is solid, air is dashed, before is thin and dashed or dotted. `unit` is
+// a thousandth of the picture's width in all of these.
+std::string path_sign(PathSign sign, const std::vector<Point>& points, double unit);
+
+std::string start_sign(Point at, double unit);
+std::string goal_sign(Point at, double unit);
+
+// A numbered disc for the breach at `at`, joined to it by a line if it lies aside. Without a number the disc is small.
+std::string breach_sign(Point at, Point label, std::string_view number, double unit);
+
+// Obstacles of one look, given as path data; `scale` is the size of the data's unit in pixels, `origin` its (0, 0).
+std::string obstacle_sign(Look look, std::string_view path_data, Point origin, double scale, double unit);
+
+// The pattern that obstacle_sign(Look::removed, ...) of the same scale needs in the document's <defs>.
+std::string hatching(double unit, double scale);
+
+enum class Anchor { start, middle, end };
+
+// `content` is XML already.
+std::string text(Point at, std::string_view content, double pixels, std::string_view colour,
+                 Anchor anchor = Anchor::start, bool bold = false);
+
+}  // namespace waybreaker::render
