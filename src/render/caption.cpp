@@ -21,7 +21,9 @@ bool times_are_lengths(const Mission& mission) {
 }
 
 std::string number(std::optional<double> value, double factor) {
-    return value ? fmt::format("{:.1f}", *value * factor) : dash;
+    if (!value) return dash;
+    const double shown = *value * factor;
+    return fmt::format("{:.{}f}", shown, shown < 10000 ? 1 : 0);
 }
 
 // "−5.5 %", empty where there is nothing to compare.
@@ -69,11 +71,11 @@ std::vector<FigureRow> figures(const Mission& mission, const Plan& plan, const P
     const auto row = [](const char* name, std::optional<double> before, std::optional<double> after, double factor) {
         return FigureRow{name, number(before, factor), number(after, factor), change(before, after)};
     };
-    return {row("path A (ground)", plan.before.ground.length, plan.after.ground.length, length_factor),
-            row("path B (air)", plan.before.air.length, plan.after.air.length, length_factor),
+    return {row("path A, ground", plan.before.ground.length, plan.after.ground.length, length_factor),
+            row("path B, air", plan.before.air.length, plan.after.air.length, length_factor),
             row("makespan", plan.before.makespan, plan.after.makespan, time_factor),
             row("flowtime", plan.before.flowtime, plan.after.flowtime, time_factor),
-            {"obstacles removed", "0", std::to_string(plan.removed.size()), ""}};
+            {"removals", "0", std::to_string(plan.removed.size()), ""}};
 }
 
 }  // namespace waybreaker::render

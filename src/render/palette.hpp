@@ -31,14 +31,15 @@ inline constexpr double text = 17.5;
 inline constexpr double small_text = 14.5;
 inline constexpr double headline = 20;
 inline constexpr double title = 27;
-inline constexpr double row = 27;  // from one line of the legend to the next
-inline constexpr double path = 4.6;
+inline constexpr double row = 29;  // from one line of the legend to the next
+inline constexpr double ground_path = 7.5;
+inline constexpr double air_path = 4;  // narrower: where both run together, one sees both
 inline constexpr double path_before = 2.4;
 inline constexpr double edge = 0.7;  // of an obstacle
-inline constexpr double removed_edge = 2;
+inline constexpr double removed_edge = 1.7;
 inline constexpr double breach_label = 11;  // radius
-inline constexpr double start = 10;         // radius
-inline constexpr double goal = 16;          // radius of the star
+inline constexpr double start = 9.5;        // radius
+inline constexpr double goal = 15;          // radius of the star
 }  // namespace size
 
 }  // namespace waybreaker::render

@@ -152,7 +152,7 @@ std::string draw_legend(const Scene& scene, double top) {
     const std::size_t rows = (entries.size() + 1) / 2;
     std::string out;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const double x = (size::margin + (i < rows ? 0 : 275)) * unit;
+        const double x = (size::margin + (i < rows ? 0 : 265)) * unit;
         const double y = top + (double(i % rows) + 0.5) * size::row * unit;
         out += fmt::format("<g transform=\"translate({:.6g} {:.6g})\">\n{}</g>\n", x, y, entries[i].sign);
         out += text({x + 58 * unit, y + 0.36 * size::text * unit}, entries[i].name, size::text * unit, colour::ink);
@@ -162,8 +162,8 @@ std::string draw_legend(const Scene& scene, double top) {
 
 std::string draw_figures(const Scene& scene, double top) {
     const double unit = scene.unit();
-    const double left = 590 * unit;
-    const double columns[] = {795 * unit, 883 * unit, (1000 - size::margin) * unit};  // right ends
+    const double left = 550 * unit;
+    const double columns[] = {775 * unit, 868 * unit, (1000 - size::margin) * unit};  // right ends
     double y = top + 0.5 * size::row * unit + 0.36 * size::text * unit;
     const auto cell = [&](int column, std::string_view content, bool bold, std::string_view colour) {
         const Point at = {column == 0 ? left : columns[column - 1], y};

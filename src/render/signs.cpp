@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,21 +14,21 @@ namespace {
 struct LineStyle {
     std::string_view colour;
     double width;
-    std::vector<double> dashes;    // in thousandths; empty: solid
-    std::string_view edge_colour;  // empty: none
-    double opacity;
+    std::string_view edge_colour;  // of a wider line below it
+    double edge_width;
+    std::array<double, 2> dash_and_gap;  // {0, 0}: solid
 };
 
 LineStyle style_of(PathSign sign) {
     switch (sign) {
         case PathSign::ground:
-            return {colour::ground, size::path, {}, "", 1};
+            return {colour::ground, size::ground_path, colour::halo, 2, {0, 0}};
         case PathSign::air:
-            return {colour::air, size::path, {11, 8.5}, colour::air_edge, 1};
+            return {colour::air, size::air_path, colour::air_edge, 0.6, {12, 9}};
         case PathSign::ground_before:
-            return {colour::ground, size::path_before, {7, 5}, "", 0.75};
+            return {colour::ground, size::path_before, colour::halo, 1.2, {7, 6}};
         case PathSign::air_before:
-            return {colour::air_edge, size::path_before, {0.1, 5.5}, "", 0.75};
+            return {colour::air_edge, size::path_before, colour::halo, 1.2, {0.1, 6}};
     }
     return {};
 }
@@ -68,15 +69,11 @@ std::string path_sign(PathSign sign, const std::vector<Point>& points, double un
     if (points.empty()) return "";
     const LineStyle style = style_of(sign);
     const std::string data = path_data(points);
-    std::string dashes;
-    if (!style.dashes.empty()) {
-        dashes = fmt::format(R"( stroke-dasharray="{:.4g} {:.4g}")", style.dashes[0] * unit, style.dashes[1] * unit);
-    }
-    const double width = style.width * unit;
-    std::string lines = line(data, colour::halo, width + 4 * unit, R"( stroke-opacity="0.75")");
-    if (!style.edge_colour.empty()) lines += line(data, style.edge_colour, width + 1.8 * unit, dashes);
-    if (style.opacity < 1) dashes += fmt::format(R"( stroke-opacity="{:.4g}")", style.opacity);
-    return lines + line(data, style.colour, width, dashes);
+    const auto [dash, gap] = style.dash_and_gap;
+    const std::string dashes =
+        gap == 0 ? "" : fmt::format(R"( stroke-dasharray="{:.4g} {:.4g}")", dash * unit, gap * unit);
+    return line(data, style.edge_colour, (style.width + 2 * style.edge_width) * unit, dashes) +
+           line(data, style.colour, style.width * unit, dashes);
 }
 
 std::string start_sign(Point at, double unit) {

@@ -1,0 +1,236 @@
+#include "render/picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <pugixml.hpp>
+#include <random>
+
+#include "render/layout.hpp"
+#include "waybreaker/error.hpp"
+#include "worlds.hpp"
+
+namespace waybreaker::render {
+namespace {
+
+using namespace std::string_literals;
+
+std::string svg_of(const World& world, const PictureOptions& options = {}) {
+    return svg(world.map, world.mission, world.plan, options);
+}
+
+pugi::xml_document parsed(const std::string& svg) {
+    pugi::xml_document document;
+    const pugi::xml_parse_result result = document.load_buffer(svg.data(), svg.size());
+    EXPECT_TRUE(result) << result.description();
+    return document;
+}
+
+std::vector<std::string> words(const pugi::xml_document& picture) {
+    std::vector<std::string> words;
+    for (const auto& found : picture.select_nodes("//text")) words.emplace_back(found.node().text().get());
+    return words;
+}
+
+bool says(const pugi::xml_document& picture, const std::string& word) {
+    const auto all = words(picture);
+    return std::find(all.begin(), all.end(), word) != all.end();
+}
+
+std::size_t count(const pugi::xml_document& picture, const std::string& query) {
+    return picture.select_nodes(query.c_str()).size();
+}
+
+TEST(Picture, ShowsTheFigures) {
+    const auto picture = parsed(svg_of(wall(), {.title = "The wall", .attribution = "By hand"}));
+    EXPECT_TRUE(says(picture, "The wall"));
+    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 cells (−37.4 %), 1 obstacle removed"));
+    EXPECT_TRUE(says(picture, "8 × 7 cells"));
+    EXPECT_TRUE(says(picture, "By hand"));
+    for (const char* figure : {"11.5", "7.0", "−39.1 %", "7.2", "+2.9 %", "18.5", "14.2", "−23.2 %"}) {
+        EXPECT_TRUE(says(picture, figure)) << figure;
+    }
+}
+
+TEST(Picture, ScalesLengthsToMetres) {
+    const auto picture = parsed(svg_of(wall(), {.cell_size = 2.5, .metres = true}));
+    EXPECT_TRUE(says(picture, "Makespan 28.8 → 18.0 m (−37.4 %), 1 obstacle removed"));
+    EXPECT_TRUE(says(picture, "in metres"));
+    EXPECT_TRUE(says(picture, "2 m")) << "the scale bar";
+}
+
+TEST(Picture, DoesNotCallTimesLengths) {
+    World world = wall();
+    world.mission.agents[1].speed = 2;
+    const auto picture = parsed(svg_of(world, {.cell_size = 10, .metres = true}));
+    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 (−37.4 %), 1 obstacle removed"));
+    EXPECT_TRUE(says(picture, "115.0")) << "path A";
+}
+
+TEST(Picture, MarksTheRemovedObstacle) {
+    const auto picture = parsed(svg_of(wall()));
+    const auto hatched = picture.select_nodes("/svg/path[@fill='url(#hatching)']");
+    ASSERT_EQ(hatched.size(), 1U);
+    EXPECT_STREQ(hatched[0].node().attribute("d").value(), "m4 0h1v6h-1z");
+    EXPECT_TRUE(says(picture, "1"));
+    EXPECT_TRUE(says(picture, "removed obstacle"));
+    EXPECT_TRUE(says(picture, "ground path before"));
+}
+
+TEST(Picture, WithoutRemovalsHasNoBefore) {
+    World world = wall();
+    world.plan.after = world.plan.before;
+    world.plan.removed.clear();
+    const auto picture = parsed(svg_of(world));
+    EXPECT_TRUE(says(picture, "Makespan 11.5 cells, no obstacle removed"));
+    for (const char* entry : {"removed obstacle", "breach point", "ground path before", "air path before"}) {
+        EXPECT_FALSE(says(picture, entry)) << entry;
+    }
+    EXPECT_EQ(count(picture, "/svg/path[@fill='url(#hatching)']"), 0U);
+}
+
+TEST(Picture, TellsFixedObstaclesApart) {
+    std::vector<ObstacleAttributes> attributes(2);
+    attributes[1].destructible = false;
+    const World world = unsolved(Map::from_labels(3, 1, {0, 1, 0}, attributes), {0, 0}, {2, 0});
+    const auto picture = parsed(svg_of(world));
+    EXPECT_TRUE(says(picture, "not removable"));
+    EXPECT_FALSE(says(picture, "obstacle"));
+}
+
+TEST(Picture, SaysThatThereIsNoPlan) {
+    World world = unsolved(map_from_ascii("S#G"), {0, 0}, {2, 0});
+    const auto picture = parsed(svg_of(world));
+    EXPECT_TRUE(says(picture, "No plan: the ground agent cannot reach its goal, no obstacle removed"));
+    EXPECT_TRUE(says(picture, "start"));
+    EXPECT_TRUE(says(picture, "goal"));
+    EXPECT_FALSE(says(picture, "ground path"));
+    world.plan.status = PlanStatus::limit_reached;
+    EXPECT_TRUE(says(parsed(svg_of(world)), "No plan: the search reached its limit, no obstacle removed"));
+    world.plan.status = PlanStatus::stopped;
+    EXPECT_TRUE(says(parsed(svg_of(world)), "No plan: the search was stopped, no obstacle removed"));
+}
+
+TEST(Picture, SaysThatRemovalOpenedTheWay) {
+    World world = wall();
+    world.plan.before.ground = {};
+    world.plan.before.makespan.reset();
+    world.plan.before.flowtime.reset();
+    EXPECT_TRUE(says(parsed(svg_of(world)), "Makespan (no way) → 7.2 cells, 1 obstacle removed"));
+}
+
+TEST(Picture, SurvivesHostileNames) {
+    const std::string hostile = "</title><script>alert('&')</script>\x01\xFF\"";
+    const auto picture = parsed(svg_of(wall(), {.title = hostile, .attribution = hostile}));
+    EXPECT_EQ(count(picture, "//script"), 0U);
+    EXPECT_STREQ(picture.child("svg").child("title").text().get(), "</title><script>alert('&')</script>\uFFFD\uFFFD\"");
+    EXPECT_LT(svg_of(wall(), {.title = std::string(1 << 20, '<')}).size(), 20'000U);
+}
+
+TEST(Picture, RefusesSizesOutOfRange) {
+    EXPECT_THROW(svg_of(wall(), {.width = least_width - 1}), InputError);
+    EXPECT_THROW(svg_of(wall(), {.width = most_width + 1}), InputError);
+    EXPECT_THROW(svg_of(wall(), {.cell_size = 0}), InputError);
+    EXPECT_THROW(svg_of(wall(), {.cell_size = std::nan("")}), InputError);
+    EXPECT_NO_THROW(svg_of(wall(), {.width = most_width}));
+}
+
+// Every size is a share of the width: what is legible at one size is at every other.
+TEST(Picture, ScalesWithItsWidth) {
+    const auto small = parsed(svg_of(wall(), {.width = 600}));
+    const auto large = parsed(svg_of(wall(), {.width = 1800}));
+    for (const char* query :
+         {"//circle/@cx", "//circle/@cy", "//circle/@r", "//text/@x", "//text/@font-size", "//rect/@width"}) {
+        const auto a = small.select_nodes(query);
+        const auto b = large.select_nodes(query);
+        ASSERT_EQ(a.size(), b.size());
+        ASSERT_FALSE(a.empty());
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            EXPECT_NEAR(b[i].attribute().as_double(), 3 * a[i].attribute().as_double(), 0.02) << query;
+        }
+    }
+    EXPECT_GE(600 * 14.5 / 1000, 8.5) << "pixels of the smallest text";
+}
+
+// Whatever the map's shape: all words lie on the picture, none but the breaches' numbers on the map.
+TEST(Picture, LegendAndCaptionCoverNothing) {
+    std::vector<World> worlds;
+    worlds.push_back(wall());
+    for (const auto [width, height] :
+         {std::pair(1, 1), {1, 900}, {900, 1}, {16384, 3}, {3, 16384}, {40, 1000}, {512, 512}}) {
+        worlds.push_back(unsolved(Map(Grid(width, height)), {0, 0}, {width - 1, height - 1}));
+    }
+    for (const World& world : worlds) {
+        const PictureOptions options = {.title = "t", .attribution = "a"};
+        const Layout layout = lay_out(world.map, options, 6);
+        const auto picture = parsed(svg_of(world, options));
+        EXPECT_LE(layout.height, 2 * layout.width);
+        for (const auto& found : picture.select_nodes("/svg/text[not(@text-anchor='middle')]")) {
+            const double x = found.node().attribute("x").as_double();
+            const double y = found.node().attribute("y").as_double();
+            const double size = found.node().attribute("font-size").as_double();
+            EXPECT_TRUE(x >= 0 && x <= layout.width && y - size >= 0 && y <= layout.height);
+            EXPECT_TRUE(y <= layout.window.y || y - size >= layout.window.y + layout.window.height)
+                << found.node().text().get();
+        }
+    }
+}
+
+TEST(Picture, LabelsOfCloseBreachesLieApart) {
+    const std::vector<Point> points = {{500, 500}, {503, 500}, {500, 506}, {2, 2}, {3, 3}};
+    const std::vector<Point> goal = {{504, 496}};
+    const Rectangle window = {0, 0, 1000, 1000};
+    const auto labels = spread_labels(points, goal, 11, window);
+    ASSERT_EQ(labels.size(), points.size());
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        EXPECT_LT(std::hypot(labels[i].x - points[i].x, labels[i].y - points[i].y), 8 * 11);
+        EXPECT_GT(std::hypot(labels[i].x - goal[0].x, labels[i].y - goal[0].y), 2 * 11);
+        EXPECT_TRUE(labels[i].x >= 0 && labels[i].y >= 0);
+        for (std::size_t j = 0; j < i; ++j) {
+            EXPECT_GT(std::hypot(labels[i].x - labels[j].x, labels[i].y - labels[j].y), 2 * 11);
+        }
+    }
+    EXPECT_EQ(labels[3].x, 2) << "a label without neighbours lies on its point";
+}
+
+TEST(Picture, StartsAndGoalsThatDifferAreAllShown) {
+    World world = wall();
+    const std::size_t shared = count(parsed(svg_of(world)), "/svg/circle");
+    world.mission.agents[1].start = {0, 6};
+    EXPECT_EQ(count(parsed(svg_of(world)), "/svg/circle"), shared + 2) << "a start is two discs";
+}
+
+TEST(Picture, ManyRemovalsAreNotNumbered) {
+    World world = wall();
+    world.plan.removed.assign(5000, world.plan.removed.front());
+    EXPECT_FALSE(says(parsed(svg_of(world)), "2"));
+}
+
+TEST(Picture, SameInputSameBytes) {
+    EXPECT_EQ(svg_of(wall()), svg_of(wall()));
+}
+
+TEST(Picture, CityIsSmall) {
+    const auto city = shared_city("Berlin_0_512.map");
+    if (!city) GTEST_SKIP() << "no shared city maps here";
+    EXPECT_LT(svg_of(unsolved(*city, {236, 13}, {388, 398})).size(), 60'000U);
+}
+
+// The worst map there is: noise, which no outline shortens. Drawn coarse, its size is bounded by the picture's.
+TEST(Picture, NoiseStaysBounded) {
+    std::mt19937 random(1);
+    std::size_t sizes[2];
+    for (const int doubling : {0, 1}) {
+        const int side = 2048 << doubling;
+        Grid grid(side, side);
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) grid.set_blocked({x, y}, random() % 2 == 0);
+        }
+        const World world = unsolved(Map(std::move(grid)), {0, 0}, {side - 1, side - 1});
+        sizes[doubling] = svg_of(world, {.width = 400}).size();
+    }
+    EXPECT_LT(sizes[0], 4'000'000U);
+    EXPECT_LT(sizes[1], 1.2 * double(sizes[0]));
+}
+
+}  // namespace
+}  // namespace waybreaker::render
