@@ -15,11 +15,11 @@ inline constexpr int least_width = 300;
 inline constexpr int most_width = 8000;
 
 struct PictureOptions {
-    int width = 1200;         // pixels, least_width to most_width; the height follows from the map
-    double cell_size = 1;     // metres a cell, > 0: lengths are multiplied by it
-    bool metres = false;      // what lengths are then called: metres, or cells
-    std::string title;        // first line; any bytes
-    std::string attribution;  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
+    int width = 1200;              // pixels, least_width to most_width; the height follows from the map
+    double cell_size = 1;          // metres a cell, > 0: lengths are multiplied by it
+    bool metres = false;           // what lengths are then called: metres, or cells
+    std::string title = {};        // first line; any bytes
+    std::string attribution = {};  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
 };
 
 // An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so

@@ -141,7 +141,8 @@ RandomMap random_map() {
     const std::vector<ObstacleAttributes> attributes = {{}, {}, {}, {.destructible = false, .source_id = 0}, {}};
     RandomMap result{Map::from_labels(width, height, labels, attributes), {}};
     for (const Obstacle& obstacle : result.map.obstacles()) {
-        if (obstacle.destructible && *rc::gen::arbitrary<bool>()) result.removed.push_back({.obstacle = obstacle.id});
+        if (obstacle.destructible && *rc::gen::arbitrary<bool>())
+            result.removed.push_back({.obstacle = obstacle.id, .at = {}, .entered_at = {}});
     }
     return result;
 }

@@ -139,7 +139,7 @@ TEST(Picture, ScalesWithItsWidth) {
     const auto small = parsed(svg_of(wall(), {.width = 600}));
     const auto large = parsed(svg_of(wall(), {.width = 1800}));
     for (const char* query :
-         {"//circle/@cx", "//circle/@cy", "//circle/@r", "//text/@x", "//text/@font-size", "//rect/@width"}) {
+         {"//circle/@cx", "//circle/@cy", "//circle/@r", "//text/@x", "//text/@font-size", "/svg/rect/@width"}) {
         const auto a = small.select_nodes(query);
         const auto b = large.select_nodes(query);
         ASSERT_EQ(a.size(), b.size());
@@ -155,7 +155,7 @@ TEST(Picture, ScalesWithItsWidth) {
 TEST(Picture, LegendAndCaptionCoverNothing) {
     std::vector<World> worlds;
     worlds.push_back(wall());
-    for (const auto [width, height] :
+    for (const auto& [width, height] :
          {std::pair(1, 1), {1, 900}, {900, 1}, {16384, 3}, {3, 16384}, {40, 1000}, {512, 512}}) {
         worlds.push_back(unsolved(Map(Grid(width, height)), {0, 0}, {width - 1, height - 1}));
     }

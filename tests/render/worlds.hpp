@@ -46,7 +46,7 @@ inline World wall() {
     world.plan.status = PlanStatus::solved;
     world.plan.before = outcome({{0, 2}, {3, 6}, {5, 6}, {7, 2}}, {{0, 2}, {7, 2}}, 11.5, 7);
     world.plan.after = outcome({{0, 2}, {7, 2}}, {{0, 2}, {3, 1}, {7, 2}}, 7, 7.2);
-    world.plan.removed = {{.obstacle = {1}, .cells = 6, .at = {3, 1}}};
+    world.plan.removed = {{.obstacle = {1}, .cells = 6, .at = {3, 1}, .entered_at = 3.5}};
     return world;
 }
 
