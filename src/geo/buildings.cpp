@@ -92,6 +92,7 @@ class Attributes {
           way_(layer.GetLayerDefn()->GetFieldIndex("osm_way_id")),
           osm_(layer.GetLayerDefn()->GetFieldIndex("osm_id")) {}
 
+    bool say_building() const { return building_ >= 0; }
     bool from_osm() const { return way_ >= 0 || osm_ >= 0; }
 
     bool is_building(const OGRFeature& feature) const {
@@ -118,6 +119,10 @@ template <typename Visit>
 void for_each_building(OGRLayer& layer, const std::string& source, Visit visit) {
     const GdalScope gdal;
     const Attributes attributes(layer);
+    // Not for speed alone: GDAL's OSM driver takes the outer way of any relation for a part of that relation, so that a
+    // building whose outline also bounds, say, its lowest storey (the Empire State Building) is lost; unless the
+    // relation itself does not pass this filter.
+    if (attributes.say_building()) layer.SetAttributeFilter("building IS NOT NULL");
     for (const OGRFeatureUniquePtr& feature : layer) {
         const OGRGeometry* shape = feature->GetGeometryRef();
         if (shape && is_area(shape->getGeometryType()) && attributes.is_building(*feature)) visit(*feature);

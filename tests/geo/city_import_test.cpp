@@ -283,6 +283,31 @@ TEST(CityImport, merges_touching_buildings) {
     EXPECT_EQ(report.buildings, buildings_in_window);
 }
 
+// As the Empire State Building is drawn: its outline is also the outer way of a relation that is no building.
+TEST(CityImport, keeps_a_building_whose_outline_serves_a_relation_too) {
+    std::string text = osm_xml({{'T', 11, "building=yes", {{rectangle(1.1, 7.1, 3.9, 9.1)}}}});
+    text.insert(text.rfind("</osm>"),
+                "<relation id=\"7\"><member type=\"way\" ref=\"11\" role=\"outer\"/>"
+                "<tag k=\"type\" v=\"multipolygon\"/><tag k=\"building:part\" v=\"yes\"/></relation>\n");
+    const Source source("part.osm", text);
+    const Map map = import_city(source.path(), window).tiff.map;
+    ASSERT_EQ(map.obstacles().size(), 1U);
+    EXPECT_EQ(map.obstacles().front().source_id, 11);
+}
+
+// And the other way round: a relation that says nothing itself speaks for its ways.
+TEST(CityImport, knows_a_building_by_the_tags_of_its_outer_way) {
+    const Polygon ring{rectangle(0.9, 0.9, 5.9, 5.9), rectangle(1.9, 1.9, 4.9, 4.9)};
+    std::string text = osm_xml({{'A', -500, "note=x", {ring}}});
+    const std::string tag = "<tag k=\"note\" v=\"x\"/>";
+    text.erase(text.find(tag), tag.size());
+    text.insert(text.find("</way>"), "<tag k=\"building\" v=\"yes\"/>");
+    const Source source("old_style.osm", text);
+    const Map map = import_city(source.path(), window).tiff.map;
+    ASSERT_EQ(map.obstacles().size(), 1U);
+    EXPECT_EQ(map.obstacles().front().cells, 16U);
+}
+
 TEST(CityImport, takes_every_polygon_where_nothing_says_building) {
     const Source source("plain.geojson", geojson({{'T', 11, "name=x", {{rectangle(1.1, 7.1, 3.9, 9.1)}}}}));
     EXPECT_EQ(import_city(source.path(), window).buildings, 1U);
