@@ -1,0 +1,96 @@
+// Map files are told apart by what is in them, not by their names.
+#include "io/map_file.hpp"
+
+#include "geo/label_tiff.hpp"
+#include "input_error.hpp"
+#include "io/digest.hpp"
+#include "io/output_file.hpp"
+#include "shared_data.hpp"
+#include "temporary_folder.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+class MapFiles : public TemporaryFolder {};
+
+constexpr std::string_view movingai = "type octile\nheight 2\nwidth 3\nmap\n@..\n.@.\n";
+constexpr std::string_view xml =
+    "<root><map><title>Town</title><width>3</width><height>2</height><cellsize>5</cellsize>"
+    "<startx>0</startx><starty>1</starty><grid><row>1 0 0</row><row>0 1 0</row></grid></map></root>";
+
+TEST_F(MapFiles, OfTheMovingaiBenchmarks) {
+    const MapFile file = read_map_file(put("some.xml", movingai));
+    EXPECT_EQ(file.format, "MovingAI map");
+    EXPECT_EQ(file.source, "some.xml");
+    EXPECT_EQ(file.digest, sha256_digest(movingai));
+    EXPECT_EQ(file.map.obstacles().size(), 2U);
+    EXPECT_GT(file.label_seconds, 0);
+    EXPECT_FALSE(file.task || file.georeference);
+    EXPECT_EQ(read_map_file(path("some.xml"), Connectivity::eight).map.obstacles().size(), 1U);
+}
+
+TEST_F(MapFiles, OfTheAuthors) {
+    for (const std::string before : {"", " \r\n", "\xEF\xBB\xBF"}) {
+        const MapFile file = read_map_file(put("task.map", before + std::string(xml)));
+        EXPECT_EQ(file.format, "authors' XML");
+        EXPECT_EQ(file.title, "Town");
+        EXPECT_EQ(file.cell_size, 5);
+        EXPECT_EQ(file.map.obstacles().size(), 2U);
+        ASSERT_TRUE(file.task);
+        EXPECT_EQ(file.task->start, (Cell{0, 1}));
+    }
+}
+
+TEST_F(MapFiles, WithLabels) {
+    const geo::LabelTiff tiff{.map = Map::from_labels(3, 1, {7, 7, 0}), .cell_size = 2, .title = "Town"};
+    const std::string bytes = geo::label_tiff_bytes(tiff);
+    const MapFile file = read_map_file(put("city.tif", bytes), Connectivity::eight);
+    EXPECT_EQ(file.format, "GeoTIFF label map");
+    EXPECT_EQ(file.digest, sha256_digest(bytes));
+    EXPECT_EQ(file.title, "Town");
+    EXPECT_EQ(file.cell_size, 2);
+    ASSERT_EQ(file.map.obstacles().size(), 1U);
+    EXPECT_EQ(file.map.obstacles()[0].cells, 2U);
+}
+
+TEST_F(MapFiles, ThatAreNoneAreRefused) {
+    const std::string hint =
+        ": not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in the authors' "
+        "XML or a GeoTIFF label map";
+    for (const std::string_view junk : {"", "hello\n", "\x89PNG\r\n\x1a\n",
+                                        "\x7f"
+                                        "ELF"}) {
+        const std::string file = put("junk", junk);
+        EXPECT_EQ(input_error([&] { read_map_file(file); }), file + hint);
+    }
+    const std::string tiff = put("cut.tif", std::string_view("II*\0junk", 8));
+    EXPECT_NE(input_error([&] { read_map_file(tiff); }).find(tiff), std::string::npos);
+    EXPECT_EQ(input_error([&] { read_map_file(path(".")); }),
+              "cannot read " + path(".") + ": it is a folder; give a file");
+    EXPECT_EQ(input_error([&] { read_map_file(path("none")); }),
+              "cannot read " + path("none") + ": No such file or directory");
+}
+
+TEST_F(MapFiles, OfThePaperAreReadAll) {
+    const auto shared = shared_folder();
+    if (!shared) GTEST_SKIP() << no_shared_folder;
+    const auto files = files_of(*shared / "data" / "paper-grids", ".xml");
+    EXPECT_EQ(files.size(), 3U);
+    for (const auto& path : files) {
+        const MapFile file = read_map_file(path.string());
+        EXPECT_EQ(file.map.width(), 501) << path;
+        EXPECT_EQ(file.map.height(), 501) << path;
+        const std::string bytes = read_whole(path.string());
+        const std::string_view grid = std::string_view(bytes).substr(bytes.find("<grid>"));
+        const auto blocked = std::count(grid.begin(), grid.begin() + std::ptrdiff_t(grid.find("</grid>")), '1');
+        std::uint64_t cells = 0;
+        for (const Obstacle& obstacle : file.map.obstacles()) cells += obstacle.cells;
+        EXPECT_EQ(cells, std::uint64_t(blocked)) << path;
+        ASSERT_TRUE(file.task && file.task->start && file.task->goal) << path;
+        EXPECT_FALSE(file.map.grid().blocked(*file.task->start)) << path;
+        EXPECT_FALSE(file.map.grid().blocked(*file.task->goal)) << path;
+    }
+}
+
+}  // namespace
+}  // namespace waybreaker::io

@@ -1,0 +1,115 @@
+// Files are read whole, and written whole or not at all; digests are those of sha256sum.
+#include "io/output_file.hpp"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+
+#include "input_error.hpp"
+#include "io/digest.hpp"
+#include "temporary_folder.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::string_literals;
+
+class Files : public TemporaryFolder {};
+
+// No file of this process may grow over `bytes`: what a full disk looks like.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+  private:
+    rlimit before_{};
+};
+
+TEST_F(Files, AreReadAsTheyWereWritten) {
+    for (const std::string& bytes : {""s, "a"s, "\0\n\xff"s, std::string(1 << 17, 'x')}) {
+        write_whole(path("file"), bytes);
+        EXPECT_EQ(bytes_of("file"), bytes);
+        EXPECT_EQ(read_whole(path("file")), bytes);
+        EXPECT_EQ(file_count(), 1);
+    }
+}
+
+TEST_F(Files, KeepTheirOldContentWhenWritingFails) {
+    put("file", "old");
+    std::string message;
+    {
+        const FileSizeLimit limit(4096);
+        message = input_error([&] { write_whole(path("file"), std::string(8192, 'x')); });
+    }
+    EXPECT_EQ(message, "cannot write " + path("file") + ": File too large");
+    EXPECT_EQ(bytes_of("file"), "old");
+    EXPECT_EQ(file_count(), 1) << "the temporary file is still there";
+}
+
+TEST_F(Files, AreNotWrittenOverAFolderOrIntoOneThatIsNotThere) {
+    EXPECT_EQ(input_error([&] { write_whole(path("."), "x"); }),
+              "cannot write " + path(".") + ": it is a folder; give a file name");
+    EXPECT_EQ(input_error([&] { write_whole(path("no/file"), "x"); }),
+              "cannot write " + path("no/file") + ": No such file or directory");
+    EXPECT_EQ(input_error([&] { write_whole("", "x"); }), "cannot write : No such file or directory");
+    EXPECT_EQ(file_count(), 0);
+}
+
+TEST_F(Files, ThatALinkPointsToAreReplacedNotTheLink) {
+    put("file", "old");
+    fs::create_symlink("file", path("link"));
+    write_whole(path("link"), "new");
+    EXPECT_TRUE(fs::is_symlink(path("link")));
+    EXPECT_EQ(bytes_of("file"), "new");
+}
+
+TEST_F(Files, ThatAreDevicesStayDevices) {
+    fs::create_symlink("/dev/null", path("null"));
+    write_whole(path("null"), "x");
+    EXPECT_TRUE(fs::is_character_file(path("null")));
+    EXPECT_EQ(input_error([] { write_whole("/dev/full", "x"); }), "cannot write /dev/full: No space left on device");
+}
+
+TEST_F(Files, OverTheLimitAreRefused) {
+    put("file", "12345");
+    EXPECT_EQ(read_whole(path("file"), 5), "12345");
+    EXPECT_EQ(input_error([&] { read_whole(path("file"), 4); }),
+              "cannot read " + path("file") + ": it has over 4 bytes");
+    EXPECT_EQ(input_error([&] { read_whole("/dev/zero", 1 << 20); }),
+              "cannot read /dev/zero: it has over 1048576 bytes");
+}
+
+TEST_F(Files, ThatCannotBeReadAreNamedWithTheCause) {
+    EXPECT_EQ(input_error([&] { read_whole(path("none")); }),
+              "cannot read " + path("none") + ": No such file or directory");
+    EXPECT_EQ(input_error([&] { read_whole(path(".")); }),
+              "cannot read " + path(".") + ": it is a folder; give a file");
+}
+
+TEST_F(Files, HaveTheDigestThatSha256sumPrints) {
+    for (const std::string& bytes : {""s, "a"s, "\0\n\xff"s, std::string(100000, 'x')}) {
+        const std::string command = "sha256sum " + put("file", bytes);
+        std::FILE* const pipe = ::popen(command.c_str(), "r");
+        ASSERT_NE(pipe, nullptr);
+        std::array<char, 64> hex{};
+        const std::size_t got = std::fread(hex.data(), 1, hex.size(), pipe);
+        ::pclose(pipe);
+        ASSERT_EQ(got, hex.size()) << "sha256sum did not run";
+        EXPECT_EQ(sha256_digest(bytes), "sha256:" + std::string(hex.data(), hex.size()));
+    }
+}
+
+}  // namespace
+}  // namespace waybreaker::io

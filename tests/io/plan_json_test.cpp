@@ -1,0 +1,197 @@
+// Plan files: the keys of the contract, in its order, and nothing that a JSON reader would refuse.
+#include "io/plan_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "ascii_map.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Keys = std::vector<std::string>;
+
+Keys keys(const Json& object) {
+    Keys found;
+    for (const auto& [key, value] : object.items()) found.push_back(key);
+    return found;
+}
+
+// No member of that name at any depth.
+bool has_key(const Json& json, const std::string& name) {
+    if (json.is_object() && json.contains(name)) return true;
+    return std::any_of(json.begin(), json.end(),
+                       [&](const Json& value) { return value.is_structured() && has_key(value, name); });
+}
+
+class PlanJson : public testing::Test {
+  protected:
+    PlanJson() {
+        plan.status = PlanStatus::solved;
+        plan.before.ground.length = 5.5;
+        plan.before.ground.expanded = 7;
+        plan.before.ground.generated = 9;
+        plan.before.makespan = 5.5;
+        plan.before.flowtime = 8.5;
+        plan.after.ground.length = 4.5;
+        plan.after.air.length = 3;
+        plan.after.makespan = 4.5;
+        plan.after.flowtime = 7.5;
+        plan.removed = {
+            {.obstacle = ObstacleId{1}, .cells = 2, .hits = 11, .at = {2, 0}, .cleared_at = 1.25, .entered_at = {}}};
+        plan.agents = {{"ground", AgentKind::ground, 1, {{0, 0, 0}, {4, 1.5, 4.5}}},
+                       {"air", AgentKind::air, 2, {{0, 0, 0}, {4, 2, 2.25}}}};
+    }
+    std::string text() const { return plan_json(plan, {file, mission, options, Connectivity::eight, timing_fields}); }
+    Json json() const { return Json::parse(text()); }
+
+    Plan plan;
+    MapFile file{.map = map_from_ascii(".#...\n.#...\n....."),
+                 .source = "town.map",
+                 .format = "MovingAI map",
+                 .digest = "sha256:00",
+                 .georeference = {},
+                 .attribution = {},
+                 .title = {},
+                 .task = {}};
+    Mission mission = ground_and_air({0, 0}, {4, 2});
+    MissionOptions options = paper_options(1);
+    bool timing_fields = true;
+};
+
+TEST_F(PlanJson, HasTheKeysOfTheContractInItsOrder) {
+    plan.bound = 4.0;
+    const Json plan_file = json();
+    EXPECT_EQ(keys(plan_file),
+              (Keys{"format", "status", "map", "options", "before", "after", "bound", "removed", "agents", "seconds"}));
+    EXPECT_EQ(keys(plan_file["map"]), (Keys{"source", "width", "height", "cell_size", "digest"}));
+    EXPECT_EQ(keys(plan_file["options"]), (Keys{"planner", "weight", "select", "flight", "timing", "objective",
+                                                "removals", "connectivity", "corners", "radius"}));
+    for (const char* stage : {"before", "after"}) {
+        EXPECT_EQ(keys(plan_file[stage]), (Keys{"ground", "air", "makespan", "flowtime"}));
+        EXPECT_EQ(keys(plan_file[stage]["ground"]), (Keys{"length", "expanded", "generated", "seconds"}));
+        EXPECT_EQ(keys(plan_file[stage]["air"]), Keys{"length"});
+    }
+    EXPECT_EQ(keys(plan_file["bound"]), (Keys{"makespan", "gap"}));
+    EXPECT_EQ(keys(plan_file["removed"][0]), (Keys{"obstacle", "cells", "hits", "at", "cleared_at", "entered_at"}));
+    EXPECT_EQ(keys(plan_file["agents"][0]), (Keys{"id", "kind", "speed", "path"}));
+    EXPECT_EQ(keys(plan_file["seconds"]), (Keys{"label", "search", "select", "flight", "total"}));
+}
+
+TEST_F(PlanJson, SaysWhatThePlanSays) {
+    const Json plan_file = json();
+    EXPECT_EQ(plan_file["format"], "waybreaker-plan/1");
+    EXPECT_EQ(plan_file["status"], "solved");
+    EXPECT_EQ(plan_file["map"].dump(),
+              R"({"source":"town.map","width":5,"height":3,"cell_size":1.0,"digest":"sha256:00"})");
+    EXPECT_EQ(plan_file["options"].dump(),
+              R"({"planner":"theta","weight":1.0,"select":"hits","flight":"optimal","timing":"ignore",)"
+              R"("objective":"makespan","removals":1,"connectivity":8,"corners":"none","radius":0.5})");
+    EXPECT_EQ(plan_file["before"].dump(),
+              R"({"ground":{"length":5.5,"expanded":7,"generated":9,"seconds":0.0},"air":{"length":0.0},)"
+              R"("makespan":5.5,"flowtime":8.5})");
+    EXPECT_EQ(plan_file["after"]["air"]["length"], 3);
+    EXPECT_TRUE(plan_file["bound"].is_null());
+    EXPECT_EQ(plan_file["removed"].dump(),
+              R"([{"obstacle":1,"cells":2,"hits":11,"at":[2,0],"cleared_at":1.25,"entered_at":null}])");
+    EXPECT_EQ(plan_file["agents"].dump(),
+              R"([{"id":"ground","kind":"ground","speed":1.0,"path":[[0,0,0.0],[4,1.5,4.5]]},)"
+              R"({"id":"air","kind":"air","speed":2.0,"path":[[0,0,0.0],[4,2,2.25]]}])");
+}
+
+TEST_F(PlanJson, NamesOptionsAsTheCommandLineDoes) {
+    const std::vector<std::pair<Planner, std::string>> planners{
+        {Planner::theta, "theta"}, {Planner::lazy_theta, "lazy-theta"}, {Planner::astar, "astar"},
+        {Planner::jps, "jps"},     {Planner::dijkstra, "dijkstra"},     {Planner::bfs, "bfs"}};
+    for (const auto& [planner, name] : planners) {
+        options.search.planner = planner;
+        EXPECT_EQ(json()["options"]["planner"], name);
+    }
+    const std::vector<std::pair<Corners, std::string>> corner_rules{
+        {Corners::none, "none"}, {Corners::cut, "cut"}, {Corners::squeeze, "squeeze"}};
+    for (const auto& [corners, name] : corner_rules) {
+        options.search.motion.corners = corners;
+        EXPECT_EQ(json()["options"]["corners"], name);
+    }
+    const std::vector<std::pair<PlanStatus, std::string>> states{{PlanStatus::solved, "solved"},
+                                                                 {PlanStatus::no_plan, "no_plan"},
+                                                                 {PlanStatus::limit_reached, "limit_reached"},
+                                                                 {PlanStatus::stopped, "stopped"}};
+    for (const auto& [status, name] : states) {
+        plan.status = status;
+        EXPECT_EQ(json()["status"], name);
+    }
+    options.flight = FlightRule::nearest;
+    EXPECT_EQ(json()["options"]["flight"], "nearest");
+}
+
+TEST_F(PlanJson, HasNullForWhatIsNotThereOrNotFinite) {
+    plan.before.ground.length = std::nullopt;
+    plan.before.makespan = std::numeric_limits<double>::infinity();
+    plan.before.flowtime = std::numeric_limits<double>::quiet_NaN();
+    plan.agents.clear();
+    plan.removed.clear();
+    const Json plan_file = json();
+    EXPECT_TRUE(plan_file["before"]["ground"]["length"].is_null());
+    EXPECT_TRUE(plan_file["before"]["makespan"].is_null());
+    EXPECT_TRUE(plan_file["before"]["flowtime"].is_null());
+    EXPECT_EQ(plan_file["agents"].dump(), "[]");
+    EXPECT_EQ(plan_file["removed"].dump(), "[]");
+}
+
+TEST_F(PlanJson, ProvesHowFarThePlanMayBeFromTheBest) {
+    plan.bound = 4.0;
+    EXPECT_EQ(json()["bound"].dump(), R"({"makespan":4.0,"gap":0.125})");
+    options.objective = Objective::flowtime;
+    plan.bound = 7.5;
+    EXPECT_EQ(json()["bound"].dump(), R"({"flowtime":7.5,"gap":0.0})");
+    plan.after.flowtime = std::nullopt;
+    EXPECT_EQ(json()["bound"].dump(), R"({"flowtime":7.5,"gap":null})");
+}
+
+TEST_F(PlanJson, NamesTheSourceOfARemovedObstacleWhereItIsKnown) {
+    plan.removed[0].source_id = -42;
+    plan.removed[0].entered_at = 2.5;
+    const Json removed = json()["removed"][0];
+    EXPECT_EQ(removed["source_id"], -42);
+    EXPECT_EQ(removed["entered_at"], 2.5);
+}
+
+TEST_F(PlanJson, HasNoSecondsWithoutTimingFields) {
+    EXPECT_TRUE(has_key(json(), "seconds"));
+    timing_fields = false;
+    EXPECT_FALSE(has_key(json(), "seconds"));
+}
+
+TEST_F(PlanJson, IsWrittenForPeople) {
+    timing_fields = false;
+    EXPECT_EQ(text(),
+              R"({
+  "format": "waybreaker-plan/1",
+  "status": "solved",
+  "map": {"source": "town.map", "width": 5, "height": 3, "cell_size": 1.0, "digest": "sha256:00"},
+  "options": {"planner": "theta", "weight": 1.0, "select": "hits", "flight": "optimal", "timing": "ignore", "objective": "makespan", "removals": 1, "connectivity": 8, "corners": "none", "radius": 0.5},
+  "before": {"ground": {"length": 5.5, "expanded": 7, "generated": 9}, "air": {"length": 0.0}, "makespan": 5.5, "flowtime": 8.5},
+  "after": {"ground": {"length": 4.5, "expanded": 0, "generated": 0}, "air": {"length": 3.0}, "makespan": 4.5, "flowtime": 7.5},
+  "bound": null,
+  "removed": [
+    {"obstacle": 1, "cells": 2, "hits": 11, "at": [2, 0], "cleared_at": 1.25, "entered_at": null}
+  ],
+  "agents": [
+    {"id": "ground", "kind": "ground", "speed": 1.0, "path": [[0, 0, 0.0], [4, 1.5, 4.5]]},
+    {"id": "air", "kind": "air", "speed": 2.0, "path": [[0, 0, 0.0], [4, 2, 2.25]]}
+  ]
+}
+)");
+}
+
+TEST_F(PlanJson, SurvivesNamesThatAreNotText) {
+    file.source = "town\xff\"\n.map";
+    EXPECT_EQ(json()["map"]["source"], "town\xEF\xBF\xBD\"\n.map");
+}
+
+}  // namespace
+}  // namespace waybreaker::io
