@@ -15,7 +15,7 @@ namespace {
 constexpr double header_height = 92;
 constexpr double least_window_height = 110;
 constexpr double most_window_height = 1400;
-constexpr double largest_cell = 110;  // tiny maps stay small
+constexpr double largest_cell = 200;  // tiny maps stay small
 constexpr double scale_bar_height = 52;
 constexpr double attribution_height = 44;
 

@@ -12,6 +12,7 @@ namespace waybreaker::render {
 struct Point {
     double x;
     double y;
+    friend bool operator==(Point, Point) = default;
 };
 
 struct Rectangle {
@@ -27,7 +28,7 @@ struct Layout {
     double unit;       // a thousandth of the width
     double cell;       // pixels a cell
     int sample_step;   // cells a drawn cell stands for, in each direction
-    Rectangle window;  // framed; holds the map in its middle
+    Rectangle window;  // room for the map, which lies in its middle
     Rectangle map;
 
     // The centre of a cell.

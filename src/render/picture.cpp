@@ -67,8 +67,8 @@ std::string draw_obstacles(const Scene& scene) {
         out += obstacle_sign(look, paths[std::size_t(look)], {layout.map.x, layout.map.y}, scene.raster_scale(),
                              scene.unit());
     }
-    return out + rectangle(layout.window, fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.4g}")", colour::frame,
-                                                      1.2 * scene.unit()));
+    return out + rectangle(layout.map, fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.4g}")", colour::frame,
+                                                   1.2 * scene.unit()));
 }
 
 std::string draw_paths(const Scene& scene) {
@@ -99,10 +99,13 @@ std::string draw_marks(const Scene& scene) {
     }
 
     std::string out;
+    for (std::size_t i = 0; i < breaches.size(); ++i) out += breach_leader(breaches[i], labels[i], scene.unit());
     for (std::size_t i = 0; i < breaches.size(); ++i) {
-        out += breach_sign(breaches[i], labels[i], numbered ? std::to_string(i + 1) : "", scene.unit());
+        out += breach_label(labels[i], numbered ? std::to_string(i + 1) : "", scene.unit());
     }
-    for (const Point start : starts) out += start_sign(start, scene.unit());
+    for (const Point start : starts) {
+        out += start_sign(start, scene.unit(), std::find(goals.begin(), goals.end(), start) != goals.end());
+    }
     for (const Point goal : goals) out += goal_sign(goal, scene.unit());
     return out;
 }
@@ -141,7 +144,7 @@ std::vector<LegendEntry> legend(const Scene& scene) {
         entries.push_back({swatch(Look::fixed_obstacle), "not removable"});
     if (!scene.plan.removed.empty()) {
         entries.push_back({swatch(Look::removed), "removed obstacle"});
-        entries.push_back({breach_sign(middle, middle, "1", unit), "breach point"});
+        entries.push_back({breach_label(middle, "1", unit), "breach point"});
     }
     return entries;
 }

@@ -31,21 +31,19 @@ std::uint32_t coarse_label(const LookCounts& counts, int cells) {
 }
 
 std::vector<std::uint32_t> coarse_labels(const Map& map, std::span<const Look> looks, int step) {
-    const int columns = coarse_side(map.width(), step);
     std::vector<std::uint32_t> labels;
     for (int top = 0; top < map.height(); top += step) {
         const int bottom = std::min(top + step, map.height());
-        std::vector<LookCounts> counts(std::size_t(columns), LookCounts{});
-        for (int y = top; y < bottom; ++y) {
-            const std::span row =
-                map.labels().subspan(std::size_t(y) * std::size_t(map.width()), std::size_t(map.width()));
-            for (std::size_t x = 0; x < row.size(); ++x) {
-                if (row[x] != 0) ++counts[x / std::size_t(step)][std::size_t(looks[row[x]])];
+        for (int left = 0; left < map.width(); left += step) {
+            const int right = std::min(left + step, map.width());
+            LookCounts counts{};
+            for (int y = top; y < bottom; ++y) {
+                const std::uint32_t* row = map.labels().data() + std::size_t(y) * std::size_t(map.width());
+                for (int x = left; x < right; ++x) {
+                    if (row[x] != 0) ++counts[std::size_t(looks[row[x]])];
+                }
             }
-        }
-        for (int column = 0; column < columns; ++column) {
-            const int right = std::min((column + 1) * step, map.width());
-            labels.push_back(coarse_label(counts[std::size_t(column)], (right - column * step) * (bottom - top)));
+            labels.push_back(coarse_label(counts, (right - left) * (bottom - top)));
         }
     }
     return labels;

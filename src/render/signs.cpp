@@ -76,9 +76,10 @@ std::string path_sign(PathSign sign, const std::vector<Point>& points, double un
            line(data, style.colour, style.width * unit, dashes);
 }
 
-std::string start_sign(Point at, double unit) {
-    return disc(at, (size::start + 2) * unit, colour::halo, colour::halo, unit) +
-           disc(at, (size::start - 2) * unit, colour::halo, colour::ink, 4 * unit);
+std::string start_sign(Point at, double unit, bool is_goal) {
+    const double radius = (is_goal ? size::start_at_goal : size::start) * unit;
+    return disc(at, radius + 2 * unit, colour::halo, colour::halo, unit) +
+           disc(at, radius - 2 * unit, colour::halo, colour::ink, 4 * unit);
 }
 
 std::string goal_sign(Point at, double unit) {
@@ -88,18 +89,19 @@ std::string goal_sign(Point at, double unit) {
         star(at, size::goal * unit), colour::ink, colour::halo, 5 * unit);
 }
 
-std::string breach_sign(Point at, Point label, std::string_view number, double unit) {
-    std::string sign;
-    if (std::hypot(at.x - label.x, at.y - label.y) > unit) {
-        sign += line(path_data({at, label}), colour::halo, 4 * unit, "");
-        sign += line(path_data({at, label}), colour::breach, 2 * unit, "");
-        sign += disc(at, 4 * unit, colour::breach, colour::halo, 1.5 * unit);
-    }
-    const double radius = number.empty() ? 0.5 * size::breach_label : size::breach_label;
-    sign += disc(label, radius * unit, colour::breach, colour::halo, 2 * unit);
-    if (number.empty()) return sign;
+std::string breach_leader(Point at, Point label, double unit) {
+    if (std::hypot(at.x - label.x, at.y - label.y) < unit) return "";
+    const std::string data = path_data({at, label});
+    return line(data, colour::halo, 4 * unit, "") + line(data, colour::breach, 2 * unit, "") +
+           disc(at, 4 * unit, colour::breach, colour::halo, 1.5 * unit);
+}
+
+std::string breach_label(Point at, std::string_view number, double unit) {
+    const double radius = (number.empty() ? 0.5 : 1) * size::breach_label * unit;
     const double pixels = (number.size() < 2 ? 16 : 13) * unit;
-    return sign + text({label.x, label.y + 0.36 * pixels}, number, pixels, colour::halo, Anchor::middle, true);
+    const std::string sign = disc(at, radius, colour::breach, colour::halo, 2 * unit);
+    if (number.empty()) return sign;
+    return sign + text({at.x, at.y + 0.36 * pixels}, number, pixels, colour::halo, Anchor::middle, true);
 }
 
 std::string obstacle_sign(Look look, std::string_view data, Point origin, double scale, double unit) {
@@ -112,11 +114,12 @@ std::string obstacle_sign(Look look, std::string_view data, Point origin, double
                                           {colour::fixed_obstacle, colour::fixed_obstacle_edge, size::edge},
                                           {"url(#hatching)", colour::removed, size::removed_edge}};
     const Style& style = styles[std::size_t(look)];
-    // The data is drawn in its own units, so the width of the edge is given in them too.
+    // Edges of obstacles that are hardly a pixel wide would be all one sees of them, and cost most of a drawing's time.
+    const bool edged = look == Look::removed || scale >= 1;
     return fmt::format(
-        R"svg(<path transform="translate({:.6g} {:.6g}) scale({:.6g})" fill="{}" fill-rule="evenodd" stroke="{}" stroke-width="{:.4g}" stroke-linejoin="round" d="{}"/>)svg"
+        R"svg(<path transform="translate({:.6g} {:.6g}) scale({:.6g})" fill="{}" fill-rule="evenodd" stroke="{}" stroke-width="{:.4g}" d="{}"/>)svg"
         "\n",
-        origin.x, origin.y, scale, style.fill, style.edge, style.edge_width * unit / scale, data);
+        origin.x, origin.y, scale, style.fill, edged ? style.edge : "none", style.edge_width * unit / scale, data);
 }
 
 std::string hatching(double unit, double scale) {

@@ -16,11 +16,13 @@ enum class PathSign { ground, air, ground_before, air_before };
 // a thousandth of the picture's width in all of these.
 std::string path_sign(PathSign sign, const std::vector<Point>& points, double unit);
 
-std::string start_sign(Point at, double unit);
+// A ring; a wide one around the goal if that is at the same place.
+std::string start_sign(Point at, double unit, bool is_goal = false);
 std::string goal_sign(Point at, double unit);
 
-// A numbered disc for the breach at `at`, joined to it by a line if it lies aside. Without a number the disc is small.
-std::string breach_sign(Point at, Point label, std::string_view number, double unit);
+// A breach has a disc with its number, and a line to it if the disc lies aside. Without a number the disc is small.
+std::string breach_leader(Point at, Point label, double unit);
+std::string breach_label(Point at, std::string_view number, double unit);
 
 // Obstacles of one look, given as path data; `scale` is the size of the data's unit in pixels, `origin` its (0, 0).
 std::string obstacle_sign(Look look, std::string_view path_data, Point origin, double scale, double unit);
