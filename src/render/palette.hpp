@@ -39,7 +39,7 @@ inline constexpr double edge = 0.7;  // of an obstacle
 inline constexpr double removed_edge = 1.7;
 inline constexpr double breach_label = 11;  // radius
 inline constexpr double start = 9.5;        // radius
-inline constexpr double start_at_goal = 18;
+inline constexpr double start_at_goal = 22;
 inline constexpr double goal = 15;  // radius of the star
 }  // namespace size
 

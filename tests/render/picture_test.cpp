@@ -199,6 +199,14 @@ TEST(Picture, StartsAndGoalsThatDifferAreAllShown) {
     EXPECT_EQ(count(parsed(svg_of(world)), "/svg/circle"), shared + 2) << "a start is two discs";
 }
 
+TEST(Picture, AStartThatIsTheGoalIsARingAroundIt) {
+    const auto radius_of_start = [](Cell goal) {
+        const auto picture = parsed(svg_of(unsolved(Map(Grid(9, 9)), {4, 4}, goal)));
+        return picture.select_node("/svg/circle").node().attribute("r").as_double();
+    };
+    EXPECT_GT(radius_of_start({4, 4}), 1.5 * radius_of_start({8, 8}));
+}
+
 TEST(Picture, ManyRemovalsAreNotNumbered) {
     World world = wall();
     world.plan.removed.assign(5000, world.plan.removed.front());
