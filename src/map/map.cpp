@@ -1,6 +1,7 @@
 #include "waybreaker/map.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 #include <unordered_map>
 
@@ -73,17 +74,39 @@ std::vector<Cell> Map::boundary(ObstacleId id) const {
     const Box& bounds = obstacle(id).bounds;
     const Cell first{std::max(bounds.min.x - 1, 0), std::max(bounds.min.y - 1, 0)};
     const Cell last{std::min(bounds.max.x + 1, width() - 1), std::min(bounds.max.y + 1, height() - 1)};
-    std::vector<Cell> cells;
-    for (Cell c = first; c.y <= last.y; ++c.y) {
-        for (c.x = first.x; c.x <= last.x; ++c.x) {
-            if (obstacle_at(c) == id) continue;
-            bool touches = false;
-            for (Cell n{c.x - 1, std::max(c.y - 1, 0)}; n.y <= std::min(c.y + 1, height() - 1) && !touches; ++n.y) {
-                for (n.x = std::max(c.x - 1, 0); n.x <= std::min(c.x + 1, width() - 1); ++n.x) {
-                    touches = touches || obstacle_at(n) == id;
-                }
+
+    // The obstacle's cells as rows of bits, a word of 64 at a time: bit x - first.x + 64 of a row is cell x. The first
+    // and last word of a row stay empty.
+    const std::size_t words = std::size_t(last.x - first.x) / 64 + 3;
+    using BitRow = std::vector<std::uint64_t>;
+    const auto read = [&](int y, BitRow& row) {
+        std::fill(row.begin(), row.end(), 0);
+        if (y < bounds.min.y || y > bounds.max.y) return;
+        const std::uint32_t* labels = labels_.data() + std::size_t(y) * std::size_t(width());
+        for (std::size_t word = 1; word + 1 < words; ++word) {
+            const int begin = first.x + int(word - 1) * 64;
+            for (int x = std::min(begin + 63, last.x); x >= begin; --x) {
+                row[word] = row[word] << 1 | std::uint64_t{labels[x] == id.value};
             }
-            if (touches) cells.push_back(c);
+        }
+    };
+    BitRow above(words);
+    BitRow here(words);
+    BitRow below(words);
+    read(first.y, below);
+    std::vector<Cell> cells;
+    for (int y = first.y; y <= last.y; ++y) {
+        std::swap(above, here);
+        std::swap(here, below);
+        read(y + 1, below);
+        const auto column = [&](std::size_t word) { return above[word] | here[word] | below[word]; };
+        for (std::size_t word = 1; word + 1 < words; ++word) {
+            const std::uint64_t near = column(word);
+            std::uint64_t touched = near | near << 1 | near >> 1 | column(word - 1) >> 63 | column(word + 1) << 63;
+            for (touched &= ~here[word]; touched != 0; touched &= touched - 1) {
+                const int x = first.x + int(word - 1) * 64 + std::countr_zero(touched);
+                if (x <= last.x) cells.push_back({x, y});
+            }
         }
     }
     return cells;
