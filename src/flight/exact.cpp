@@ -1,0 +1,210 @@
+// From coarse to fine: the targets' cells are grouped into pieces, boxes of cells. Dynamic programming over (targets
+// still to visit, piece where the air agent is), after Held and Karp 1962, with a hop as long as the gap between two
+// boxes and no cost inside a box, gives lower bounds: pieces that no tour as short as the best one known can use are
+// dropped, the others are split, until all pieces are single cells and the bounds are lengths.
+//
+// Rounds run from start and from goal in turn, so that the bounds of the round before complete those of this one: "from
+// here on to the goal" plus "from the start to here".
+#include "flight/exact.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "flight/local_search.hpp"
+#include "flight/piece.hpp"
+
+namespace waybreaker {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-9;  // relative, and far more than our sums of doubles can be off
+constexpr int halvings = 2;        // of a piece from one round to the next
+
+// A set of targets: bit i stands for target i.
+using Set = std::uint32_t;
+constexpr Set only(std::size_t target) {
+    return Set{1} << target;
+}
+
+double gap(const Box& a, const Box& b) {
+    return std::sqrt(squared_gap(a, b));
+}
+
+// A round finds, for every set of targets and every piece of another target, the least length of a way from the piece
+// through the set to one end of the tour, the near end.
+class Round {
+  public:
+    // `pieces` come in order of target and of Piece::whole, an index into the pieces of the round `before`. That one
+    // ran from the far end; the first round does without.
+    Round(std::vector<Piece> pieces, std::size_t targets, Cell near_end, Cell far_end, double limit,
+          const Round* before)
+        : pieces_(std::move(pieces)),
+          all_(only(targets) - 1),
+          near_end_(box_of(near_end)),
+          far_end_(box_of(far_end)),
+          useful_(pieces_.size(), false) {
+        group(targets);
+        bounds_.assign((std::size_t{all_} + 1) * pieces_.size(), infinity);
+        group_bounds_.assign((std::size_t{all_} + 1) * groups_.size(), infinity);
+        // A set's number is larger than those of its subsets.
+        for (Set set = 0; set < all_; ++set) {
+            for (std::size_t g = 0; g < groups_.size(); ++g) {
+                if ((set & only(groups_[g].target)) == 0) bound(set, g, limit, before);
+            }
+        }
+    }
+
+    bool exact() const {
+        return std::ranges::all_of(pieces_, [](const Piece& piece) { return piece.cells.size() == 1; });
+    }
+
+    // A lower bound of the length of every tour.
+    double least_length() const { return best_way(far_end_, all_, infinity).length; }
+
+    // The pieces of the best way through all targets, from the far end to the near one, each with one of its cells.
+    Tour best_tour() const {
+        Tour tour;
+        Box at = far_end_;
+        for (Set rest = all_; rest != 0; rest &= ~only(tour.back().target)) {
+            const Piece& next = pieces_[best_way(at, rest, infinity).next];
+            tour.push_back({next.target, next.cells.front()});
+            at = next.box;
+        }
+        return tour;
+    }
+
+    // The pieces of the next round: what lies on a tour within the limit, split.
+    std::vector<Piece> useful_parts() const {
+        std::vector<Piece> parts;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            if (useful_[i]) split(pieces_[i], i, halvings, parts);
+        }
+        return parts;
+    }
+
+  private:
+    // Pieces that were one in the round before; many can be passed over at once.
+    struct Group {
+        std::size_t target;
+        std::size_t first;
+        std::size_t last;  // one past
+        Box box;
+    };
+    struct Way {
+        double length;
+        std::size_t next;  // piece
+    };
+
+    void group(std::size_t targets) {
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const Piece& piece = pieces_[i];
+            if (i == 0 || piece.whole != pieces_[i - 1].whole) groups_.push_back({piece.target, i, i, piece.box});
+            groups_.back().last = i + 1;
+            groups_.back().box = united(groups_.back().box, piece.box);
+        }
+        first_group_.assign(targets + 1, groups_.size());
+        for (std::size_t g = groups_.size(); g-- > 0;) first_group_[groups_[g].target] = g;
+    }
+
+    double& bound_of(Set set, std::size_t piece) { return bounds_[set * pieces_.size() + piece]; }
+    double bound_of(Set set, std::size_t piece) const { return bounds_[set * pieces_.size() + piece]; }
+    double& group_bound_of(Set set, std::size_t g) { return group_bounds_[set * groups_.size() + g]; }
+    double group_bound_of(Set set, std::size_t g) const { return group_bounds_[set * groups_.size() + g]; }
+
+    // Bounds the ways from the pieces of a group through a set; they stay infinite where no tour within the limit goes.
+    void bound(Set set, std::size_t g, double limit, const Round* before) {
+        const Group& group = groups_[g];
+        const Set others = all_ & ~set & ~only(group.target);
+        for (std::size_t i = group.first; i < group.last; ++i) {
+            const Piece& piece = pieces_[i];
+            const double far = before ? before->bound_of(others, piece.whole) : gap(piece.box, far_end_);
+            if (far + gap(piece.box, near_end_) > limit) continue;
+            const double length = best_way(piece.box, set, limit - far).length;
+            if (length > limit - far) continue;
+            bound_of(set, i) = length;
+            group_bound_of(set, g) = std::min(group_bound_of(set, g), length);
+            useful_[i] = true;
+        }
+    }
+
+    // The shortest way from a box through a set to the near end; some longer one if that is longer than `limit`.
+    Way best_way(const Box& from, Set set, double limit) const {
+        const std::size_t none = pieces_.size();
+        if (set == 0) return {gap(from, near_end_), none};
+        Way best{std::nextafter(limit, infinity), none};
+        for (Set next = set; next != 0; next &= next - 1) {
+            const std::size_t target = std::size_t(std::countr_zero(next));
+            const Set rest = set & ~only(target);
+            for (std::size_t g = first_group_[target]; g < first_group_[target + 1]; ++g) {
+                if (too_far(from, groups_[g].box, best.length - group_bound_of(rest, g))) continue;
+                for (std::size_t i = groups_[g].first; i < groups_[g].last; ++i) {
+                    if (too_far(from, pieces_[i].box, best.length - bound_of(rest, i))) continue;
+                    const double length = gap(from, pieces_[i].box) + bound_of(rest, i);
+                    const bool first = length == best.length && best.next != none && comes_first(i, best.next);
+                    if (length < best.length || first) best = {length, i};
+                }
+            }
+        }
+        return best;
+    }
+
+    static bool too_far(const Box& a, const Box& b, double reach) {
+        return reach < 0 || squared_gap(a, b) > reach * reach * (1 + rounding);
+    }
+
+    bool comes_first(std::size_t a, std::size_t b) const {
+        return pieces_[a].target == pieces_[b].target && before_in_scan(pieces_[a].box.min, pieces_[b].box.min);
+    }
+
+    std::vector<Piece> pieces_;
+    Set all_;
+    Box near_end_;
+    Box far_end_;
+    std::vector<bool> useful_;  // by piece: whether one of its bounds is finite
+    std::vector<Group> groups_;
+    std::vector<std::size_t> first_group_;  // by target, and one past
+    std::vector<double> bounds_;            // by set and piece
+    std::vector<double> group_bounds_;      // by set and group: the least of its pieces' bounds
+};
+
+// The cells of each target that a tour of some length can visit, were it the only target.
+std::vector<std::vector<Cell>> cells_in_reach(Cell start, Cell goal, std::span<const Target> targets, double length) {
+    std::vector<std::vector<Cell>> cells(targets.size());
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        std::ranges::copy_if(targets[i].cells, std::back_inserter(cells[i]),
+                             [&](Cell c) { return distance(start, c) + distance(c, goal) <= length; });
+    }
+    return cells;
+}
+
+}  // namespace
+
+Tour shortest_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known) {
+    assert(targets.size() <= exact_flight_limit && known.size() == targets.size());
+    double known_length = tour_length(start, known, goal);
+    std::vector<std::vector<Cell>> cells = cells_in_reach(start, goal, targets, known_length * (1 + rounding));
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < targets.size(); ++i) pieces.push_back(make_piece(i, cells[i], i));
+
+    Round round(std::move(pieces), targets.size(), start, goal, known_length * (1 + rounding), nullptr);
+    // The last round runs from the goal, so that ties are settled from the start on.
+    for (bool from_goal = false; !round.exact() || !from_goal;) {
+        if (round.least_length() < known_length * (1 - rounding)) {
+            Tour guess = round.best_tour();
+            if (!from_goal) std::ranges::reverse(guess);
+            guess = improved_tour(start, std::move(guess), goal, targets);
+            known_length = std::min(known_length, tour_length(start, guess, goal));
+        }
+        from_goal = !from_goal;
+        round = Round(round.useful_parts(), targets.size(), from_goal ? goal : start, from_goal ? start : goal,
+                      known_length * (1 + rounding), &round);
+    }
+    return round.best_tour();
+}
+
+}  // namespace waybreaker

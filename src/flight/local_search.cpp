@@ -1,0 +1,109 @@
+// Alternates between better cells for the given order and a better order for the given cells (2-opt: Croes 1958;
+// Or-opt: Or 1976) until neither helps.
+#include "flight/local_search.hpp"
+
+#include <algorithm>
+
+namespace waybreaker {
+namespace {
+
+// A gain below this, in cells, is rounding: without it the search could turn in circles.
+constexpr double least_gain = 1e-9;
+
+class LocalSearch {
+  public:
+    LocalSearch(Cell start, Tour tour, Cell goal, std::span<const Target> targets)
+        : start_(start), tour_(std::move(tour)), goal_(goal), targets_(targets) {}
+
+    Tour run() {
+        while (better_cells() || reverse_parts() || move_parts()) {
+        }
+        return std::move(tour_);
+    }
+
+  private:
+    // Where the air agent is at the i-th stop; start and goal are the stops before the first and after the last.
+    Cell at(std::size_t i) const { return i < tour_.size() ? tour_[i].at : goal_; }
+    Cell before(std::size_t i) const { return i > 0 ? tour_[i - 1].at : start_; }
+
+    bool better_cells() {
+        bool better = false;
+        for (std::size_t i = 0; i < tour_.size(); ++i) {
+            const Cell from = before(i);
+            const Cell to = at(i + 1);
+            double least = distance(from, at(i)) + distance(at(i), to) - least_gain;
+            for (const Cell c : targets_[tour_[i].target].cells) {
+                const double length = distance(from, c) + distance(c, to);
+                if (length >= least) continue;
+                least = length;
+                tour_[i].at = c;
+                better = true;
+            }
+        }
+        return better;
+    }
+
+    // 2-opt: flies the stops first..last the other way round.
+    bool reverse_parts() {
+        bool better = false;
+        for (std::size_t first = 0; first < tour_.size(); ++first) {
+            for (std::size_t last = first + 1; last < tour_.size(); ++last) {
+                const Cell from = before(first);
+                const Cell to = at(last + 1);
+                const double gain = distance(from, at(first)) + distance(at(last), to) - distance(from, at(last)) -
+                                    distance(at(first), to);
+                if (gain <= least_gain) continue;
+                std::reverse(stop(first), stop(last + 1));
+                better = true;
+            }
+        }
+        return better;
+    }
+
+    // Or-opt: takes one to three stops out and puts them between two others, either way round.
+    bool move_parts() {
+        bool better = false;
+        for (std::size_t stops = 1; stops <= 3; ++stops) {
+            for (std::size_t first = 0; first + stops < tour_.size() + 1; ++first) {
+                for (std::size_t place = 0; place <= tour_.size(); ++place) {
+                    if (place < first || place > first + stops) better = move_part(first, stops, place) || better;
+                }
+            }
+        }
+        return better;
+    }
+    // Moves the part before the stop that is now at `place`, if that gains.
+    bool move_part(std::size_t first, std::size_t stops, std::size_t place) {
+        const Cell head = at(first);
+        const Cell tail = at(first + stops - 1);
+        const Cell from = before(place);
+        const Cell to = at(place);
+        const double closed = distance(before(first), head) + distance(tail, at(first + stops)) -
+                              distance(before(first), at(first + stops)) + distance(from, to);
+        const double forward = distance(from, head) + distance(tail, to);
+        const double backward = distance(from, tail) + distance(head, to);
+        if (closed - std::min(forward, backward) <= least_gain) return false;
+        if (backward < forward) std::reverse(stop(first), stop(first + stops));
+        if (place < first) {
+            std::rotate(stop(place), stop(first), stop(first + stops));
+        } else {
+            std::rotate(stop(first), stop(first + stops), stop(place));
+        }
+        return true;
+    }
+
+    Tour::iterator stop(std::size_t i) { return tour_.begin() + std::ptrdiff_t(i); }
+
+    Cell start_;
+    Tour tour_;
+    Cell goal_;
+    std::span<const Target> targets_;
+};
+
+}  // namespace
+
+Tour improved_tour(Cell start, Tour tour, Cell goal, std::span<const Target> targets) {
+    return LocalSearch(start, std::move(tour), goal, targets).run();
+}
+
+}  // namespace waybreaker

@@ -1,0 +1,77 @@
+#include "flight/long_tour.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "flight/exact.hpp"
+#include "flight/local_search.hpp"
+
+namespace waybreaker {
+namespace {
+
+constexpr double least_gain = 1e-9;  // in cells; less is rounding
+
+// The tour's stops, inserted one after another, in order of target, where each lengthens the tour least.
+Tour by_insertion(Cell start, Tour stops, Cell goal) {
+    std::ranges::sort(stops, {}, &Stop::target);
+    Tour tour;
+    for (const Stop& stop : stops) {
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t place = 0;
+        for (std::size_t i = 0; i <= tour.size(); ++i) {
+            const Cell from = i > 0 ? tour[i - 1].at : start;
+            const Cell to = i < tour.size() ? tour[i].at : goal;
+            const double more = distance(from, stop.at) + distance(stop.at, to) - distance(from, to);
+            if (more >= least) continue;
+            least = more;
+            place = i;
+        }
+        tour.insert(tour.begin() + std::ptrdiff_t(place), stop);
+    }
+    return tour;
+}
+
+// Plans the stops first..first + exact_window - 1 anew, in any order and at any cells. Whether that gains.
+bool replan_part(Cell start, Tour& tour, Cell goal, std::span<const Target> targets, std::size_t first) {
+    const std::size_t last = std::min(first + exact_window, tour.size());
+    const Cell from = first > 0 ? tour[first - 1].at : start;
+    const Cell to = last < tour.size() ? tour[last].at : goal;
+    std::vector<std::size_t> members;
+    for (std::size_t i = first; i < last; ++i) members.push_back(tour[i].target);
+    std::ranges::sort(members);
+
+    std::vector<Target> part;
+    for (const std::size_t member : members) part.push_back(targets[member]);
+    Tour known;
+    for (std::size_t i = first; i < last; ++i) {
+        const auto member = std::ranges::lower_bound(members, tour[i].target);
+        known.push_back({std::size_t(member - members.begin()), tour[i].at});
+    }
+    const Tour better = shortest_tour(from, to, part, known);
+    if (tour_length(from, better, to) > tour_length(from, known, to) - least_gain) return false;
+    for (std::size_t i = 0; i < better.size(); ++i) tour[first + i] = {members[better[i].target], better[i].at};
+    return true;
+}
+
+// Replans overlapping parts until none gains.
+Tour by_windows(Cell start, Tour tour, Cell goal, std::span<const Target> targets) {
+    for (bool better = true; better;) {
+        better = false;
+        for (std::size_t first = 0; first < tour.size(); first += exact_window / 2) {
+            better = replan_part(start, tour, goal, targets, first) || better;
+        }
+        if (better) tour = improved_tour(start, std::move(tour), goal, targets);
+    }
+    return tour;
+}
+
+}  // namespace
+
+Tour good_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known) {
+    const Tour first = by_windows(start, improved_tour(start, known, goal, targets), goal, targets);
+    const Tour inserted = by_insertion(start, known, goal);
+    const Tour second = by_windows(start, improved_tour(start, inserted, goal, targets), goal, targets);
+    return tour_length(start, second, goal) < tour_length(start, first, goal) ? second : first;
+}
+
+}  // namespace waybreaker

@@ -1,0 +1,35 @@
+// Target: an obstacle to breach and the cells it can be breached from; and a tour of targets, as the flight rules pass
+// it among themselves.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "waybreaker/flight.hpp"
+
+namespace waybreaker {
+
+struct Target {
+    ObstacleId obstacle;
+    std::vector<Cell> cells;  // its boundary, in scan order; never empty
+};
+
+// The obstacles' targets in id order, each once. Throws InputError for an obstacle that fills the whole map.
+std::vector<Target> targets_of(const Map& map, std::span<const ObstacleId> obstacles);
+
+// A visit of targets[target] at one of its cells.
+struct Stop {
+    std::size_t target = 0;
+    Cell at;
+};
+using Tour = std::vector<Stop>;
+
+double tour_length(Cell start, const Tour& tour, Cell goal);
+
+Flight flight_of(Cell start, const Tour& tour, Cell goal, std::span<const Target> targets);
+
+// The paper's rule for n > 1 (see fly_nearest), one stop for each target.
+Tour nearest_tour(Cell start, Cell goal, std::span<const Target> targets);
+
+}  // namespace waybreaker
