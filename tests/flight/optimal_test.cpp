@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ascii_map.hpp"
 #include "flight/brute_force.hpp"
