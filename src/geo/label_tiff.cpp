@@ -19,6 +19,10 @@ constexpr const char* title_item = "TIFFTAG_IMAGEDESCRIPTION";
 constexpr const char* attribution_item = "TIFFTAG_COPYRIGHT";
 constexpr const char* obstacles_item = "WAYBREAKER_OBSTACLES";
 
+// No compression worth the name packs more cells into a byte of the file; even the table of a file's empty blocks takes
+// more room. A few bytes cannot claim a gigabyte.
+constexpr std::size_t most_cells_per_byte = 16384;
+
 // Cells may be this much (a share of their side) off a square.
 constexpr double square_tolerance = 1e-3;
 
@@ -65,7 +69,7 @@ std::vector<ObstacleAttributes> parse_obstacles(std::string_view text, const std
 }
 
 // Looks at the header alone, so that nothing large is allocated for a map that is refused.
-void check_layout(GDALDataset& file, const std::string& name) {
+void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name) {
     if (file.GetRasterCount() != 1) {
         throw refusal(name, fmt::format("has {} bands, a label map has one; pick one with 'gdal_translate -b 1'",
                                         file.GetRasterCount()));
@@ -85,6 +89,10 @@ void check_layout(GDALDataset& file, const std::string& name) {
         throw refusal(name, fmt::format("has {} x {} cells; a map has sides of at most {} and at most {} cells in all: "
                                         "cut a piece out with 'gdal_translate -srcwin'",
                                         width, height, max_side, max_cells));
+    }
+    if (width * height > most_cells_per_byte * bytes) {
+        throw refusal(name,
+                      fmt::format("is damaged or cut short: {} bytes cannot hold {} x {} cells", bytes, width, height));
     }
     int block_width = 0;
     int block_height = 0;
@@ -182,7 +190,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name) {
     const char* const only_tiff[] = {"GTiff", nullptr};
     const GDALDatasetUniquePtr file(GDALDataset::Open(memory.path().c_str(), GDAL_OF_RASTER, only_tiff));
     if (!file) throw refusal(name, "is no GeoTIFF map: " + gdal.failure());
-    check_layout(*file, name);
+    check_layout(*file, bytes.size(), name);
     Place place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = parse_obstacles(metadata(*file, obstacles_item), name);
     const int width = file->GetRasterXSize();

@@ -230,6 +230,8 @@ TEST(LabelTiff, refuses_what_is_no_label_map_and_says_why) {
         {"64 bits", foreign_tiff(GDT_Int64, 1), "-ot UInt32"},
         {"too wide", foreign_tiff(GDT_Byte, 1, {}, 40000, 2, "SPARSE_OK=YES"), "-srcwin"},
         {"too many cells", foreign_tiff(GDT_Byte, 1, {}, 20000, 20000, "SPARSE_OK=YES"), "-srcwin"},
+        {"more cells than it has bytes for",
+         foreign_tiff(GDT_Byte, 1, {}, 16384, 16384, "SPARSE_OK=YES").substr(0, 12000), "cannot hold"},
         {"rotated",
          foreign_tiff(GDT_Byte, 1,
                       [](GDALDataset& f) {
