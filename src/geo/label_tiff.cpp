@@ -209,10 +209,12 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     const int width = tiff.map.width();
     const int height = tiff.map.height();
     const bool short_ids = tiff.map.obstacles().size() <= std::numeric_limits<std::uint16_t>::max();
+    // Level 9 makes a city map a seventh smaller, but takes minutes on the largest maps.
+    const bool small = tiff.map.grid().cell_count() <= std::size_t{4096} * 4096;
     // Long strips compress better; a million cells a strip keeps a reader's buffers small.
     CPLStringList options;
     options.SetNameValue("COMPRESS", "DEFLATE");
-    options.SetNameValue("ZLEVEL", "9");
+    options.SetNameValue("ZLEVEL", small ? "9" : "6");
     options.SetNameValue("PREDICTOR", "2");
     options.SetNameValue("BLOCKYSIZE", std::to_string(std::clamp((1 << 20) / width, 1, height)).c_str());
     GDALDatasetUniquePtr file(
