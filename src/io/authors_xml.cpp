@@ -21,8 +21,8 @@ std::string described(const Element& element) {
 int whole_number_of(const Element& element, int least, int most) {
     const std::optional<int> value = number<int>(element.trimmed_text());
     if (!value || *value < least || *value > most) {
-        element.fail(described(element) + ", but must be a number from " + std::to_string(least) + " to " +
-                     std::to_string(most));
+        throw element.error(described(element) + ", but must be a number from " + std::to_string(least) + " to " +
+                            std::to_string(most));
     }
     return *value;
 }
@@ -30,13 +30,13 @@ int whole_number_of(const Element& element, int least, int most) {
 double positive_number_of(const Element& element) {
     const std::optional<double> value = number<double>(element.trimmed_text());
     if (!value || !std::isfinite(*value) || *value <= 0)
-        element.fail(described(element) + ", but must be a number over 0");
+        throw element.error(described(element) + ", but must be a number over 0");
     return *value;
 }
 
 double weight_of(const Element& element) {
     const double value = positive_number_of(element);
-    if (value < 1) element.fail(described(element) + ", but must be at least 1");
+    if (value < 1) throw element.error(described(element) + ", but must be at least 1");
     return value;
 }
 
@@ -49,17 +49,19 @@ std::vector<Element> checked_rows(const Element& grid, int width, int height) {
     std::vector<Element> rows;
     grid.for_each_child([&](const Element& row) { rows.push_back(row); });
     if (std::ssize(rows) != height) {
-        grid.fail("<grid> has " + std::to_string(rows.size()) + " rows, but <height> is " + std::to_string(height));
+        throw grid.error("<grid> has " + std::to_string(rows.size()) + " rows, but <height> is " +
+                         std::to_string(height));
     }
     for (const Element& row : rows) {
         std::ptrdiff_t cells = 0;
         for (const char c : row.text()) {
             if (is_space(c)) continue;
-            if (c != '0' && c != '1') row.fail("a cell of this row is neither 0 (free) nor 1 (blocked)");
+            if (c != '0' && c != '1') throw row.error("a cell of this row is neither 0 (free) nor 1 (blocked)");
             ++cells;
         }
         if (cells != width) {
-            row.fail("this row has " + std::to_string(cells) + " cells, but <width> is " + std::to_string(width));
+            throw row.error("this row has " + std::to_string(cells) + " cells, but <width> is " +
+                            std::to_string(width));
         }
     }
     return rows;
@@ -67,8 +69,8 @@ std::vector<Element> checked_rows(const Element& grid, int width, int height) {
 
 Grid read_grid(const Element& map, int width, int height) {
     if (std::size_t(width) * std::size_t(height) > max_cells) {
-        map.fail("a map of " + std::to_string(width) + " x " + std::to_string(height) +
-                 " cells is too large: it may have at most " + std::to_string(max_cells));
+        throw map.error("a map of " + std::to_string(width) + " x " + std::to_string(height) +
+                        " cells is too large: it may have at most " + std::to_string(max_cells));
     }
     const std::vector<Element> rows = checked_rows(map.get("grid"), width, height);
     Grid grid(width, height);
@@ -95,7 +97,7 @@ bool flag(const Element& algorithm, std::string_view tag, bool otherwise) {
     const std::string_view text = element->trimmed_text();
     if (text == "1" || text == "true") return true;
     if (text == "0" || text == "false") return false;
-    element->fail(described(*element) + ", but must be 0 or 1");
+    throw element->error(described(*element) + ", but must be 0 or 1");
 }
 
 // What a word of the file stands for, of a list of them; the fallback where the word, or the element, is not there.

@@ -51,14 +51,14 @@ std::string SearchTrace::text() const {
 
 // An event without its closing brace.
 std::string SearchTrace::place(std::string_view type, Cell cell) const {
-    return "{\"type\": \"" + std::string(type) + "\", \"id\": " + node_id(cell, width_) +
-           ", \"x\": " + std::to_string(cell.x) + ", \"y\": " + std::to_string(cell.y);
+    return R"({"type": ")" + std::string(type) + R"(", "id": )" + node_id(cell, width_) + R"(, "x": )" +
+           std::to_string(cell.x) + R"(, "y": )" + std::to_string(cell.y);
 }
 
 std::string SearchTrace::event(std::string_view type, const Step& step) const {
     const std::string parent = step.parent == step.cell ? "null" : node_id(step.parent, width_);
-    return place(type, step.cell) + ", \"pId\": " + parent + ", \"g\": " + io::text(step.g) +
-           ", \"f\": " + io::text(step.f) + "}";
+    return place(type, step.cell) + R"(, "pId": )" + parent + R"(, "g": )" + io::text(step.g) + R"(, "f": )" +
+           io::text(step.f) + "}";
 }
 
 // A cell is closed when all around it has been looked at; the goal ends the search.

@@ -4,6 +4,7 @@
 
 #include "movingai/text_lines.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/grid.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -14,22 +15,28 @@ bool same_tag(std::string_view in_file, std::string_view tag) {
                       [&](char a, char b) { return lower(a) == b; });
 }
 
+// A parsed tag or attribute takes many times the bytes it has in the file. The largest map needs half of these.
+constexpr std::ptrdiff_t most_marks = 4 * std::ptrdiff_t{max_side};
+
 }  // namespace
 
 XmlFile::XmlFile(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
+    if (std::count_if(bytes.begin(), bytes.end(), [](char c) { return c == '<' || c == '='; }) > most_marks) {
+        throw InputError(name, 0, "has over " + std::to_string(most_marks) + " tags and attributes: is it a map?");
+    }
     // With the encoding fixed, offsets in the document are offsets in the file.
     const pugi::xml_parse_result result =
         document_.load_buffer(bytes.data(), bytes.size(), pugi::parse_default, pugi::encoding_utf8);
-    if (!result) fail(result.offset, std::string("not well-formed XML: ") + result.description());
+    if (!result) throw error(result.offset, std::string("not well-formed XML: ") + result.description());
 }
 
 XmlFile::Element XmlFile::root() const {
     return {*this, document_.document_element()};
 }
 
-void XmlFile::fail(std::ptrdiff_t offset, const std::string& message) const {
+InputError XmlFile::error(std::ptrdiff_t offset, const std::string& message) const {
     const std::string_view before = bytes_.substr(0, std::size_t(std::max<std::ptrdiff_t>(offset, 0)));
-    throw InputError(name_, 1 + std::size_t(std::count(before.begin(), before.end(), '\n')), message);
+    return {name_, 1 + std::size_t(std::count(before.begin(), before.end(), '\n')), message};
 }
 
 std::string_view XmlFile::Element::trimmed_text() const {
@@ -44,7 +51,7 @@ std::optional<XmlFile::Element> XmlFile::Element::find(std::string_view tag) con
     std::optional<Element> found;
     for_each_child([&](Element child) {
         if (!same_tag(child.tag(), tag)) return;
-        if (found) child.fail("<" + std::string(tag) + "> is given twice");
+        if (found) throw child.error("<" + std::string(tag) + "> is given twice");
         found = child;
     });
     return found;
@@ -52,7 +59,7 @@ std::optional<XmlFile::Element> XmlFile::Element::find(std::string_view tag) con
 
 XmlFile::Element XmlFile::Element::get(std::string_view tag) const {
     const std::optional<Element> found = find(tag);
-    if (!found) fail("<" + std::string(tag) + "> is missing in " + quoted(node_.name()));
+    if (!found) throw error("<" + std::string(tag) + "> is missing in " + quoted(node_.name()));
     return *found;
 }
 

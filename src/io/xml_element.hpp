@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "waybreaker/error.hpp"
+
 namespace waybreaker::io {
 
 // A parsed file. `bytes` and `name` must outlive it.
@@ -18,7 +20,7 @@ class XmlFile {
     Element root() const;
 
   private:
-    [[noreturn]] void fail(std::ptrdiff_t offset, const std::string& message) const;
+    InputError error(std::ptrdiff_t offset, const std::string& message) const;
 
     std::string_view bytes_;
     const std::string& name_;
@@ -46,8 +48,8 @@ class XmlFile::Element {
         }
     }
 
-    // Throws InputError naming the element's line.
-    [[noreturn]] void fail(const std::string& message) const { file_->fail(node_.offset_debug(), message); }
+    // That names the line of the element.
+    InputError error(const std::string& message) const { return file_->error(node_.offset_debug(), message); }
 
   private:
     const XmlFile* file_;

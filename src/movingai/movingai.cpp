@@ -14,30 +14,28 @@ namespace {
 constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
 std::string all_bytes(std::istream& in, const std::string& name) {
-    constexpr std::size_t chunk = std::size_t{1} << 16;
+    constexpr std::size_t chunk = std::size_t{1} << 20;
     std::string bytes;
-    std::size_t size = 0;
-    while (in) {
-        if (size > max_bytes) throw InputError(name, 0, "is over 1 GiB, more than any map or scenario file needs");
-        bytes.resize(std::max(size + chunk, size * 2));
-        in.read(bytes.data() + size, std::streamsize(bytes.size() - size));
-        size += std::size_t(in.gcount());
+    std::vector<char> buffer(chunk);
+    while (in && bytes.size() <= max_bytes) {
+        in.read(buffer.data(), std::streamsize(chunk));
+        bytes.append(buffer.data(), std::size_t(in.gcount()));
     }
+    if (in) throw InputError(name, 0, "is over 1 GiB, more than any map or scenario file needs");
     if (!in.eof()) throw InputError(name, 0, "cannot be read: check that it is a file and that you may read it");
-    bytes.resize(size);
     return bytes;
 }
 
 struct Size {
-    std::optional<int> width;
-    std::optional<int> height;
+    int width;
+    int height;
 };
 
 int header_number(const TextLines& lines, std::string_view key, std::string_view word) {
     const std::optional<int> value = number<int>(word);
     if (!value || *value < 1 || *value > max_side) {
-        lines.fail("the " + std::string(key) + " is " + quoted(word) + ", but must be a number from 1 to " +
-                   std::to_string(max_side));
+        throw lines.error("the " + std::string(key) + " is " + quoted(word) + ", but must be a number from 1 to " +
+                          std::to_string(max_side));
     }
     return *value;
 }
@@ -45,46 +43,47 @@ int header_number(const TextLines& lines, std::string_view key, std::string_view
 // The lines down to `map`.
 Size read_header(TextLines& lines) {
     const std::string form = "a MovingAI map begins with the lines 'type octile', 'height H', 'width W' and 'map'";
-    if (words(lines.next().value_or("")) != std::vector<std::string_view>{"type", "octile"}) {
-        lines.fail("not a MovingAI map: " + form);
+    lines.next();
+    if (words(lines.line()) != std::vector<std::string_view>{"type", "octile"}) {
+        throw lines.error("not a MovingAI map: " + form);
     }
-    Size size;
-    while (const std::optional<std::string_view> line = lines.next()) {
-        const std::vector<std::string_view> parts = words(*line);
+    std::optional<int> width;
+    std::optional<int> height;
+    while (lines.next()) {
+        const std::vector<std::string_view> parts = words(lines.line());
         if (parts.size() == 1 && parts[0] == "map") {
-            if (!size.width) lines.fail("no width is given before 'map': " + form);
-            if (!size.height) lines.fail("no height is given before 'map': " + form);
-            return size;
+            if (!width) throw lines.error("no width is given before 'map': " + form);
+            if (!height) throw lines.error("no height is given before 'map': " + form);
+            return {*width, *height};
         }
         if (parts.size() != 2 || (parts[0] != "width" && parts[0] != "height")) {
-            lines.fail("unexpected header line " + quoted(*line) + ": " + form);
+            throw lines.error("unexpected header line " + quoted(lines.line()) + ": " + form);
         }
-        std::optional<int>& side = parts[0] == "width" ? size.width : size.height;
-        if (side) lines.fail("the " + std::string(parts[0]) + " is given twice");
+        std::optional<int>& side = parts[0] == "width" ? width : height;
+        if (side) throw lines.error("the " + std::string(parts[0]) + " is given twice");
         side = header_number(lines, parts[0], parts[1]);
     }
-    lines.fail("the file ends within its header: " + form);
+    throw lines.error("the file ends within its header: " + form);
 }
 
 // The rows as views into the text: so many, all of one length, and nothing after them.
 std::vector<std::string_view> read_rows(TextLines& lines, int width, int height) {
     std::vector<std::string_view> rows;
     while (std::ssize(rows) < height) {
-        const std::optional<std::string_view> row = lines.next();
-        if (!row) {
-            lines.fail("the map ends after " + std::to_string(rows.size()) + " of " + std::to_string(height) +
-                       " rows: is the file cut off, or its height wrong?");
+        if (!lines.next()) {
+            throw lines.error("the map ends after " + std::to_string(rows.size()) + " of " + std::to_string(height) +
+                              " rows: is the file cut off, or its height wrong?");
         }
-        if (std::ssize(*row) != width) {
-            lines.fail("this row has " + std::to_string(row->size()) + " cells, but the width is " +
-                       std::to_string(width) + ": mend the row or the header");
+        if (std::ssize(lines.line()) != width) {
+            throw lines.error("this row has " + std::to_string(lines.line().size()) + " cells, but the width is " +
+                              std::to_string(width) + ": mend the row or the header");
         }
-        rows.push_back(*row);
+        rows.push_back(lines.line());
     }
-    while (const std::optional<std::string_view> line = lines.next()) {
-        if (!words(*line).empty()) {
-            lines.fail("more lines follow the " + std::to_string(height) +
-                       " rows of the map: is the height in the header wrong?");
+    while (lines.next()) {
+        if (!words(lines.line()).empty()) {
+            throw lines.error("more lines follow the " + std::to_string(height) +
+                              " rows of the map: is the height in the header wrong?");
         }
     }
     return rows;
@@ -100,20 +99,21 @@ Cell cell_of(const TextLines& lines, std::string_view x_word, std::string_view y
     const std::optional<int> x = number<int>(x_word);
     const std::optional<int> y = number<int>(y_word);
     if (!x || !y || *x < 0 || *y < 0 || *x >= scenario.width || *y >= scenario.height) {
-        lines.fail("the cell " + quoted(x_word) + ", " + quoted(y_word) + " does not lie on a map of " +
-                   std::to_string(scenario.width) + " x " + std::to_string(scenario.height) + " cells");
+        throw lines.error("the cell " + quoted(x_word) + ", " + quoted(y_word) + " does not lie on a map of " +
+                          std::to_string(scenario.width) + " x " + std::to_string(scenario.height) + " cells");
     }
     return {*x, *y};
 }
 
 Scenario read_scenario(const TextLines& lines, const std::vector<std::string_view>& columns) {
     if (columns.size() != 9) {
-        lines.fail("a scenario has 9 columns (bucket, map, width, height, start x, y, goal x, y, length), this line " +
-                   std::to_string(columns.size()));
+        throw lines.error(
+            "a scenario has 9 columns (bucket, map, width, height, start x, y, goal x, y, length), this line " +
+            std::to_string(columns.size()));
     }
     Scenario scenario;
     const std::optional<int> bucket = number<int>(columns[0]);
-    if (!bucket) lines.fail("the bucket is " + quoted(columns[0]) + ", but must be a whole number");
+    if (!bucket) throw lines.error("the bucket is " + quoted(columns[0]) + ", but must be a whole number");
     scenario.bucket = *bucket;
     scenario.map = columns[1];
     scenario.width = header_number(lines, "width", columns[2]);
@@ -122,7 +122,7 @@ Scenario read_scenario(const TextLines& lines, const std::vector<std::string_vie
     scenario.goal = cell_of(lines, columns[6], columns[7], scenario);
     const std::optional<double> length = number<double>(columns[8]);
     if (!length || !std::isfinite(*length) || *length < 0) {
-        lines.fail("the length is " + quoted(columns[8]) + ", but must be a number, 0 or more");
+        throw lines.error("the length is " + quoted(columns[8]) + ", but must be a number, 0 or more");
     }
     scenario.optimal_length = *length;
     return scenario;
@@ -132,12 +132,10 @@ Scenario read_scenario(const TextLines& lines, const std::vector<std::string_vie
 
 Grid read_movingai_map(std::string_view bytes, const std::string& name) {
     TextLines lines(bytes, name);
-    const Size size = read_header(lines);
-    const int width = *size.width;
-    const int height = *size.height;
+    const auto [width, height] = read_header(lines);
     if (std::size_t(width) * std::size_t(height) > max_cells) {
-        lines.fail("a map of " + std::to_string(width) + " x " + std::to_string(height) +
-                   " cells is too large: it may have at most " + std::to_string(max_cells));
+        throw lines.error("a map of " + std::to_string(width) + " x " + std::to_string(height) +
+                          " cells is too large: it may have at most " + std::to_string(max_cells));
     }
     const std::vector<std::string_view> rows = read_rows(lines, width, height);
     Grid grid(width, height);
@@ -158,15 +156,15 @@ std::vector<Scenario> read_movingai_scenarios(std::string_view bytes, const std:
     TextLines lines(bytes, name);
     std::vector<Scenario> scenarios;
     bool first = true;
-    while (const std::optional<std::string_view> line = lines.next()) {
-        const std::vector<std::string_view> columns = words(*line);
+    while (lines.next()) {
+        const std::vector<std::string_view> columns = words(lines.line());
         if (columns.empty()) continue;
         const bool is_version = first && columns.size() == 2 && columns[0] == "version";
         first = false;
         if (!is_version) {
             scenarios.push_back(read_scenario(lines, columns));
         } else if (columns[1] != "1" && columns[1] != "1.0") {
-            lines.fail("scenarios of version " + quoted(columns[1]) + " cannot be read, only of version 1");
+            throw lines.error("scenarios of version " + quoted(columns[1]) + " cannot be read, only of version 1");
         }
     }
     return scenarios;

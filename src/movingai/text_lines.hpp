@@ -18,30 +18,34 @@ class TextLines {
   public:
     TextLines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
 
-    // Empty at the end of the text.
-    std::optional<std::string_view> next() {
-        if (rest_.empty()) return std::nullopt;
+    // Goes to the next line; false at the end of the text, where line() is the last one still.
+    bool next() {
+        if (rest_.empty()) return false;
         ++number_;
         const std::size_t end = rest_.find('\n');
-        std::string_view line = rest_.substr(0, end);
+        line_ = rest_.substr(0, end);
         rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        return line;
+        if (line_.ends_with('\r')) line_.remove_suffix(1);
+        return true;
     }
+    std::string_view line() const { return line_; }
 
-    // About the line that next() gave last.
-    [[noreturn]] void fail(const std::string& message) const { throw InputError(name_, number_, message); }
+    // That names this line.
+    InputError error(const std::string& message) const { return {name_, number_, message}; }
 
   private:
     std::string_view rest_;
+    std::string_view line_;
     const std::string& name_;
     std::size_t number_ = 0;
 };
 
-// What stands between spaces and tabs.
+// What stands between spaces and tabs; of a line of too many words only the first, as no format here has so many.
 inline std::vector<std::string_view> words(std::string_view line) {
+    constexpr std::size_t most = 64;
     std::vector<std::string_view> found;
-    for (std::size_t begin = 0; (begin = line.find_first_not_of(" \t", begin)) != std::string_view::npos;) {
+    for (std::size_t begin = 0;
+         found.size() < most && (begin = line.find_first_not_of(" \t", begin)) != std::string_view::npos;) {
         const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
         found.push_back(line.substr(begin, end - begin));
         begin = end;

@@ -143,6 +143,12 @@ TEST(AuthorsXml, IsRefusedWithFileLineAndReason) {
     }
 }
 
+TEST(AuthorsXml, IsRefusedWithoutParsingWhenItIsAllTags) {
+    std::string tags;
+    for (int i = 0; i < 200'000; ++i) tags += "<a/>";
+    EXPECT_EQ(input_error([&] { read(tags); }), "a.xml: has over 131072 tags and attributes: is it a map?");
+}
+
 TEST(AuthorsXml, IsRefusedWithWrongRows) {
     const auto with = [](std::string from, std::string to) {
         std::string text = task();

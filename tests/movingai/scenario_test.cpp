@@ -59,6 +59,7 @@ TEST(MovingaiScenarios, AreRefusedWithFileLineAndReason) {
         {"\x7f\x45\x4c\x46\0\0"s, "a.scen:1: a scenario has 9 columns"},
         {"version 1\n0 m 9 9 1 1 2 2\n", "a.scen:2: a scenario has 9 columns"},
         {"version 1\n0 m 9 9 1 1 2 2 1.4 x\n", "a.scen:2: a scenario has 9 columns"},
+        {std::string(1 << 20, ' ') + std::string(100, 'x') + "\n", "a.scen:1: a scenario has 9 columns"},
         {"x m 9 9 1 1 2 2 1.4\n", "a.scen:1: the bucket is 'x'"},
         {"0 m 0 9 1 1 2 2 1.4\n", "a.scen:1: the width is '0'"},
         {"0 m 9 99999 1 1 2 2 1.4\n", "a.scen:1: the height is '99999'"},
