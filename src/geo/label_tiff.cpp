@@ -115,10 +115,18 @@ std::vector<std::uint32_t> read_labels(GDALDataset& file, const std::string& nam
     const bool is_signed = type == GDT_Int16 || type == GDT_Int32;
     std::vector<std::uint32_t> labels(std::size_t(width) * std::size_t(height));
     const GdalScope gdal;
-    const CPLErr outcome = band.RasterIO(GF_Read, 0, 0, width, height, labels.data(), width, height,
-                                         is_signed ? GDT_Int32 : GDT_UInt32, 0, 0, nullptr);
-    if (outcome != CE_None || gdal.failed()) {
-        throw refusal(name, "is damaged or cut short: " + gdal.failure());
+    int block_width = 0;
+    int rows = 0;
+    band.GetBlockSize(&block_width, &rows);
+    // Block by block, for GDAL would keep what it has read: as much again for a large map.
+    for (int y = 0; y < height; y += rows) {
+        rows = std::min(rows, height - y);
+        const CPLErr outcome = band.RasterIO(GF_Read, 0, y, width, rows, &labels[std::size_t(y) * std::size_t(width)],
+                                             width, rows, is_signed ? GDT_Int32 : GDT_UInt32, 0, 0, nullptr);
+        if (outcome != CE_None || gdal.failed()) {
+            throw refusal(name, "is damaged or cut short: " + gdal.failure());
+        }
+        band.FlushCache(false);
     }
 
     int has_no_data = 0;
