@@ -1,11 +1,15 @@
-# cmake --install: the library an embedding program links (standard library only) and, if built, the command.
+# cmake --install: the library for programs that embed it (component `library`: headers, archives, CMake package; needs
+# the standard library alone) and the command (component `command`, see apps/).
 
 include(CMakePackageConfigHelpers)
 
-install(TARGETS waybreaker ${WAYBREAKER_CORE_TARGETS} EXPORT waybreaker)
-install(DIRECTORY include/waybreaker DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT waybreaker NAMESPACE waybreaker:: FILE waybreaker-config.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/waybreaker)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/waybreaker)
+
+install(TARGETS waybreaker ${WAYBREAKER_CORE_TARGETS} EXPORT waybreaker COMPONENT library)
+install(DIRECTORY include/waybreaker DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT library)
+
+# The package has no dependencies to look for, so that the exported targets are all of it.
+install(EXPORT waybreaker NAMESPACE waybreaker:: FILE waybreaker-config.cmake DESTINATION ${package_dir} COMPONENT library)
 write_basic_package_version_file(waybreaker-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/waybreaker-config-version.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/waybreaker)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/waybreaker-config-version.cmake DESTINATION ${package_dir} COMPONENT library)
