@@ -1,0 +1,91 @@
+// Missions that cannot be put on the map: each refusal says what is wrong and what to do.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ascii_map.hpp"
+#include "input_error.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+namespace {
+
+const Map& small_map() {
+    static const Map map = map_from_ascii(R"(
+        ....
+        .aa.
+        ....)");
+    return map;
+}
+
+std::string refusal(const Mission& mission, const MissionOptions& options = {}, const Map& map = small_map()) {
+    const std::string said = input_error([&] { validate(map, mission, options); });
+    EXPECT_EQ(said, input_error([&] { MissionPlanner().plan(map, mission, options); })) << "a plan validates first";
+    return said;
+}
+
+void expect_words(const std::string& message, const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        EXPECT_NE(message.find(word), std::string::npos) << '"' << message << "\" does not say \"" << word << '"';
+    }
+}
+
+TEST(ValidateMission, AcceptsWhatCanBePlanned) {
+    EXPECT_EQ(refusal(ground_and_air({0, 0}, {3, 2})), "");
+    EXPECT_EQ(refusal(ground_and_air({0, 0}, {0, 0}), paper_options(0)), "");
+}
+
+TEST(ValidateMission, RefusesPlacesOffTheMap) {
+    expect_words(refusal(ground_and_air({-1, 0}, {3, 2})), {"ground", "start", "-1,0", "off the map", "0 to 3"});
+    expect_words(refusal(ground_and_air({0, 0}, {3, 3})), {"ground", "goal", "3,3", "off the map", "0 to 2"});
+    Mission far_flyer = ground_and_air({0, 0}, {3, 2});
+    far_flyer.agents[1].goal = {2147483647, -2147483647};
+    expect_words(refusal(far_flyer), {"air", "goal", "off the map"});
+}
+
+TEST(ValidateMission, RefusesToStartInAWallAndNamesAFreeCell) {
+    expect_words(refusal(ground_and_air({1, 1}, {3, 2})), {"ground", "start", "1,1", "obstacle 1", "free cell"});
+    expect_words(refusal(ground_and_air({0, 0}, {2, 1})), {"ground", "goal", "2,1", "obstacle 1", "free cell"});
+    MissionOptions wide;
+    wide.search.motion.radius = 0.75;
+    expect_words(refusal(ground_and_air({0, 0}, {3, 2}), wide), {"ground", "0,0", "0.75", "no free cell"});
+    const Map full = map_from_ascii("###");
+    expect_words(refusal(ground_and_air({0, 0}, {2, 0}), {}, full), {"obstacle 1", "no free cell"});
+}
+
+TEST(ValidateMission, LetsTheAirAgentStartOverAWall) {
+    Mission mission = ground_and_air({0, 0}, {3, 2});
+    mission.agents[1].start = {1, 1};
+    EXPECT_EQ(refusal(mission), "");
+}
+
+TEST(ValidateMission, RefusesWrongOptions) {
+    const Mission mission = ground_and_air({0, 0}, {3, 2});
+    expect_words(refusal(mission, paper_options(-1)), {"removals", "negative"});
+    MissionOptions options;
+    options.search.weight = 0.5;
+    expect_words(refusal(mission, options), {"weight", "at least 1"});
+    options = {};
+    options.search = {.planner = Planner::jps, .motion = {.diagonal = false}};
+    expect_words(refusal(mission, options), {"jps", "astar"});
+    options.search = {.motion = {.radius = 33}};
+    expect_words(refusal(mission, options), {"radius", "0.5 to 32"});
+}
+
+TEST(ValidateMission, RefusesImpossibleAgents) {
+    for (const double speed : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+        Mission mission = ground_and_air({0, 0}, {3, 2});
+        mission.agents[1].speed = speed;
+        expect_words(refusal(mission), {"air", "speed", "positive"});
+    }
+    Mission alone = ground_and_air({0, 0}, {3, 2});
+    alone.agents.pop_back();
+    expect_words(refusal(alone), {"one ground agent and one air agent", "1 and 0"});
+    Mission crowd = ground_and_air({0, 0}, {3, 2});
+    crowd.agents.push_back(crowd.agents[0]);
+    expect_words(refusal(crowd), {"2 and 1"});
+    expect_words(refusal({}), {"0 and 0"});
+}
+
+}  // namespace
+}  // namespace waybreaker
