@@ -48,19 +48,16 @@ class Sweep {
     int first() const { return first_ < 0 ? 0 : first_; }
     int last() const { return last_ > major_ ? major_ : last_; }
 
+    // Without branches: whether a line carries is as good as random.
     void next_line() {
-        first_ += step_;
         first_rest_ -= step_rest_;
-        if (first_rest_ < 0) {
-            first_rest_ += divisor_;
-            ++first_;
-        }
-        last_ += step_;
-        last_rest_ += step_rest_;
-        if (last_rest_ >= divisor_) {
-            last_rest_ -= divisor_;
-            ++last_;
-        }
+        const int borrow = first_rest_ >> 31;  // -1 or 0
+        first_rest_ += divisor_ & borrow;
+        first_ += step_ - borrow;
+        last_rest_ += step_rest_ - divisor_;
+        const int no_carry = last_rest_ >> 31;
+        last_rest_ += divisor_ & no_carry;
+        last_ += step_ + 1 + no_carry;
     }
 
   private:

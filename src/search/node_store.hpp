@@ -1,9 +1,12 @@
 // Node store: what a search knows of each cell, 16 bytes a cell, reused from query to query without clearing.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
-#include <vector>
+#include <memory>
+#include <new>
 
 #include "waybreaker/cell.hpp"
 
@@ -11,16 +14,17 @@ namespace waybreaker {
 
 // A cell in 32 bits, ordered by row, then column.
 struct CellKey {
-    std::uint32_t value = 0;
+    std::uint32_t value;
     CellKey() = default;
     explicit CellKey(Cell c) : value(std::uint32_t(c.y) << 16 | std::uint32_t(c.x)) {}
     Cell cell() const { return {int(value & 0xFFFF), int(value >> 16)}; }
 };
 
+// All bits zero is a node that no query has seen.
 struct Node {
-    double g = 0;
+    double g;
     CellKey parent;
-    std::uint32_t stamp = 0;  // 2 * query while open, 2 * query + 1 once closed; other values: not seen by this query
+    std::uint32_t stamp;  // 2 * query while open, 2 * query + 1 once closed; other values: not seen by this query
 };
 
 class NodeStore {
@@ -28,14 +32,18 @@ class NodeStore {
     // `first_query` is for tests of the wrap-around.
     explicit NodeStore(std::uint32_t first_query = 0) : stamp_(2 * first_query) {}
 
-    // Forgets everything, in constant time unless the map has another size than the last one.
+    // Forgets everything, in constant time. Pages of memory that no search has visited are never touched.
     void begin_query(int width, int height) {
         width_ = std::size_t(width);
         const std::size_t cells = width_ * std::size_t(height);
-        if (nodes_.size() < cells) nodes_.resize(cells);
+        if (size_ < cells) {
+            nodes_.reset(static_cast<Node*>(std::calloc(cells, sizeof(Node))));
+            size_ = nodes_ ? cells : 0;
+            if (!nodes_) throw std::bad_alloc();
+        }
         stamp_ += 2;
         if (stamp_ == 0) {  // wrapped around: old stamps could be mistaken for new ones
-            for (Node& node : nodes_) node.stamp = 0;
+            std::fill_n(nodes_.get(), size_, Node{});
             stamp_ = 2;
         }
     }
@@ -58,7 +66,12 @@ class NodeStore {
     void close(Node& node) const { node.stamp = stamp_ + 1; }
 
   private:
-    std::vector<Node> nodes_;
+    struct Free {
+        void operator()(Node* nodes) const { std::free(nodes); }
+    };
+
+    std::unique_ptr<Node[], Free> nodes_;
+    std::size_t size_ = 0;
     std::size_t width_ = 0;
     std::uint32_t stamp_;
 };

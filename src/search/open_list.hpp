@@ -52,7 +52,6 @@ class OpenList {
   public:
     explicit OpenList(OpenMemory& memory) : heap_(memory.heap), waiting_(memory.waiting), buckets_(memory.buckets) {
         heap_.clear();
-        waiting_.clear();
         buckets_.clear();
     }
 
@@ -68,13 +67,13 @@ class OpenList {
         }
         if (bucket >= buckets_.size()) buckets_.resize(bucket + 1, none);
         std::uint32_t slot = free_;
-        if (slot == none) {
-            slot = std::uint32_t(waiting_.size());
-            waiting_.push_back({entry, buckets_[bucket]});
-        } else {
+        if (slot != none) {
             free_ = waiting_[slot].next;
-            waiting_[slot] = {entry, buckets_[bucket]};
+        } else {
+            slot = used_++;
+            if (slot == waiting_.size()) waiting_.resize(2 * waiting_.size() + 64);
         }
+        waiting_[slot] = {entry, buckets_[bucket]};
         buckets_[bucket] = slot;
         ++waiting_count_;
     }
@@ -147,6 +146,7 @@ class OpenList {
     std::vector<OpenEntry>& heap_;
     std::vector<OpenMemory::Waiting>& waiting_;
     std::vector<std::uint32_t>& buckets_;
+    std::uint32_t used_ = 0;         // slots of waiting_ that were ever used by this query
     std::uint32_t free_ = none;      // slots of waiting_ to be used again
     std::size_t waiting_count_ = 0;  // entries in buckets
     std::size_t current_ = 0;        // bucket that the heap stands for; earlier f go there too

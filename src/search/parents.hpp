@@ -84,25 +84,28 @@ class ThetaParents {
                          LineAt line_at) {
         constexpr int furthest = 8;  // lines back; beyond, the look along the whole segment is as cheap
         // On line k the segment lies (behind - rest / major.length) cells before its end across.
-        int behind = 0;
+        int behind[furthest + 1]{};
         int rest = 0;
-        for (int k = 0; k <= furthest && k < major.length; ++k) {
-            // What it may sweep on this line: from two cells beyond the lower neighbour to one before, inside the
-            // segment's box.
-            const int a = minor.end - minor.step * (behind - std::min(behind, 2));
-            const int b = minor.end - minor.step * (behind + std::min(minor.length - behind, 1));
-            const auto [first, last] = std::minmax(a, b);
-            if (any_bit(line_at(major.end - major.step * k), unsigned(first + 1), unsigned(last + 1))) return false;
-            const Node* const lower = node - k * major.stride - behind * minor.stride;
-            if (k > 0 && nodes.has_parent(*lower, from) &&
-                (rest == 0 || nodes.has_parent(*(lower + minor.stride), from))) {
-                return true;
-            }
+        for (int k = 1; k <= furthest && k < major.length; ++k) {
             rest -= minor.length;
+            behind[k] = behind[k - 1];
             if (rest < 0) {
                 rest += major.length;
-                ++behind;
+                ++behind[k];
             }
+            const Node* const lower = node - k * major.stride - behind[k] * minor.stride;
+            if (!nodes.has_parent(*lower, from) || (rest > 0 && !nodes.has_parent(*(lower + minor.stride), from)))
+                continue;
+            for (; k >= 0; --k) {
+                // What it may sweep on this line: two cells beyond the lower neighbour to one before, in the segment's
+                // box.
+                const int near = std::max(behind[k] - 2, 0);
+                const int far = std::min(behind[k] + 1, minor.length);
+                const int first = minor.step > 0 ? minor.end - far : minor.end + near;
+                if (any_bit(line_at(major.end - major.step * k), unsigned(first + 1), unsigned(first + 1 + far - near)))
+                    return false;
+            }
+            return true;
         }
         return false;
     }

@@ -21,30 +21,16 @@ class GridSteps {
         }
     }
 
-    // Visits what lies towards the parent first, what lies away from it last: so that Theta* can infer sight
-    // (parents.hpp).
     template <class Visit>
-    void for_each(NodeStore& nodes, Cell cell, Cell parent, Neighbourhood blocked, Visit visit) const {
+    void for_each(NodeStore& nodes, Cell cell, Cell /*parent*/, Neighbourhood blocked, Visit visit) const {
         Node* const here = &nodes.at(cell);
-        const int dx = cell.x - parent.x;
-        const int dy = cell.y - parent.y;
-        const bool flat = std::abs(dx) >= std::abs(dy);
-        const Neighbourhood line = flat ? column_bits : row_bits;
-        const int towards = flat ? (dx > 0 ? -1 : 1) : (dy > 0 ? -3 : 3);
-        const auto shifted = [](Neighbourhood set, int by) { return by > 0 ? set << by : set >> -by; };
-        const unsigned legal = legal_[blocked];
-        for (const int by : {towards, 0, -towards}) {
-            for_each_offset(Neighbourhood(legal & unsigned(shifted(line, by))), [&](int i) {
-                const auto step = std::size_t(i);
-                visit(Cell{cell.x + steps[step].dx, cell.y + steps[step].dy}, here[offset_[step]], cost_[step]);
-            });
-        }
+        for_each_offset(legal_[blocked], [&](int i) {
+            const auto step = std::size_t(i);
+            visit(Cell{cell.x + steps[step].dx, cell.y + steps[step].dy}, here[offset_[step]], cost_[step]);
+        });
     }
 
   private:
-    static constexpr Neighbourhood column_bits = step_bit(0, -1) | step_bit(0, 0) | step_bit(0, 1);
-    static constexpr Neighbourhood row_bits = step_bit(-1, 0) | step_bit(0, 0) | step_bit(1, 0);
-
     const StepTable& legal_;
     std::array<std::ptrdiff_t, 9> offset_;
     std::array<double, 9> cost_;
