@@ -1,6 +1,8 @@
 // Opening a map: with nothing removed, with obstacles of usual size removed, with the largest one removed.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 #include "maps.hpp"
 #include "waybreaker/map.hpp"
 

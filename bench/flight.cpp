@@ -1,0 +1,29 @@
+// The air agent's tour past the n obstacles most in the way: the shortest one, and the paper's.
+#include "waybreaker/flight.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include "maps.hpp"
+#include "waybreaker/breach.hpp"
+#include "waybreaker/search.hpp"
+
+namespace waybreaker::bench {
+namespace {
+
+using Rule = Flight(const Map&, Cell, Cell, std::span<const ObstacleId>);
+
+void fly(benchmark::State& state, Rule* rule) {
+    const Map map(read_city("Berlin_0_512"));
+    const Cell start{236, 13};
+    const Cell goal{388, 398};
+    const SearchResult search = Searcher().find(OpenedMap(map), start, goal, {.count_hits = true});
+    const std::vector<ObstacleId> chosen = most_hit(map, search.hits, int(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(rule(map, start, goal, chosen));
+    state.counters["length"] = rule(map, start, goal, chosen).length;
+}
+
+BENCHMARK_CAPTURE(fly, optimal, fly_optimal)->DenseRange(1, 8)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(fly, nearest, fly_nearest)->DenseRange(1, 8)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace waybreaker::bench
