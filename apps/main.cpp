@@ -1,1 +1,87 @@
-int main() {}
+// waybreaker: the command line. Builds the tree of commands, runs the chosen one, turns errors into one line and an
+// exit status (contract: 0 done, 1 no plan, 2 bad usage or input, 3 internal error).
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <string>
+
+#include "commands.hpp"
+#include "help.hpp"
+#include "io/output_file.hpp"
+#include "usage_error.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+enum ExitStatus : int { done = 0, no_plan = 1, bad_input = 2, internal_error = 3 };
+
+int complain(ExitStatus status, std::string message) {
+    for (char& c : message) {
+        if (static_cast<unsigned char>(c) < ' ') c = ' ';  // one line, whatever a file name contains
+    }
+    std::fputs(fmt::format("waybreaker: {}\n", message).c_str(), stderr);  // if that fails, there is nobody to tell
+    return status;
+}
+
+void setup(CLI::App& root, Run& run) {
+    root.name("waybreaker");
+    root.formatter(std::make_shared<HelpFormatter>());
+    root.set_version_flag("--version", "waybreaker " WAYBREAKER_VERSION, "Print the version and exit");
+    root.set_help_flag("-h,--help", "Print this help and exit");
+    root.require_subcommand(1);
+    setup_plan(root, run);
+    setup_import(root, run);
+    setup_map_info(root, run);
+    setup_completion(root, run);
+    setup_manual(root, run);
+    set_examples(root, {"waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55 --svg plan.svg",
+                        "waybreaker plan --help"});
+}
+
+void parse_and_run(int argc, const char* const* argv) {
+    CLI::App root{"Plan ground missions whose way an aircraft can open"};
+    Run run;
+    setup(root, run);
+    try {
+        root.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return io::write_whole("-", root.help());
+    } catch (const CLI::CallForVersion& version) {
+        return io::write_whole("-", std::string(version.what()) + "\n");
+    } catch (const CLI::ParseError& error) {
+        throw InputError(usage_error(root, error));
+    }
+    run();
+}
+
+// What is closed is opened on nothing, so that no file of ours becomes standard output by chance; writing fails there.
+void fill_standard_streams() {
+    for (int stream = 0; stream <= 2; ++stream) {
+        if (fcntl(stream, F_GETFD) == -1) open("/dev/null", O_RDONLY);
+    }
+}
+
+}  // namespace
+}  // namespace waybreaker::apps
+
+int main(int argc, char** argv) {
+    using namespace waybreaker::apps;
+    fill_standard_streams();
+    std::signal(SIGPIPE, SIG_DFL);  // when our reader leaves (`| head`) we end quietly, as other commands do
+    try {
+        parse_and_run(argc, argv);
+        return done;
+    } catch (const NoPlan& error) {
+        return complain(no_plan, error.what());
+    } catch (const waybreaker::InputError& error) {
+        return complain(bad_input, error.what());
+    } catch (const std::bad_alloc&) {
+        return complain(internal_error, "out of memory");
+    } catch (const std::exception& error) {
+        return complain(internal_error, fmt::format("internal error: {}", error.what()));
+    }
+}

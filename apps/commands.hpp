@@ -1,0 +1,27 @@
+// The commands of waybreaker: one file each, named as the command (`waybreaker map info` is map_info.cpp).
+//
+// A command's file holds an options struct, what to do with it, and setup_NAME(), which adds the command to the tree of
+// options. Parsing only chooses what to run; main() runs it. Help, completion and manual pages are made from the tree.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <stdexcept>
+
+namespace waybreaker::apps {
+
+using Run = std::function<void()>;
+
+void setup_plan(CLI::App& root, Run& run);
+void setup_import(CLI::App& root, Run& run);
+void setup_map_info(CLI::App& root, Run& run);
+void setup_completion(CLI::App& root, Run& run);
+void setup_manual(CLI::App& root, Run& run);
+
+// The input is valid, but there is no plan. Thrown when all output is written; what() is one line for a person.
+class NoPlan : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace waybreaker::apps

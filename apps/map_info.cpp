@@ -1,0 +1,106 @@
+// `waybreaker map info`: what a map file holds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "help.hpp"
+#include "io/map_file.hpp"
+#include "io/output_file.hpp"
+#include "map_summary.hpp"
+#include "option.hpp"
+#include "progress.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+struct MapInfoOptions {
+    std::string file;
+    Connectivity connectivity = Connectivity::four;
+    bool json = false;
+};
+
+// Longitude and latitude of the middle of the map.
+std::array<double, 2> center(const io::MapFile& file) {
+    return file.georeference->lon_lat((file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0);
+}
+
+std::string as_json(const io::MapFile& file, const MapSummary& summary) {
+    using Json = nlohmann::ordered_json;
+    const auto cell = [](const std::optional<Cell>& c) { return c ? Json::array({c->x, c->y}) : Json(); };
+    Json json{{"source", file.source},       {"format", file.format},       {"width", file.map.width()},
+              {"height", file.map.height()}, {"cell_size", file.cell_size}, {"blocked", summary.blocked},
+              {"density", summary.density}};
+    json["obstacles"] = {{"count", file.map.obstacles().size()}, {"largest", nullptr}};
+    if (const Obstacle* largest = summary.largest) {
+        json["obstacles"]["largest"] = {
+            {"id", largest->id.value}, {"source_id", largest->source_id}, {"cells", largest->cells}};
+    }
+    json["georeference"] = nullptr;
+    if (file.georeference) json["georeference"] = {{"crs", file.georeference->crs_name()}, {"center", center(file)}};
+    json["start"] = file.task ? cell(file.task->start) : Json();
+    json["goal"] = file.task ? cell(file.task->goal) : Json();
+    json["title"] = file.title;
+    json["attribution"] = file.attribution;
+    json["digest"] = file.digest;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string as_text(const io::MapFile& file, const MapSummary& summary) {
+    const Map& map = file.map;
+    const auto line = [](const std::string& name, const std::string& value) {
+        return value.empty() ? std::string() : fmt::format("{:<13}{}\n", name, value);
+    };
+    std::string text = line("file", file.source) + line("format", file.format) + line("title", file.title) +
+                       line("size", fmt::format("{} x {} cells", map.width(), map.height()));
+    if (file.georeference || file.cell_size != 1) {
+        text += line("cell size", fmt::format("{:.6g} m, in all {:.6g} m x {:.6g} m", file.cell_size,
+                                              map.width() * file.cell_size, map.height() * file.cell_size));
+    }
+    text += line("blocked", fmt::format("{} cells, {:.1f} %", summary.blocked, 100 * summary.density));
+    text += line("obstacles", std::to_string(map.obstacles().size()));
+    if (const Obstacle* largest = summary.largest) {
+        const std::string source = largest->source_id == 0 ? "" : fmt::format(" (OSM {})", largest->source_id);
+        text += line("largest", fmt::format("obstacle {}{}, {} cells", largest->id.value, source, largest->cells));
+    }
+    if (file.georeference) {
+        const auto [longitude, latitude] = center(file);
+        text += line("projection", file.georeference->crs_name());
+        text += line("centre", fmt::format("longitude {:.6f}, latitude {:.6f}", longitude, latitude));
+    }
+    if (file.task && file.task->start)
+        text += line("start", fmt::format("{},{}", file.task->start->x, file.task->start->y));
+    if (file.task && file.task->goal)
+        text += line("goal", fmt::format("{},{}", file.task->goal->x, file.task->goal->y));
+    return text + line("source", file.attribution) + line("digest", file.digest);
+}
+
+io::MapFile read_map(const MapInfoOptions& options) {
+    const Progress progress("reading " + options.file);
+    return io::read_map_file(options.file, options.connectivity);
+}
+
+void run(const MapInfoOptions& options) {
+    const io::MapFile file = read_map(options);
+    const MapSummary summary = summarise(file.map);
+    io::write_whole("-", options.json ? as_json(file, summary) : as_text(file, summary));
+}
+
+}  // namespace
+
+void setup_map_info(CLI::App& root, Run& run_chosen) {
+    auto options = std::make_shared<MapInfoOptions>();
+    CLI::App* map = root.add_subcommand("map", "Look at map files");
+    map->require_subcommand(1);
+    set_examples(*map, {"waybreaker map info data/turin.tif"});
+    CLI::App* command = map->add_subcommand("info", "Tell a map's size, density, obstacles, place on earth and origin");
+    add_file(*command, "FILE", options->file, "A MovingAI map, an XML task file or a GeoTIFF label map")->required();
+    add_connectivity(*command, options->connectivity);
+    command->add_flag("--json", options->json, "Write JSON, for programs");
+    set_examples(*command, {"waybreaker map info data/turin.tif",
+                            "waybreaker map info data/turin.tif --json | jq .obstacles.count"});
+    command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
+}
+
+}  // namespace waybreaker::apps

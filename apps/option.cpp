@@ -1,0 +1,132 @@
+#include "option.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace waybreaker::apps {
+namespace {
+
+template <class Number>
+std::optional<Number> number(std::string_view text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+// Two numbers with a comma between them.
+template <class Number>
+std::optional<std::pair<Number, Number>> pair(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return std::nullopt;
+    const std::optional<Number> first = number<Number>(text.substr(0, comma));
+    const std::optional<Number> second = number<Number>(text.substr(comma + 1));
+    if (!first || !second) return std::nullopt;
+    return std::pair(*first, *second);
+}
+
+// "-n,--removals" is called --removals in errors.
+std::string long_name(const std::string& names) {
+    return names.substr(names.rfind(',') + 1);
+}
+
+CLI::Option* add(CLI::App& app, const std::string& name, const std::function<void(const std::string&)>& read,
+                 const std::string& type, const std::string& text) {
+    return app.add_option_function<std::string>(name, read, text)->type_name(type);
+}
+
+}  // namespace
+
+CLI::Option* add_cell(CLI::App& app, const std::string& name, std::optional<Cell>& value, const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        const auto cell = pair<int>(given);
+        if (!cell || std::min(cell->first, cell->second) < 0 || std::max(cell->first, cell->second) >= max_side) {
+            throw CLI::ValidationError(
+                name, fmt::format("'{}' is not a cell: X,Y are two whole numbers from 0 to {}, such as 12,20", given,
+                                  max_side - 1));
+        }
+        value = Cell{cell->first, cell->second};
+    };
+    return add(app, name, read, "X,Y", text);
+}
+
+CLI::Option* add_lon_lat(CLI::App& app, const std::string& name, double& lon, double& lat, const std::string& text) {
+    const auto read = [name, &lon, &lat](const std::string& given) {
+        const auto point = pair<double>(given);
+        // Not "> 180", so that "nan" is refused.
+        if (!point || !(std::abs(point->first) <= 180) || !(std::abs(point->second) <= 90)) {
+            throw CLI::ValidationError(
+                name,
+                fmt::format("'{}' is not a place: LON,LAT are degrees east and north, such as 13.41,52.52", given));
+        }
+        lon = point->first;
+        lat = point->second;
+    };
+    return add(app, name, read, "LON,LAT", text);
+}
+
+CLI::Option* add_count(CLI::App& app, const std::string& name, const std::function<void(std::int64_t)>& assign,
+                       std::int64_t least, std::int64_t most, const std::string& text) {
+    const auto read = [name, assign, least, most](const std::string& given) {
+        const auto count = number<std::int64_t>(given);
+        if (!count || *count < least || *count > most) {
+            throw CLI::ValidationError(long_name(name),
+                                       fmt::format("'{}' is not a whole number from {} to {}", given, least, most));
+        }
+        assign(*count);
+    };
+    return add(app, name, read, "N", text);
+}
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::function<void(double)>& assign, double least,
+                        const std::string& type, const std::string& text) {
+    const auto read = [name, assign, least](const std::string& given) {
+        const auto value = number<double>(given);
+        if (!value || !std::isfinite(*value) || *value < least || *value <= 0) {
+            throw CLI::ValidationError(name, fmt::format("'{}' is not a number {}", given,
+                                                         least > 0 ? fmt::format("of at least {}", least) : "above 0"));
+        }
+        assign(*value);
+    };
+    return add(app, name, read, type, text);
+}
+
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        if (given.empty()) throw CLI::ValidationError(long_name(name), "the name of a file is missing");
+        value = given;
+    };
+    const bool positional = name.front() != '-';
+    return add(app, name, read, positional ? "" : "FILE", text);
+}
+
+CLI::Option* add_word(CLI::App& app, const std::string& name, const std::vector<std::string>& words,
+                      const std::function<void(std::size_t)>& assign, const std::string& text) {
+    const auto read = [name, words, assign](const std::string& given) {
+        const auto word = std::find(words.begin(), words.end(), given);
+        if (word == words.end()) {
+            throw CLI::ValidationError(name, fmt::format("'{}' is unknown; use {}", given, fmt::join(words, ", ")));
+        }
+        assign(std::size_t(word - words.begin()));
+    };
+    return add(app, name, read, fmt::format("{}", fmt::join(words, "|")), text);
+}
+
+CLI::Option* add_connectivity(CLI::App& app, Connectivity& value) {
+    const Choices<Connectivity> choices{{"4", Connectivity::four}, {"8", Connectivity::eight}};
+    return add_choice(app, "--connectivity", choices, value,
+                      "Blocked cells with a common side (4) or corner (8) are one obstacle; for maps without labels "
+                      "(default: 4)");
+}
+
+std::vector<std::string> words_of(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    const bool placeholder = std::any_of(type.begin(), type.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+    return placeholder || type.empty() ? std::vector<std::string>() : CLI::detail::split(type, '|');
+}
+
+}  // namespace waybreaker::apps

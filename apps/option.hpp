@@ -1,0 +1,60 @@
+// Options with values, read strictly: the whole text must be what it should be, and an error names the option.
+//
+// The type name of an option says what it takes, to people and to shell completion alike: a placeholder in capitals
+// ("FILE", "X,Y") or the words to choose from ("makespan|flowtime").
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "waybreaker/map.hpp"
+
+namespace waybreaker::apps {
+
+// "12,20"
+CLI::Option* add_cell(CLI::App& app, const std::string& name, std::optional<Cell>& value, const std::string& text);
+
+// "13.41,52.52"
+CLI::Option* add_lon_lat(CLI::App& app, const std::string& name, double& lon, double& lat, const std::string& text);
+
+// A whole number from `least` to `most`.
+CLI::Option* add_count(CLI::App& app, const std::string& name, const std::function<void(std::int64_t)>& assign,
+                       std::int64_t least, std::int64_t most, const std::string& text);
+
+// A finite number: at least `least`, or above it if it is 0.
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::function<void(double)>& assign, double least,
+                        const std::string& type, const std::string& text);
+
+// The name of a file, not empty.
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text);
+
+// One of the words, given by its position to `assign`.
+CLI::Option* add_word(CLI::App& app, const std::string& name, const std::vector<std::string>& words,
+                      const std::function<void(std::size_t)>& assign, const std::string& text);
+
+// One of some values by name; the first is the default.
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+template <class Value, class Target>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, const Choices<Value>& choices, Target& target,
+                        const std::string& text) {
+    std::vector<std::string> words;
+    for (const auto& choice : choices) words.push_back(choice.first);
+    const auto assign = [choices, &target](std::size_t i) { target = choices[i].second; };
+    return add_word(app, name, words, assign, text);
+}
+
+// How blocked cells make obstacles.
+CLI::Option* add_connectivity(CLI::App& app, Connectivity& value);
+
+// The words an option offers; empty if it takes something else.
+std::vector<std::string> words_of(const CLI::Option& option);
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,144 @@
+// `waybreaker plan`: one mission, from a map file to a table, a plan file and pictures.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "help.hpp"
+#include "io/output_file.hpp"
+#include "io/plan_json.hpp"
+#include "io/search_trace.hpp"
+#include "plan_options.hpp"
+#include "plan_table.hpp"
+#include "progress.hpp"
+#include "render/picture.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+const Agent& ground_agent(const Mission& mission) {
+    return *std::find_if(mission.agents.begin(), mission.agents.end(),
+                         [](const Agent& agent) { return agent.kind == AgentKind::ground; });
+}
+
+// Every step of the ground search on the closed map, searched once more so that listening slows down nothing else.
+std::string trace(const Map& map, const Mission& mission, SearchOptions search) {
+    const Agent& driver = ground_agent(mission);
+    const OpenedMap closed(map);
+    io::SearchTrace listener(closed, driver.start, driver.goal);
+    search.listener = &listener;
+    Searcher().find(closed, driver.start, driver.goal, search);
+    return listener.text();
+}
+
+// Whether lengths can be told in metres.
+bool has_metres(const PlanOptions& options, const io::MapFile& map) {
+    return options.cell_size || map.georeference || map.cell_size != 1;
+}
+
+// Bold headings, where a person reads them and has not asked for plain text (no-color.org).
+bool wants_bold() {
+    const char* no_color = std::getenv("NO_COLOR");
+    return isatty(STDOUT_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
+}
+
+render::PictureOptions picture_options(const io::MapFile& map, bool metres) {
+    return {.cell_size = map.cell_size,
+            .metres = metres,
+            .title = map.title.empty() ? map.source : map.title,
+            .attribution = map.attribution};
+}
+
+// What goes where, standard output last: by then all files are complete.
+void write_outputs(const PlanOptions& options, const io::PlanContext& context, const Plan& plan) {
+    const io::MapFile& file = context.map;
+    const bool metres = has_metres(options, file);
+    const render::PictureOptions picture = picture_options(file, metres);
+    std::vector<std::pair<std::string, std::string>> outputs;
+    if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
+    if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
+    if (!options.png.empty()) outputs.emplace_back(options.png, render::png(file.map, context.mission, plan, picture));
+    if (!options.trace.empty()) {
+        outputs.emplace_back(options.trace, trace(file.map, context.mission, context.options.search));
+    }
+    const auto last =
+        std::stable_partition(outputs.begin(), outputs.end(), [](const auto& output) { return output.first != "-"; });
+    if (last == outputs.end() && plan.status == PlanStatus::solved) {
+        outputs.emplace_back("-", plan_table(plan, context, {.metres = metres, .bold = wants_bold()}));
+    }
+    for (const auto& [path, bytes] : outputs) io::write_whole(path, bytes);
+}
+
+void require_plan(const Plan& plan, const Mission& mission, const MissionOptions& options) {
+    if (plan.status == PlanStatus::solved) return;
+    const Agent& driver = ground_agent(mission);
+    const std::string way =
+        fmt::format("from {},{} to {},{}", driver.start.x, driver.start.y, driver.goal.x, driver.goal.y);
+    if (plan.status == PlanStatus::limit_reached) {
+        throw NoPlan(fmt::format("no plan {} within {} expansions; raise --expansion-limit", way,
+                                 options.search.expansion_limit));
+    }
+    const std::size_t removed = plan.removed.size();
+    throw NoPlan(fmt::format("no plan: the ground agent cannot get {}{}", way,
+                             removed == 0 ? "" : fmt::format(", even with {} removed obstacles", removed)));
+}
+
+io::MapFile read_map(const PlanOptions& options) {
+    const Progress progress("reading " + options.map);
+    io::MapFile file = io::read_map_file(options.map, options.connectivity);
+    file.cell_size = options.cell_size.value_or(file.cell_size);
+    return file;
+}
+
+Plan plan_mission(const io::MapFile& file, const Mission& mission, const MissionOptions& options) {
+    const Progress progress("planning");
+    Plan plan = MissionPlanner().plan(file.map, mission, options);
+    plan.seconds.label = file.label_seconds;
+    plan.seconds.total += file.label_seconds;
+    return plan;
+}
+
+void run(const PlanOptions& options) {
+    validate(options);
+    const io::MapFile file = read_map(options);
+    const Mission mission = mission_of(options, file);
+    const MissionOptions mission_options = mission_options_of(options, file);
+    validate(mission_options.search);
+    try {
+        validate(file.map, mission, mission_options);
+    } catch (const InputError& error) {
+        throw InputError(options.map, 0, error.what());
+    }
+    const Plan plan = plan_mission(file, mission, mission_options);
+    const io::PlanContext context{.map = file,
+                                  .mission = mission,
+                                  .options = mission_options,
+                                  .connectivity = options.connectivity,
+                                  .timing_fields = !options.no_timing};
+    write_outputs(options, context, plan);
+    require_plan(plan, mission, mission_options);
+}
+
+}  // namespace
+
+void setup_plan(CLI::App& root, Run& run_chosen) {
+    auto options = std::make_shared<PlanOptions>();
+    CLI::App* command = root.add_subcommand(
+        "plan",
+        "Plan one mission: which obstacles an aircraft removes, how it flies, how the ground agent drives\n\n"
+        "Cells are counted from the upper-left one, 0,0: x to the right, y down. Without an output option for standard "
+        "output a short table of the plan and of the mission without removals goes there.");
+    add_plan_options(*command, *options);
+    set_examples(*command,
+                 {"waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55",
+                  "waybreaker plan Berlin_0_512.map --start 12,20 --goal 400,380 --paper -n 1 --json plan.json",
+                  "waybreaker plan task.xml --planner jps --svg - | rsvg-convert > plan.png"});
+    command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
+}
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,177 @@
+#include "plan_options.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <climits>
+
+#include "option.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+const Choices<FlightRule> flights{{"optimal", FlightRule::optimal}, {"nearest", FlightRule::nearest}};
+const Choices<Objective> objectives{{"makespan", Objective::makespan}, {"flowtime", Objective::flowtime}};
+const Choices<Planner> planners{{"theta", Planner::theta},       {"lazy-theta", Planner::lazy_theta},
+                                {"astar", Planner::astar},       {"jps", Planner::jps},
+                                {"dijkstra", Planner::dijkstra}, {"bfs", Planner::bfs}};
+const Choices<Heuristic> heuristics{{"euclidean", Heuristic::euclidean},
+                                    {"octile", Heuristic::octile},
+                                    {"chebyshev", Heuristic::chebyshev},
+                                    {"manhattan", Heuristic::manhattan},
+                                    {"zero", Heuristic::zero}};
+const Choices<TieBreak> tie_breaks{{"g-max", TieBreak::g_max}, {"g-min", TieBreak::g_min}};
+const Choices<Corners> corner_rules{{"none", Corners::none}, {"cut", Corners::cut}, {"squeeze", Corners::squeeze}};
+const Choices<bool> move_counts{{"8", true}, {"4", false}};
+
+// An option that knows one value today; the better one has a name already.
+CLI::Option* add_only_word(CLI::App& app, const std::string& name, const std::string& word, const std::string& later,
+                           const std::string& text) {
+    const auto read = [=](const std::string& given) {
+        if (given == word) return;
+        const std::string reason =
+            given == later ? later + " comes with a later version" : "'" + given + "' is unknown";
+        throw CLI::ValidationError(name, fmt::format("{}; use {}", reason, word));
+    };
+    return app.add_option_function<std::string>(name, read, text)->type_name(word);
+}
+
+void add_mission_options(CLI::App& command, PlanOptions& options) {
+    add_cell(command, "--start", options.start, "Cell where both agents start (default: as the map file says)");
+    add_cell(command, "--goal", options.goal, "Cell where both agents end (default: as the map file says)");
+    add_cell(command, "--air-start", options.air_start, "Cell where the air agent starts, if elsewhere");
+    add_cell(command, "--air-goal", options.air_goal, "Cell where the air agent ends, if elsewhere");
+    add_connectivity(command, options.connectivity);
+    add_number(
+        command, "--cell-size", [&options](double metres) { options.cell_size = metres; }, 0, "METRES",
+        "Side of a cell, for lengths in metres (default: as the map file says)");
+}
+
+void add_method_options(CLI::App& command, PlanOptions& options) {
+    command.add_flag("--paper", options.paper,
+                     "The paper's method: --select hits --flight nearest --timing ignore --planner theta; for -n 1 its "
+                     "exact flight past one obstacle");
+    add_count(
+        command, "-n,--removals", [&options](std::int64_t n) { options.removals = int(n); }, 0, INT_MAX,
+        "How many obstacles may be removed; 0 means none (default: 3)");
+    add_only_word(command, "--select", "hits", "exact", "Remove the obstacles that the search ran into most often");
+    add_choice(command, "--flight", flights, options.flight,
+               "Shortest flight that touches every removed obstacle, or the paper's: past the cells nearest to the "
+               "straight line (default: optimal)");
+    add_only_word(command, "--timing", "ignore", "enforce",
+                  "Whether an obstacle is solid until it has been breached: ignore, as the paper does");
+    add_choice(command, "--objective", objectives, options.objective,
+               "When the last agent arrives, or the sum of all arrival times (default: makespan)");
+}
+
+void add_search_options(CLI::App& command, PlanOptions& options) {
+    add_choice(command, "--planner", planners, options.planner, "Search of the ground agent (default: theta)");
+    add_choice(command, "--heuristic", heuristics, options.heuristic,
+               "Estimate of the way to go (default: euclidean for theta and lazy-theta, octile for astar and jps)");
+    add_number(
+        command, "--weight", [&options](double weight) { options.weight = weight; }, 1, "W",
+        "Weight of the heuristic, at least 1 (default: 1)");
+    add_choice(
+        command, "--tie-break", tie_breaks, options.tie_break,
+        "Of two equally promising nodes take the one farther from (g-max) or nearer to the start (default: g-max)");
+    add_choice(command, "--corners", corner_rules, options.corners,
+               "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
+    add_number(
+        command, "--radius", [&options](double radius) { options.radius = radius; }, 0, "CELLS",
+        "Radius of the ground agent (default: 0.5)");
+    add_choice(command, "--moves", move_counts, options.diagonal, "Steps from a cell (default: 8)");
+    add_count(
+        command, "--expansion-limit", [&options](std::int64_t n) { options.expansion_limit = std::uint64_t(n); }, 1,
+        INT64_MAX, "Give up a search after so many expansions");
+}
+
+void add_output_options(CLI::App& command, PlanOptions& options) {
+    add_file(command, "--json", options.json, "Write the plan; - is standard output, here and below");
+    add_file(command, "--svg", options.svg, "Write a picture");
+    add_file(command, "--png", options.png, "Write a picture");
+    add_file(command, "--trace", options.trace,
+             "Write every step of the first ground search, for the Posthoc search visualiser (NAME.trace.json)");
+    command.add_flag("--no-timing", options.no_timing,
+                     "Leave out measured times, so that equal input gives equal bytes");
+}
+
+std::string word_for(Planner planner) {
+    for (const auto& [word, value] : planners) {
+        if (value == planner) return word;
+    }
+    return "";
+}
+
+}  // namespace
+
+void add_plan_options(CLI::App& command, PlanOptions& options) {
+    add_file(command, "MAP", options.map, "A MovingAI map, an XML task file or a GeoTIFF label map")->required();
+    command.option_defaults()->group("Mission");
+    add_mission_options(command, options);
+    command.option_defaults()->group("Method");
+    add_method_options(command, options);
+    command.option_defaults()->group("Ground search");
+    add_search_options(command, options);
+    command.option_defaults()->group("Output");
+    add_output_options(command, options);
+}
+
+void validate(const PlanOptions& options) {
+    if (options.paper && options.planner && *options.planner != Planner::theta) {
+        throw InputError(
+            fmt::format("--paper stands for --planner theta, which --planner {} contradicts; drop one of them",
+                        word_for(*options.planner)));
+    }
+    if (options.paper && options.flight == FlightRule::optimal && options.removals > 1) {
+        throw InputError("--paper stands for --flight nearest, which --flight optimal contradicts; drop one of them");
+    }
+    const std::array outputs{std::pair("--json", options.json), std::pair("--svg", options.svg),
+                             std::pair("--png", options.png), std::pair("--trace", options.trace)};
+    for (auto one = outputs.begin(); one != outputs.end(); ++one) {
+        for (auto other = outputs.begin(); other != one; ++other) {
+            if (one->second.empty() || one->second != other->second) continue;
+            throw InputError(fmt::format("{} and {} cannot both write to {}", other->first, one->first,
+                                         one->second == "-" ? "standard output" : one->second));
+        }
+    }
+}
+
+Mission mission_of(const PlanOptions& options, const io::MapFile& map) {
+    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::XmlTask::*in_file,
+                              const char* option) {
+        if (given) return *given;
+        if (map.task && (*map.task).*in_file) return *((*map.task).*in_file);
+        throw InputError(fmt::format("{} X,Y is missing, and {} does not say it", option, map.source));
+    };
+    const Cell start = place(options.start, &io::XmlTask::start, "--start");
+    const Cell goal = place(options.goal, &io::XmlTask::goal, "--goal");
+    Mission mission = ground_and_air(start, goal);
+    for (Agent& agent : mission.agents) {
+        if (agent.kind != AgentKind::air) continue;
+        agent.start = options.air_start.value_or(start);
+        agent.goal = options.air_goal.value_or(goal);
+    }
+    return mission;
+}
+
+MissionOptions mission_options_of(const PlanOptions& options, const io::MapFile& map) {
+    MissionOptions result = options.paper ? paper_options(options.removals) : MissionOptions{};
+    if (map.task) result.search = map.task->search;
+    if (options.paper) result.search.planner = Planner::theta;
+    result.removals = options.removals;
+    result.flight = options.flight.value_or(result.flight);
+    result.objective = options.objective;
+    SearchOptions& search = result.search;
+    search.planner = options.planner.value_or(search.planner);
+    if (options.heuristic) search.heuristic = options.heuristic;
+    search.weight = options.weight.value_or(search.weight);
+    search.tie_break = options.tie_break.value_or(search.tie_break);
+    search.motion.corners = options.corners.value_or(search.motion.corners);
+    search.motion.radius = options.radius.value_or(search.motion.radius);
+    search.motion.diagonal = options.diagonal.value_or(search.motion.diagonal);
+    search.expansion_limit = options.expansion_limit;
+    return result;
+}
+
+}  // namespace waybreaker::apps

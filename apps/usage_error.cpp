@@ -1,0 +1,69 @@
+#include "usage_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "help.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+// How many letters to insert, drop or exchange to get from one word to the other (Levenshtein).
+std::size_t edits(const std::string& from, const std::string& to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 0; j < to.size(); ++j) {
+            const std::size_t exchanged = diagonal + (from[i] == to[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+// "; did you mean --goal?", if there is a word like that.
+std::string suggestion(const std::string& given, const std::vector<std::string>& words) {
+    const auto closer = [&](const std::string& a, const std::string& b) { return edits(given, a) < edits(given, b); };
+    const auto closest = std::min_element(words.begin(), words.end(), closer);
+    if (closest == words.end() || edits(given, *closest) > 2) return "";
+    return fmt::format("; did you mean {}?", *closest);
+}
+
+std::string unexpected(const CLI::App& command, std::string given) {
+    std::vector<std::string> words;
+    if (given.starts_with("-")) {
+        given = given.substr(0, given.find('='));
+        for (const CLI::Option* option : options_of(command)) words.push_back("--" + option->get_single_name());
+        return fmt::format("unknown option {}{}", given, suggestion(given, words));
+    }
+    for (const CLI::App* child : command.get_subcommands({})) words.push_back(child->get_name());
+    if (words.empty()) return fmt::format("unexpected argument '{}'", given);
+    return fmt::format("unknown command '{}'{}", given, suggestion(given, words));
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App& root, const CLI::ParseError& error) {
+    // The command the user was speaking to.
+    const CLI::App* command = &root;
+    std::string name = root.get_name();
+    while (!command->get_subcommands().empty()) {
+        command = command->get_subcommands().back();
+        name += " " + command->get_name();
+    }
+    if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return error.what();
+    const std::vector<std::string> rest = root.remaining(true);
+    std::string message = error.what();
+    if (!rest.empty()) {
+        message = unexpected(*command, rest.front());
+    } else if (!command->get_subcommands({}).empty()) {
+        message = "a command is missing";
+    }
+    return fmt::format("{} (see {} --help)", message, name);
+}
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,12 @@
+// What is wrong with a command line, in one helpful line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace waybreaker::apps {
+
+// Precondition: root.parse() has just thrown `error`.
+std::string usage_error(const CLI::App& root, const CLI::ParseError& error);
+
+}  // namespace waybreaker::apps
