@@ -22,8 +22,8 @@ struct MapInfoOptions {
 };
 
 // Longitude and latitude of the middle of the map.
-std::array<double, 2> center(const io::MapFile& file) {
-    return file.georeference->lon_lat((file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0);
+std::array<double, 2> center(const Map& map, const geo::Georeference& georeference) {
+    return georeference.lon_lat((map.width() - 1) / 2.0, (map.height() - 1) / 2.0);
 }
 
 std::string as_json(const io::MapFile& file, const MapSummary& summary) {
@@ -38,7 +38,9 @@ std::string as_json(const io::MapFile& file, const MapSummary& summary) {
             {"id", largest->id.value}, {"source_id", largest->source_id}, {"cells", largest->cells}};
     }
     json["georeference"] = nullptr;
-    if (file.georeference) json["georeference"] = {{"crs", file.georeference->crs_name()}, {"center", center(file)}};
+    if (file.georeference)
+        json["georeference"] = {{"crs", file.georeference->crs_name()},
+                                {"center", center(file.map, *file.georeference)}};
     json["start"] = file.task ? cell(file.task->start) : Json();
     json["goal"] = file.task ? cell(file.task->goal) : Json();
     json["title"] = file.title;
@@ -65,7 +67,7 @@ std::string as_text(const io::MapFile& file, const MapSummary& summary) {
         text += line("largest", fmt::format("obstacle {}{}, {} cells", largest->id.value, source, largest->cells));
     }
     if (file.georeference) {
-        const auto [longitude, latitude] = center(file);
+        const auto [longitude, latitude] = center(map, *file.georeference);
         text += line("projection", file.georeference->crs_name());
         text += line("centre", fmt::format("longitude {:.6f}, latitude {:.6f}", longitude, latitude));
     }

@@ -128,11 +128,13 @@ void validate(const PlanOptions& options) {
     }
     const std::array outputs{std::pair("--json", options.json), std::pair("--svg", options.svg),
                              std::pair("--png", options.png), std::pair("--trace", options.trace)};
-    for (auto one = outputs.begin(); one != outputs.end(); ++one) {
-        for (auto other = outputs.begin(); other != one; ++other) {
-            if (one->second.empty() || one->second != other->second) continue;
-            throw InputError(fmt::format("{} and {} cannot both write to {}", other->first, one->first,
-                                         one->second == "-" ? "standard output" : one->second));
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const auto& [option, path] = outputs[i];
+            const auto& [other_option, other_path] = outputs[j];
+            if (path.empty() || path != other_path) continue;
+            throw InputError(fmt::format("{} and {} cannot both write to {}", other_option, option,
+                                         path == "-" ? "standard output" : path));
         }
     }
 }

@@ -20,7 +20,10 @@ std::string marked(const std::string& mark, const std::string& bytes) {
     std::string out;
     std::istringstream lines(bytes);
     for (std::string line; std::getline(lines, line);) {
-        out += mark + (line.empty() ? "" : " ") + line + (lines.eof() ? "<no newline>\n" : "\n");
+        out += mark;
+        if (!line.empty()) out += " ";
+        out += line;
+        out += lines.eof() ? "<no newline>\n" : "\n";
     }
     return out;
 }
