@@ -1,11 +1,11 @@
 // Open list: entries in the total order (f, larger or smaller g, cell), so that runs repeat to the bit.
 //
-// Entries near the least f lie in a 4-ary heap, the others unsorted in buckets of f, one sixteenth of a cell wide; a
-// bucket moves into the heap when its turn comes. So most entries are sorted among few others, and those never taken
-// not at all. A node whose g falls is pushed again and closed when the better entry surfaces; the search skips the
-// older one.
+// Entries wait unsorted in buckets of f, 1/64 of a cell wide; a bucket is sorted when its turn comes. So an entry is
+// compared with a few others only, and one that is never taken with none. A node whose g falls is pushed again and
+// closed when the better entry surfaces; the search skips the older one.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,7 +42,7 @@ struct OpenMemory {
         OpenEntry entry;
         std::uint32_t next;  // in the same bucket
     };
-    std::vector<OpenEntry> heap;
+    std::vector<OpenEntry> sorted;
     std::vector<Waiting> waiting;
     std::vector<std::uint32_t> buckets;  // first of each bucket's chain
 };
@@ -50,19 +50,19 @@ struct OpenMemory {
 template <class Order>
 class OpenList {
   public:
-    explicit OpenList(OpenMemory& memory) : heap_(memory.heap), waiting_(memory.waiting), buckets_(memory.buckets) {
-        heap_.clear();
+    explicit OpenList(OpenMemory& memory) : sorted_(memory.sorted), waiting_(memory.waiting), buckets_(memory.buckets) {
+        sorted_.clear();
         buckets_.clear();
     }
 
-    bool empty() const { return heap_.empty() && waiting_count_ == 0; }
+    bool empty() const { return sorted_.empty() && waiting_count_ == 0; }
 
     void push(const OpenEntry& entry) {
         if (is_first_) least_f_ = entry.f;
         is_first_ = false;
         const std::size_t bucket = bucket_of(entry.f);
         if (bucket <= current_) {
-            push_heap(entry);
+            insert(entry);
             return;
         }
         if (bucket >= buckets_.size()) buckets_.resize(bucket + 1, none);
@@ -80,12 +80,15 @@ class OpenList {
 
     // Precondition: not empty.
     OpenEntry pop() {
-        while (heap_.empty()) advance();
-        return pop_heap();
+        while (sorted_.empty()) advance();
+        const OpenEntry first = sorted_.back();
+        sorted_.pop_back();
+        return first;
     }
 
   private:
-    static constexpr double buckets_per_cell = 32;
+    static constexpr double buckets_per_cell = 64;
+    static constexpr std::size_t few = 32;                // up to so many entries insertion sort is the fastest
     static constexpr std::size_t last_bucket = 1U << 20;  // whatever lies beyond shares it
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
@@ -94,62 +97,50 @@ class OpenList {
         return bucket <= 0 ? 0 : bucket < double(last_bucket) ? std::size_t(bucket) : last_bucket;
     }
 
-    // Moves the next bucket into the heap.
+    // Moves the next bucket among the sorted.
     void advance() {
         std::uint32_t slot = buckets_[++current_];
         buckets_[current_] = none;
         while (slot != none) {
-            push_heap(waiting_[slot].entry);
+            sorted_.push_back(waiting_[slot].entry);
             const std::uint32_t next = waiting_[slot].next;
             waiting_[slot].next = free_;
             free_ = slot;
             slot = next;
             --waiting_count_;
         }
-    }
-
-    void push_heap(const OpenEntry& entry) {
-        std::size_t hole = heap_.size();
-        heap_.push_back(entry);
-        while (hole > 0) {
-            const std::size_t parent = (hole - 1) / 4;
-            if (!Order::before(entry, heap_[parent])) break;
-            heap_[hole] = heap_[parent];
-            hole = parent;
+        if (sorted_.size() > few) {
+            std::sort(sorted_.begin(), sorted_.end(), comes_later);
+        } else {
+            for (std::size_t end = 1; end < sorted_.size(); ++end) sink(end);
         }
-        heap_[hole] = entry;
     }
 
-    OpenEntry pop_heap() {
-        const OpenEntry top = heap_.front();
-        const OpenEntry moved = heap_.back();
-        heap_.pop_back();
-        const std::size_t size = heap_.size();
-        if (size == 0) return top;
-        std::size_t hole = 0;
-        for (;;) {
-            const std::size_t first = 4 * hole + 1;
-            if (first >= size) break;
-            const std::size_t end = first + 4 < size ? first + 4 : size;
-            std::size_t best = first;
-            for (std::size_t child = first + 1; child < end; ++child) {
-                if (Order::before(heap_[child], heap_[best])) best = child;
-            }
-            if (!Order::before(heap_[best], moved)) break;
-            heap_[hole] = heap_[best];
-            hole = best;
+    void insert(const OpenEntry& entry) {
+        if (sorted_.size() > few) {
+            sorted_.insert(std::upper_bound(sorted_.begin(), sorted_.end(), entry, comes_later), entry);
+        } else {
+            sorted_.push_back(entry);
+            sink(sorted_.size() - 1);
         }
-        heap_[hole] = moved;
-        return top;
     }
 
-    std::vector<OpenEntry>& heap_;
+    // Insertion sort's step: moves the entry at `end` to its place among those before it.
+    void sink(std::size_t end) {
+        const OpenEntry entry = sorted_[end];
+        for (; end > 0 && Order::before(sorted_[end - 1], entry); --end) sorted_[end] = sorted_[end - 1];
+        sorted_[end] = entry;
+    }
+
+    static bool comes_later(const OpenEntry& a, const OpenEntry& b) { return Order::before(b, a); }
+
+    std::vector<OpenEntry>& sorted_;  // the current bucket, its first entry last
     std::vector<OpenMemory::Waiting>& waiting_;
     std::vector<std::uint32_t>& buckets_;
     std::uint32_t used_ = 0;         // slots of waiting_ that were ever used by this query
     std::uint32_t free_ = none;      // slots of waiting_ to be used again
     std::size_t waiting_count_ = 0;  // entries in buckets
-    std::size_t current_ = 0;        // bucket that the heap stands for; earlier f go there too
+    std::size_t current_ = 0;        // bucket that is sorted; earlier f go there too
     bool is_first_ = true;
     double least_f_ = 0;  // where bucket 0 begins: the f of the first entry
 };
