@@ -2,6 +2,8 @@
 // fast one against: same total order of the open list, every line of sight looked at, nothing inferred or skipped.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -116,13 +118,30 @@ class Search {
         open_.insert(entry(to, node));
     }
 
+    // The obstacles that the agent would touch if it stood on a cell; for a point, whose cell that is.
+    std::set<std::uint32_t> in_the_way(Cell at) const {
+        std::set<std::uint32_t> ids;
+        if (!labels_.contains(at)) return ids;
+        const bool disc = options_.motion.corners == Corners::none;
+        const auto radius = std::int64_t(std::llround(options_.motion.radius * 1000));
+        const int margin = int(options_.motion.radius) + 1;
+        for (int y = at.y - margin; y <= at.y + margin; ++y) {
+            for (int x = at.x - margin; x <= at.x + margin; ++x) {
+                const Cell c{x, y};
+                if (!labels_.contains(c) || !plain_.blocked(c)) continue;
+                if (c == at || (disc && disc_meets(at, at, radius, c))) ids.insert(labels_.at(c));
+            }
+        }
+        return ids;
+    }
+
     void expand(Cell cell) {
         const Node node = nodes_[cell];
         const double parent_g = nodes_[node.parent].g;
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {
                 const Cell to{cell.x + dx, cell.y + dy};
-                if (labels_.contains(to) && plain_.blocked(to)) ++result.hits[labels_.at(to)];
+                for (const std::uint32_t id : in_the_way(to)) ++result.hits[id];
                 if (!may_step(cell, dx, dy) || closed_.count(to) > 0) continue;
                 const bool trusted = options_.planner == Planner::lazy_theta;
                 if (theta() && (trusted || line_of_sight(map_, node.parent, to, options_.motion))) {
@@ -135,13 +154,13 @@ class Search {
     }
 
     // Lazy Theta*: the parent was taken on trust. If it is out of sight, the best closed neighbour becomes the parent;
-    // of equally good ones the rightmost, of these the topmost.
+    // of equally good ones the first in scan order.
     void settle(Cell cell) {
         Node& node = nodes_[cell];
         if (line_of_sight(map_, node.parent, cell, options_.motion)) return;
         node.g = std::numeric_limits<double>::infinity();
-        for (int dx = 1; dx >= -1; --dx) {
-            for (int dy = -1; dy <= 1; ++dy) {
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
                 const Cell from{cell.x + dx, cell.y + dy};
                 if (!may_step(cell, dx, dy) || closed_.count(from) == 0) continue;
                 const double g = nodes_[from].g + step_cost(from, cell);

@@ -82,20 +82,26 @@ bool LineOfSight::passes_corners(Cell from, Cell to) const {
     return true;
 }
 
-bool LineOfSight::wide_disc_fits(Cell at) const {
-    const int width = map_->width();
-    const int height = map_->height();
+int LineOfSight::disc_row(int v) const {
+    if (model_ != Model::wide_disc) return v == 0 ? 0 : -1;
+    // (|u| - 1/2)^2 + (|v| - 1/2)^2 < R^2, a term being 0 for u = 0 or v = 0.
     const auto radius = std::uint64_t(radius_);
-    // Row v of the disc: cells u with (|u| - 1/2)^2 + (|v| - 1/2)^2 < R^2, a term being 0 for u = 0 or v = 0.
-    const int rows = cells_reached([&](std::uint64_t twice) { return twice * unit < 2 * radius; });
-    for (int v = -rows; v <= rows; ++v) {
-        const std::uint64_t twice_v = v == 0 ? 0 : std::uint64_t(2 * std::abs(v) - 1);
-        const int reach = cells_reached([&](std::uint64_t twice) {
-            return (twice * twice + twice_v * twice_v) * unit * unit < 4 * radius * radius;
-        });
+    const std::uint64_t twice_v = v == 0 ? 0 : std::uint64_t(2 * std::abs(v) - 1);
+    if (twice_v * unit >= 2 * radius) return -1;
+    return cells_reached(
+        [&](std::uint64_t twice) { return (twice * twice + twice_v * twice_v) * unit * unit < 4 * radius * radius; });
+}
+
+bool LineOfSight::wide_disc_fits(Cell at) const {
+    const auto row_fits = [&](int v) {
+        const int reach = disc_row(v);
+        const int y = at.y + v;
         // The edge of the map is a wall.
-        if (at.y + v < 0 || at.y + v >= height || at.x - reach < 0 || at.x + reach >= width) return false;
-        if (any_bit(map_->row(at.y + v), unsigned(at.x - reach + 1), unsigned(at.x + reach + 1))) return false;
+        if (y < 0 || y >= map_->height() || at.x - reach < 0 || at.x + reach >= map_->width()) return false;
+        return !any_bit(map_->row(y), unsigned(at.x - reach + 1), unsigned(at.x + reach + 1));
+    };
+    for (int v = 0; disc_row(v) >= 0; ++v) {
+        if (!row_fits(v) || !row_fits(-v)) return false;
     }
     return true;
 }

@@ -1,6 +1,7 @@
 // Missions that can be put on a map, and the paper's way to set one up.
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
@@ -10,6 +11,12 @@ namespace {
 
 std::string text(Cell c) {
     return std::to_string(c.x) + "," + std::to_string(c.y);
+}
+
+std::string number(double value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
 }
 
 // The nearest cell, in rings around `at`, where the agent can stand.
@@ -39,7 +46,7 @@ void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std
     if (agent.kind == AgentKind::air || fits(map, at, motion)) return;
     const ObstacleId obstacle = map.map().obstacle_at(at);
     const std::string reason = obstacle ? " lies inside obstacle " + std::to_string(obstacle.value)
-                                        : " is too narrow for a radius of " + std::to_string(motion.radius);
+                                        : " leaves no room for a radius of " + number(motion.radius);
     const std::optional<Cell> place = nearest_place(map, at, motion);
     throw InputError(where + reason +
                      (place ? "; a free cell near it is " + text(*place) : "; the map has no free cell"));

@@ -36,8 +36,11 @@ Heuristic heuristic_of(const SearchOptions& options) {
 // The parts are chosen one after the other, each choice a function: steps, parents, order, observer.
 struct Assembly {
     const Query& query;
+    const LineOfSight& sight;
     NodeStore& nodes;
     OpenMemory& open;
+
+    HitCounter hit_counter() const { return {query.map, sight, is_wide(query.options.motion)}; }
 
     template <class Order, class Steps, class Parents, class Observer>
     SearchResult run(const Steps& moves, const Parents& parents, Observer& observer) const {
@@ -53,13 +56,13 @@ struct Assembly {
     template <class Steps, class Parents>
     SearchResult observe(const Steps& moves, const Parents& parents) const {
         if (query.options.listener != nullptr) {
-            ListeningHitCounter observer(query.map, *query.options.listener);
+            ListeningHitCounter observer(hit_counter(), *query.options.listener);
             SearchResult result = order(moves, parents, observer);
             if (query.options.count_hits) result.hits = observer.take();
             return result;
         }
         if (query.options.count_hits) {
-            HitCounter observer(query.map);
+            HitCounter observer = hit_counter();
             SearchResult result = order(moves, parents, observer);
             result.hits = observer.take();
             return result;
@@ -69,20 +72,20 @@ struct Assembly {
     }
 
     template <class Steps>
-    SearchResult parents(const Steps& moves, const LineOfSight& sight) const {
+    SearchResult parents(const Steps& moves) const {
         if (query.options.planner == Planner::theta) return observe(moves, ThetaParents(query.map, sight));
         if (query.options.planner == Planner::lazy_theta) return observe(moves, LazyThetaParents<Steps>{sight, moves});
         return observe(moves, StepParents{});
     }
 
-    SearchResult assemble(const LineOfSight& sight) const {
+    SearchResult assemble() const {
         const Motion& motion = query.options.motion;
         if (query.options.planner == Planner::jps) {
             return observe(JumpSteps(query.map, motion.corners, query.goal), StepParents{});
         }
         const bool unit_cost = query.options.planner == Planner::bfs;
-        if (is_wide(motion)) return parents(WideSteps(sight, motion, unit_cost), sight);
-        return parents(GridSteps(query.map, motion, unit_cost), sight);
+        if (is_wide(motion)) return parents(WideSteps(sight, motion, unit_cost));
+        return parents(GridSteps(query.map, motion, unit_cost));
     }
 };
 
@@ -107,7 +110,7 @@ SearchResult Searcher::find(const OpenedMap& map, Cell start, Cell goal, const S
         return nowhere;
     }
     const Query query{map, start, goal, heuristic_of(options), options.weight, options};
-    return Assembly{query, memory_->nodes, memory_->open}.assemble(sight);
+    return Assembly{query, sight, memory_->nodes, memory_->open}.assemble();
 }
 
 }  // namespace waybreaker
