@@ -63,7 +63,7 @@ class Map {
     std::vector<Cell> boundary(ObstacleId id) const;
 
   private:
-    Map(Grid grid, std::vector<std::uint32_t> labels);
+    Map(Grid&& grid, std::vector<std::uint32_t> labels);
 
     Grid grid_;
     Grid transposed_;

@@ -11,9 +11,10 @@
 
 namespace waybreaker {
 
-Map::Map(Grid grid, Connectivity connectivity) : Map(grid, label_components(grid, connectivity)) {}
+// The grid is only taken once it is labelled: binding a reference moves nothing.
+Map::Map(Grid grid, Connectivity connectivity) : Map(std::move(grid), label_components(grid, connectivity)) {}
 
-Map::Map(Grid grid, std::vector<std::uint32_t> labels)
+Map::Map(Grid&& grid, std::vector<std::uint32_t> labels)
     : grid_(std::move(grid)), transposed_(grid_.transposed()), labels_(std::move(labels)) {
     for (int y = 0; y < height(); ++y) {
         const std::uint32_t* row = labels_.data() + std::size_t(y) * std::size_t(width());
