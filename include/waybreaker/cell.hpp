@@ -23,6 +23,22 @@ inline double distance(Cell a, Cell b) {
     return std::sqrt(dx * dx + dy * dy);
 }
 
+// A point in cell units; a cell stands for its centre.
+struct Point {
+    double x = 0;
+    double y = 0;
+    constexpr Point() = default;
+    constexpr Point(double px, double py) : x(px), y(py) {}
+    constexpr Point(Cell c) : x(c.x), y(c.y) {}
+    friend constexpr bool operator==(const Point&, const Point&) = default;
+};
+
+inline double distance(Point a, Point b) {
+    const double dx = a.x - b.x;
+    const double dy = a.y - b.y;
+    return std::sqrt(dx * dx + dy * dy);
+}
+
 // Smallest box of cells that holds something; both corners belong to it.
 struct Box {
     Cell min;

@@ -4,11 +4,13 @@
 //     Plan plan = planner.plan(map, ground_and_air({12, 20}, {400, 380}), paper_options(3));
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "waybreaker/map.hpp"
 #include "waybreaker/plan.hpp"
+#include "waybreaker/schedule.hpp"
 #include "waybreaker/search.hpp"
 
 namespace waybreaker {
@@ -28,13 +30,26 @@ struct Mission {
 // The paper's coalition: a ground agent and an air agent that start and end together.
 Mission ground_and_air(Cell start, Cell goal);
 
+// How obstacles are chosen: `exact` proves its choice best, `hits` is the paper's rule.
+enum class Selection { exact, hits };
 enum class FlightRule { optimal, nearest };
-enum class Objective { makespan, flowtime };
+// `enforce`: an obstacle is solid until it has been breached; `ignore`: removed obstacles never were there (the paper).
+enum class Timing { enforce, ignore };
 
 struct MissionOptions {
     int removals = 3;  // how many obstacles may be removed, >= 0
+    Selection select = Selection::hits;
     FlightRule flight = FlightRule::optimal;
+    Timing timing = Timing::ignore;
     Objective objective = Objective::makespan;
+    BreachTime breach_time;
+    std::vector<ObstacleId> protect;  // never removed
+    // weights[id], > 0, of every obstacle (empty: 1 each); the removed ones may weigh at most `budget` together.
+    std::vector<double> weights;
+    double budget = std::numeric_limits<double>::infinity();
+    bool bound = false;    // prove a bound whatever the method (`exact` always does)
+    bool explain = false;  // what each removal saves, and which would come next
+    double time_limit = std::numeric_limits<double>::infinity();  // seconds, of the selection: then the best known
     SearchOptions search;  // of the ground agent; count_hits is set by the planner
 };
 

@@ -25,6 +25,8 @@ struct AgentPlan {
     AgentKind kind = AgentKind::ground;
     double speed = 1;  // cells per unit of time
     std::vector<Waypoint> path;
+    Cell start = {};
+    Cell goal = {};
 };
 
 // One obstacle the air agent removes.
@@ -36,6 +38,14 @@ struct Removal {
     Cell at;                 // where the air agent breaches it
     double cleared_at = 0;
     std::optional<double> entered_at;  // when the ground agent first touches a cell of it
+    std::optional<double> saves = {};  // what the objective would lose if this one had to stay; if asked for
+};
+
+// The obstacle that one removal more would take, and what the objective would gain.
+struct NextRemoval {
+    ObstacleId obstacle;
+    std::int64_t source_id = 0;
+    double saves = 0;
 };
 
 // The mission at one stage: without removal ("before") or as planned ("after"). A length is empty where there is no
@@ -46,7 +56,7 @@ struct Outcome {
         std::uint64_t expanded = 0;
         std::uint64_t generated = 0;
         double seconds = 0;
-        std::vector<Cell> path;
+        std::vector<Point> path;
     } ground;
     struct Air {
         double length = 0;
@@ -65,6 +75,7 @@ struct Plan {
     Outcome after;
     std::optional<double> bound;    // proven lower limit of the objective; empty where the method proves none
     std::vector<Removal> removed;   // in the order of the flight
+    std::vector<NextRemoval> next;  // if asked for: at most one
     std::vector<AgentPlan> agents;  // the timed paths; empty unless solved
     struct Seconds {
         double label = 0;   // filled in by whoever labelled the map

@@ -11,4 +11,5 @@
 #include "waybreaker/motion.hpp"    // IWYU pragma: export
 #include "waybreaker/movingai.hpp"  // IWYU pragma: export
 #include "waybreaker/plan.hpp"      // IWYU pragma: export
+#include "waybreaker/schedule.hpp"  // IWYU pragma: export
 #include "waybreaker/search.hpp"    // IWYU pragma: export

@@ -30,7 +30,7 @@ Outcome::Ground ground_outcome(SearchResult search, double seconds) {
     ground.expanded = search.expanded;
     ground.generated = search.generated;
     ground.seconds = seconds;
-    ground.path = std::move(search.path);
+    ground.path.assign(search.path.begin(), search.path.end());
     return ground;
 }
 
@@ -128,14 +128,16 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
     plan.before = outcome(ground_outcome(std::move(before), before_seconds), straight, driver, flyer);
     plan.after = outcome(ground_outcome(std::move(after), after_seconds), flight, driver, flyer);
     const std::vector<Waypoint> ground_path = timed(plan.after.ground.path, driver.speed);
-    const std::vector<Waypoint> air_path = timed(plan.after.air.path, flyer.speed);
+    const std::vector<Point> flown(plan.after.air.path.begin(), plan.after.air.path.end());
+    const std::vector<Waypoint> air_path = timed(flown, flyer.speed);
     const Motion& motion = options.search.motion;
     const double radius = motion.corners == Corners::none ? motion.radius : 0;
     plan.removed = removals(map, flight, hits, air_path, ground_path, radius);
     if (plan.status == PlanStatus::solved) {
         for (const Agent& agent : mission.agents) {
             const bool drives = agent.kind == AgentKind::ground;
-            plan.agents.push_back({agent.id, agent.kind, agent.speed, drives ? ground_path : air_path});
+            plan.agents.push_back(
+                {agent.id, agent.kind, agent.speed, drives ? ground_path : air_path, agent.start, agent.goal});
         }
     }
     plan.seconds.total = total.seconds();

@@ -61,18 +61,18 @@ double touch(const Move& move, double radius) {
 
 }  // namespace
 
-double path_length(std::span<const Cell> path) {
+double path_length(std::span<const Point> path) {
     double length = 0;
     for (std::size_t i = 1; i < path.size(); ++i) length += distance(path[i - 1], path[i]);
     return length;
 }
 
-std::vector<Waypoint> timed(std::span<const Cell> path, double speed) {
+std::vector<Waypoint> timed(std::span<const Point> path, double speed) {
     std::vector<Waypoint> points;
     double driven = 0;
     for (std::size_t i = 0; i < path.size(); ++i) {
         if (i > 0) driven += distance(path[i - 1], path[i]);
-        points.push_back({double(path[i].x), double(path[i].y), driven / speed});
+        points.push_back({path[i].x, path[i].y, driven / speed});
     }
     return points;
 }

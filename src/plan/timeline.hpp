@@ -10,11 +10,11 @@
 
 namespace waybreaker {
 
-// Length of a path of cell centres, in cells.
-double path_length(std::span<const Cell> path);
+// Length of a path, in cells.
+double path_length(std::span<const Point> path);
 
 // The path driven without a stop from time 0 on.
-std::vector<Waypoint> timed(std::span<const Cell> path, double speed);
+std::vector<Waypoint> timed(std::span<const Point> path, double speed);
 
 // When an agent of that radius (cells; 0 for a point) first touches a cell of the obstacle: the first time after which
 // its open disc meets the closed cell. Empty if it never does.

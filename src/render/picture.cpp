@@ -37,9 +37,10 @@ struct Scene {
 
     double unit() const { return layout.unit; }
     double raster_scale() const { return layout.cell * layout.sample_step; }
-    std::vector<Point> on_map(const std::vector<Cell>& path) const {
+    template <class Place>
+    std::vector<Point> on_map(const std::vector<Place>& path) const {
         std::vector<Point> points;
-        for (const Cell cell : path) points.push_back(layout.at(cell));
+        for (const Place at : path) points.push_back(layout.at(at.x, at.y));
         return points;
     }
     // Each place once, in the order of the agents.
@@ -74,7 +75,7 @@ std::string draw_obstacles(const Scene& scene) {
 std::string draw_paths(const Scene& scene) {
     const Outcome& before = scene.plan.before;
     const Outcome& after = scene.plan.after;
-    const auto draw = [&](PathSign sign, const std::vector<Cell>& path) {
+    const auto draw = [&](PathSign sign, const auto& path) {
         return path_sign(sign, scene.on_map(path), scene.unit());
     };
     std::string out;

@@ -24,7 +24,7 @@ std::string drawn(const Map& map, const Plan& plan) {
             for (const Removal& removal : plan.removed) at(c) = removal.obstacle == map.obstacle_at(c) ? 'x' : at(c);
         }
     }
-    for (const Cell c : plan.after.ground.path) at(c) = '+';
+    for (const Point p : plan.after.ground.path) at({int(p.x), int(p.y)}) = '+';
     for (const Removal& removal : plan.removed) at(removal.at) = 'o';
     at(plan.after.air.path.front()) = 'S';
     at(plan.after.air.path.back()) = 'G';

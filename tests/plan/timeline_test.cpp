@@ -30,7 +30,7 @@ RC_GTEST_PROP(Timeline, FirstTouchIsWhenItLooksSo, ()) {
     const PlainMap labels = plain(map);
     const double radius = *rc::gen::element(0.0, 0.5, 0.8, 2.0);
     const double speed = *rc::gen::element(0.5, 1.0, 3.0);
-    std::vector<Cell> path{any_cell(labels)};
+    std::vector<Point> path{any_cell(labels)};
     const int turns = *number(1, 4);
     while (int(path.size()) <= turns) path.push_back(any_cell(labels));
     const std::vector<Waypoint> points = timed(path, speed);
@@ -61,12 +61,12 @@ RC_GTEST_PROP(Timeline, FirstTouchIsWhenItLooksSo, ()) {
 }
 
 TEST(Timeline, DrivesWithoutAStop) {
-    const std::vector<Cell> path{{0, 0}, {3, 4}, {3, 4}, {3, 0}};
+    const std::vector<Point> path{{0, 0}, {3, 4}, {3, 4}, {3, 0}};
     EXPECT_DOUBLE_EQ(path_length(path), 9);
     EXPECT_EQ(timed(path, 2), (std::vector<Waypoint>{{0, 0, 0}, {3, 4, 2.5}, {3, 4, 2.5}, {3, 0, 4.5}}));
     EXPECT_TRUE(timed({}, 1).empty());
     EXPECT_EQ(path_length({}), 0);
-    EXPECT_EQ(path_length(std::vector<Cell>{{7, 7}}), 0);
+    EXPECT_EQ(path_length(std::vector<Point>{{7, 7}}), 0);
 }
 
 TEST(Timeline, NamesTheMomentOfTheTouch) {
@@ -75,7 +75,7 @@ TEST(Timeline, NamesTheMomentOfTheTouch) {
         .........
         ......#..)");
     const auto touch = [&map](Cell from, Cell to, double radius) {
-        return first_touch(map, {1}, timed(std::vector<Cell>{from, to}, 2), radius);
+        return first_touch(map, {1}, timed(std::vector<Point>{from, to}, 2), radius);
     };
     EXPECT_NEAR(touch({0, 2}, {8, 2}, 0.5).value(), 2.5, 1e-12);   // head on: at x = 5
     EXPECT_NEAR(touch({0, 2}, {8, 2}, 0.0).value(), 2.75, 1e-12);  // a point: at x = 5.5

@@ -29,7 +29,8 @@ inline constexpr std::string_view wall_picture = R"(
     ....a...
     ........)";
 
-inline Outcome outcome(std::vector<Cell> ground, std::vector<Cell> air, double ground_length, double air_length) {
+inline Outcome outcome(std::vector<waybreaker::Point> ground, std::vector<Cell> air, double ground_length,
+                       double air_length) {
     Outcome outcome;
     outcome.ground.path = std::move(ground);
     outcome.ground.length = ground_length;

@@ -1,0 +1,80 @@
+// Crossing: the shortest any-angle path that crosses at most so many obstacles, with proof.
+//
+//     CrossingSearcher searcher;                                   // keeps its memory between queries
+//     CrossingResult r = searcher.find(map, {1, 1}, {60, 40}, {.crossings = 2});
+//     if (r.status == SearchStatus::found) breach(r.best.crossed); // each obstacle once, in the order of the path
+//
+// With no crossings this is the optimal any-angle planner. Theorem, model and proof: docs/exact.md.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "waybreaker/map.hpp"
+#include "waybreaker/search.hpp"
+
+namespace waybreaker {
+
+// What moves. `square`: a unit square that does not turn, so it contains the disc of radius 0.5; its path bends at cell
+// centres. `point`: its path bends at cell corners; it may touch obstacles and slip between diagonal neighbours.
+// Both start and end at cell centres.
+enum class Body { square, point };
+
+struct CrossingOptions {
+    Body body = Body::square;
+    int crossings = 0;  // at most so many distinct obstacles, however often each is crossed
+    // Crossed for nothing, as if they were gone; and never crossed. Indestructible obstacles never are.
+    std::span<const ObstacleId> removed = {};
+    std::span<const ObstacleId> protect = {};
+    // weights[id], > 0, of every obstacle: then their sum is limited to `budget` as well.
+    std::span<const double> weights = {};
+    double budget = std::numeric_limits<double>::infinity();
+    double length_limit = std::numeric_limits<double>::infinity();  // longer paths are not looked for
+    double time_limit = std::numeric_limits<double>::infinity();    // seconds
+    std::uint64_t expansion_limit = UINT64_MAX;
+    std::stop_token stop = {};
+};
+
+struct CrossingPath {
+    std::vector<Point> path;          // turning points from start to goal
+    double length = 0;                // cells
+    std::vector<ObstacleId> crossed;  // in the order of the path, each once; without those of `removed`
+};
+
+struct CrossingResult {
+    SearchStatus status = SearchStatus::no_path;
+    CrossingPath best;       // if found
+    double lower_bound = 0;  // no path is shorter; the length if found, infinity if there is none
+    std::uint64_t expanded = 0;
+    std::uint64_t generated = 0;
+};
+
+class CrossingSearcher {
+  public:
+    CrossingSearcher();
+    ~CrossingSearcher();
+    CrossingSearcher(CrossingSearcher&&) noexcept;
+    CrossingSearcher& operator=(CrossingSearcher&&) noexcept;
+
+    // The shortest path; of equally short ones always the same. No path if start or goal lie in an obstacle that is not
+    // removed, or off the map. Cost grows with the ellipse that the path needs, not with the map. Throws InputError on
+    // options out of range. Not for use by two threads at once.
+    CrossingResult find(const Map& map, Cell start, Cell goal, const CrossingOptions& options = {});
+
+    // For each set of at most `crossings` obstacles that no set within it beats: the shortest path, in order of length,
+    // to `accept` until that says false. The result's lower_bound is what all paths not told of are at least as long
+    // as.
+    CrossingResult enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
+                             const std::function<bool(const CrossingPath&)>& accept);
+
+  private:
+    class Search;
+    std::unique_ptr<Search> search_;
+};
+
+}  // namespace waybreaker

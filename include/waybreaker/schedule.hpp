@@ -1,0 +1,54 @@
+// Schedule: who is where when, so that the ground agent touches no obstacle before it has been breached.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "waybreaker/flight.hpp"
+#include "waybreaker/map.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker {
+
+enum class Objective { makespan, flowtime };
+
+// How long the air agent stays at a breach point until the obstacle is gone, in units of time.
+struct BreachTime {
+    double per_obstacle = 0;
+    double per_cell = 0;
+    double of(const Obstacle& obstacle) const { return per_obstacle + per_cell * obstacle.cells; }
+};
+
+// A ground path with a wish for open obstacles, and who drives and flies.
+struct ScheduleTask {
+    std::span<const Point> ground_path;  // turning points; waits happen there
+    double ground_speed = 1;             // cells per unit of time
+    double radius = 0.5;                 // of the ground agent; 0 for a point
+    Cell air_start;
+    Cell air_goal;
+    double air_speed = 1;
+    std::span<const ObstacleId> removed = {};  // what the path needs open
+    BreachTime breach_time = {};
+    Objective objective = Objective::makespan;
+};
+
+struct Schedule {
+    Flight flight;
+    std::vector<Waypoint> ground;    // with waits: a point twice
+    std::vector<Waypoint> air;       // with stays at breach points
+    std::vector<double> cleared_at;  // as flight.breaches
+    std::vector<std::optional<double>> entered_at;
+    double makespan = 0;
+    double flowtime = 0;
+    bool optimal = false;  // proven: for this ground path no order or breach points are better
+};
+
+// The best flight for this ground path: order and breach points minimise the objective, waits included; proven for up
+// to exact_flight_limit obstacles.
+Schedule best_schedule(const Map& map, const ScheduleTask& task);
+
+// The waits that a given flight makes necessary.
+Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& flight);
+
+}  // namespace waybreaker

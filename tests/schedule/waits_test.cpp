@@ -1,0 +1,81 @@
+// The waits that a flight makes necessary.
+#include <gtest/gtest.h>
+
+#include "ascii_map.hpp"
+#include "waybreaker/schedule.hpp"
+
+namespace waybreaker {
+namespace {
+
+const Map& two_walls() {
+    static const Map map = map_from_ascii(R"(
+        ...a...b..
+        ...a...b..)");
+    return map;
+}
+
+const std::vector<Point> street{{0, 1}, {5, 1}, {9, 1}};
+const std::vector<ObstacleId> both{{1}, {2}};
+
+ScheduleTask task() {
+    return {.ground_path = street, .air_start = {0, 0}, .air_goal = {9, 0}, .removed = both};
+}
+
+const Flight in_order{{{{1}, {2, 0}}, {{2}, {6, 0}}}, 9};
+
+TEST(Waits, AreNotNeededWhenTheAirAgentIsAhead) {
+    const Schedule schedule = schedule_of(two_walls(), task(), in_order);
+    EXPECT_EQ(schedule.ground, (std::vector<Waypoint>{{0, 1, 0}, {5, 1, 5}, {9, 1, 9}}));
+    EXPECT_EQ(schedule.air, (std::vector<Waypoint>{{0, 0, 0}, {2, 0, 2}, {6, 0, 6}, {9, 0, 9}}));
+    EXPECT_EQ(schedule.cleared_at, (std::vector<double>{2, 6}));
+    EXPECT_EQ(schedule.entered_at, (std::vector<std::optional<double>>{2, 6}));
+    EXPECT_EQ(schedule.makespan, 9);
+    EXPECT_EQ(schedule.flowtime, 18);
+}
+
+TEST(Waits, AreAtTheLastTurnBeforeTheObstacle) {
+    ScheduleTask slow = task();
+    slow.air_speed = 0.5;
+    slow.breach_time = {.per_obstacle = 1, .per_cell = 0.25};
+    const Schedule schedule = schedule_of(two_walls(), slow, in_order);
+    EXPECT_EQ(schedule.air,
+              (std::vector<Waypoint>{{0, 0, 0}, {2, 0, 4}, {2, 0, 5.5}, {6, 0, 13.5}, {6, 0, 15}, {9, 0, 21}}));
+    EXPECT_EQ(schedule.cleared_at, (std::vector<double>{5.5, 15}));
+    EXPECT_EQ(schedule.ground, (std::vector<Waypoint>{{0, 1, 0}, {0, 1, 3.5}, {5, 1, 8.5}, {5, 1, 14}, {9, 1, 18}}));
+    EXPECT_EQ(schedule.entered_at, (std::vector<std::optional<double>>{5.5, 15}));
+    EXPECT_EQ(schedule.makespan, 21);
+    EXPECT_EQ(schedule.flowtime, 39);
+}
+
+TEST(Waits, ForOneObstacleServeTheNext) {
+    const Flight reversed{{{{2}, {6, 0}}, {{1}, {4, 0}}}, 6 + 2 + 5};
+    const Schedule schedule = schedule_of(two_walls(), task(), reversed);
+    EXPECT_EQ(schedule.ground, (std::vector<Waypoint>{{0, 1, 0}, {0, 1, 6}, {5, 1, 11}, {9, 1, 15}}));
+    EXPECT_EQ(schedule.cleared_at, (std::vector<double>{6, 8}));
+    EXPECT_EQ(schedule.entered_at, (std::vector<std::optional<double>>{12, 8}));
+}
+
+TEST(Waits, IgnoreWhatTheGroundAgentNeverTouches) {
+    const std::vector<Point> short_street{{0, 1}, {5, 1}};
+    ScheduleTask first = task();
+    first.ground_path = short_street;
+    first.breach_time = {.per_obstacle = 3};
+    const Schedule schedule = schedule_of(two_walls(), first, in_order);
+    EXPECT_EQ(schedule.entered_at, (std::vector<std::optional<double>>{5, std::nullopt}));
+    EXPECT_EQ(schedule.ground.back(), (Waypoint{5, 1, 8}));
+    EXPECT_EQ(schedule.makespan, 15);
+}
+
+TEST(Waits, TakeNoFlightAndNoDrive) {
+    ScheduleTask still = task();
+    const std::vector<Point> place{{4, 1}};
+    still.ground_path = place;
+    still.removed = {};
+    const Schedule schedule = schedule_of(two_walls(), still, {{}, 9});
+    EXPECT_EQ(schedule.ground, (std::vector<Waypoint>{{4, 1, 0}}));
+    EXPECT_EQ(schedule.air, (std::vector<Waypoint>{{0, 0, 0}, {9, 0, 9}}));
+    EXPECT_EQ(schedule.flowtime, 9);
+}
+
+}  // namespace
+}  // namespace waybreaker
