@@ -33,8 +33,6 @@ Mission ground_and_air(Cell start, Cell goal);
 // How obstacles are chosen: `exact` proves its choice best, `hits` is the paper's rule.
 enum class Selection { exact, hits };
 enum class FlightRule { optimal, nearest };
-// `enforce`: an obstacle is solid until it has been breached; `ignore`: removed obstacles never were there (the paper).
-enum class Timing { enforce, ignore };
 
 struct MissionOptions {
     int removals = 3;  // how many obstacles may be removed, >= 0

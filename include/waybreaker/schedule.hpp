@@ -11,15 +11,6 @@
 
 namespace waybreaker {
 
-enum class Objective { makespan, flowtime };
-
-// How long the air agent stays at a breach point until the obstacle is gone, in units of time.
-struct BreachTime {
-    double per_obstacle = 0;
-    double per_cell = 0;
-    double of(const Obstacle& obstacle) const { return per_obstacle + per_cell * obstacle.cells; }
-};
-
 // A ground path with a wish for open obstacles, and who drives and flies.
 struct ScheduleTask {
     std::span<const Point> ground_path;  // turning points; waits happen there

@@ -1,0 +1,113 @@
+// The figures of a plan: that they follow from the agents' paths, or at least fit together.
+#include "check/judge.hpp"
+
+namespace waybreaker::checker {
+namespace {
+
+class FiguresJudge {
+  public:
+    FiguresJudge(const Plan& plan, const CheckRules& rules) : plan_(plan), rules_(rules) {}
+
+    Violations judge(const AgentPlan* ground, const AgentPlan* air) {
+        judge_status(ground != nullptr);
+        judge_before(ground, air);
+        if (ground && air) judge_after(*ground, *air);
+        judge_bound();
+        return std::move(found_);
+    }
+
+  private:
+    void report(Rule rule, const std::string& message, std::optional<double> time = {}) {
+        found_.push_back({rule, message, "", {}, {}, time});
+    }
+
+    // A figure must be there and be that.
+    void expect(Rule rule, const std::string& what, std::optional<double> stated, double truth,
+                std::optional<double> time = {}) {
+        if (stated && agree(rules_, *stated, truth)) return;
+        report(rule, what + " is " + (stated ? text(*stated) : "missing") + " instead of " + text(truth), time);
+    }
+
+    void judge_status(bool has_agents) {
+        if (has_agents) {
+            if (plan_.status == PlanStatus::no_plan) report(Rule::status, "there is no plan, but agents have paths");
+            return;
+        }
+        if (plan_.status == PlanStatus::solved) report(Rule::status, "the plan is solved, but there are no agents");
+        if (plan_.after.ground.length || plan_.after.makespan || plan_.after.flowtime) {
+            report(Rule::status, "figures after removal without agents that reach them");
+        }
+        if (plan_.status == PlanStatus::no_plan && plan_.before.ground.length) {
+            report(Rule::status, "there is no plan, but a ground path without removals");
+        }
+    }
+
+    void judge_before(const AgentPlan* ground, const AgentPlan* air) {
+        const Outcome& before = plan_.before;
+        if (before.ground.length.has_value() != before.makespan.has_value() ||
+            before.ground.length.has_value() != before.flowtime.has_value()) {
+            report(Rule::before, "before removal some figures are there and some missing");
+            return;
+        }
+        if (!ground || !air) return;
+        const auto straight = [](const AgentPlan& agent) {
+            return std::hypot(agent.goal.x - agent.start.x, agent.goal.y - agent.start.y);
+        };
+        expect(Rule::before, "before removal the air agent's length", before.air.length, straight(*air));
+        if (!before.ground.length) return;
+        const double length = *before.ground.length;
+        if (length < straight(*ground) - slack(rules_, length)) {
+            report(Rule::before, "before removal the ground path, " + text(length) +
+                                     " long, is shorter than the straight line, " + text(straight(*ground)));
+        }
+        const double drive = length / ground->speed;
+        const double flight = straight(*air) / air->speed;
+        expect(Rule::before, "before removal the makespan", before.makespan, std::max(drive, flight));
+        expect(Rule::before, "before removal the flowtime", before.flowtime, drive + flight);
+    }
+
+    void judge_after(const AgentPlan& ground, const AgentPlan& air) {
+        const auto length = [](const AgentPlan& agent) {
+            double sum = 0;
+            for (std::size_t i = 1; i < agent.path.size(); ++i) {
+                sum += std::hypot(agent.path[i].x - agent.path[i - 1].x, agent.path[i].y - agent.path[i - 1].y);
+            }
+            return sum;
+        };
+        const Outcome& after = plan_.after;
+        const double ground_end = ground.path.back().t;
+        const double air_end = air.path.back().t;
+        const double end = std::max(ground_end, air_end);
+        expect(Rule::length, "the ground agent's length", after.ground.length, length(ground), ground_end);
+        expect(Rule::length, "the air agent's length", after.air.length, length(air), air_end);
+        expect(Rule::makespan, "the makespan", after.makespan, end, end);
+        expect(Rule::flowtime, "the flowtime", after.flowtime, ground_end + air_end, end);
+    }
+
+    void judge_bound() {
+        const bool makespan = rules_.objective == Objective::makespan;
+        const std::optional<double> reached = makespan ? plan_.after.makespan : plan_.after.flowtime;
+        if (plan_.bound && reached && !(*plan_.bound <= *reached + slack(rules_, *reached))) {
+            report(Rule::bound,
+                   "the bound, " + text(*plan_.bound) + ", is above what the plan reaches, " + text(*reached));
+        }
+        if (!rules_.gap) return;
+        if (!plan_.bound || !reached) {
+            report(Rule::gap, "a gap is stated without a bound or a plan");
+        } else {
+            expect(Rule::gap, "the gap", rules_.gap, *plan_.bound > 0 ? *reached / *plan_.bound - 1 : 0);
+        }
+    }
+
+    const Plan& plan_;
+    const CheckRules& rules_;
+    Violations found_;
+};
+
+}  // namespace
+
+Violations judge_figures(const Plan& plan, const AgentPlan* ground, const AgentPlan* air, const CheckRules& rules) {
+    return FiguresJudge(plan, rules).judge(ground, air);
+}
+
+}  // namespace waybreaker::checker

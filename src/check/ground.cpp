@@ -1,0 +1,169 @@
+// The ground agent's way: what it touches, and whether that stands at the moment.
+#include <limits>
+#include <map>
+
+#include "check/contact.hpp"
+#include "check/judge.hpp"
+
+namespace waybreaker::checker {
+namespace {
+
+// The ground agent's body in the judge's own terms.
+struct Body {
+    std::int64_t radius = 0;        // thousandths of a cell; 0: a point
+    bool bends_at_corners = false;  // of cells, beside their centres
+    bool slips = true;              // between diagonal neighbours
+};
+
+Body body_of(const Motion& motion) {
+    const auto radius = std::int64_t(std::llround(motion.radius * 1000));
+    return {.radius = motion.corners == Corners::none ? radius : 0,
+            .bends_at_corners = radius == 0,
+            .slips = motion.corners != Corners::cut};
+}
+
+std::optional<Vertex> vertex(const Waypoint& point, const Map& map, const Body& body) {
+    if (!(point.x >= -0.5 && point.y >= -0.5)) return std::nullopt;
+    if (!(point.x <= map.width() - 0.5 && point.y <= map.height() - 0.5)) return std::nullopt;
+    const Vertex v{std::llround(2 * point.x), std::llround(2 * point.y)};
+    if (double(v.x) != 2 * point.x || double(v.y) != 2 * point.y) return std::nullopt;
+    const bool is_centre = v.x % 2 == 0 && v.y % 2 == 0;
+    const bool is_corner = v.x % 2 != 0 && v.y % 2 != 0;
+    return is_centre || (is_corner && body.bends_at_corners) ? std::optional(v) : std::nullopt;
+}
+
+// The body does not reach beyond the map.
+bool keeps_inside(Vertex v, const Map& map, const Body& body) {
+    const std::int64_t right = 2 * std::int64_t(map.width()) - 1 - v.x;
+    const std::int64_t below = 2 * std::int64_t(map.height()) - 1 - v.y;
+    return 500 * std::min({v.x + 1, v.y + 1, right, below}) >= body.radius;
+}
+
+class GroundJudge {
+  public:
+    GroundJudge(const Map& map, const Plan& plan, const AgentPlan& ground, const CheckRules& rules)
+        : map_(map),
+          plan_(plan),
+          ground_(ground),
+          rules_(rules),
+          body_(body_of(rules.motion)),
+          standing_(standing_until(map, plan, rules)) {}
+
+    Violations judge() {
+        if (!read_legs()) return std::move(found_);
+        const std::vector<Contact> met = contacts(map_, legs_, body_.radius);
+        for (const Contact& contact : met) judge_contact(contact);
+        if (body_.radius == 0) {
+            for (const Passage& passage : side_passages(map_, legs_)) judge_passage(passage);
+        }
+        if (!body_.slips) {
+            for (const Passage& passage : corner_passages(map_, legs_)) judge_passage(passage);
+        }
+        judge_entries(met);
+        return std::move(found_);
+    }
+
+  private:
+    void report(Rule rule, const std::string& what, Point place, double time, ObstacleId obstacle = {}) {
+        found_.push_back({rule, "the " + ground_.id + " agent " + what, ground_.id, obstacle, place, time});
+    }
+
+    // A path that does not bend at vertices of the map is not looked at any further.
+    bool read_legs() {
+        const std::vector<Waypoint>& path = ground_.path;
+        std::vector<Vertex> vertices;
+        for (const Waypoint& point : path) {
+            const Point place{point.x, point.y};
+            const std::optional<Vertex> v = vertex(point, map_, body_);
+            if (!v) {
+                const std::string of = body_.bends_at_corners ? "centre or corner" : "centre";
+                report(Rule::vertex, "bends at " + text(place) + ", which is no cell " + of + " of the map", place,
+                       point.t);
+                continue;
+            }
+            if (!keeps_inside(*v, map_, body_)) report(Rule::collision, "reaches beyond the map", place, point.t);
+            vertices.push_back(*v);
+        }
+        if (vertices.size() < path.size()) return false;
+        // Who does not move at all stands there.
+        if (path.size() == 1) legs_.push_back({vertices[0], vertices[0], path[0].t, path[0].t});
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            legs_.push_back({vertices[i - 1], vertices[i], path[i - 1].t, path[i].t});
+        }
+        return true;
+    }
+
+    bool stands(double until, double time) const { return time + slack(rules_, time) < until; }
+
+    std::string how_long(double until) const {
+        return std::isfinite(until) ? "stands until " + text(until) : "is not removed";
+    }
+
+    void judge_contact(const Contact& contact) {
+        const double until = standing_[contact.obstacle.value];
+        if (!stands(until, contact.time)) return;
+        report(Rule::collision, "touches " + text(contact.obstacle) + ", which " + how_long(until), contact.place,
+               contact.time, contact.obstacle);
+    }
+
+    void judge_passage(const Passage& passage) {
+        const double until = std::min(standing_[passage.first.value], standing_[passage.second.value]);
+        if (!stands(until, passage.time)) return;
+        const ObstacleId obstacle = std::max(passage.first, passage.second);
+        const std::string pair = passage.first == passage.second ? "two cells of " + text(passage.first)
+                                                                 : text(passage.first) + " and " + text(passage.second);
+        report(Rule::collision, "squeezes between " + pair + ", where there is no way", passage.place, passage.time,
+               obstacle);
+    }
+
+    void judge_entries(const std::vector<Contact>& met) {
+        std::map<ObstacleId, Contact> first;
+        for (const Contact& contact : met) {
+            const auto [known, is_new] = first.emplace(contact.obstacle, contact);
+            if (!is_new && contact.time < known->second.time) known->second = contact;
+        }
+        for (const Removal& removal : plan_.removed) {
+            if (!names_obstacle(map_, removal)) continue;
+            const auto entry = first.find(removal.obstacle);
+            const bool never = entry == first.end();
+            if (never && !removal.entered_at) continue;
+            if (!never && removal.entered_at && agree(rules_, entry->second.time, *removal.entered_at)) continue;
+            const std::string stated = removal.entered_at ? text(*removal.entered_at) : "never";
+            const std::string true_time = never ? "never" : text(entry->second.time);
+            found_.push_back({Rule::entered,
+                              text(removal.obstacle) + " is said to be entered " + at_time(stated) +
+                                  "; it is entered " + at_time(true_time),
+                              ground_.id, removal.obstacle, never ? std::optional<Point>() : entry->second.place,
+                              never ? removal.entered_at : entry->second.time});
+        }
+    }
+
+    static std::string at_time(const std::string& when) { return when == "never" ? when : "at " + when; }
+
+    const Map& map_;
+    const Plan& plan_;
+    const AgentPlan& ground_;
+    const CheckRules& rules_;
+    const Body body_;
+    const std::vector<double> standing_;
+    std::vector<Leg> legs_;
+    Violations found_;
+};
+
+}  // namespace
+
+std::vector<double> standing_until(const Map& map, const Plan& plan, const CheckRules& rules) {
+    constexpr double for_ever = std::numeric_limits<double>::infinity();
+    std::vector<double> until(map.obstacles().size() + 1, for_ever);
+    for (const Removal& removal : plan.removed) {
+        if (!names_obstacle(map, removal)) continue;
+        until[removal.obstacle.value] = rules.timing == Timing::enforce ? removal.cleared_at : -for_ever;
+    }
+    return until;
+}
+
+Violations judge_ground(const Map& map, const Plan& plan, const AgentPlan& ground, const CheckRules& rules) {
+    return GroundJudge(map, plan, ground, rules).judge();
+}
+
+}  // namespace waybreaker::checker

@@ -1,0 +1,57 @@
+// The parts of a judgement, each on its own: they take what they judge and give back what is wrong with it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "waybreaker/check.hpp"
+
+namespace waybreaker::checker {
+
+using Violations = std::vector<Violation>;
+
+inline void append(Violations& all, Violations more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+// How far a number may be off.
+inline double slack(const CheckRules& rules, double value) {
+    return rules.tolerance * std::max(1.0, std::abs(value));
+}
+inline bool agree(const CheckRules& rules, double a, double b) {
+    return std::abs(a - b) <= slack(rules, std::max(std::abs(a), std::abs(b)));
+}
+
+// "12.5", "12.5,3", "obstacle 17"
+std::string text(double value);
+std::string text(Point p);
+std::string text(ObstacleId obstacle);
+
+// Whether `removal` names an obstacle of the map; what it says can be looked up only then.
+inline bool names_obstacle(const Map& map, const Removal& removal) {
+    return removal.obstacle && removal.obstacle.value <= map.obstacles().size();
+}
+
+// Until when each obstacle stands, by id: for ever, unless it is removed. [0] is the outside of the map.
+std::vector<double> standing_until(const Map& map, const Plan& plan, const CheckRules& rules);
+
+// A path from start to goal, in time and at the agent's speed.
+Violations judge_timetable(const AgentPlan& agent, const CheckRules& rules);
+
+// The ground agent's way, and when it enters what is removed. Precondition: its timetable is in order.
+Violations judge_ground(const Map& map, const Plan& plan, const AgentPlan& ground, const CheckRules& rules);
+
+// What is removed: whether it may be, and is as described.
+Violations judge_removals(const Map& map, const Plan& plan, const CheckRules& rules);
+
+// That the air agent is where it breaches, as long as it takes, one after the other. Precondition: its timetable is in
+// order.
+Violations judge_breaches(const Map& map, const Plan& plan, const AgentPlan& air, const CheckRules& rules);
+
+// Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
+Violations judge_figures(const Plan& plan, const AgentPlan* ground, const AgentPlan* air, const CheckRules& rules);
+
+}  // namespace waybreaker::checker

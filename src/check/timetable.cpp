@@ -1,0 +1,76 @@
+// Timetables: from start to goal, forward in time, at full speed or at rest.
+#include "check/judge.hpp"
+
+namespace waybreaker::checker {
+namespace {
+
+Point place(const Waypoint& point) {
+    return {point.x, point.y};
+}
+
+// What makes a timetable unreadable, if anything does.
+Violations judge_form(const AgentPlan& agent) {
+    const std::string who = "the " + agent.id + " agent";
+    if (!(agent.speed > 0 && std::isfinite(agent.speed)))
+        return {{Rule::agents, who + "'s speed is not above 0", agent.id}};
+    if (agent.path.empty()) return {{Rule::agents, who + " has no path", agent.id}};
+    for (const Waypoint& point : agent.path) {
+        if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.t)) continue;
+        return {{Rule::agents, who + "'s path holds numbers that are not finite", agent.id}};
+    }
+    return {};
+}
+
+Violations judge_ends(const AgentPlan& agent, const CheckRules& rules) {
+    const std::string who = "the " + agent.id + " agent ";
+    const Waypoint& first = agent.path.front();
+    const Waypoint& last = agent.path.back();
+    Violations found;
+    if (place(first) != Point(agent.start)) {
+        const std::string message = who + "starts at " + text(place(first)) + " instead of " + text(agent.start);
+        found.push_back({Rule::start, message, agent.id, {}, place(first), first.t});
+    }
+    if (!agree(rules, first.t, 0)) {
+        found.push_back({Rule::start, who + "does not start at time 0", agent.id, {}, place(first), first.t});
+    }
+    if (place(last) != Point(agent.goal)) {
+        const std::string message = who + "ends at " + text(place(last)) + " instead of " + text(agent.goal);
+        found.push_back({Rule::goal, message, agent.id, {}, place(last), last.t});
+    }
+    return found;
+}
+
+// Times are held against the sum of all moves and waits so far, so that errors within the tolerance cannot add up.
+Violations judge_moves(const AgentPlan& agent, const CheckRules& rules) {
+    const std::string who = "the " + agent.id + " agent ";
+    Violations found;
+    double due = agent.path.front().t;
+    for (std::size_t i = 1; i < agent.path.size(); ++i) {
+        const Waypoint& a = agent.path[i - 1];
+        const Waypoint& b = agent.path[i];
+        const double way = std::hypot(b.x - a.x, b.y - a.y);
+        if (b.t < a.t) {
+            const std::string message = who + "goes back in time, to " + text(b.t);
+            found.push_back({Rule::time, message, agent.id, {}, place(a), a.t});
+        }
+        due += way > 0 ? way / agent.speed : b.t - a.t;
+        if (agree(rules, due, b.t)) continue;
+        const std::string message = who + "is at " + text(place(b)) + " at " + text(b.t) + "; at speed " +
+                                    text(agent.speed) + " it gets there at " + text(due);
+        found.push_back({Rule::speed, message, agent.id, {}, place(b), b.t});
+        due = b.t;
+    }
+    return found;
+}
+
+}  // namespace
+
+Violations judge_timetable(const AgentPlan& agent, const CheckRules& rules) {
+    Violations found = judge_form(agent);
+    if (!found.empty()) return found;
+    found = judge_ends(agent, rules);
+    append(found, judge_moves(agent, rules));
+    return found;
+}
+
+}  // namespace waybreaker::checker

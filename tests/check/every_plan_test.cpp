@@ -1,0 +1,48 @@
+// Every plan that the planner makes passes the checker, whatever the method and the agents.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "checked_plan.hpp"
+#include "random_map.hpp"
+
+namespace waybreaker {
+namespace {
+
+Motion any_way_to_move() {
+    const Corners corners = any_corners();
+    return {.corners = corners,
+            .radius = corners == Corners::none ? *rc::gen::element(0.5, 0.5, 0.501, 0.75, 1.2, 2.0) : 0.5,
+            .diagonal = true};
+}
+
+// A mission that can be put on the map, with agents of their own speeds, starts and goals.
+Mission any_mission(const PlainMap& plain, const Map& map, const Motion& motion) {
+    Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
+    const OpenedMap closed(map);
+    RC_PRE(fits(closed, mission.agents[0].start, motion) && fits(closed, mission.agents[0].goal, motion));
+    if (*rc::gen::arbitrary<bool>()) mission.agents[1].start = any_cell(plain);
+    if (*rc::gen::arbitrary<bool>()) mission.agents[1].goal = any_cell(plain);
+    mission.agents[0].speed = *rc::gen::element(0.3, 1.0, 1.0, 7.0);
+    mission.agents[1].speed = *rc::gen::element(0.5, 1.0, 1.0, 4.0);
+    if (*rc::gen::arbitrary<bool>()) std::swap(mission.agents[0], mission.agents[1]);
+    return mission;
+}
+
+RC_GTEST_PROP(EveryPlan, IsValid, ()) {
+    const PlainMap plain = *random_map(24, 20);
+    const Map map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
+    MissionOptions options;
+    options.removals = *number(0, 4);
+    options.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);
+    options.search.planner = *rc::gen::element(Planner::theta, Planner::lazy_theta, Planner::astar, Planner::jps,
+                                               Planner::dijkstra, Planner::bfs);
+    options.search.motion = any_way_to_move();
+    if (options.search.planner == Planner::jps) options.search.motion.radius = 0.5;
+    options.timing = Timing::ignore;
+    const Mission mission = any_mission(plain, map, options.search.motion);
+    const Plan plan = MissionPlanner().plan(map, mission, options);
+    RC_ASSERT(plan_faults(map, mission, options, plan) == "");
+}
+
+}  // namespace
+}  // namespace waybreaker
