@@ -1,0 +1,152 @@
+// Crossing paths, slow and obvious, to hold the fast search against: a graph over every place a path could bend at, an
+// edge between any two of them, each edge tested against every cell in integers, and one Dijkstra for every set of
+// obstacles. Shares nothing with src/.
+//
+// What a path may do follows from what stands: for the square the open 2 x 2 boxes around the centres of standing cells
+// are closed, for the point the open cells and the common border of two standing cells side by side (or of a standing
+// cell and the map's edge).
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "plain_map.hpp"
+#include "slow_sight.hpp"
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker::slow {
+
+// A set of obstacles; bit `id`. Maps with more than 62 of them are not for these tests.
+using Set = std::uint64_t;
+inline constexpr std::size_t most_obstacles = 62;
+
+inline Set set_of(std::span<const ObstacleId> ids) {
+    Set set = 0;
+    for (const ObstacleId id : ids) set |= Set{1} << id.value;
+    return set;
+}
+
+// All sets of at most `most` of the candidates, small ones first.
+inline std::vector<Set> subsets(Set candidates, int most) {
+    std::vector<Set> sets{0};
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        if (std::popcount(sets[i]) == most) break;
+        for (Set rest = candidates & ~(std::bit_ceil(sets[i] + 1) - 1); rest != 0; rest &= rest - 1) {
+            sets.push_back(sets[i] | (rest & -rest));
+        }
+    }
+    return sets;
+}
+
+// Whether the segment a-b meets the open box around `at`: it does unless a line along a side, or its own, parts them.
+inline bool meets_box(Point a, Point b, Point at, std::int64_t half_side) {
+    if (std::max(a.x, b.x) <= at.x - half_side || std::min(a.x, b.x) >= at.x + half_side) return false;
+    if (std::max(a.y, b.y) <= at.y - half_side || std::min(a.y, b.y) >= at.y + half_side) return false;
+    bool left = false;
+    bool right = false;
+    for (const std::int64_t dx : {-half_side, half_side}) {
+        for (const std::int64_t dy : {-half_side, half_side}) {
+            const std::int64_t side = cross(a, b, {at.x + dx, at.y + dy});
+            left = left || side < 0;
+            right = right || side > 0;
+        }
+    }
+    return left && right;
+}
+
+class CrossingOracle {
+  public:
+    static constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+    CrossingOracle(PlainMap map, Body body, Cell start, Cell goal)
+        : map_(std::move(map)),
+          body_(body),
+          start_(start),
+          goal_(goal),
+          bends_{slow::centre(start), slow::centre(goal)} {
+        for (std::int64_t y = body == Body::square ? 0 : -1; y < 2 * map_.height; y += 2) {
+            for (std::int64_t x = body == Body::square ? 0 : -1; x < 2 * map_.width; x += 2) bends_.push_back({x, y});
+        }
+        demands_.resize(bends_.size());
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) demands_[i].push_back(demands(bends_[i], bends_[j]));
+        }
+    }
+
+    // What has to go before a path may lead straight from a to b: of each of these sets one obstacle at least.
+    std::vector<Set> demands(Point a, Point b) const {
+        std::vector<Set> all;
+        for (const Cell c : map_.cells()) {
+            if (!map_.blocked(c)) continue;
+            const Set own = Set{1} << map_.at(c);
+            if (meets_box(a, b, slow::centre(c), body_ == Body::square ? 2 : 1)) all.push_back(own);
+            if (body_ == Body::square) continue;
+            for (const Cell side : {Cell{c.x - 1, c.y}, Cell{c.x + 1, c.y}, Cell{c.x, c.y - 1}, Cell{c.x, c.y + 1}}) {
+                if (!map_.blocked(side) || !slides_between(a, b, c, side)) continue;
+                all.push_back(map_.contains(side) ? own | Set{1} << map_.at(side) : own);
+            }
+        }
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+    }
+
+    // The shortest path when those obstacles are gone.
+    double shortest(Set gone) const {
+        if (stands(start_, gone) || stands(goal_, gone)) return nowhere;
+        std::vector<double> lengths(bends_.size(), nowhere);
+        std::vector<bool> done(bends_.size());
+        lengths[0] = 0;
+        while (true) {
+            std::size_t next = 1;
+            for (std::size_t i = 0; i < bends_.size(); ++i) {
+                if (!done[i] && lengths[i] < lengths[next]) next = i;
+            }
+            if (next == 1) return lengths[1];
+            done[next] = true;
+            for (std::size_t i = 0; i < bends_.size(); ++i) {
+                const double through = lengths[next] + length(bends_[next], bends_[i]);
+                if (through < lengths[i] && met(between(next, i), gone)) lengths[i] = through;
+            }
+        }
+    }
+
+    static bool met(const std::vector<Set>& demands, Set gone) {
+        return std::all_of(demands.begin(), demands.end(), [&](Set demand) { return (demand & gone) != 0; });
+    }
+
+  private:
+    static double length(Point a, Point b) { return std::hypot(double(a.x - b.x), double(a.y - b.y)) / 2; }
+
+    bool stands(Cell c, Set gone) const { return map_.blocked(c) && (!map_.contains(c) || !(gone >> map_.at(c) & 1)); }
+
+    // Whether the segment runs along the border between two cells side by side, for more than a point of it.
+    static bool slides_between(Point a, Point b, Cell c, Cell side) {
+        const Point p{c.x + side.x, c.y + side.y};  // the middle of the border
+        const bool upright = c.y == side.y;
+        const std::int64_t low = upright ? std::min(a.y, b.y) : std::min(a.x, b.x);
+        const std::int64_t high = upright ? std::max(a.y, b.y) : std::max(a.x, b.x);
+        const std::int64_t along = upright ? p.y : p.x;
+        const bool on_line = upright ? a.x == p.x && b.x == p.x : a.y == p.y && b.y == p.y;
+        return on_line && low < along + 1 && high > along - 1;
+    }
+
+    const std::vector<Set>& between(std::size_t i, std::size_t j) const {
+        return demands_[std::max(i, j)][std::min(i, j)];
+    }
+
+    PlainMap map_;
+    Body body_;
+    Cell start_;
+    Cell goal_;
+    std::vector<Point> bends_;                            // the start first, then the goal
+    std::vector<std::vector<std::vector<Set>>> demands_;  // of all pairs of bends
+};
+
+}  // namespace waybreaker::slow
