@@ -1,4 +1,8 @@
 // Schedule: who is where when, so that the ground agent touches no obstacle before it has been breached.
+//
+//     Schedule s = best_schedule(map, {.ground_path = path, .air_start = base, .air_goal = base, .removed = walls});
+//     drive(s.ground);  // waits, where it must, at the last turn before an obstacle
+//     fly(s.air);       // stays at each breach point until the obstacle is gone
 #pragma once
 
 #include <optional>
@@ -13,7 +17,7 @@ namespace waybreaker {
 
 // A ground path with a wish for open obstacles, and who drives and flies.
 struct ScheduleTask {
-    std::span<const Point> ground_path;  // turning points; waits happen there
+    std::span<const Point> ground_path;  // turning points, at least one; waits happen there
     double ground_speed = 1;             // cells per unit of time
     double radius = 0.5;                 // of the ground agent; 0 for a point
     Cell air_start;
@@ -35,11 +39,12 @@ struct Schedule {
     bool optimal = false;  // proven: for this ground path no order or breach points are better
 };
 
-// The best flight for this ground path: order and breach points minimise the objective, waits included; proven for up
-// to exact_flight_limit obstacles.
+// The best flight for this ground path: order and breach points minimise the objective, waits included, and of equally
+// good flights the other objective; proven for up to exact_flight_limit obstacles. Breaches all of task.removed, needed
+// or not. Throws InputError for an obstacle that fills the whole map.
 Schedule best_schedule(const Map& map, const ScheduleTask& task);
 
-// The waits that a given flight makes necessary.
+// The waits and stays that a given flight makes necessary.
 Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& flight);
 
 }  // namespace waybreaker

@@ -4,7 +4,8 @@
 // dropped, the others are split, until all pieces are single cells and the bounds are lengths.
 //
 // Rounds run from start and from goal in turn, so that the bounds of the round before complete those of this one: "from
-// here on to the goal" plus "from the start to here".
+// here on to the goal" plus "from the start to here". With deadlines the rounds from start drop what is late: to be
+// somewhere earlier never hurts, so that the earliest arrival is all there is to know.
 #include "flight/exact.hpp"
 
 #include <algorithm>
@@ -32,6 +33,25 @@ constexpr Set only(std::size_t target) {
     return Set{1} << target;
 }
 
+// How far the air agent can have flown when it comes to a target, having visited a set before.
+double latest_arrival(const Deadlines& deadlines, Set before, std::size_t target) {
+    double latest = deadlines.latest[target] - deadlines.stay[target];
+    for (Set rest = before; rest != 0; rest &= rest - 1) latest -= deadlines.stay[std::size_t(std::countr_zero(rest))];
+    return latest;
+}
+
+bool in_time(const Deadlines& deadlines, Cell start, const Tour& tour) {
+    Set before = 0;
+    double flown = 0;
+    for (const Stop& stop : tour) {
+        flown += distance(start, stop.at);
+        if (flown > latest_arrival(deadlines, before, stop.target)) return false;
+        before |= only(stop.target);
+        start = stop.at;
+    }
+    return true;
+}
+
 double gap(const Box& a, const Box& b) {
     return std::sqrt(squared_gap(a, b));
 }
@@ -41,10 +61,11 @@ double gap(const Box& a, const Box& b) {
 class Round {
   public:
     // `pieces` come in order of target and of Piece::whole, an index into the pieces of the round `before`. That one
-    // ran from the far end; the first round does without.
+    // ran from the far end; the first round does without. `deadlines`, if any: the near end is the start.
     Round(std::vector<Piece> pieces, std::size_t targets, Cell near_end, Cell far_end, double limit,
-          const Round* before)
+          const Deadlines* deadlines, const Round* before)
         : pieces_(std::move(pieces)),
+          deadlines_(deadlines),
           all_(only(targets) - 1),
           near_end_(box_of(near_end)),
           far_end_(box_of(far_end)),
@@ -121,12 +142,14 @@ class Round {
     void bound(Set set, std::size_t g, double limit, const Round* before) {
         const Group& group = groups_[g];
         const Set others = all_ & ~set & ~only(group.target);
+        const double latest = deadlines_ ? latest_arrival(*deadlines_, set, group.target) : infinity;
         for (std::size_t i = group.first; i < group.last; ++i) {
             const Piece& piece = pieces_[i];
             const double far = before ? before->bound_of(others, piece.whole) : gap(piece.box, far_end_);
             if (far + gap(piece.box, near_end_) > limit) continue;
-            const double length = best_way(piece.box, set, limit - far).length;
-            if (length > limit - far) continue;
+            const double reach = std::min(limit - far, latest);
+            const double length = best_way(piece.box, set, reach).length;
+            if (length > reach) continue;
             bound_of(set, i) = length;
             group_bound_of(set, g) = std::min(group_bound_of(set, g), length);
             useful_[i] = true;
@@ -163,6 +186,7 @@ class Round {
     }
 
     std::vector<Piece> pieces_;
+    const Deadlines* deadlines_;
     Set all_;
     Box near_end_;
     Box far_end_;
@@ -183,29 +207,56 @@ std::vector<std::vector<Cell>> cells_in_reach(Cell start, Cell goal, std::span<c
     return cells;
 }
 
+// The shortest tour within the limit that meets the deadlines, if there are any.
+std::optional<Tour> search(Cell start, Cell goal, std::span<const Target> targets, double limit,
+                           const Deadlines* deadlines) {
+    assert(targets.size() <= exact_flight_limit);
+    limit *= 1 + rounding;
+    std::vector<std::vector<Cell>> cells = cells_in_reach(start, goal, targets, limit);
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (cells[i].empty()) return std::nullopt;
+        pieces.push_back(make_piece(i, cells[i], i));
+    }
+    const auto learn_from = [&](const Tour& tour) {
+        if (!deadlines || in_time(*deadlines, start, tour)) {
+            limit = std::min(limit, tour_length(start, tour, goal) * (1 + rounding));
+        }
+    };
+
+    Round round(std::move(pieces), targets.size(), start, goal, limit, deadlines, nullptr);
+    // Lateness is seen from the start. Without deadlines the last round runs from the goal, so that ties are settled
+    // from the start on.
+    const bool last_from_goal = !deadlines;
+    for (bool from_goal = false; !round.exact() || from_goal != last_from_goal;) {
+        const double least = round.least_length();
+        if (least > limit) return std::nullopt;
+        if (least < limit * (1 - 2 * rounding)) {
+            Tour guess = round.best_tour();
+            if (!from_goal) std::ranges::reverse(guess);
+            learn_from(guess);
+            learn_from(improved_tour(start, std::move(guess), goal, targets));
+        }
+        from_goal = !from_goal;
+        round = Round(round.useful_parts(), targets.size(), from_goal ? goal : start, from_goal ? start : goal, limit,
+                      from_goal ? nullptr : deadlines, &round);
+    }
+    if (round.least_length() > limit) return std::nullopt;
+    Tour tour = round.best_tour();
+    if (deadlines) std::ranges::reverse(tour);
+    return tour;
+}
+
 }  // namespace
 
 Tour shortest_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known) {
-    assert(targets.size() <= exact_flight_limit && known.size() == targets.size());
-    double known_length = tour_length(start, known, goal);
-    std::vector<std::vector<Cell>> cells = cells_in_reach(start, goal, targets, known_length * (1 + rounding));
-    std::vector<Piece> pieces;
-    for (std::size_t i = 0; i < targets.size(); ++i) pieces.push_back(make_piece(i, cells[i], i));
+    assert(known.size() == targets.size());
+    return search(start, goal, targets, tour_length(start, known, goal), nullptr).value();
+}
 
-    Round round(std::move(pieces), targets.size(), start, goal, known_length * (1 + rounding), nullptr);
-    // The last round runs from the goal, so that ties are settled from the start on.
-    for (bool from_goal = false; !round.exact() || !from_goal;) {
-        if (round.least_length() < known_length * (1 - rounding)) {
-            Tour guess = round.best_tour();
-            if (!from_goal) std::ranges::reverse(guess);
-            guess = improved_tour(start, std::move(guess), goal, targets);
-            known_length = std::min(known_length, tour_length(start, guess, goal));
-        }
-        from_goal = !from_goal;
-        round = Round(round.useful_parts(), targets.size(), from_goal ? goal : start, from_goal ? start : goal,
-                      known_length * (1 + rounding), &round);
-    }
-    return round.best_tour();
+std::optional<Tour> shortest_tour_in_time(Cell start, Cell goal, std::span<const Target> targets,
+                                          const Deadlines& deadlines, double limit) {
+    return search(start, goal, targets, limit, &deadlines);
 }
 
 }  // namespace waybreaker

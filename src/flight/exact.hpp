@@ -1,6 +1,9 @@
 // The shortest tour of a few targets, with proof: see docs/flight.md.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "flight/target.hpp"
 
 namespace waybreaker {
@@ -10,5 +13,16 @@ namespace waybreaker {
 // shorter it is, the faster this is. At most exact_flight_limit targets. Time and memory: 2^targets times the cells
 // that a tour about as short as the shortest can use.
 Tour shortest_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known);
+
+// By when the air agent must be done with each target. Time is given in cells, as what it could fly meanwhile.
+struct Deadlines {
+    std::vector<double> stay;    // by target: how long it stays there
+    std::vector<double> latest;  // by target: when it leaves at the latest; infinity: any time
+};
+
+// The shortest of the tours within the limit (stays not counted) that meet the deadlines; none if there is none.
+// Deterministic; the nearer the limit, the faster. At most exact_flight_limit targets.
+std::optional<Tour> shortest_tour_in_time(Cell start, Cell goal, std::span<const Target> targets,
+                                          const Deadlines& deadlines, double limit);
 
 }  // namespace waybreaker

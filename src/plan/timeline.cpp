@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace waybreaker {
 namespace {
@@ -59,6 +60,37 @@ double touch(const Move& move, double radius) {
     return first;
 }
 
+// The share of a move from a to b after which the disc touches a cell of the obstacle; infinity if it never does. Only
+// cells near the way are looked at, row by row in its direction, each row's cells in its direction as well.
+double first_touch(const Map& map, const Obstacle& obstacle, const Waypoint& a, const Waypoint& b, double radius) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double reach = 0.5 + radius;
+    const auto limits = [reach](double p, double q, int least, int most) {
+        return std::pair(std::max(int(std::floor(std::min(p, q) - reach)), least),
+                         std::min(int(std::ceil(std::max(p, q) + reach)), most));
+    };
+    const auto [top, bottom] = limits(a.y, b.y, obstacle.bounds.min.y, obstacle.bounds.max.y);
+    double first = std::numeric_limits<double>::infinity();
+    for (int row = top; row <= bottom; ++row) {
+        const int y = dy < 0 ? top + bottom - row : row;
+        const Span near = inside_slab(a.y - y, dy, reach);
+        const double enter = std::max(near.enter, 0.0);
+        const double leave = std::min(near.leave, 1.0);
+        if (enter >= first) break;
+        if (enter > leave) continue;
+        const auto [left, right] =
+            limits(a.x + enter * dx, a.x + leave * dx, obstacle.bounds.min.x, obstacle.bounds.max.x);
+        for (int column = left; column <= right; ++column) {
+            const int x = dx < 0 ? left + right - column : column;
+            if (inside_slab(a.x - x, dx, reach).enter >= first) break;
+            if (map.obstacle_at({x, y}) == obstacle.id)
+                first = std::min(first, touch({a.x - x, a.y - y, dx, dy}, radius));
+        }
+    }
+    return first;
+}
+
 }  // namespace
 
 double path_length(std::span<const Point> path) {
@@ -78,21 +110,10 @@ std::vector<Waypoint> timed(std::span<const Point> path, double speed) {
 }
 
 std::optional<double> first_touch(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path, double radius) {
-    const Box& bounds = map.obstacle(obstacle).bounds;
     for (std::size_t i = 1; i < path.size(); ++i) {
         const Waypoint& a = path[i - 1];
         const Waypoint& b = path[i];
-        const auto low = [radius](double p, double q) { return int(std::floor(std::min(p, q) - radius)); };
-        const auto high = [radius](double p, double q) { return int(std::ceil(std::max(p, q) + radius)); };
-        const Cell first{std::max(bounds.min.x, low(a.x, b.x)), std::max(bounds.min.y, low(a.y, b.y))};
-        const Cell last{std::min(bounds.max.x, high(a.x, b.x)), std::min(bounds.max.y, high(a.y, b.y))};
-        double share = std::numeric_limits<double>::infinity();
-        for (Cell c = first; c.y <= last.y; ++c.y) {
-            for (c.x = first.x; c.x <= last.x; ++c.x) {
-                if (map.obstacle_at(c) != obstacle) continue;
-                share = std::min(share, touch({a.x - c.x, a.y - c.y, b.x - a.x, b.y - a.y}, radius));
-            }
-        }
+        const double share = first_touch(map, map.obstacle(obstacle), a, b, radius);
         if (share <= 1) return a.t + share * (b.t - a.t);
     }
     return std::nullopt;

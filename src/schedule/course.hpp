@@ -1,0 +1,57 @@
+// Course: a ground path with the obstacles in its way, and when both agents finish if the air agent flies a certain
+// tour.
+//
+// With L the path's length, v the ground agent's speed and s the place on the path where it first touches an obstacle,
+// it finishes at max(L / v, cleared_at + (L - s) / v over all obstacles): it waits for the worst of them and no longer.
+#pragma once
+
+#include <vector>
+
+#include "flight/exact.hpp"
+#include "flight/target.hpp"
+#include "waybreaker/schedule.hpp"
+
+namespace waybreaker {
+
+struct Finish {
+    double ground = 0;
+    double air = 0;
+    double makespan() const { return ground > air ? ground : air; }
+    double flowtime() const { return ground + air; }
+};
+
+class Course {
+  public:
+    // Throws InputError for an obstacle that fills the whole map.
+    Course(const Map& map, const ScheduleTask& task);
+
+    std::span<const Target> targets() const { return targets_; }
+    Cell start() const { return task_.air_start; }
+    Cell goal() const { return task_.air_goal; }
+    const ScheduleTask& task() const { return task_; }
+
+    // When the ground agent finishes if it never waits.
+    double unhindered() const { return unhindered_; }
+    // When it touches a target's obstacle if it never waits; infinity if it does not touch it.
+    double entry(std::size_t target) const { return entries_[target]; }
+    // How long the air agent stays at a target.
+    double stay(std::size_t target) const { return stays_[target]; }
+    // How long the ground agent would have to wait for a target; negative if it comes later.
+    double lateness(std::size_t target, double cleared_at) const { return cleared_at - entries_[target]; }
+
+    Finish finish(const Tour& tour) const;
+
+    // What a tour must meet so that the ground agent finishes by a certain time; and how far it may go so that the air
+    // agent does.
+    Deadlines deadlines(double ground_finish) const;
+    double reach(double air_finish) const;
+
+  private:
+    const ScheduleTask& task_;
+    std::vector<Target> targets_;
+    double unhindered_ = 0;
+    std::vector<double> entries_;
+    std::vector<double> stays_;
+};
+
+}  // namespace waybreaker

@@ -1,0 +1,99 @@
+#include "schedule/local_search.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "schedule/rank.hpp"
+
+namespace waybreaker {
+namespace {
+
+class LocalSearch {
+  public:
+    LocalSearch(const Course& course, Tour tour, double rounding)
+        : course_(course), tour_(std::move(tour)), rounding_(rounding), rank_(rank_of(course_.finish(tour_))) {}
+
+    Tour run() {
+        while (better_cells() || move_stops()) {
+        }
+        return std::move(tour_);
+    }
+
+  private:
+    Cell at(std::size_t i) const { return i < tour_.size() ? tour_[i].at : course_.goal(); }
+    Cell before(std::size_t i) const { return i > 0 ? tour_[i - 1].at : course_.start(); }
+    double flying(Cell a, Cell b) const { return distance(a, b) / course_.task().air_speed; }
+    Rank rank_of(const Finish& finish) const { return rank(course_.task().objective, finish); }
+
+    bool better_cells() {
+        bool any = false;
+        for (std::size_t i = 0; i < tour_.size(); ++i) any = better_cell(i) || any;
+        return any;
+    }
+
+    // A new cell for a stop moves the times of all later stops alike, so that each cell is judged in constant time.
+    bool better_cell(std::size_t i) {
+        const std::size_t target = tour_[i].target;
+        const double stay = course_.stay(target);
+        double time = 0;
+        double left = 0;   // when the stop before is left
+        double here = 0;   // when this one is left
+        double early = 0;  // the worst lateness of the stops before, and after
+        double late = -std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < tour_.size(); ++k) {
+            if (k == i) left = time;
+            time += flying(before(k), at(k)) + course_.stay(tour_[k].target);
+            if (k == i) here = time;
+            if (k < i) early = std::max(early, course_.lateness(tour_[k].target, time));
+            if (k > i) late = std::max(late, course_.lateness(tour_[k].target, time));
+        }
+        const double onward = flying(at(i), at(i + 1));
+        const double end = time + flying(before(tour_.size()), course_.goal());
+
+        bool found = false;
+        for (const Cell c : course_.targets()[target].cells) {
+            const double cleared = left + flying(before(i), c) + stay;
+            const double delay = cleared + flying(c, at(i + 1)) - here - onward;
+            const double wait = std::max({early, course_.lateness(target, cleared), late + delay});
+            const Rank changed = rank_of({course_.unhindered() + wait, end + delay});
+            if (!better(changed, rank_, rounding_)) continue;
+            rank_ = changed;
+            tour_[i].at = c;
+            found = true;
+        }
+        return found;
+    }
+
+    // Takes a stop out and puts it elsewhere, at the same cell.
+    bool move_stops() {
+        bool any = false;
+        for (std::size_t from = 0; from < tour_.size(); ++from) {
+            for (std::size_t to = 0; to < tour_.size(); ++to) {
+                if (from == to) continue;
+                Tour moved = tour_;
+                moved.erase(moved.begin() + std::ptrdiff_t(from));
+                moved.insert(moved.begin() + std::ptrdiff_t(to), tour_[from]);
+                const Rank changed = rank_of(course_.finish(moved));
+                if (!better(changed, rank_, rounding_)) continue;
+                rank_ = changed;
+                tour_ = std::move(moved);
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    const Course& course_;
+    Tour tour_;
+    double rounding_;
+    Rank rank_;
+};
+
+}  // namespace
+
+Tour improved_tour(const Course& course, Tour tour, double rounding) {
+    return LocalSearch(course, std::move(tour), rounding).run();
+}
+
+}  // namespace waybreaker
