@@ -13,6 +13,7 @@ namespace waybreaker::apps {
 using Run = std::function<void()>;
 
 void setup_plan(CLI::App& root, Run& run);
+void setup_check(CLI::App& root, Run& run);
 void setup_import(CLI::App& root, Run& run);
 void setup_map_info(CLI::App& root, Run& run);
 void setup_completion(CLI::App& root, Run& run);
@@ -20,6 +21,12 @@ void setup_manual(CLI::App& root, Run& run);
 
 // The input is valid, but there is no plan. Thrown when all output is written; what() is one line for a person.
 class NoPlan : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// There is a plan, but it is not valid. Thrown when all output is written; what() is one line for a person.
+class InvalidPlan : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };

@@ -1,5 +1,5 @@
 // waybreaker: the command line. Builds the tree of commands, runs the chosen one, turns errors into one line and an
-// exit status (contract: 0 done, 1 no plan, 2 bad usage or input, 3 internal error).
+// exit status (contract: 0 done, 1 no plan or no valid one, 2 bad usage or input, 3 internal error).
 #include <fcntl.h>
 #include <fmt/format.h>
 
@@ -34,6 +34,7 @@ void setup(CLI::App& root, Run& run) {
     root.set_help_flag("-h,--help", "Print this help and exit");
     root.require_subcommand(1);
     setup_plan(root, run);
+    setup_check(root, run);
     setup_import(root, run);
     setup_map_info(root, run);
     setup_completion(root, run);
@@ -76,6 +77,8 @@ int main(int argc, char** argv) {
         parse_and_run(argc, argv);
         return done;
     } catch (const NoPlan& error) {
+        return complain(no_plan, error.what());
+    } catch (const InvalidPlan& error) {
         return complain(no_plan, error.what());
     } catch (const waybreaker::InputError& error) {
         return complain(bad_input, error.what());

@@ -78,7 +78,7 @@ std::string page_name(const std::string& command) {
 
 const char* const exit_status =
     ".TP\n0\nDone.\n"
-    ".TP\n1\nThe input is valid, but no plan exists.\n"
+    ".TP\n1\nThe input is valid, but no plan exists, or the plan to check is not valid.\n"
     ".TP\n2\nBad usage or bad input; the message names the file and line, or the option.\n"
     ".TP\n3\nInternal error.\n";
 

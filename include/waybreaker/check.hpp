@@ -22,17 +22,17 @@ namespace waybreaker {
 
 // What the plan says it keeps to.
 struct CheckRules {
-    Motion motion;  // its corners and radius; radius 0: a point that may bend at cell corners and slip between diagonal
-                    // neighbours
+    Motion motion = {};  // its corners and radius; radius 0: a point that may bend at cell corners and slip between
+                         // diagonal neighbours
     Timing timing = Timing::enforce;
-    BreachTime breach_time;
+    BreachTime breach_time = {};
     Objective objective = Objective::makespan;
-    int removals = 3;                 // at most so many
-    std::vector<ObstacleId> protect;  // never removed
+    int removals = 3;                      // at most so many
+    std::vector<ObstacleId> protect = {};  // never removed
     // weights[i] of plan.removed[i] (empty: 1 each); their sum is at most `budget`.
-    std::vector<double> weights;
+    std::vector<double> weights = {};
     double budget = std::numeric_limits<double>::infinity();
-    std::optional<double> gap;  // objective / bound - 1, if the plan states it
+    std::optional<double> gap = {};  // objective / bound - 1, if the plan states it
     // Numbers may be off by that share of themselves, below 1 by that much.
     double tolerance = 1e-6;
 };

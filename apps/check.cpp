@@ -1,0 +1,120 @@
+// `waybreaker check`: whether a plan file holds what it promises, from the map alone.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "help.hpp"
+#include "io/map_file.hpp"
+#include "io/output_file.hpp"
+#include "io/plan_file.hpp"
+#include "option.hpp"
+#include "progress.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+struct CheckOptions {
+    std::string map;
+    std::string plan;
+    std::string json;
+    double tolerance = CheckRules().tolerance;
+    bool ignore_digest = false;
+};
+
+using Violations = std::vector<Violation>;
+
+// That the plan was made for this map. On one of another size there is nothing else to say.
+Violations judge_size(const io::PlanFile& plan, const Map& map) {
+    if (plan.width == map.width() && plan.height == map.height()) return {};
+    return {{Rule::map, fmt::format("the plan is for a map of {} x {} cells, this one has {} x {}", plan.width,
+                                    plan.height, map.width(), map.height())}};
+}
+
+Violations judge_digest(const io::PlanFile& plan, const io::MapFile& map) {
+    if (plan.digest == map.digest) return {};
+    return {{Rule::map, "the plan was made for another map file: the digests differ (see --ignore-digest)"}};
+}
+
+Violations judge(const CheckOptions& options, const io::PlanFile& plan, const io::MapFile& map) {
+    Violations violations = judge_size(plan, map.map);
+    if (!violations.empty()) return violations;
+    if (!options.ignore_digest) violations = judge_digest(plan, map);
+    CheckRules rules = plan.rules;
+    rules.tolerance = options.tolerance;
+    const Violations of_plan = check(map.map, plan.plan, rules);
+    violations.insert(violations.end(), of_plan.begin(), of_plan.end());
+    return violations;
+}
+
+std::string as_json(const Violations& violations) {
+    using Json = nlohmann::ordered_json;
+    Json list = Json::array();
+    for (const Violation& violation : violations) {
+        const std::optional<Point>& place = violation.place;
+        list.push_back({{"rule", name(violation.rule)},
+                        {"message", violation.message},
+                        {"agent", violation.agent.empty() ? Json() : Json(violation.agent)},
+                        {"obstacle", violation.obstacle ? Json(violation.obstacle.value) : Json()},
+                        {"place", place ? Json::array({place->x, place->y}) : Json()},
+                        {"time", violation.time ? Json(*violation.time) : Json()}});
+    }
+    const Json report{{"format", "waybreaker-check/1"}, {"valid", violations.empty()}, {"violations", list}};
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// For a person: the first few, with time and place.
+std::string as_text(const Violations& violations, const std::string& plan) {
+    if (violations.empty()) return plan + " is valid\n";
+    constexpr std::size_t most = 10;
+    std::string text = fmt::format("{:>10}  {:>15}  {}\n", "time", "place", "violation");
+    for (std::size_t i = 0; i < std::min(violations.size(), most); ++i) {
+        const Violation& violation = violations[i];
+        const std::string time = violation.time ? fmt::format("{:.3f}", *violation.time) : "-";
+        const std::string place =
+            violation.place ? fmt::format("{:.6g},{:.6g}", violation.place->x, violation.place->y) : "-";
+        text += fmt::format("{:>10}  {:>15}  {}\n", time, place, violation.message);
+    }
+    if (violations.size() > most) text += fmt::format("and {} more; --json tells all\n", violations.size() - most);
+    return text;
+}
+
+void run(const CheckOptions& options) {
+    const io::PlanFile plan = io::read_plan_file(options.plan);
+    const io::MapFile map = [&] {
+        const Progress progress("reading " + options.map);
+        return io::read_map_file(options.map, plan.connectivity);
+    }();
+    const Violations violations = judge(options, plan, map);
+    if (!options.json.empty()) io::write_whole(options.json, as_json(violations));
+    if (options.json != "-") io::write_whole("-", as_text(violations, options.plan));
+    if (violations.empty()) return;
+    throw InvalidPlan(fmt::format("{} is not valid: {} {}", options.plan, violations.size(),
+                                  violations.size() == 1 ? "violation" : "violations"));
+}
+
+}  // namespace
+
+void setup_check(CLI::App& root, Run& run_chosen) {
+    auto options = std::make_shared<CheckOptions>();
+    CLI::App* command = root.add_subcommand(
+        "check",
+        "Check a plan file against its map\n\n"
+        "Judges from the map alone, without the planner's geometry: the ground agent's way against all that stands at "
+        "that moment, speeds and times, breaches, lengths, objective and bound. Says what is wrong, where and when; "
+        "the "
+        "exit status is 0 if the plan is valid, 1 if it is not and 2 if it cannot be read.");
+    add_file(*command, "MAP", options->map, "The map the plan was made for")->required();
+    add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it")->required();
+    add_file(*command, "--json", options->json, "Write all violations, for programs; - is standard output");
+    command->add_flag("--ignore-digest", options->ignore_digest,
+                      "Accept another map file, if only the plan holds on it");
+    add_number(
+        *command, "--tolerance", [options](double share) { options->tolerance = share; }, 0, "SHARE",
+        "How far numbers may be off, as a share of them (default: 1e-6)");
+    set_examples(*command, {"waybreaker check data/berlin-mitte.tif plan.json",
+                            "waybreaker check Berlin_0_512.map plan.json --json - | jq '.violations[0]'"});
+    command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
+}
+
+}  // namespace waybreaker::apps

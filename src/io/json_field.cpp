@@ -1,0 +1,80 @@
+#include "io/json_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::io {
+
+using Json = nlohmann::json;
+
+Json parse_json(std::string_view bytes, const std::string& file, int max_depth) {
+    const auto not_too_deep = [&](int depth, Json::parse_event_t, Json&) {
+        if (depth > max_depth) throw InputError(file, 0, "its values are nested too deep to be a plan");
+        return true;
+    };
+    try {
+        return Json::parse(bytes, not_too_deep);
+    } catch (const Json::parse_error& error) {
+        const auto stop = bytes.begin() + std::ptrdiff_t(std::min(error.byte, bytes.size()));
+        throw InputError(file, std::size_t(1 + std::count(bytes.begin(), stop, '\n')), "this is not JSON");
+    } catch (const Json::exception&) {
+        throw InputError(file, 0, "it holds a number that is too large");
+    }
+}
+
+JsonField JsonField::operator[](const char* key) const {
+    if (!json_->is_object()) fail("is not an object");
+    const auto member = json_->find(key);
+    if (member == json_->end()) fail(std::string("has no member ") + key);
+    return {*member, place_.empty() ? key : place_ + "." + key, file_};
+}
+
+std::optional<JsonField> JsonField::find(const char* key) const {
+    if (!json_->is_object()) fail("is not an object");
+    const auto member = json_->find(key);
+    if (member == json_->end() || member->is_null()) return std::nullopt;
+    return (*this)[key];
+}
+
+std::vector<JsonField> JsonField::items() const {
+    if (!json_->is_array()) fail("is not an array");
+    std::vector<JsonField> fields;
+    for (const Json& value : *json_) {
+        fields.push_back({value, place_ + "[" + std::to_string(fields.size()) + "]", file_});
+    }
+    return fields;
+}
+
+double JsonField::number() const {
+    if (!json_->is_number()) fail("is not a number");
+    return json_->get<double>();  // finite: the parser refuses what is too large
+}
+
+std::optional<double> JsonField::number_or_null() const {
+    return json_->is_null() ? std::nullopt : std::optional(number());
+}
+
+std::int64_t JsonField::whole_number(std::int64_t least, std::int64_t most) const {
+    const double value = number();
+    constexpr double exact = 1e15;  // up to here every number with a decimal point says what it means
+    if (value != std::floor(value) || (json_->is_number_float() && std::abs(value) > exact)) {
+        fail("is not a whole number");
+    }
+    if (value < double(least) || value > double(most)) {
+        fail("is not between " + std::to_string(least) + " and " + std::to_string(most));
+    }
+    return json_->is_number_float() ? std::int64_t(value) : std::clamp(json_->get<std::int64_t>(), least, most);
+}
+
+std::string JsonField::text() const {
+    if (!json_->is_string()) fail("is not a text");
+    return json_->get<std::string>();
+}
+
+void JsonField::fail(const std::string& what) const {
+    throw InputError(*file_, 0, (place_.empty() ? "the document" : place_) + " " + what);
+}
+
+}  // namespace waybreaker::io

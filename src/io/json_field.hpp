@@ -1,0 +1,62 @@
+// A value of a JSON document that knows where it stands, so that errors can say so: "plan.json: removed[2].at is not a
+// cell". The document comes from outside: nothing is taken for granted.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace waybreaker::io {
+
+// Throws InputError naming file and line unless the bytes are a JSON document of at most `max_depth` levels. It takes
+// up to 40 times the memory of its bytes.
+nlohmann::json parse_json(std::string_view bytes, const std::string& file, int max_depth);
+
+class JsonField {
+  public:
+    // The whole document; it and the file's name must outlive the field.
+    JsonField(const nlohmann::json& document, const std::string& file) : json_(&document), file_(&file) {}
+
+    // A member of an object; find() is empty where there is none, or null.
+    JsonField operator[](const char* key) const;
+    std::optional<JsonField> find(const char* key) const;
+
+    // The values of an array.
+    std::vector<JsonField> items() const;
+
+    // What it is; throws InputError if it is something else.
+    double number() const;
+    std::int64_t whole_number(std::int64_t least, std::int64_t most) const;
+    std::string text() const;
+    template <class Value>
+    Value one_of(const std::vector<std::pair<std::string, Value>>& choices) const;
+
+    std::optional<double> number_or_null() const;
+
+    // Throws InputError: where this stands and what is wrong with it.
+    [[noreturn]] void fail(const std::string& what) const;
+
+  private:
+    JsonField(const nlohmann::json& value, std::string place, const std::string* file)
+        : json_(&value), place_(std::move(place)), file_(file) {}
+
+    const nlohmann::json* json_;
+    std::string place_;
+    const std::string* file_;
+};
+
+template <class Value>
+Value JsonField::one_of(const std::vector<std::pair<std::string, Value>>& choices) const {
+    std::string words;
+    for (const auto& [word, value] : choices) {
+        if (*json_ == word) return value;
+        words += (words.empty() ? "" : ", ") + word;
+    }
+    fail("is none of " + words);
+}
+
+}  // namespace waybreaker::io

@@ -1,0 +1,29 @@
+// Plan files, read back: what plan_json.hpp writes (contract, section 4), as far as a plan can be judged by it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "waybreaker/check.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker::io {
+
+struct PlanFile {
+    Plan plan;  // without node counts and seconds
+    CheckRules rules;
+    Connectivity connectivity = Connectivity::four;
+    // The map it was made for.
+    int width = 0;
+    int height = 0;
+    std::string digest;
+};
+
+// Larger files are refused; a path of half a million points fits.
+inline constexpr std::size_t max_plan_bytes = std::size_t{1} << 24;
+
+// Throws InputError: the file's name, where in it, what is wrong. `name` is how the input is called in errors.
+PlanFile parse_plan(std::string_view bytes, const std::string& name);
+PlanFile read_plan_file(const std::string& path);
+
+}  // namespace waybreaker::io

@@ -1,0 +1,263 @@
+// Plans with one thing wrong: each is rejected, for the right reason.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <functional>
+#include <map>
+
+#include "checked_plan.hpp"
+#include "hand_made.hpp"
+#include "random_map.hpp"
+
+namespace waybreaker {
+namespace {
+
+// A valid plan; agents[0] is the ground agent, which enters removed[entered].
+struct Case {
+    const Map& map;
+    Plan plan;
+    CheckRules rules;
+    std::size_t entered = 0;
+
+    AgentPlan& ground() { return plan.agents[0]; }
+    AgentPlan& air() { return plan.agents[1]; }
+    Removal& removal() { return plan.removed[entered]; }
+};
+
+struct Mutation {
+    std::string name;
+    Rule broken;
+    std::function<bool(Case&)> mutate;  // false if it cannot be made in this case
+};
+
+// The agent drives or flies on without a stop, so that nothing but its way is new.
+void retime(AgentPlan& agent) {
+    for (std::size_t i = 1; i < agent.path.size(); ++i) {
+        const Waypoint& a = agent.path[i - 1];
+        Waypoint& b = agent.path[i];
+        b.t = a.t + std::hypot(b.x - a.x, b.y - a.y) / agent.speed;
+    }
+}
+
+// Any cell for which that holds.
+template <class Holds>
+std::optional<Cell> find_cell(const Map& map, Holds holds) {
+    for (int y = 0; y < map.height(); ++y) {
+        for (int x = 0; x < map.width(); ++x) {
+            if (holds(Cell{x, y})) return Cell{x, y};
+        }
+    }
+    return std::nullopt;
+}
+
+bool is_removed(const Plan& plan, ObstacleId obstacle) {
+    return std::any_of(plan.removed.begin(), plan.removed.end(),
+                       [obstacle](const Removal& removal) { return removal.obstacle == obstacle; });
+}
+
+bool through_a_wall(Case& c) {
+    const auto wall = find_cell(c.map, [&](Cell cell) {
+        const ObstacleId obstacle = c.map.obstacle_at(cell);
+        return obstacle && !is_removed(c.plan, obstacle);
+    });
+    if (!wall) return false;
+    c.ground().path.insert(c.ground().path.begin() + 1, {double(wall->x), double(wall->y), 0});
+    retime(c.ground());
+    set_figures(c.plan);
+    return true;
+}
+
+bool off_the_boundary(Case& c) {
+    const std::vector<Cell> boundary = c.map.boundary(c.removal().obstacle);
+    const auto elsewhere =
+        find_cell(c.map, [&](Cell cell) { return std::count(boundary.begin(), boundary.end(), cell) == 0; });
+    if (!elsewhere) return false;
+    c.removal().at = *elsewhere;
+    return true;
+}
+
+// Of the mutations that change one number by a clear amount.
+bool add(std::optional<double>& number, double amount) {
+    if (number) *number += amount;
+    return number.has_value();
+}
+
+const std::vector<Mutation> mutations{
+    {"drives through a wall", Rule::collision, through_a_wall},
+    {"drives through what is not removed any more", Rule::collision,
+     [](Case& c) { return c.plan.removed.erase(c.plan.removed.begin() + std::ptrdiff_t(c.entered)), true; }},
+    {"enters too early", Rule::collision,
+     [](Case& c) {
+         c.rules.timing = Timing::enforce;
+         return c.removal().cleared_at > *c.removal().entered_at + 0.01;
+     }},
+    {"is cleared after it is entered", Rule::collision,
+     [](Case& c) {
+         c.rules.timing = Timing::enforce;
+         c.removal().cleared_at = *c.removal().entered_at + 1;
+         return true;
+     }},
+    {"bends between cells", Rule::vertex,
+     [](Case& c) {
+         return c.ground().path.insert(c.ground().path.begin() + 1, {0.25, 0, 0}), true;
+     }},
+    {"bends off the map", Rule::vertex,
+     [](Case& c) {
+         return c.ground().path.insert(c.ground().path.begin() + 1, {-1, 0, 0}), true;
+     }},
+    {"drives backwards in time", Rule::time,
+     [](Case& c) {
+         std::vector<Waypoint>& path = c.ground().path;
+         if (path.size() < 3) return false;
+         std::swap(path[1].t, path[2].t);
+         return path[2].t < path[1].t;
+     }},
+    {"drives faster than it can", Rule::speed,
+     [](Case& c) {
+         for (Waypoint& point : c.ground().path) point.t *= 0.9;
+         return true;
+     }},
+    {"drives slower than it does", Rule::speed, [](Case& c) { return c.ground().speed *= 1.1, true; }},
+    {"flies faster than it can", Rule::speed,
+     [](Case& c) {
+         const std::vector<Waypoint>& path = c.air().path;
+         c.air().path.back().t -= 0.1;
+         return path[path.size() - 2].t < path.back().t;
+     }},
+    {"leaves something of the way out", Rule::speed,
+     [](Case& c) { return c.ground().path.front().x -= 100, c.ground().path.size() > 1; }},
+    {"starts elsewhere", Rule::start, [](Case& c) { return c.ground().start.x += 1, true; }},
+    {"starts later", Rule::start,
+     [](Case& c) {
+         for (Waypoint& point : c.air().path) point.t += 0.5;
+         return true;
+     }},
+    {"ends elsewhere", Rule::goal, [](Case& c) { return c.air().goal.y += 1, true; }},
+    {"has nobody to fly", Rule::agents, [](Case& c) { return c.plan.agents.pop_back(), true; }},
+    {"has two to drive", Rule::agents, [](Case& c) { return c.plan.agents.push_back(c.ground()), true; }},
+    {"has no path", Rule::agents, [](Case& c) { return c.ground().path.clear(), true; }},
+    {"has no speed", Rule::agents, [](Case& c) { return c.ground().speed = 0, true; }},
+    {"removes what there is not", Rule::obstacle,
+     [](Case& c) { return c.removal().obstacle.value = std::uint32_t(c.map.obstacles().size()) + 1, true; }},
+    {"removes nothing", Rule::obstacle, [](Case& c) { return c.removal().obstacle.value = 0, true; }},
+    {"removes what is protected", Rule::obstacle,
+     [](Case& c) { return c.rules.protect.push_back(c.removal().obstacle), true; }},
+    {"removes it twice", Rule::repetition,
+     [](Case& c) { return c.plan.removed.push_back(c.plan.removed.back()), true; }},
+    {"removes too many", Rule::removals,
+     [](Case& c) { return c.rules.removals = int(c.plan.removed.size()) - 1, true; }},
+    {"removes what is too heavy", Rule::budget,
+     [](Case& c) { return c.rules.budget = double(c.plan.removed.size()) - 0.5, true; }},
+    {"counts cells wrongly", Rule::cells, [](Case& c) { return c.removal().cells += 1, true; }},
+    {"names the source wrongly", Rule::cells, [](Case& c) { return c.removal().source_id += 1, true; }},
+    {"breaches off the boundary", Rule::boundary, off_the_boundary},
+    {"breaches off the flight", Rule::breach,
+     [](Case& c) {
+         const auto off = [&](Cell cell) {
+             const auto& path = c.air().path;
+             return std::none_of(path.begin(), path.end(),
+                                 [cell](const Waypoint& p) { return std::hypot(p.x - cell.x, p.y - cell.y) < 1; });
+         };
+         const std::optional<Cell> cell = find_cell(c.map, off);
+         if (cell) c.removal().at = *cell;
+         return cell.has_value();
+     }},
+    {"is breached later", Rule::breach,
+     [](Case& c) { return c.removal().cleared_at += 0.2, c.air().path.back().t > c.removal().cleared_at + 1; }},
+    {"is breached before the mission", Rule::breach, [](Case& c) { return c.removal().cleared_at = -1, true; }},
+    {"takes time to breach", Rule::breach, [](Case& c) { return c.rules.breach_time.per_cell = 0.01, true; }},
+    {"lists the last breach first", Rule::order,
+     [](Case& c) {
+         std::reverse(c.plan.removed.begin(), c.plan.removed.end());
+         return c.plan.removed.front().cleared_at > c.plan.removed.back().cleared_at + 0.01;
+     }},
+    {"says it is entered later", Rule::entered, [](Case& c) { return add(c.removal().entered_at, 0.01); }},
+    {"says it is never entered", Rule::entered, [](Case& c) { return c.removal().entered_at.reset(), true; }},
+    {"says it is entered", Rule::entered,
+     [](Case& c) {
+         for (Removal& removal : c.plan.removed) {
+             if (!removal.entered_at) return removal.entered_at = 1, true;
+         }
+         return false;
+     }},
+    {"drives farther than it says", Rule::length, [](Case& c) { return add(c.plan.after.ground.length, -0.01); }},
+    {"flies farther than it says", Rule::length, [](Case& c) { return c.plan.after.air.length -= 0.01, true; }},
+    {"has no length", Rule::length, [](Case& c) { return c.plan.after.ground.length.reset(), true; }},
+    {"ends later than it says", Rule::makespan, [](Case& c) { return add(c.plan.after.makespan, -0.01); }},
+    {"ends earlier than it says", Rule::makespan, [](Case& c) { return add(c.plan.after.makespan, 0.01); }},
+    {"adds up wrongly", Rule::flowtime, [](Case& c) { return add(c.plan.after.flowtime, 0.01); }},
+    {"was shorter before than straight", Rule::before,
+     [](Case& c) { return c.plan.before.ground.length ? (c.plan.before.ground.length = -1, true) : false; }},
+    {"added up wrongly before", Rule::before, [](Case& c) { return add(c.plan.before.flowtime, 0.01); }},
+    {"ended at another time before", Rule::before, [](Case& c) { return add(c.plan.before.makespan, 0.01); }},
+    {"had no end before", Rule::before,
+     [](Case& c) { return c.plan.before.makespan ? (c.plan.before.makespan.reset(), true) : false; }},
+    {"flew another way before", Rule::before, [](Case& c) { return c.plan.before.air.length += 0.01, true; }},
+    {"is better than its bound", Rule::bound,
+     [](Case& c) { return c.plan.bound = *c.plan.after.makespan + 0.01, true; }},
+    {"is better than its bound on the flowtime", Rule::bound,
+     [](Case& c) {
+         c.rules.objective = Objective::flowtime;
+         c.plan.bound = *c.plan.after.flowtime + 0.01;
+         return true;
+     }},
+    {"has another gap", Rule::gap,
+     [](Case& c) {
+         c.plan.bound = *c.plan.after.makespan / 1.5;
+         c.rules.gap = 0.4;
+         return *c.plan.bound > 0;
+     }},
+    {"has a gap to nothing", Rule::gap, [](Case& c) { return c.rules.gap = 0.1, true; }},
+    {"says there is no plan", Rule::status, [](Case& c) { return c.plan.status = PlanStatus::no_plan, true; }},
+    {"has no agents", Rule::status, [](Case& c) { return c.plan.agents.clear(), true; }},
+};
+
+// A map, a mission and the paper's plan for it, in which some removed obstacle is entered.
+void for_any_case(const std::function<void(const Case&)>& visit) {
+    const PlainMap plain = *random_map(24, 20);
+    const Map map(plain.grid());
+    Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
+    mission.agents[0].speed = *rc::gen::element(0.5, 1.0, 4.0);
+    mission.agents[1].speed = *rc::gen::element(0.5, 1.0, 4.0);
+    MissionOptions options = paper_options(*number(1, 4));
+    options.timing = Timing::ignore;
+    const Plan plan = MissionPlanner().plan(map, mission, options);
+    RC_PRE(plan.status == PlanStatus::solved);
+    const auto entered = std::find_if(plan.removed.begin(), plan.removed.end(),
+                                      [](const Removal& removal) { return removal.entered_at.has_value(); });
+    RC_PRE(entered != plan.removed.end());
+    visit({map, plan, rules_of(options, plan), std::size_t(entered - plan.removed.begin())});
+}
+
+TEST(Mutation, IsRejectedForTheRightReason) {
+    std::map<std::string, int> made;
+    const bool all_rejected = rc::check("every mutation of every plan is rejected", [&] {
+        for_any_case([&](const Case& valid) {
+            RC_ASSERT(broken_rules(valid.map, valid.plan, valid.rules).empty());
+            for (const Mutation& mutation : mutations) {
+                Case mutant = valid;
+                if (!mutation.mutate(mutant)) continue;
+                ++made[mutation.name];
+                const std::set<Rule> broken = broken_rules(mutant.map, mutant.plan, mutant.rules);
+                if (!broken.contains(mutation.broken)) {
+                    std::string message = mutation.name + ", but breaks only";
+                    for (const Rule rule : broken) message.append(" ").append(name(rule));
+                    RC_FAIL(message);
+                }
+            }
+        });
+    });
+    EXPECT_TRUE(all_rejected);
+    for (const Mutation& mutation : mutations) EXPECT_GT(made[mutation.name], 0) << mutation.name;
+}
+
+TEST(Mutation, BreaksEveryRule) {
+    std::set<Rule> broken;
+    for (const Mutation& mutation : mutations) broken.insert(mutation.broken);
+    for (int rule = int(Rule::map) + 1; rule <= int(Rule::gap); ++rule) {
+        EXPECT_TRUE(broken.contains(Rule(rule))) << name(Rule(rule));
+    }
+}
+
+}  // namespace
+}  // namespace waybreaker
