@@ -70,7 +70,10 @@ std::int64_t JsonField::whole_number(std::int64_t least, std::int64_t most) cons
 
 std::string JsonField::text() const {
     if (!json_->is_string()) fail("is not a text");
-    return json_->get<std::string>();
+    const auto& text = json_->get_ref<const std::string&>();
+    const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7F; };
+    if (std::any_of(text.begin(), text.end(), is_control)) fail("holds control characters");
+    return text;
 }
 
 void JsonField::fail(const std::string& what) const {

@@ -31,7 +31,7 @@ class JsonField {
     // What it is; throws InputError if it is something else.
     double number() const;
     std::int64_t whole_number(std::int64_t least, std::int64_t most) const;
-    std::string text() const;
+    std::string text() const;  // of printable characters
     template <class Value>
     Value one_of(const std::vector<std::pair<std::string, Value>>& choices) const;
 

@@ -1,0 +1,175 @@
+// Plan files come back as they were written; others are refused in one line that says where and why.
+#include "io/plan_file.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ascii_map.hpp"
+#include "input_error.hpp"
+#include "io/plan_json.hpp"
+#include "random_map.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+MapFile map_file(Map map) {
+    return {.map = std::move(map),
+            .source = "town.map",
+            .format = "MovingAI map",
+            .digest = "sha256:00",
+            .georeference = {},
+            .attribution = {},
+            .title = {},
+            .task = {}};
+}
+
+void expect_same(const Outcome& written, const Outcome& read) {
+    RC_ASSERT(read.ground.length == written.ground.length);
+    RC_ASSERT(read.air.length == written.air.length);
+    RC_ASSERT(read.makespan == written.makespan);
+    RC_ASSERT(read.flowtime == written.flowtime);
+}
+
+RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
+    const PlainMap plain = *random_map(20, 16);
+    const MapFile file = map_file(Map(plain.grid()));
+    Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
+    mission.agents[1].speed = 3;
+    MissionOptions options = paper_options(*number(0, 3));
+    options.search.motion.corners = any_corners();
+    options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
+    Plan plan = MissionPlanner().plan(file.map, mission, options);
+    if (plan.after.makespan) plan.bound = *plan.after.makespan / 2;
+    const PlanFile read = parse_plan(plan_json(plan, {file, mission, options, Connectivity::eight, true}), "plan.json");
+
+    RC_ASSERT(read.width == file.map.width() && read.height == file.map.height());
+    RC_ASSERT(read.digest == file.digest);
+    RC_ASSERT(read.connectivity == Connectivity::eight);
+    RC_ASSERT(read.rules.motion.corners == options.search.motion.corners);
+    RC_ASSERT(read.rules.motion.radius == options.search.motion.radius);
+    RC_ASSERT(read.rules.timing == options.timing);
+    RC_ASSERT(read.rules.objective == options.objective);
+    RC_ASSERT(read.rules.removals == options.removals);
+    RC_ASSERT(read.plan.status == plan.status);
+    RC_ASSERT(read.plan.bound == plan.bound);
+    RC_ASSERT(read.rules.gap.has_value() == plan.bound.has_value());
+    expect_same(plan.before, read.plan.before);
+    expect_same(plan.after, read.plan.after);
+    RC_ASSERT(read.plan.removed.size() == plan.removed.size());
+    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
+        const Removal& removal = read.plan.removed[i];
+        RC_ASSERT(removal.obstacle == plan.removed[i].obstacle);
+        RC_ASSERT(removal.cells == plan.removed[i].cells);
+        RC_ASSERT(removal.hits == plan.removed[i].hits);
+        RC_ASSERT(removal.source_id == plan.removed[i].source_id);
+        RC_ASSERT(removal.at == plan.removed[i].at);
+        RC_ASSERT(removal.cleared_at == plan.removed[i].cleared_at);
+        RC_ASSERT(removal.entered_at == plan.removed[i].entered_at);
+    }
+    RC_ASSERT(read.plan.agents.size() == plan.agents.size());
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        const AgentPlan& agent = read.plan.agents[i];
+        RC_ASSERT(agent.id == plan.agents[i].id);
+        RC_ASSERT(agent.kind == plan.agents[i].kind);
+        RC_ASSERT(agent.speed == plan.agents[i].speed);
+        RC_ASSERT(agent.path == plan.agents[i].path);
+        RC_ASSERT(agent.start == plan.agents[i].start);
+        RC_ASSERT(agent.goal == plan.agents[i].goal);
+    }
+}
+
+const char* const small_plan = R"({
+  "format": "waybreaker-plan/1",
+  "status": "solved",
+  "map": {"source": "town.map", "width": 4, "height": 1, "cell_size": 1.0, "digest": "sha256:00"},
+  "options": {"timing": "enforce", "objective": "makespan", "removals": 1, "connectivity": 4, "corners": "none", "radius": 0.5},
+  "before": {"ground": {"length": null}, "air": {"length": 3.0}, "makespan": null, "flowtime": null},
+  "after": {"ground": {"length": 3.0}, "air": {"length": 3.0}, "makespan": 3.0, "flowtime": 6.0},
+  "bound": null,
+  "removed": [
+    {"obstacle": 1, "cells": 1, "at": [1, 0], "cleared_at": 1.0, "entered_at": 1.0}
+  ],
+  "agents": [
+    {"id": "ground", "kind": "ground", "speed": 1.0, "path": [[0, 0, 0.0], [3, 0, 3.0]]},
+    {"id": "air", "kind": "air", "speed": 1.0, "path": [[0, 0, 0.0], [3, 0, 3.0]]}
+  ]
+}
+)";
+
+// The small plan with one member replaced; its place as a JSON pointer.
+std::string with(const std::string& pointer, const Json& value) {
+    Json json = Json::parse(small_plan);
+    json[Json::json_pointer(pointer)] = value;
+    return json.dump();
+}
+std::string without(const std::string& pointer) {
+    const Json::json_pointer place(pointer);
+    Json json = Json::parse(small_plan);
+    json[place.parent_pointer()].erase(place.back());
+    return json.dump();
+}
+std::string refusal(const std::string& bytes) {
+    return input_error([&] { parse_plan(bytes, "p.json"); });
+}
+
+TEST(PlanFile, IsReadAndHolds) {
+    const PlanFile file = parse_plan(small_plan, "p.json");
+    EXPECT_TRUE(check(map_from_ascii("..#."), file.plan, file.rules).empty());
+    EXPECT_EQ(file.plan.agents[0].goal, (Cell{3, 0})) << "where its path ends, as nothing else is said";
+}
+
+TEST(PlanFile, MaySayMore) {
+    PlanFile file = parse_plan(with("/options/breach_time", 2), "p.json");
+    EXPECT_EQ(file.rules.breach_time.per_obstacle, 2);
+    EXPECT_EQ(parse_plan(with("/options/breach_time_per_cell", 0.5), "p.json").rules.breach_time.per_cell, 0.5);
+    EXPECT_EQ(parse_plan(with("/options/budget", 2.5), "p.json").rules.budget, 2.5);
+    EXPECT_EQ(parse_plan(with("/options/protect", {3, 4}), "p.json").rules.protect,
+              (std::vector<ObstacleId>{{3}, {4}}));
+    EXPECT_EQ(parse_plan(with("/removed/0/weight", 7), "p.json").rules.weights, std::vector<double>{7});
+    EXPECT_EQ(parse_plan(with("/removed/0/saves", 7), "p.json").plan.removed[0].saves, 7);
+    EXPECT_EQ(parse_plan(with("/removed/0/source_id", INT64_MIN), "p.json").plan.removed[0].source_id, INT64_MIN);
+    EXPECT_EQ(parse_plan(with("/agents/0/goal", {2, 0}), "p.json").plan.agents[0].goal, (Cell{2, 0}));
+    EXPECT_EQ(parse_plan(with("/agents/0/path/0", {1e300, -1e300, 0}), "p.json").plan.agents[0].start,
+              (Cell{1000000000, -1000000000}));
+    EXPECT_EQ(parse_plan(without("/bound"), "p.json").plan.bound, std::nullopt);
+    EXPECT_EQ(parse_plan(without("/options/removals"), "p.json").rules.removals, INT_MAX);
+    file = parse_plan(with("/bound", {{"makespan", 2.5}, {"gap", 0.2}}), "p.json");
+    EXPECT_EQ(file.plan.bound, 2.5);
+    EXPECT_EQ(file.rules.gap, 0.2);
+}
+
+TEST(PlanFile, IsRefusedWithPlaceAndReason) {
+    EXPECT_EQ(refusal(""), "p.json:1: this is not JSON");
+    EXPECT_EQ(refusal("{\n\"format\": \n\n}"), "p.json:4: this is not JSON");
+    EXPECT_EQ(refusal("[1e999]"), "p.json: it holds a number that is too large");
+    EXPECT_EQ(refusal("[]"), "p.json: the document is not an object");
+    EXPECT_EQ(refusal("{}"), "p.json: the document has no member format");
+    EXPECT_EQ(refusal(std::string(1000, '[')), "p.json: its values are nested too deep to be a plan");
+    EXPECT_EQ(refusal(with("/format", "waybreaker-plan/2")), "p.json: format is not waybreaker-plan/1");
+    EXPECT_EQ(refusal(with("/status", "well")), "p.json: status is none of solved, no_plan, limit_reached, stopped");
+    EXPECT_EQ(refusal(with("/map/width", 1e9)), "p.json: map.width is not between 1 and 32768");
+    EXPECT_EQ(refusal(with("/options/radius", -1)), "p.json: options.radius is not between 0 and 32");
+    EXPECT_EQ(refusal(with("/options/breach_time", -1)), "p.json: options.breach_time is below 0");
+    EXPECT_EQ(refusal(without("/options/timing")), "p.json: options has no member timing");
+    EXPECT_EQ(refusal(with("/after/air/length", nullptr)), "p.json: after.air.length is not a number");
+    EXPECT_EQ(refusal(with("/removed", "none")), "p.json: removed is not an array");
+    EXPECT_EQ(refusal(with("/removed/0/obstacle", 4294967296)),
+              "p.json: removed[0].obstacle is not between 0 and 4294967295");
+    EXPECT_EQ(refusal(with("/removed/0/obstacle", UINT64_MAX)),
+              "p.json: removed[0].obstacle is not between 0 and 4294967295");
+    EXPECT_EQ(refusal(with("/removed/0/cells", 1.5)), "p.json: removed[0].cells is not a whole number");
+    EXPECT_EQ(refusal(with("/removed/0/source_id", 1e300)), "p.json: removed[0].source_id is not a whole number");
+    EXPECT_EQ(refusal(with("/removed/0/at", {1, 2, 3})), "p.json: removed[0].at is not a cell, [x, y]");
+    EXPECT_EQ(refusal(with("/agents/1/id", "a\nb")), "p.json: agents[1].id holds control characters");
+    EXPECT_EQ(refusal(with("/agents/1/kind", 3)), "p.json: agents[1].kind is none of ground, air");
+    EXPECT_EQ(refusal(with("/agents/1/path", Json::array())), "p.json: agents[1].path is empty");
+    EXPECT_EQ(refusal(with("/agents/1/path/1", {1, 2})), "p.json: agents[1].path[1] is not [x, y, t]");
+    EXPECT_EQ(refusal(with("/agents/1/path/1/2", "late")), "p.json: agents[1].path[1][2] is not a number");
+}
+
+}  // namespace
+}  // namespace waybreaker::io
