@@ -55,6 +55,8 @@ class Map {
     ObstacleId obstacle_at(Cell c) const {
         return ObstacleId{labels_[std::size_t(c.y) * std::size_t(width()) + std::size_t(c.x)]};
     }
+    // Whether cells of different obstacles lie side by side, as they can in a label layer.
+    bool obstacles_touch() const { return obstacles_touch_; }
     // Labels row by row, as obstacle_at gives them.
     std::span<const std::uint32_t> labels() const { return labels_; }
 
@@ -69,6 +71,7 @@ class Map {
     Grid transposed_;
     std::vector<std::uint32_t> labels_;
     std::vector<Obstacle> obstacles_;
+    bool obstacles_touch_ = false;
 };
 
 // A view of a map with some obstacles removed: a value, cheap to make (it copies only the rows and columns that change)

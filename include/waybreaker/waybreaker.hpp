@@ -4,6 +4,7 @@
 #include "waybreaker/breach.hpp"    // IWYU pragma: export
 #include "waybreaker/cell.hpp"      // IWYU pragma: export
 #include "waybreaker/check.hpp"     // IWYU pragma: export
+#include "waybreaker/crossing.hpp"  // IWYU pragma: export
 #include "waybreaker/error.hpp"     // IWYU pragma: export
 #include "waybreaker/flight.hpp"    // IWYU pragma: export
 #include "waybreaker/grid.hpp"      // IWYU pragma: export

@@ -24,6 +24,7 @@ Map::Map(Grid&& grid, std::vector<std::uint32_t> labels)
                 const ObstacleId id{row[first]};
                 int end = first + 1;
                 while (end <= last && row[end] == id.value) ++end;
+                if (first > 0 && row[first - 1] != 0 && row[first - 1] != id.value) obstacles_touch_ = true;
                 if (id.value > obstacles_.size()) obstacles_.push_back({.id = id, .bounds = {{first, y}, {first, y}}});
                 Obstacle& obstacle = obstacles_[id.value - 1];
                 obstacle.cells += std::uint32_t(end - first);
@@ -45,6 +46,7 @@ Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
     }
     std::unordered_map<std::uint32_t, std::uint32_t> id_of_label;
     std::vector<std::uint32_t> label_of_id;
+    bool touch = false;
     std::uint32_t* label = labels.data();
     for (int y = 0; y < height; ++y) {
         std::uint32_t last_label = 0;
@@ -58,10 +60,13 @@ Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
                 last_id = known->second;
             }
             *label = last_id;
+            const std::uint32_t above = y > 0 ? *(label - width) : 0;
+            touch = touch || (above != 0 && above != last_id);
             grid.set_blocked({x, y}, true);
         }
     }
     Map map(std::move(grid), std::move(labels));
+    map.obstacles_touch_ = map.obstacles_touch_ || touch;
     for (Obstacle& obstacle : map.obstacles_) {
         const std::uint32_t source_label = label_of_id[obstacle.id.value - 1];
         if (source_label >= attributes.size()) continue;

@@ -1,0 +1,118 @@
+// Labels: ways to be at a vertex, and which of them are worth going on from.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "crossing/lattice.hpp"
+
+namespace waybreaker {
+
+inline constexpr std::uint32_t no_label = UINT32_MAX;
+
+// A path from the start to a vertex.
+struct Label {
+    double length = 0;    // half cells
+    double estimate = 0;  // length and the straight line to the goal
+    Vertex at;
+    std::uint32_t parent = no_label;
+    std::uint32_t set = 0;          // of the obstacles crossed
+    std::uint32_t next = no_label;  // at the same vertex
+    bool dominated = false;
+};
+
+// The sets of crossed obstacles, each in increasing order.
+class ObstacleSets {
+  public:
+    void clear() {
+        members_.clear();
+        begins_.assign(1, 0);
+    }
+    std::uint32_t add(std::span<const std::uint32_t> sorted) {
+        members_.insert(members_.end(), sorted.begin(), sorted.end());
+        begins_.push_back(std::uint32_t(members_.size()));
+        return std::uint32_t(begins_.size() - 2);
+    }
+    std::span<const std::uint32_t> operator[](std::uint32_t set) const {
+        return {members_.data() + begins_[set], members_.data() + begins_[set + 1]};
+    }
+
+  private:
+    std::vector<std::uint32_t> members_;
+    std::vector<std::uint32_t> begins_{0};
+};
+
+// A vertex that a search has looked at.
+struct Place {
+    Vertex at;
+    std::uint32_t labels = no_label;  // the first of its list
+};
+
+// What the current expansion has done before, so that it is not done again. It may forget, which costs time only.
+class Done {
+  public:
+    Done() : slots_(2048) {}
+    void clear() { ++round_; }
+
+    // Whether `what` (below 64) was done at v in this round; now it is.
+    bool before(Vertex v, unsigned what) {
+        const std::uint64_t key =
+            (std::uint64_t(std::uint32_t(v.x)) << 38) ^ (std::uint64_t(std::uint32_t(v.y)) << 6) ^ what;
+        Slot& slot = slots_[std::size_t((key * 0x9e3779b97f4a7c15U) >> 53)];
+        if (slot.key == key && slot.round == round_) return true;
+        slot = {key, round_};
+        return false;
+    }
+
+  private:
+    struct Slot {
+        std::uint64_t key = 0;
+        std::uint64_t round = 0;
+    };
+    std::vector<Slot> slots_;
+    std::uint64_t round_ = 1;
+};
+
+// Hash table of places, open addressing.
+class Places {
+  public:
+    Places() : slots_(1024, 0) {}
+
+    void clear() {
+        places_.clear();
+        std::fill(slots_.begin(), slots_.end(), 0);
+    }
+
+    std::uint32_t find_or_add(Vertex v) {
+        if (2 * places_.size() >= slots_.size()) grow();
+        std::size_t slot = hash(v) & (slots_.size() - 1);
+        while (slots_[slot] != 0) {
+            if (places_[slots_[slot] - 1].at == v) return slots_[slot] - 1;
+            slot = (slot + 1) & (slots_.size() - 1);
+        }
+        places_.push_back({.at = v});
+        slots_[slot] = std::uint32_t(places_.size());
+        return slots_[slot] - 1;
+    }
+    Place& operator[](std::uint32_t place) { return places_[place]; }
+
+  private:
+    static std::size_t hash(Vertex v) {
+        const std::uint64_t key = (std::uint64_t(std::uint32_t(v.x)) << 32) | std::uint32_t(v.y);
+        return std::size_t((key * 0x9e3779b97f4a7c15U) >> 29);
+    }
+    void grow() {
+        slots_.assign(2 * slots_.size(), 0);
+        for (std::uint32_t place = 0; place < places_.size(); ++place) {
+            std::size_t slot = hash(places_[place].at) & (slots_.size() - 1);
+            while (slots_[slot] != 0) slot = (slot + 1) & (slots_.size() - 1);
+            slots_[slot] = place + 1;
+        }
+    }
+
+    std::vector<Place> places_;
+    std::vector<std::uint32_t> slots_;  // place + 1; 0 is empty
+};
+
+}  // namespace waybreaker

@@ -1,0 +1,80 @@
+// Lattice: the plane in half cells, where both bodies' turning points are integers.
+//
+// Cell (x, y) has its centre at (2x, 2y). An obstacle grown by the body is the union of the open boxes around its
+// cells' centres with half side `reach`: 2 for the unit square, whose path bends at the boxes' corners, the cell
+// centres; 1 for the point, where boxes are the cells themselves.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "waybreaker/cell.hpp"
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker {
+
+struct Vertex {
+    int x = 0;
+    int y = 0;
+    friend constexpr bool operator==(Vertex, Vertex) = default;
+};
+
+// A direction or difference of vertices.
+struct Step {
+    int x = 0;
+    int y = 0;
+    friend constexpr bool operator==(Step, Step) = default;
+    constexpr Step operator-() const { return {-x, -y}; }
+};
+
+constexpr Step operator-(Vertex a, Vertex b) {
+    return {a.x - b.x, a.y - b.y};
+}
+constexpr Vertex operator+(Vertex v, Step s) {
+    return {v.x + s.x, v.y + s.y};
+}
+constexpr Cell operator+(Cell c, Step s) {
+    return {c.x + s.x, c.y + s.y};
+}
+constexpr Step operator+(Step a, Step b) {
+    return {a.x + b.x, a.y + b.y};
+}
+
+// > 0: b points to the right of a on a screen (y down).
+constexpr std::int64_t cross(Step a, Step b) {
+    return std::int64_t(a.x) * b.y - std::int64_t(a.y) * b.x;
+}
+constexpr int sign(std::int64_t value) {
+    return (value > 0) - (value < 0);
+}
+
+inline double length(Step s) {
+    return std::sqrt(double(s.x) * s.x + double(s.y) * s.y);
+}
+
+constexpr Vertex centre(Cell c) {
+    return {2 * c.x, 2 * c.y};
+}
+constexpr int reach_of(Body body) {
+    return body == Body::square ? 2 : 1;
+}
+
+constexpr std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
+    return a / b - (a % b < 0);
+}
+
+// A corner of an obstacle that a path can bend around: the obstacle fills the quadrant that `quadrant` (signs of x and
+// y) points to. The direction in which it leaves a path that arrives along `arriving` and slides around the corner as
+// far as it can; (0, 0) if the path does not touch the corner in passing.
+constexpr Step sliding(Step arriving, Step quadrant) {
+    const int x = sign(arriving.x) * quadrant.x;
+    const int y = sign(arriving.y) * quadrant.y;
+    if (x >= 0 && y < 0) return {quadrant.x, 0};
+    if (y >= 0 && x < 0) return {0, quadrant.y};
+    return {0, 0};
+}
+
+inline constexpr std::array<Step, 4> quadrants{Step{1, 1}, Step{-1, 1}, Step{-1, -1}, Step{1, -1}};
+
+}  // namespace waybreaker

@@ -1,0 +1,69 @@
+// Outline: the boundary of an obstacle, followed from corner to corner.
+#pragma once
+
+#include "crossing/lattice.hpp"
+#include "waybreaker/map.hpp"
+
+namespace waybreaker {
+
+// A side of a cell of the obstacle on its boundary, and the way one goes along it.
+struct Side {
+    Cell cell;
+    Step outward;
+    Step along;
+    friend constexpr bool operator==(const Side&, const Side&) = default;
+};
+
+class Outline {
+  public:
+    Outline(const Map& map, Body body, std::uint32_t obstacle)
+        : map_(&map), obstacle_(obstacle), reach_(reach_of(body)) {}
+
+    // Bits first: they are few enough to stay near the processor.
+    bool owns(Cell c) const {
+        return map_->grid().blocked(c) && map_->grid().contains(c) && map_->obstacle_at(c).value == obstacle_;
+    }
+
+    // What comes at the end of a side. For a square, cells that touch at a corner leave no gap.
+    enum class Turn { away, straight, back };  // `away`: a convex corner; `back`: a concave one
+    Turn turn(const Side& side) const {
+        const bool ahead = owns_beside(side.cell + side.along);
+        if (!ahead && reach_ == 1) return Turn::away;
+        const bool beside =
+            ahead ? owns_beside(side.cell + side.along + side.outward) : owns(side.cell + side.along + side.outward);
+        if (beside && (ahead || reach_ == 2)) return Turn::back;
+        return ahead ? Turn::straight : Turn::away;
+    }
+
+    // Where the boundary of the grown obstacle bends (or goes on, if straight) at the end of a side.
+    Vertex bend(const Side& side, Turn turn) const {
+        const int ahead = turn == Turn::back ? 2 - reach_ : reach_;
+        return {2 * side.cell.x + reach_ * side.outward.x + ahead * side.along.x,
+                2 * side.cell.y + reach_ * side.outward.y + ahead * side.along.y};
+    }
+
+    Side next(const Side& side, Turn turn) const {
+        switch (turn) {
+            case Turn::back:
+                return {side.cell + side.along + side.outward, -side.along, side.outward};
+            case Turn::straight:
+                return {side.cell + side.along, side.outward, side.along};
+            case Turn::away:
+                break;
+        }
+        return {side.cell, side.along, -side.outward};
+    }
+
+  private:
+    // Of a cell beside one of the obstacle's.
+    bool owns_beside(Cell c) const {
+        return map_->grid().blocked(c) && map_->grid().contains(c) &&
+               (!map_->obstacles_touch() || map_->obstacle_at(c).value == obstacle_);
+    }
+
+    const Map* map_;
+    std::uint32_t obstacle_;
+    int reach_;
+};
+
+}  // namespace waybreaker

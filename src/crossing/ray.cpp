@@ -1,0 +1,289 @@
+#include "crossing/ray.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace waybreaker {
+namespace {
+
+// floor((start + i * step) / divisor) for i = 0, 1, ...: additions only after the first.
+class Stairs {
+  public:
+    Stairs(std::int64_t start, std::int64_t step, std::int64_t divisor)
+        : value_(floor_divide(start, divisor)),
+          rest_(start - value_ * divisor),
+          step_(floor_divide(step, divisor)),
+          step_rest_(step - step_ * divisor),
+          divisor_(divisor) {}
+
+    std::int64_t value() const { return value_; }
+    void next() {
+        rest_ += step_rest_;
+        const bool carry = rest_ >= divisor_;
+        rest_ -= carry ? divisor_ : 0;
+        value_ += step_ + carry;
+    }
+
+  private:
+    std::int64_t value_;
+    std::int64_t rest_;
+    std::int64_t step_;
+    std::int64_t step_rest_;
+    std::int64_t divisor_;
+};
+
+}  // namespace
+
+void Ray::Free::operator()(void* memory) const {
+    std::free(memory);
+}
+
+void Ray::start_query(const Map& map, Body body, std::span<const ObstacleId> protect, std::span<const double> weights) {
+    map_ = &map;
+    touching_ = map.obstacles_touch();
+    reach_ = reach_of(body);
+    weights_ = weights;
+    const std::size_t count = map.obstacles().size() + 1;
+    // Fresh pages are zero and cost nothing until used: a big map costs no more than what the rays see of it.
+    if (count > mark_count_ || query_ > UINT32_MAX / 2 || opening_ > UINT32_MAX / 2 || ray_ > UINT32_MAX / 2) {
+        marks_.reset(static_cast<Mark*>(std::calloc(count, sizeof(Mark))));
+        if (!marks_) throw std::bad_alloc();
+        mark_count_ = count;
+        query_ = opening_ = ray_ = 0;
+    }
+    ++query_;
+    for (const ObstacleId id : protect) marks_[id.value].protect = query_;
+}
+
+void Ray::set_open(std::span<const std::uint32_t> obstacles) {
+    ++opening_;
+    for (const std::uint32_t obstacle : obstacles) marks_[obstacle].open = opening_;
+}
+
+void Ray::start(int crossings, double weight) {
+    ++ray_;
+    hits_.clear();
+    squeezes_.clear();
+    leg_ = 0;
+    crossings_left_ = crossings;
+    weight_left_ = weight;
+    stopped_ = false;
+    stopped_at_ = std::numeric_limits<double>::infinity();
+}
+
+bool Ray::walk(Vertex from, Vertex to) {
+    ++leg_;
+    const int dx = to.x - from.x;
+    const int dy = to.y - from.y;
+    const Frame frame = std::abs(dx) >= std::abs(dy) ? Frame{&map_->grid(), false, from.x, from.y, dx, dy}
+                                                     : Frame{&map_->transposed(), true, from.y, from.x, dy, dx};
+    const bool along_edge = frame.dy == 0 && reach_ == 1 && frame.y % 2 != 0;
+    if (along_edge) {
+        walk_edge(frame);
+    } else {
+        walk_line(frame);
+    }
+    return !stopped_;
+}
+
+// The segment enters the open box around cell (c, row) iff it does so while |y - 2 row| < reach, and in that part of it
+// x comes nearer than reach to 2c: one interval of c for each row.
+void Ray::walk_line(const Frame& f) {
+    const int down = f.dy < 0 ? -1 : 1;
+    const std::int64_t y = std::int64_t(down) * f.y;  // rows are counted in the direction of travel
+    const std::int64_t dy = std::int64_t(down) * f.dy;
+    const std::int64_t low_x = std::min(f.x, f.x + f.dx);
+    const std::int64_t high_x = std::max(f.x, f.x + f.dx);
+    const std::int64_t first = floor_divide(low_x - reach_, 2) + 1;
+    const std::int64_t last = floor_divide(high_x + reach_ - 1, 2);
+    const std::int64_t first_row = floor_divide(y - reach_, 2) + 1;
+    const std::int64_t last_row = floor_divide(y + dy + reach_ - 1, 2);
+    if (dy == 0) {
+        visit_run(f, int(first_row), first, last);
+        return;
+    }
+    // Where the segment crosses the row's near and far border.
+    const std::int64_t near_y = 2 * first_row - reach_ - y;
+    const std::int64_t far_y = 2 * first_row + reach_ - y;
+    const std::int64_t low_y = f.dx > 0 ? near_y : far_y;
+    const std::int64_t high_y = f.dx > 0 ? far_y : near_y;
+    Stairs low((f.x - reach_) * dy + low_y * f.dx, 2 * std::int64_t(f.dx), 2 * dy);
+    Stairs high((f.x + reach_) * dy + high_y * f.dx - 1, 2 * std::int64_t(f.dx), 2 * dy);
+    for (std::int64_t row = first_row; row <= last_row; ++row, low.next(), high.next()) {
+        const bool stopped_before = stopped_;
+        visit_run(f, int(down * row), std::max(first, low.value() + 1), std::min(last, high.value()));
+        // Boxes of the next row can begin before the end of this row's: one row more settles what was entered first.
+        if (stopped_ && (stopped_before || reach_ == 1)) return;
+    }
+}
+
+// The blocked cells among first..last of a row, in the direction of travel; of cells that are known to belong together
+// the first alone.
+void Ray::visit_run(const Frame& f, int row, std::int64_t first, std::int64_t last) {
+    if (first > f.grid->width() || last < -1 || row < -1 || row > f.grid->height()) return;  // behind the map's edge
+    const bool leaves = first < 0 || last >= f.grid->width();
+    first = std::max<std::int64_t>(first, 0);
+    last = std::min<std::int64_t>(last, f.grid->width() - 1);
+    if (first <= last) {
+        if (f.dx >= 0) {
+            visit_rightwards(f, row, std::size_t(first + 1), std::size_t(last + 1));
+        } else {
+            visit_leftwards(f, row, std::size_t(first + 1), std::size_t(last + 1));
+        }
+    }
+    if (leaves) visit_cell(f, f.dx >= 0 ? f.grid->width() : -1, row);
+}
+
+void Ray::visit_rightwards(const Frame& f, int row, std::size_t from, std::size_t to) {
+    const std::uint64_t* words = f.grid->row(row);
+    const bool was_stopped = stopped_;
+    for (std::size_t word = from / 64; word <= to / 64; ++word) {
+        std::uint64_t bits = words[word];
+        if (word == from / 64) bits &= ~std::uint64_t{0} << (from % 64);
+        if (word == to / 64) bits &= ~std::uint64_t{0} >> (63 - to % 64);
+        while (bits != 0) {
+            visit_cell(f, int(word * 64) + std::countr_zero(bits) - 1, row);
+            if (stopped_ && !was_stopped) return;
+            bits &= touching_ ? bits - 1 : bits + (bits & (~bits + 1));  // without the lowest bit, or the lowest run
+        }
+    }
+}
+
+void Ray::visit_leftwards(const Frame& f, int row, std::size_t from, std::size_t to) {
+    const std::uint64_t* words = f.grid->row(row);
+    const bool was_stopped = stopped_;
+    for (std::size_t word = to / 64 + 1; word-- > from / 64;) {
+        std::uint64_t bits = words[word];
+        if (word == from / 64) bits &= ~std::uint64_t{0} << (from % 64);
+        if (word == to / 64) bits &= ~std::uint64_t{0} >> (63 - to % 64);
+        while (bits != 0) {
+            const int highest = 63 - std::countl_zero(bits);
+            visit_cell(f, int(word * 64) + highest - 1, row);
+            if (stopped_ && !was_stopped) return;
+            const int run = touching_ ? 1 : std::countl_one(bits << (63 - highest));
+            bits &= run > highest ? 0 : ~std::uint64_t{0} >> (63 - highest + run);
+        }
+    }
+}
+
+bool Ray::outside(const Frame& f, int x, int row) const {
+    return x < 0 || row < 0 || x >= f.grid->width() || row >= f.grid->height();
+}
+
+std::uint32_t Ray::label(const Frame& f, int x, int row) const {
+    return map_->obstacle_at(f.steep ? Cell{row, x} : Cell{x, row}).value;
+}
+
+// Doubles settle which box comes first: the shares of two boxes are equal or differ by more than their rounding.
+Hit Ray::entry(const Frame& f, int x, int row) const {
+    const double along = f.dx == 0 ? -1 : double(2 * x - sign(f.dx) * reach_ - f.x) / f.dx;
+    const double across = f.dy == 0 ? -1 : double(2 * row - sign(f.dy) * reach_ - f.y) / f.dy;
+    const Step side = along >= across ? Step{-sign(f.dx), 0} : Step{0, -sign(f.dy)};
+    return {.obstacle = outside(f, x, row) ? 0 : label(f, x, row),
+            .cell = f.steep ? Cell{row, x} : Cell{x, row},
+            .side = f.steep ? Step{side.y, side.x} : side,
+            .leg = leg_,
+            .row = row,
+            .at = std::max(along, across)};
+}
+
+void Ray::visit_cell(const Frame& f, int x, int row) {
+    if (outside(f, x, row)) {
+        stop(entry(f, x, row).at);
+        return;
+    }
+    const Mark& mark = marks_[label(f, x, row)];
+    if (mark.open == opening_) return;
+    // Boxes of the row behind the first can begin earlier; those of later rows cannot.
+    const bool known = mark.ray == ray_ && std::abs(row - hits_[mark.hit].row) != 1;
+    if (!known || !hits_[mark.hit].surely) meet(entry(f, x, row));
+}
+
+void Ray::meet(const Hit& hit) {
+    Mark& mark = marks_[hit.obstacle];
+    if (mark.ray == ray_) {
+        Hit& known = hits_[mark.hit];
+        const bool surely = known.surely || hit.surely;
+        if (hit.leg == known.leg && hit.at < known.at) known = hit;
+        known.surely = surely;
+        return;
+    }
+    if (stopped_ && hit.at >= stopped_at_) return;
+    mark.ray = ray_;
+    mark.hit = std::uint32_t(hits_.size());
+    hits_.push_back(hit);
+    if (stopped_) return;
+    --crossings_left_;
+    weight_left_ -= weight(hit.obstacle);
+    if (crossings_left_ < 0 || weight_left_ < 0 || solid(hit.obstacle)) {
+        stop(hit.at);
+    }
+}
+
+void Ray::stop(double at) {
+    stopped_at_ = stopped_ ? std::min(stopped_at_, at) : at;
+    stopped_ = true;
+}
+
+bool Ray::solid(std::uint32_t obstacle) const {
+    return marks_[obstacle].protect == query_ || !map_->obstacle(ObstacleId{obstacle}).destructible;
+}
+
+// A point that slides along cell edges crosses what fills both sides.
+void Ray::walk_edge(const Frame& f) {
+    const int upper = int(floor_divide(f.y, 2));
+    const std::int64_t first = floor_divide(std::min(f.x, f.x + f.dx) - 1, 2) + 1;
+    const std::int64_t last = floor_divide(std::max(f.x, f.x + f.dx), 2);
+    const int step = sign(f.dx);
+    const std::uint64_t* above = f.grid->row(upper);
+    const std::uint64_t* below = f.grid->row(upper + 1);
+    const std::int64_t from = std::clamp<std::int64_t>(step > 0 ? first : last, -1, f.grid->width());
+    const std::int64_t to = std::clamp<std::int64_t>(step > 0 ? last : first, -1, f.grid->width());
+    for (std::int64_t x = from; !stopped_ && (to - x) * step >= 0; x += step) {
+        const auto bit = std::size_t(x + 1);
+        if (((above[bit / 64] & below[bit / 64]) >> (bit % 64)) & 1U) visit_pair(f, int(x), upper);
+    }
+}
+
+// A cell beside the edge is met where it faces the ray. Where the obstacle lies along the ray already, the front that
+// stops the ray goes on there, back towards where the ray came from.
+Hit Ray::edge_entry(const Frame& f, int x, int row, int across) const {
+    Hit hit = entry(f, x, row);
+    const int back = x - sign(f.dx);
+    const bool along = !outside(f, back, row) && label(f, back, row) == hit.obstacle;
+    const Step side = along ? Step{0, across - row} : Step{-sign(f.dx), 0};
+    hit.side = f.steep ? Step{side.y, side.x} : side;
+    return hit;
+}
+
+void Ray::visit_pair(const Frame& f, int x, int upper) {
+    const bool no_upper = outside(f, x, upper);
+    const bool no_lower = outside(f, x, upper + 1);
+    if (no_upper && no_lower) {
+        stopped_ = true;
+        return;
+    }
+    Hit one = edge_entry(f, x, no_upper ? upper + 1 : upper, no_upper ? upper : upper + 1);
+    Hit other = edge_entry(f, x, no_lower ? upper : upper + 1, no_lower ? upper + 1 : upper);
+    if (open(one.obstacle) || open(other.obstacle)) return;
+    if (one.obstacle == other.obstacle) {
+        meet((f.steep ? one.side.y : one.side.x) != 0 ? one : other);
+        return;
+    }
+    squeezes_.push_back({one.obstacle, other.obstacle});
+    one.surely = other.surely = false;
+    const bool counted = met(one.obstacle) || met(other.obstacle);
+    const int crossings = crossings_left_ - (counted ? 0 : 1);
+    const double weight_left = weight_left_ - (counted ? 0 : std::min(weight(one.obstacle), weight(other.obstacle)));
+    meet(one);
+    meet(other);
+    crossings_left_ = crossings;
+    weight_left_ = weight_left;
+    stopped_ = crossings_left_ < 0 || weight_left_ < 0 || (solid(one.obstacle) && solid(other.obstacle));
+}
+
+}  // namespace waybreaker

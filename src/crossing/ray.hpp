@@ -1,0 +1,107 @@
+// Ray: which obstacles a straight move meets, in integers, a word of cells at a time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "crossing/lattice.hpp"
+#include "waybreaker/map.hpp"
+
+namespace waybreaker {
+
+// Where a ray first enters an obstacle: through which side of which of its cells.
+struct Hit {
+    std::uint32_t obstacle = 0;
+    Cell cell;
+    Step side;           // from the cell outwards
+    int leg = 0;         // in which walk() since start()
+    int row = 0;         // of the cell, across that walk
+    double at = 0;       // share of that walk
+    bool surely = true;  // false: only as one of a Squeeze
+};
+
+// Two different obstacles on both sides of an edge that a point slides along: one of them must go.
+struct Squeeze {
+    std::uint32_t one = 0;
+    std::uint32_t other = 0;
+};
+
+class Ray {
+  public:
+    // The obstacles of a new query: those of `protect` and the indestructible ones are never passed.
+    void start_query(const Map& map, Body body, std::span<const ObstacleId> protect, std::span<const double> weights);
+
+    // Obstacles that the next rays pass as if they were gone.
+    void set_open(std::span<const std::uint32_t> obstacles);
+
+    // A new ray: it passes at most so many further obstacles, of at most that weight together.
+    void start(int crossings, double weight);
+
+    // Goes on along the segment. False when it was stopped: by an obstacle that cannot be passed any more, or by the
+    // edge of the map. What it met before is in hits(). Squeezes count as the cheaper of their obstacles, so a ray can
+    // get farther than a path does.
+    bool walk(Vertex from, Vertex to);
+
+    // The obstacles met since start(), each once; when stopped also those that stop it. Their order means nothing.
+    std::span<const Hit> hits() const { return hits_; }
+    std::span<const Squeeze> squeezes() const { return squeezes_; }
+
+    bool met(std::uint32_t obstacle) const { return marks_[obstacle].ray == ray_; }
+    bool open(std::uint32_t obstacle) const { return marks_[obstacle].open == opening_; }
+    // Never passed.
+    bool solid(std::uint32_t obstacle) const;
+    double weight(std::uint32_t obstacle) const { return weights_.empty() ? 0 : weights_[obstacle]; }
+
+  private:
+    struct Mark {
+        std::uint32_t open = 0;     // the set_open() that named it
+        std::uint32_t ray = 0;      // the ray that met it
+        std::uint32_t hit = 0;      // its index in hits_, if so
+        std::uint32_t protect = 0;  // the query that protects it
+    };
+    struct Free {
+        void operator()(void* memory) const;
+    };
+    // A segment with x along its longer axis.
+    struct Frame {
+        const Grid* grid;
+        bool steep;
+        int x, y, dx, dy;
+    };
+
+    void walk_line(const Frame& frame);
+    void walk_edge(const Frame& frame);
+    void visit_run(const Frame& frame, int row, std::int64_t first, std::int64_t last);
+    void visit_rightwards(const Frame& frame, int row, std::size_t from, std::size_t to);
+    void visit_leftwards(const Frame& frame, int row, std::size_t from, std::size_t to);
+    void visit_cell(const Frame& frame, int x, int row);
+    void visit_pair(const Frame& frame, int x, int upper);
+    void meet(const Hit& hit);
+    void stop(double at);
+    bool outside(const Frame& frame, int x, int row) const;
+    std::uint32_t label(const Frame& frame, int x, int row) const;
+    Hit entry(const Frame& frame, int x, int row) const;
+    Hit edge_entry(const Frame& frame, int x, int row, int across) const;
+
+    const Map* map_ = nullptr;
+    int reach_ = 2;
+    bool touching_ = false;
+    std::span<const double> weights_;
+    std::unique_ptr<Mark[], Free> marks_;
+    std::size_t mark_count_ = 0;
+    std::uint32_t query_ = 0;
+    std::uint32_t opening_ = 0;
+    std::uint32_t ray_ = 0;
+
+    std::vector<Hit> hits_;
+    std::vector<Squeeze> squeezes_;
+    int leg_ = 0;
+    int crossings_left_ = 0;
+    double weight_left_ = 0;
+    bool stopped_ = false;
+    double stopped_at_ = 0;  // the share at which it was stopped
+};
+
+}  // namespace waybreaker
