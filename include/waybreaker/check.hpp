@@ -60,7 +60,7 @@ enum class Rule {
     makespan,
     flowtime,
     before,  // the figures without removal fit together
-    bound,   // not above what the plan reaches
+    bound,   // not above what the plan reaches, nor what is reached without removals
     gap,
 };
 
@@ -76,9 +76,10 @@ struct Violation {
     std::optional<double> time = {};
 };
 
-// Everything that is wrong with the plan, in order of time, what has no time last; nothing if it is valid. Whether
-// there is a better plan, or a plan at all, is not asked. Throws InputError if the rules are out of range. Time
-// O(length of the ground path * radius) plus O(obstacles); any plan can be judged, however broken.
+// Everything that is wrong with the plan (after some thousand violations a path is not followed any further), in order
+// of time, what has no time last; nothing if it is valid. Whether there is a better plan, or a plan at all, is not
+// asked. Throws InputError if the rules are out of range. Time O(length of the ground path * radius) plus O(obstacles);
+// any plan can be judged, however broken.
 std::vector<Violation> check(const Map& map, const Plan& plan, const CheckRules& rules = {});
 
 }  // namespace waybreaker

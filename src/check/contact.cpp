@@ -51,19 +51,19 @@ bool disc_meets_square(Vertex a, Vertex b, std::int64_t radius) {
     if (segment_meets_square(a, b, true)) return true;
     constexpr Wide million = 1'000'000;
     const Wide limit = 4 * Wide(radius) * radius;  // squared, in half cells, times a million
-    for (const Vertex end : {a, b}) {
+    const auto end_is_near = [&](Vertex end) {
         const std::int64_t x = std::max<std::int64_t>(std::abs(end.x) - 1, 0);
         const std::int64_t y = std::max<std::int64_t>(std::abs(end.y) - 1, 0);
-        if (million * (x * x + y * y) < limit) return true;
-    }
+        return million * (x * x + y * y) < limit;
+    };
     const Vertex way = b - a;
-    for (const Vertex corner : square) {
+    const auto corner_is_near = [&](Vertex corner) {
         const std::int64_t along = dot(corner - a, way);
-        if (along <= 0 || along >= dot(way, way)) continue;  // an end is nearer
+        if (along <= 0 || along >= dot(way, way)) return false;  // an end is nearer
         const Wide aside = cross(way, corner - a);
-        if (million * aside * aside < limit * dot(way, way)) return true;
-    }
-    return false;
+        return million * aside * aside < limit * dot(way, way);
+    };
+    return end_is_near(a) || end_is_near(b) || std::any_of(square.begin(), square.end(), corner_is_near);
 }
 
 bool meets(const Leg& leg, Cell cell, std::int64_t radius) {
@@ -139,59 +139,53 @@ Point Leg::place(double share) const {
     return {(double(from.x) + share * double(to.x - from.x)) / 2, (double(from.y) + share * double(to.y - from.y)) / 2};
 }
 
-std::vector<Contact> contacts(const Map& map, std::span<const Leg> legs, std::int64_t radius) {
+std::vector<Contact> contacts(const Map& map, const Leg& leg, std::int64_t radius) {
+    std::map<ObstacleId, double> first;
+    for_each_blocked_cell_near(map, leg, double(radius) / 1000 + 1, [&](Cell cell, ObstacleId obstacle) {
+        if (!meets(leg, cell, radius)) return;
+        const double share = first_share(leg, cell, radius);
+        const auto [known, is_new] = first.emplace(obstacle, share);
+        if (!is_new) known->second = std::min(known->second, share);
+    });
     std::vector<Contact> found;
-    for (const Leg& leg : legs) {
-        std::map<ObstacleId, double> first;
-        for_each_blocked_cell_near(map, leg, double(radius) / 1000 + 1, [&](Cell cell, ObstacleId obstacle) {
-            if (!meets(leg, cell, radius)) return;
-            const double share = first_share(leg, cell, radius);
-            const auto [known, is_new] = first.emplace(obstacle, share);
-            if (!is_new) known->second = std::min(known->second, share);
-        });
-        for (const auto& [obstacle, share] : first) found.push_back({obstacle, leg.time(share), leg.place(share)});
+    for (const auto& [obstacle, share] : first) found.push_back({obstacle, leg.time(share), leg.place(share)});
+    return found;
+}
+
+std::vector<Passage> side_passages(const Map& map, const Leg& leg) {
+    const bool upright = leg.from.x == leg.to.x;
+    const bool level = leg.from.y == leg.to.y;
+    const std::int64_t line = upright ? leg.from.x : leg.from.y;
+    if (upright == level || line % 2 == 0) return {};  // a wait, or not between rows or columns of cells
+    const std::int64_t from = upright ? leg.from.y : leg.from.x;
+    const std::int64_t to = upright ? leg.to.y : leg.to.x;
+    const std::int64_t step = to > from ? 2 : -2;
+    const int before = int((line - 1) / 2);
+    std::vector<Passage> found;
+    for (std::int64_t at = from; at != to; at += step) {
+        const int along = int((at + step / 2) / 2);
+        const auto cell = [&](int beside) { return upright ? Cell{beside, along} : Cell{along, beside}; };
+        const std::optional<ObstacleId> first = blocker(map, cell(before));
+        const std::optional<ObstacleId> second = blocker(map, cell(before + 1));
+        const double share = double(at - from) / double(to - from);
+        if (first && second) found.push_back({*first, *second, leg.time(share), leg.place(share)});
     }
     return found;
 }
 
-std::vector<Passage> side_passages(const Map& map, std::span<const Leg> legs) {
+std::vector<Passage> corner_passages(const Map& map, const Leg& leg) {
+    const Vertex way = leg.to - leg.from;
     std::vector<Passage> found;
-    for (const Leg& leg : legs) {
-        const bool upright = leg.from.x == leg.to.x;
-        const bool level = leg.from.y == leg.to.y;
-        const std::int64_t line = upright ? leg.from.x : leg.from.y;
-        if (upright == level || line % 2 == 0) continue;  // a wait, or not between rows or columns of cells
-        const std::int64_t from = upright ? leg.from.y : leg.from.x;
-        const std::int64_t to = upright ? leg.to.y : leg.to.x;
-        const std::int64_t step = to > from ? 2 : -2;
-        for (std::int64_t at = from; at != to; at += step) {
-            const int along = int((at + step / 2) / 2);
-            const int before = int((line - 1) / 2);
-            const auto cell = [&](int beside) { return upright ? Cell{beside, along} : Cell{along, beside}; };
-            const std::optional<ObstacleId> first = blocker(map, cell(before));
-            const std::optional<ObstacleId> second = blocker(map, cell(before + 1));
-            const double share = double(at - from) / double(to - from);
-            if (first && second) found.push_back({*first, *second, leg.time(share), leg.place(share)});
+    for_each_blocked_cell_near(map, leg, 1, [&](Cell cell, ObstacleId obstacle) {
+        for (const int down : {-1, 1}) {  // its two corners to the right; the other cell cares for the left ones
+            const Vertex corner = Vertex{2 * cell.x + 1, 2 * cell.y + down} - leg.from;
+            const std::int64_t along = dot(corner, way);
+            if (cross(corner, way) != 0 || along <= 0 || along >= dot(way, way)) continue;
+            const std::optional<ObstacleId> other = blocker(map, {cell.x + 1, cell.y + down});
+            const double share = double(along) / double(dot(way, way));
+            if (other) found.push_back({obstacle, *other, leg.time(share), leg.place(share)});
         }
-    }
-    return found;
-}
-
-std::vector<Passage> corner_passages(const Map& map, std::span<const Leg> legs) {
-    std::vector<Passage> found;
-    for (const Leg& leg : legs) {
-        const Vertex way = leg.to - leg.from;
-        for_each_blocked_cell_near(map, leg, 1, [&](Cell cell, ObstacleId obstacle) {
-            for (const int down : {-1, 1}) {  // its two corners to the right; the other cell cares for the left ones
-                const Vertex corner = Vertex{2 * cell.x + 1, 2 * cell.y + down} - leg.from;
-                const std::int64_t along = dot(corner, way);
-                if (cross(corner, way) != 0 || along <= 0 || along >= dot(way, way)) continue;
-                const std::optional<ObstacleId> other = blocker(map, {cell.x + 1, cell.y + down});
-                const double share = double(along) / double(dot(way, way));
-                if (other) found.push_back({obstacle, *other, leg.time(share), leg.place(share)});
-            }
-        });
-    }
+    });
     return found;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "waybreaker/map.hpp"
@@ -31,13 +30,13 @@ struct Leg {
 // The agent meets a cell: its open disc the closed square, or, if it is a point, the point the open square.
 struct Contact {
     ObstacleId obstacle;
-    double time = 0;  // the first on that leg
+    double time = 0;
     Point place;
 };
 
-// For each leg, in their order, the first contact with each obstacle met. `radius` counts thousandths of a cell; 0 is a
-// point. Legs stay on the map.
-std::vector<Contact> contacts(const Map& map, std::span<const Leg> legs, std::int64_t radius);
+// The first contact on that leg with each obstacle met, by id. `radius` counts thousandths of a cell; 0 is a point.
+// Precondition, here and below: the leg lies on the map.
+std::vector<Contact> contacts(const Map& map, const Leg& leg, std::int64_t radius);
 
 // A point passes between two blocked cells. Obstacle 0 is the outside of the map.
 struct Passage {
@@ -48,9 +47,9 @@ struct Passage {
 };
 
 // Along the side that two cells share, or that a cell shares with the outside.
-std::vector<Passage> side_passages(const Map& map, std::span<const Leg> legs);
+std::vector<Passage> side_passages(const Map& map, const Leg& leg);
 
 // Through a corner where two blocked cells meet diagonally.
-std::vector<Passage> corner_passages(const Map& map, std::span<const Leg> legs);
+std::vector<Passage> corner_passages(const Map& map, const Leg& leg);
 
 }  // namespace waybreaker::checker

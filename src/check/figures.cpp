@@ -51,16 +51,16 @@ class FiguresJudge {
         }
         if (!ground || !air) return;
         const auto straight = [](const AgentPlan& agent) {
-            return std::hypot(agent.goal.x - agent.start.x, agent.goal.y - agent.start.y);
+            return std::hypot(double(agent.goal.x) - agent.start.x, double(agent.goal.y) - agent.start.y);
         };
         expect(Rule::before, "before removal the air agent's length", before.air.length, straight(*air));
-        if (!before.ground.length) return;
-        const double length = *before.ground.length;
-        if (length < straight(*ground) - slack(rules_, length)) {
-            report(Rule::before, "before removal the ground path, " + text(length) +
+        const std::optional<double> length = before.ground.length;
+        if (!length) return;
+        if (*length < straight(*ground) - slack(rules_, *length)) {
+            report(Rule::before, "before removal the ground path, " + text(*length) +
                                      " long, is shorter than the straight line, " + text(straight(*ground)));
         }
-        const double drive = length / ground->speed;
+        const double drive = *length / ground->speed;
         const double flight = straight(*air) / air->speed;
         expect(Rule::before, "before removal the makespan", before.makespan, std::max(drive, flight));
         expect(Rule::before, "before removal the flowtime", before.flowtime, drive + flight);
@@ -85,18 +85,23 @@ class FiguresJudge {
     }
 
     void judge_bound() {
-        const bool makespan = rules_.objective == Objective::makespan;
-        const std::optional<double> reached = makespan ? plan_.after.makespan : plan_.after.flowtime;
-        if (plan_.bound && reached && !(*plan_.bound <= *reached + slack(rules_, *reached))) {
-            report(Rule::bound,
-                   "the bound, " + text(*plan_.bound) + ", is above what the plan reaches, " + text(*reached));
-        }
+        const auto objective = [&](const Outcome& outcome) {
+            return rules_.objective == Objective::makespan ? outcome.makespan : outcome.flowtime;
+        };
+        const std::optional<double> reached = objective(plan_.after);
+        judge_bound_below(reached, "what the plan reaches");
+        judge_bound_below(objective(plan_.before), "what is reached without removals");
         if (!rules_.gap) return;
         if (!plan_.bound || !reached) {
             report(Rule::gap, "a gap is stated without a bound or a plan");
         } else {
             expect(Rule::gap, "the gap", rules_.gap, *plan_.bound > 0 ? *reached / *plan_.bound - 1 : 0);
         }
+    }
+
+    void judge_bound_below(std::optional<double> reached, const std::string& what) {
+        if (!plan_.bound || !reached || *plan_.bound <= *reached + slack(rules_, *reached)) return;
+        report(Rule::bound, "the bound, " + text(*plan_.bound) + ", is above " + what + ", " + text(*reached));
     }
 
     const Plan& plan_;

@@ -51,15 +51,11 @@ class GroundJudge {
 
     Violations judge() {
         if (!read_legs()) return std::move(found_);
-        const std::vector<Contact> met = contacts(map_, legs_, body_.radius);
-        for (const Contact& contact : met) judge_contact(contact);
-        if (body_.radius == 0) {
-            for (const Passage& passage : side_passages(map_, legs_)) judge_passage(passage);
+        for (const Leg& leg : legs_) {
+            judge_leg(leg);
+            if (found_.size() > enough_violations) return std::move(found_);
         }
-        if (!body_.slips) {
-            for (const Passage& passage : corner_passages(map_, legs_)) judge_passage(passage);
-        }
-        judge_entries(met);
+        judge_entries();
         return std::move(found_);
     }
 
@@ -73,16 +69,8 @@ class GroundJudge {
         const std::vector<Waypoint>& path = ground_.path;
         std::vector<Vertex> vertices;
         for (const Waypoint& point : path) {
-            const Point place{point.x, point.y};
-            const std::optional<Vertex> v = vertex(point, map_, body_);
-            if (!v) {
-                const std::string of = body_.bends_at_corners ? "centre or corner" : "centre";
-                report(Rule::vertex, "bends at " + text(place) + ", which is no cell " + of + " of the map", place,
-                       point.t);
-                continue;
-            }
-            if (!keeps_inside(*v, map_, body_)) report(Rule::collision, "reaches beyond the map", place, point.t);
-            vertices.push_back(*v);
+            if (found_.size() > enough_violations) return false;
+            if (const std::optional<Vertex> v = read_vertex(point)) vertices.push_back(*v);
         }
         if (vertices.size() < path.size()) return false;
         // Who does not move at all stands there.
@@ -93,10 +81,37 @@ class GroundJudge {
         return true;
     }
 
+    std::optional<Vertex> read_vertex(const Waypoint& point) {
+        const Point place{point.x, point.y};
+        const std::optional<Vertex> v = vertex(point, map_, body_);
+        if (!v) {
+            const std::string of = body_.bends_at_corners ? "centre or corner" : "centre";
+            report(Rule::vertex, "bends at " + text(place) + ", which is no cell " + of + " of the map", place,
+                   point.t);
+        } else if (!keeps_inside(*v, map_, body_)) {
+            report(Rule::collision, "reaches beyond the map", place, point.t);
+        }
+        return v;
+    }
+
     bool stands(double until, double time) const { return time + slack(rules_, time) < until; }
 
-    std::string how_long(double until) const {
+    static std::string how_long(double until) {
         return std::isfinite(until) ? "stands until " + text(until) : "is not removed";
+    }
+
+    void judge_leg(const Leg& leg) {
+        for (const Contact& contact : contacts(map_, leg, body_.radius)) {
+            judge_contact(contact);
+            const auto [known, is_new] = entries_.emplace(contact.obstacle, contact);
+            if (!is_new && contact.time < known->second.time) known->second = contact;
+        }
+        if (body_.radius == 0) {
+            for (const Passage& passage : side_passages(map_, leg)) judge_passage(passage);
+        }
+        if (!body_.slips) {
+            for (const Passage& passage : corner_passages(map_, leg)) judge_passage(passage);
+        }
     }
 
     void judge_contact(const Contact& contact) {
@@ -116,16 +131,11 @@ class GroundJudge {
                obstacle);
     }
 
-    void judge_entries(const std::vector<Contact>& met) {
-        std::map<ObstacleId, Contact> first;
-        for (const Contact& contact : met) {
-            const auto [known, is_new] = first.emplace(contact.obstacle, contact);
-            if (!is_new && contact.time < known->second.time) known->second = contact;
-        }
+    void judge_entries() {
         for (const Removal& removal : plan_.removed) {
             if (!names_obstacle(map_, removal)) continue;
-            const auto entry = first.find(removal.obstacle);
-            const bool never = entry == first.end();
+            const auto entry = entries_.find(removal.obstacle);
+            const bool never = entry == entries_.end();
             if (never && !removal.entered_at) continue;
             if (!never && removal.entered_at && agree(rules_, entry->second.time, *removal.entered_at)) continue;
             const std::string stated = removal.entered_at ? text(*removal.entered_at) : "never";
@@ -147,6 +157,7 @@ class GroundJudge {
     const Body body_;
     const std::vector<double> standing_;
     std::vector<Leg> legs_;
+    std::map<ObstacleId, Contact> entries_;  // the first contact with each obstacle met
     Violations found_;
 };
 

@@ -13,6 +13,9 @@ namespace waybreaker::checker {
 
 using Violations = std::vector<Violation>;
 
+// A path that breaks more is not followed to its end.
+inline constexpr std::size_t enough_violations = 1000;
+
 inline void append(Violations& all, Violations more) {
     std::move(more.begin(), more.end(), std::back_inserter(all));
 }

@@ -24,7 +24,7 @@ bool on_boundary(const Map& map, Cell at, ObstacleId obstacle) {
 }
 
 // What is wrong with one removal, whatever the others are.
-Violations judge_removal(const Map& map, const Removal& removal, const CheckRules& rules) {
+Violations judge_removal(const Map& map, const Removal& removal, bool is_protected) {
     Violations found;
     const auto report = [&](Rule rule, const std::string& what) {
         found.push_back(
@@ -37,7 +37,7 @@ Violations judge_removal(const Map& map, const Removal& removal, const CheckRule
     }
     const Obstacle& obstacle = map.obstacle(removal.obstacle);
     if (!obstacle.destructible) report(Rule::obstacle, "cannot be destroyed");
-    if (std::count(rules.protect.begin(), rules.protect.end(), obstacle.id) > 0) report(Rule::obstacle, "is protected");
+    if (is_protected) report(Rule::obstacle, "is protected");
     if (removal.cells != obstacle.cells) {
         report(Rule::cells, "has " + std::to_string(obstacle.cells) + " cells, not " + std::to_string(removal.cells));
     }
@@ -60,16 +60,21 @@ bool is_near(const Waypoint& point, Cell at, double room) {
     return std::hypot(point.x - at.x, point.y - at.y) <= room;
 }
 
+// The first point of the path at or after a time.
+auto first_point_from(const AgentPlan& agent, double time) {
+    return std::partition_point(agent.path.begin(), agent.path.end(),
+                                [time](const Waypoint& point) { return point.t < time; });
+}
+
 // Whether the agent is at a cell at that time, give or take the tolerance.
 bool is_there(const AgentPlan& agent, Cell at, double time, const CheckRules& rules) {
     const double hair = slack(rules, time);
     const double allowed = room(agent, rules, time);
-    for (std::size_t i = 0; i < agent.path.size(); ++i) {
-        const Waypoint& a = agent.path[i];
-        const Waypoint& b = agent.path[std::min(i + 1, agent.path.size() - 1)];
-        if (time < a.t - hair || time > b.t + hair) continue;
-        const double share = b.t > a.t ? std::clamp((time - a.t) / (b.t - a.t), 0.0, 1.0) : 0;
-        if (is_near({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), time}, at, allowed)) return true;
+    for (auto b = first_point_from(agent, time - hair); b != agent.path.end(); ++b) {
+        const auto a = b == agent.path.begin() ? b : b - 1;
+        if (a->t > time + hair) break;
+        const double share = b->t > a->t ? std::clamp((time - a->t) / (b->t - a->t), 0.0, 1.0) : 1;
+        if (is_near({a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), time}, at, allowed)) return true;
     }
     return false;
 }
@@ -77,20 +82,23 @@ bool is_there(const AgentPlan& agent, Cell at, double time, const CheckRules& ru
 bool stays_there(const AgentPlan& agent, Cell at, double from, double to, const CheckRules& rules) {
     if (!is_there(agent, at, from, rules) || !is_there(agent, at, to, rules)) return false;
     const double hair = slack(rules, to);
-    return std::all_of(agent.path.begin(), agent.path.end(), [&](const Waypoint& point) {
-        return point.t <= from + hair || point.t >= to - hair || is_near(point, at, room(agent, rules, to));
-    });
+    for (auto point = first_point_from(agent, from + hair); point != agent.path.end(); ++point) {
+        if (point->t > to - hair) break;
+        if (!is_near(*point, at, room(agent, rules, to))) return false;
+    }
+    return true;
 }
 
 }  // namespace
 
 Violations judge_removals(const Map& map, const Plan& plan, const CheckRules& rules) {
     Violations found;
+    const std::set<ObstacleId> protect(rules.protect.begin(), rules.protect.end());
     std::set<ObstacleId> seen;
     double weight = 0;
     for (std::size_t i = 0; i < plan.removed.size(); ++i) {
         const Removal& removal = plan.removed[i];
-        append(found, judge_removal(map, removal, rules));
+        append(found, judge_removal(map, removal, protect.contains(removal.obstacle)));
         const auto report = [&](Rule rule, const std::string& what) {
             found.push_back({rule, what, "", removal.obstacle, removal.at, removal.cleared_at});
         };
@@ -117,6 +125,7 @@ Violations judge_breaches(const Map& map, const Plan& plan, const AgentPlan& air
     double free_from = 0;  // the breach before is over
     for (const Removal& removal : plan.removed) {
         if (!names_obstacle(map, removal)) continue;
+        if (found.size() > enough_violations) break;
         const double until = removal.cleared_at;
         const double from = until - rules.breach_time.of(map.obstacle(removal.obstacle));
         const auto report = [&](Rule rule, const std::string& what) {

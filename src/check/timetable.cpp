@@ -45,7 +45,7 @@ Violations judge_moves(const AgentPlan& agent, const CheckRules& rules) {
     const std::string who = "the " + agent.id + " agent ";
     Violations found;
     double due = agent.path.front().t;
-    for (std::size_t i = 1; i < agent.path.size(); ++i) {
+    for (std::size_t i = 1; i < agent.path.size() && found.size() < enough_violations; ++i) {
         const Waypoint& a = agent.path[i - 1];
         const Waypoint& b = agent.path[i];
         const double way = std::hypot(b.x - a.x, b.y - a.y);

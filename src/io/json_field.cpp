@@ -17,8 +17,8 @@ Json parse_json(std::string_view bytes, const std::string& file, int max_depth) 
     try {
         return Json::parse(bytes, not_too_deep);
     } catch (const Json::parse_error& error) {
-        const auto stop = bytes.begin() + std::ptrdiff_t(std::min(error.byte, bytes.size()));
-        throw InputError(file, std::size_t(1 + std::count(bytes.begin(), stop, '\n')), "this is not JSON");
+        const std::string_view read = bytes.substr(0, error.byte);
+        throw InputError(file, std::size_t(1 + std::count(read.begin(), read.end(), '\n')), "this is not JSON");
     } catch (const Json::exception&) {
         throw InputError(file, 0, "it holds a number that is too large");
     }

@@ -201,6 +201,12 @@ const std::vector<Mutation> mutations{
          c.plan.bound = *c.plan.after.flowtime + 0.01;
          return true;
      }},
+    {"has a bound above doing nothing", Rule::bound,
+     [](Case& c) {
+         if (!c.plan.before.makespan || *c.plan.before.makespan + 0.1 > *c.plan.after.makespan) return false;
+         c.plan.bound = *c.plan.before.makespan + 0.1;
+         return true;
+     }},
     {"has another gap", Rule::gap,
      [](Case& c) {
          c.plan.bound = *c.plan.after.makespan / 1.5;
