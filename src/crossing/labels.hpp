@@ -49,31 +49,6 @@ struct Place {
     std::uint32_t labels = no_label;  // the first of its list
 };
 
-// What the current expansion has done before, so that it is not done again. It may forget, which costs time only.
-class Done {
-  public:
-    Done() : slots_(2048) {}
-    void clear() { ++round_; }
-
-    // Whether `what` (below 64) was done at v in this round; now it is.
-    bool before(Vertex v, unsigned what) {
-        const std::uint64_t key =
-            (std::uint64_t(std::uint32_t(v.x)) << 38) ^ (std::uint64_t(std::uint32_t(v.y)) << 6) ^ what;
-        Slot& slot = slots_[std::size_t((key * 0x9e3779b97f4a7c15U) >> 53)];
-        if (slot.key == key && slot.round == round_) return true;
-        slot = {key, round_};
-        return false;
-    }
-
-  private:
-    struct Slot {
-        std::uint64_t key = 0;
-        std::uint64_t round = 0;
-    };
-    std::vector<Slot> slots_;
-    std::uint64_t round_ = 1;
-};
-
 // Hash table of places, open addressing.
 class Places {
   public:

@@ -1,0 +1,11 @@
+// Queries that make sense.
+#pragma once
+
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker {
+
+// Throws InputError, naming what is wrong, if the options contradict each other or the map.
+void validate(const Map& map, const CrossingOptions& options);
+
+}  // namespace waybreaker
