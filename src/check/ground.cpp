@@ -103,15 +103,24 @@ class GroundJudge {
     void judge_leg(const Leg& leg) {
         for (const Contact& contact : contacts(map_, leg, body_.radius)) {
             judge_contact(contact);
-            const auto [known, is_new] = entries_.emplace(contact.obstacle, contact);
-            if (!is_new && contact.time < known->second.time) known->second = contact;
+            note_entry(contact);
         }
         if (body_.radius == 0) {
-            for (const Passage& passage : side_passages(map_, leg)) judge_passage(passage);
+            for (const Passage& passage : side_passages(map_, leg)) {
+                judge_passage(passage);
+                // Who moves between two cells is inside neither, and touches both.
+                note_entry({passage.first, passage.time, passage.place});
+                note_entry({passage.second, passage.time, passage.place});
+            }
         }
         if (!body_.slips) {
             for (const Passage& passage : corner_passages(map_, leg)) judge_passage(passage);
         }
+    }
+
+    void note_entry(const Contact& contact) {
+        const auto [known, is_new] = entries_.emplace(contact.obstacle, contact);
+        if (!is_new && contact.time < known->second.time) known->second = contact;
     }
 
     void judge_contact(const Contact& contact) {

@@ -37,9 +37,10 @@ Span inside_box(const Move& move, double half_x, double half_y) {
 Span inside_circle(const Move& move, double x, double y, double radius) {
     const double a = move.dx * move.dx + move.dy * move.dy;
     const double b = (move.x - x) * move.dx + (move.y - y) * move.dy;
-    const double c = (move.x - x) * (move.x - x) + (move.y - y) * (move.y - y) - radius * radius;
-    if (a == 0) return c < 0 ? Span{} : Span{1, 0};
-    const double discriminant = b * b - a * c;
+    if (a == 0) return std::hypot(move.x - x, move.y - y) < radius ? Span{} : Span{1, 0};
+    // By the distance to the line, which is exact where the move grazes the circle.
+    const double aside = (move.x - x) * move.dy - (move.y - y) * move.dx;
+    const double discriminant = a * radius * radius - aside * aside;
     if (discriminant <= 0) return {1, 0};
     const double root = std::sqrt(discriminant);
     return {(-b - root) / a, (-b + root) / a};
@@ -91,6 +92,28 @@ double first_touch(const Map& map, const Obstacle& obstacle, const Waypoint& a, 
     return first;
 }
 
+// The same for a point that moves along the side that a cell of the obstacle shares with another blocked cell, or with
+// the outside of the map: it is inside neither, and touches both.
+double first_between_walls(const Map& map, ObstacleId obstacle, const Waypoint& a, const Waypoint& b) {
+    const bool upright = a.x == b.x && a.x != std::floor(a.x);
+    const bool level = a.y == b.y && a.y != std::floor(a.y);
+    if (upright == level) return std::numeric_limits<double>::infinity();
+    const int beside = int(std::floor(upright ? a.x : a.y));
+    const double from = upright ? a.y : a.x;
+    const double to = upright ? b.y : b.x;
+    const int steps = int(std::abs(to - from));
+    for (int step = 0; step < steps; ++step) {
+        const int along = int(from + (to > from ? step + 0.5 : -step - 0.5));
+        const Cell one = upright ? Cell{beside, along} : Cell{along, beside};
+        const Cell two = upright ? Cell{beside + 1, along} : Cell{along, beside + 1};
+        const auto is_its = [&](Cell c) { return map.grid().contains(c) && map.obstacle_at(c) == obstacle; };
+        if (map.grid().blocked(one) && map.grid().blocked(two) && (is_its(one) || is_its(two))) {
+            return double(step) / steps;
+        }
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 double path_length(std::span<const Point> path) {
@@ -113,7 +136,8 @@ std::optional<double> first_touch(const Map& map, ObstacleId obstacle, std::span
     for (std::size_t i = 1; i < path.size(); ++i) {
         const Waypoint& a = path[i - 1];
         const Waypoint& b = path[i];
-        const double share = first_touch(map, map.obstacle(obstacle), a, b, radius);
+        double share = first_touch(map, map.obstacle(obstacle), a, b, radius);
+        if (radius == 0) share = std::min(share, first_between_walls(map, obstacle, a, b));
         if (share <= 1) return a.t + share * (b.t - a.t);
     }
     return std::nullopt;

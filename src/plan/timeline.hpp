@@ -17,7 +17,8 @@ double path_length(std::span<const Point> path);
 std::vector<Waypoint> timed(std::span<const Point> path, double speed);
 
 // When an agent of that radius (cells; 0 for a point) first touches a cell of the obstacle: the first time after which
-// its open disc meets the closed cell. Empty if it never does.
+// its open disc meets the closed cell, a point the open cell; a point that moves along a side between two blocked cells
+// touches both. Empty if it never does.
 std::optional<double> first_touch(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path, double radius);
 
 }  // namespace waybreaker

@@ -209,6 +209,28 @@ TEST_F(TwoWalls, MayNotAllBeRemoved) {
     EXPECT_EQ(broken_rules(solid, plan, {}), (Rules{Rule::obstacle, Rule::cells})) << "nor are they what they were";
 }
 
+// A point on the line between two cells is inside neither.
+TEST(Check, LetsPointsPassBetweenCellsThatAreGone) {
+    const Map map = map_from_ascii(R"(
+        .....
+        .aa..
+        .aa..
+        .....)");
+    const std::vector<Waypoint> ground = driven({{2, 0}, {1.5, 0.5}, {1.5, 2.5}, {2, 3}});
+    const double enters = std::sqrt(0.5);
+    const CheckRules point{.motion = {.radius = 0}};
+    Plan plan =
+        hand_made(ground, driven({{0, 0}}), {{.obstacle = {1}, .cells = 4, .at = {0, 0}, .entered_at = enters}});
+    EXPECT_EQ(broken_rules(map, plan, point), none);
+    plan.removed[0].entered_at = std::nullopt;
+    EXPECT_EQ(broken_rules(map, plan, point), Rules{Rule::entered});
+    plan.removed.clear();
+    EXPECT_EQ(broken_rules(map, plan, point), Rules{Rule::collision});
+    plan = hand_made(ground, {{0, 0, 0}, {0, 0, 1}},
+                     {{.obstacle = {1}, .cells = 4, .at = {0, 0}, .cleared_at = 1, .entered_at = enters}});
+    EXPECT_EQ(broken_rules(map, plan, point), Rules{Rule::collision}) << "too early";
+}
+
 TEST(Check, KnowsWhatBelongsToAPlanThatThereIsNot) {
     const Map map = map_from_ascii("..a..");
     Plan plan;

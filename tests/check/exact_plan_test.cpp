@@ -1,0 +1,64 @@
+// Paths of the crossing search, timed by the schedule, pass the checker: for the square and the point, all speeds and
+// breach times.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "checked_plan.hpp"
+#include "hand_made.hpp"
+#include "random_map.hpp"
+#include "waybreaker/crossing.hpp"
+#include "waybreaker/schedule.hpp"
+
+namespace waybreaker {
+namespace {
+
+// A plan without figures of the mission before.
+Plan plan_of(const Map& map, const ScheduleTask& task, const Schedule& schedule) {
+    std::vector<Removal> removed;
+    for (std::size_t i = 0; i < schedule.cleared_at.size(); ++i) {
+        const BreachPoint& breach = schedule.flight.breaches[i];
+        removed.push_back({.obstacle = breach.obstacle,
+                           .cells = map.obstacle(breach.obstacle).cells,
+                           .at = breach.at,
+                           .cleared_at = schedule.cleared_at[i],
+                           .entered_at = schedule.entered_at[i]});
+    }
+    Plan plan = hand_made(schedule.ground, schedule.air, removed);
+    plan.agents[0].speed = task.ground_speed;
+    plan.agents[1].speed = task.air_speed;
+    plan.after.makespan = schedule.makespan;
+    plan.after.flowtime = schedule.flowtime;
+    return plan;
+}
+
+RC_GTEST_PROP(ExactPlan, IsValid, ()) {
+    const PlainMap plain = *random_map(20, 20);
+    const Map map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
+    const Body body = *rc::gen::element(Body::square, Body::point);
+    const int crossings = *number(0, 4);
+    const CrossingResult result = CrossingSearcher().find(map, any_free_cell(plain), any_free_cell(plain),
+                                                          {.body = body, .crossings = crossings});
+    RC_PRE(result.status == SearchStatus::found);
+    ScheduleTask task;
+    task.ground_path = result.best.path;
+    task.ground_speed = *rc::gen::element(0.5, 1.0, 4.0);
+    task.radius = body == Body::point ? 0 : 0.5;
+    task.air_start = any_cell(plain);
+    task.air_goal = any_cell(plain);
+    task.air_speed = *rc::gen::element(0.5, 1.0, 4.0);
+    task.removed = result.best.crossed;
+    task.breach_time = {*rc::gen::element(0.0, 0.0, 3.0), *rc::gen::element(0.0, 0.0, 0.3)};
+    const Plan plan = plan_of(map, task, best_schedule(map, task));
+    std::string faults;
+    for (const Violation& violation : check(map, plan,
+                                            {.motion = {.radius = task.radius},
+                                            .timing = Timing::enforce,
+                                            .breach_time = task.breach_time,
+                                            .removals = crossings})) {
+        faults += line_of(violation) + "\n";
+    }
+    RC_ASSERT(faults == "");
+}
+
+}  // namespace
+}  // namespace waybreaker
