@@ -34,7 +34,9 @@ struct CrossingOptions {
     // weights[id], > 0, of every obstacle (entry 0 is not used): then their sum is limited to `budget` as well.
     std::span<const double> weights = {};
     double budget = std::numeric_limits<double>::infinity();
-    double length_limit = std::numeric_limits<double>::infinity();  // longer paths are not looked for
+    // A path that crosses an obstacle costs at least so many cells, however short it is: it cannot be open earlier.
+    std::function<double(ObstacleId)> least_cost = {};
+    double length_limit = std::numeric_limits<double>::infinity();  // dearer paths are not looked for
     double time_limit = std::numeric_limits<double>::infinity();    // seconds
     std::uint64_t expansion_limit = UINT64_MAX;
     std::stop_token stop = {};
@@ -43,13 +45,14 @@ struct CrossingOptions {
 struct CrossingPath {
     std::vector<Point> path;          // turning points from start to goal
     double length = 0;                // cells
+    double cost = 0;                  // the length, or what a crossed obstacle costs at least
     std::vector<ObstacleId> crossed;  // in the order of the path, each once; without those of `removed`
 };
 
 struct CrossingResult {
     SearchStatus status = SearchStatus::no_path;
-    CrossingPath best;       // if found
-    double lower_bound = 0;  // no path is shorter; the length if found, infinity if there is none
+    CrossingPath best;       // if found; the best known, or empty, if a limit ended the search
+    double lower_bound = 0;  // no path costs less; the cost if found, infinity if there is none
     std::uint64_t expanded = 0;
     std::uint64_t generated = 0;
 };
@@ -66,9 +69,8 @@ class CrossingSearcher {
     // options out of range. Not for use by two threads at once.
     CrossingResult find(const Map& map, Cell start, Cell goal, const CrossingOptions& options = {});
 
-    // For each set of at most `crossings` obstacles that no set within it beats: the shortest path, in order of length,
-    // to `accept` until that says false. The result's lower_bound is what all paths not told of are at least as long
-    // as.
+    // For each set of at most `crossings` obstacles that no set within it beats: the shortest path, in order of cost,
+    // to `accept` until that says false. The result's lower_bound is what all paths not told of cost at least.
     CrossingResult enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                              const std::function<bool(const CrossingPath&)>& accept);
 

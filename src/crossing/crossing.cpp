@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "crossing/dominance.hpp"
 #include "crossing/fan.hpp"
 #include "crossing/labels.hpp"
 #include "crossing/validate.hpp"
@@ -26,14 +27,14 @@ class CrossingSearcher::Search {
   private:
     enum class Outcome { found, exhausted, limit_reached, stopped };
 
+    void search_ellipses(double longest);
     Outcome search_ellipse();
     void expand(std::uint32_t label);
     void push(std::uint32_t parent, const Reached& reached);
-    bool dominates(const Label& better, const Label& worse) const;
-    bool lost(std::uint32_t obstacle, const Label& label) const;
     bool earlier(std::uint32_t a, std::uint32_t b) const;
     std::optional<Outcome> interrupted();
     CrossingPath path_of(std::uint32_t label);
+    CrossingPath incumbent();
 
     const Map* map_ = nullptr;
     const CrossingOptions* options_ = nullptr;
@@ -42,8 +43,8 @@ class CrossingSearcher::Search {
     Vertex goal_;
     int capacity_ = 0;  // members of a set, the removed obstacles included
     double weight_capacity_ = infinity;
-    double limit_ = infinity;  // half cells; longer paths are outside the ellipse
-    double told_ = 0;          // half cells; shorter paths have been told to `accept`
+    double limit_ = infinity;  // half cells; dearer paths are left out
+    double told_ = 0;          // half cells; cheaper paths have been told to `accept`
     std::chrono::steady_clock::time_point began_;
     CrossingResult result_;
 
@@ -62,53 +63,17 @@ bool CrossingSearcher::Search::earlier(std::uint32_t a, std::uint32_t b) const {
     return a < b;
 }
 
-// No path within the ellipse can come back to the obstacle.
-bool CrossingSearcher::Search::lost(std::uint32_t obstacle, const Label& label) const {
-    const Box& box = map_->obstacle(ObstacleId{obstacle}).bounds;
-    const auto gap = [&box](Vertex v) {
-        const int dx = std::max({2 * box.min.x - 2 - v.x, v.x - 2 * box.max.x - 2, 0});
-        const int dy = std::max({2 * box.min.y - 2 - v.y, v.y - 2 * box.max.y - 2, 0});
-        return length({dx, dy});
-    };
-    return label.length + gap(label.at) + gap(goal_) > limit_;
-}
-
-// Whatever way goes on from `worse` goes on from `better` as well, is no longer and crosses no more: what only `better`
-// has crossed is made up for by what `worse` has and can never use again.
-bool CrossingSearcher::Search::dominates(const Label& better, const Label& worse) const {
-    if (better.length > worse.length) return false;
-    if (better.set == worse.set) return true;
-    const auto mine = sets_[better.set];
-    const auto theirs = sets_[worse.set];
-    int more = 0;
-    double more_weight = 0;
-    std::size_t j = 0;
-    for (const std::uint32_t obstacle : mine) {
-        while (j < theirs.size() && theirs[j] < obstacle) ++j;
-        if (j < theirs.size() && theirs[j] == obstacle) continue;
-        ++more;
-        more_weight += fan_.ray().weight(obstacle);
-    }
-    if (more == 0) return true;
-    if (accept_ != nullptr) return false;
-    j = 0;
-    for (const std::uint32_t obstacle : theirs) {
-        while (j < mine.size() && mine[j] < obstacle) ++j;
-        if (j < mine.size() && mine[j] == obstacle) continue;
-        if (!lost(obstacle, worse)) continue;
-        --more;
-        more_weight -= fan_.ray().weight(obstacle);
-    }
-    return more <= 0 && more_weight <= 0;
-}
-
 void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached) {
     const std::span<const std::uint32_t> crossed = reached.crossed;
     const Vertex v = reached.at;
     Label label;
     label.at = v;
     label.length = labels_[parent].length + length(v - labels_[parent].at);
-    label.estimate = label.length + length(goal_ - v);
+    label.least = labels_[parent].least;
+    for (const std::uint32_t obstacle : crossed) {
+        if (options_->least_cost) label.least = std::max(label.least, 2 * options_->least_cost(ObstacleId{obstacle}));
+    }
+    label.estimate = std::max(label.length + length(goal_ - v), label.least);
     if (label.estimate > limit_) return;
     label.parent = parent;
     label.set = labels_[parent].set;
@@ -119,6 +84,7 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
         std::sort(set.begin(), set.end());
         label.set = sets_.add(set);
     }
+    const Dominance dominates{*map_, sets_, options_->weights, goal_, limit_, accept_ == nullptr};
     const std::uint32_t place = places_.find_or_add(v);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
@@ -182,10 +148,12 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
         if (labels_[index].dominated) continue;
         ++result_.expanded;
         if (labels_[index].at == goal_) {
-            if (labels_[index].length <= told_) continue;
+            if (labels_[index].estimate <= told_) continue;
+            const CrossingPath path = path_of(index);
+            if (result_.status != SearchStatus::found) result_.best = path;
             result_.status = SearchStatus::found;
-            result_.best = path_of(index);
-            if (accept_ == nullptr || !(*accept_)(result_.best)) return Outcome::found;
+            result_.lower_bound = path.cost;
+            if (accept_ == nullptr || !(*accept_)(path)) return Outcome::found;
             continue;
         }
         expand(index);
@@ -196,6 +164,7 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
 CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
     CrossingPath path;
     path.length = labels_[index].length / 2;
+    path.cost = labels_[index].estimate / 2;
     for (std::uint32_t label = index; label != no_label; label = labels_[label].parent) {
         const Label& here = labels_[label];
         path.path.emplace_back(here.at.x / 2.0, here.at.y / 2.0);
@@ -239,33 +208,45 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
     };
     if (!stands(start) || !stands(goal)) return result_;
     fan_.start_query(map, options.body, goal_, options.protect, options.weights);
+    search_ellipses(2 * options.length_limit);
+    result_.generated = result_.expanded + open_.size();
+    return result_;
+}
+
+// In ellipses that grow until one holds the path: what lies outside costs nothing, and the last one costs about as much
+// as all before it.
+void CrossingSearcher::Search::search_ellipses(double longest) {
     const double straight = length(goal_ - start_);
-    const double most = 2 * options.length_limit;
     double proven = straight;
-    for (double slack = 0.002;; slack *= 4) {
-        limit_ = slack > 2 ? infinity : straight * (1 + slack);
-        limit_ = std::min(limit_, most);
+    // With nothing to cross detours are long.
+    for (double slack = options_->crossings == 0 ? 0.03 : 0.002;; slack *= 4) {
+        limit_ = slack > 2 || longest < straight * (1 + 4 * slack) ? longest : straight * (1 + slack);
         const Outcome outcome = search_ellipse();
-        if (outcome == Outcome::found) {
-            result_.status = SearchStatus::found;
-            result_.lower_bound = result_.best.length;
-            break;
-        }
+        if (outcome == Outcome::found) return;
         if (outcome != Outcome::exhausted) {
             result_.status = outcome == Outcome::stopped ? SearchStatus::stopped : SearchStatus::limit_reached;
             if (!open_.empty()) proven = std::max(proven, std::min(limit_, labels_[open_.front()].estimate));
             result_.lower_bound = proven / 2;
-            break;
+            if (accept_ == nullptr) result_.best = incumbent();
+            return;
         }
         proven = limit_;
         told_ = limit_;
-        if (limit_ >= most) {
+        if (limit_ >= longest) {
             result_.lower_bound = limit_ / 2;
-            break;
+            return;
         }
     }
-    result_.generated = result_.expanded + open_.size();
-    return result_;
+}
+
+// The best path to the goal that is known before the search ends; empty if none is.
+CrossingPath CrossingSearcher::Search::incumbent() {
+    std::uint32_t best = no_label;
+    for (std::uint32_t label = places_[places_.find_or_add(goal_)].labels; label != no_label;
+         label = labels_[label].next) {
+        if (best == no_label || earlier(label, best)) best = label;
+    }
+    return best == no_label ? CrossingPath{} : path_of(best);
 }
 
 CrossingSearcher::CrossingSearcher() : search_(std::make_unique<Search>()) {}

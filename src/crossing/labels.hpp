@@ -14,7 +14,8 @@ inline constexpr std::uint32_t no_label = UINT32_MAX;
 // A path from the start to a vertex.
 struct Label {
     double length = 0;    // half cells
-    double estimate = 0;  // length and the straight line to the goal
+    double least = 0;     // what the path costs at least, for what it has crossed
+    double estimate = 0;  // of the cost: length and the straight line to the goal, or the least
     Vertex at;
     std::uint32_t parent = no_label;
     std::uint32_t set = 0;          // of the obstacles crossed

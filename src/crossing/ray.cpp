@@ -7,6 +7,8 @@
 #include <limits>
 #include <new>
 
+#include "map/bit_run.hpp"
+
 namespace waybreaker {
 namespace {
 
@@ -114,11 +116,19 @@ void Ray::walk_line(const Frame& f) {
     Stairs low((f.x - reach_) * dy + low_y * f.dx, 2 * std::int64_t(f.dx), 2 * dy);
     Stairs high((f.x + reach_) * dy + high_y * f.dx - 1, 2 * std::int64_t(f.dx), 2 * dy);
     for (std::int64_t row = first_row; row <= last_row; ++row, low.next(), high.next()) {
+        const std::int64_t from = std::max(first, low.value() + 1);
+        const std::int64_t to = std::min(last, high.value());
         const bool stopped_before = stopped_;
-        visit_run(f, int(down * row), std::max(first, low.value() + 1), std::min(last, high.value()));
+        if (stopped_ || any_blocked(f, int(down * row), from, to)) visit_run(f, int(down * row), from, to);
         // Boxes of the next row can begin before the end of this row's: one row more settles what was entered first.
         if (stopped_ && (stopped_before || reach_ == 1)) return;
     }
+}
+
+// Whether there is anything to visit. Precondition: the row is on the map or its frame.
+bool Ray::any_blocked(const Frame& f, int row, std::int64_t first, std::int64_t last) {
+    if (first < 0 || last >= f.grid->width()) return true;
+    return first <= last && any_bit(f.grid->row(row), unsigned(first + 1), unsigned(last + 1));
 }
 
 // The blocked cells among first..last of a row, in the direction of travel; of cells that are known to belong together

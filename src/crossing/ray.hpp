@@ -73,6 +73,7 @@ class Ray {
 
     void walk_line(const Frame& frame);
     void walk_edge(const Frame& frame);
+    static bool any_blocked(const Frame& frame, int row, std::int64_t first, std::int64_t last);
     void visit_run(const Frame& frame, int row, std::int64_t first, std::int64_t last);
     void visit_rightwards(const Frame& frame, int row, std::size_t from, std::size_t to);
     void visit_leftwards(const Frame& frame, int row, std::size_t from, std::size_t to);

@@ -1,0 +1,40 @@
+#include "crossing/dominance.hpp"
+
+#include <algorithm>
+
+namespace waybreaker {
+
+bool Dominance::operator()(const Label& better, const Label& worse) const {
+    if (better.length > worse.length || better.least > worse.least) return false;
+    if (better.set == worse.set) return true;
+    const auto mine = sets[better.set];
+    const auto theirs = sets[worse.set];
+    int more = 0;
+    double more_weight = 0;
+    for (const std::uint32_t obstacle : mine) {
+        if (std::binary_search(theirs.begin(), theirs.end(), obstacle)) continue;
+        ++more;
+        more_weight += weight(obstacle);
+    }
+    if (more == 0) return true;
+    if (!by_count) return false;
+    for (const std::uint32_t obstacle : theirs) {
+        if (std::binary_search(mine.begin(), mine.end(), obstacle) || !lost(obstacle, worse)) continue;
+        --more;
+        more_weight -= weight(obstacle);
+    }
+    return more <= 0 && more_weight <= 0;
+}
+
+// No path that is short enough can come back to the obstacle.
+bool Dominance::lost(std::uint32_t obstacle, const Label& label) const {
+    const Box& box = map.obstacle(ObstacleId{obstacle}).bounds;
+    const auto gap = [&box](Vertex v) {
+        const int dx = std::max({2 * box.min.x - 2 - v.x, v.x - 2 * box.max.x - 2, 0});
+        const int dy = std::max({2 * box.min.y - 2 - v.y, v.y - 2 * box.max.y - 2, 0});
+        return length({dx, dy});
+    };
+    return label.length + gap(label.at) + gap(goal) > limit;
+}
+
+}  // namespace waybreaker

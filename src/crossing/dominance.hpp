@@ -1,0 +1,28 @@
+// Dominance: which of two ways to be at a vertex need not be followed.
+#pragma once
+
+#include <span>
+
+#include "crossing/labels.hpp"
+#include "waybreaker/map.hpp"
+
+namespace waybreaker {
+
+struct Dominance {
+    const Map& map;
+    const ObstacleSets& sets;
+    std::span<const double> weights;  // by id; empty: none
+    Vertex goal;
+    double limit;   // half cells: dearer paths are not looked for
+    bool by_count;  // false: only what is crossed within what the other has crossed is as good
+
+    // Whatever way goes on from `worse` goes on from `better` as well, is no longer and crosses no more: what only
+    // `better` has crossed is made up for by what `worse` has and can never use again.
+    bool operator()(const Label& better, const Label& worse) const;
+
+  private:
+    bool lost(std::uint32_t obstacle, const Label& label) const;
+    double weight(std::uint32_t obstacle) const { return weights.empty() ? 0 : weights[obstacle]; }
+};
+
+}  // namespace waybreaker
