@@ -55,6 +55,7 @@ enum class Rule {
     boundary,    // it is breached from its boundary
     breach,      // the air agent is there as long as the breach takes
     order,       // one breach after the other, listed in that order
+    next,        // what would be removed next may be, and is not yet
     entered,     // entered_at is when the ground agent first touches the obstacle
     length,
     makespan,

@@ -142,7 +142,7 @@ class GroundJudge {
 
     void judge_entries() {
         for (const Removal& removal : plan_.removed) {
-            if (!names_obstacle(map_, removal)) continue;
+            if (!names_obstacle(map_, removal.obstacle)) continue;
             const auto entry = entries_.find(removal.obstacle);
             const bool never = entry == entries_.end();
             if (never && !removal.entered_at) continue;
@@ -176,7 +176,7 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Check
     constexpr double for_ever = std::numeric_limits<double>::infinity();
     std::vector<double> until(map.obstacles().size() + 1, for_ever);
     for (const Removal& removal : plan.removed) {
-        if (!names_obstacle(map, removal)) continue;
+        if (!names_obstacle(map, removal.obstacle)) continue;
         until[removal.obstacle.value] = rules.timing == Timing::enforce ? removal.cleared_at : -for_ever;
     }
     return until;

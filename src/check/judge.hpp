@@ -33,9 +33,9 @@ std::string text(double value);
 std::string text(Point p);
 std::string text(ObstacleId obstacle);
 
-// Whether `removal` names an obstacle of the map; what it says can be looked up only then.
-inline bool names_obstacle(const Map& map, const Removal& removal) {
-    return removal.obstacle && removal.obstacle.value <= map.obstacles().size();
+// Whether the map has such an obstacle; it can be asked for only then.
+inline bool names_obstacle(const Map& map, ObstacleId obstacle) {
+    return obstacle && obstacle.value <= map.obstacles().size();
 }
 
 // Until when each obstacle stands, by id: for ever, unless it is removed. [0] is the outside of the map.

@@ -23,30 +23,56 @@ bool on_boundary(const Map& map, Cell at, ObstacleId obstacle) {
     return false;
 }
 
-// What is wrong with one removal, whatever the others are.
-Violations judge_removal(const Map& map, const Removal& removal, bool is_protected) {
+using Ids = std::set<ObstacleId>;
+
+// Why an obstacle may not be removed, if it may not.
+std::optional<std::string> objection(const Map& map, ObstacleId obstacle, const Ids& protect) {
+    if (!names_obstacle(map, obstacle)) return "there is no obstacle " + std::to_string(obstacle.value);
+    if (!map.obstacle(obstacle).destructible) return text(obstacle) + " cannot be destroyed";
+    if (protect.contains(obstacle)) return text(obstacle) + " is protected";
+    return std::nullopt;
+}
+
+Violation violation(Rule rule, const std::string& message, const Removal& removal) {
+    return {rule, message, "", removal.obstacle, removal.at, removal.cleared_at};
+}
+
+// That it is what the plan says it is. Precondition: the map has such an obstacle.
+Violations judge_description(const Map& map, const Removal& removal) {
     Violations found;
-    const auto report = [&](Rule rule, const std::string& what) {
-        found.push_back(
-            {rule, text(removal.obstacle) + " " + what, "", removal.obstacle, removal.at, removal.cleared_at});
-    };
-    if (!names_obstacle(map, removal)) {
-        found.push_back({Rule::obstacle, "there is no obstacle " + std::to_string(removal.obstacle.value), "",
-                         removal.obstacle, removal.at, removal.cleared_at});
-        return found;
-    }
     const Obstacle& obstacle = map.obstacle(removal.obstacle);
-    if (!obstacle.destructible) report(Rule::obstacle, "cannot be destroyed");
-    if (is_protected) report(Rule::obstacle, "is protected");
-    if (removal.cells != obstacle.cells) {
-        report(Rule::cells, "has " + std::to_string(obstacle.cells) + " cells, not " + std::to_string(removal.cells));
-    }
-    if (removal.source_id != obstacle.source_id) {
-        report(Rule::cells,
-               "is " + std::to_string(obstacle.source_id) + " in its source, not " + std::to_string(removal.source_id));
-    }
+    const std::string who = text(removal.obstacle);
+    const auto differs = [&](const std::string& what, std::int64_t truth, std::int64_t stated) {
+        if (truth == stated) return;
+        const std::string message = who + what + std::to_string(truth) + ", not " + std::to_string(stated);
+        found.push_back(violation(Rule::cells, message, removal));
+    };
+    differs("'s number of cells is ", obstacle.cells, removal.cells);
+    differs("'s id in its source is ", obstacle.source_id, removal.source_id);
     if (!on_boundary(map, removal.at, removal.obstacle)) {
-        report(Rule::boundary, "is breached from " + text(removal.at) + ", which is not on its boundary");
+        const std::string message = who + " is breached from " + text(removal.at) + ", which is not on its boundary";
+        found.push_back(violation(Rule::boundary, message, removal));
+    }
+    return found;
+}
+
+// That it is not too much: told of the first removal that is.
+Violations judge_amount(const Plan& plan, const CheckRules& rules) {
+    Violations found;
+    const auto allowed = std::size_t(std::max(rules.removals, 0));
+    if (plan.removed.size() > allowed) {
+        const std::string message =
+            std::to_string(plan.removed.size()) + " obstacles are removed, " + std::to_string(allowed) + " are allowed";
+        found.push_back(violation(Rule::removals, message, plan.removed[allowed]));
+    }
+    double weight = 0;
+    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
+        weight += i < rules.weights.size() ? rules.weights[i] : 1;
+        if (weight <= rules.budget + slack(rules, rules.budget)) continue;
+        const std::string message =
+            "removals up to here weigh " + text(weight) + ", over the budget of " + text(rules.budget);
+        found.push_back(violation(Rule::budget, message, plan.removed[i]));
+        break;
     }
     return found;
 }
@@ -93,29 +119,21 @@ bool stays_there(const AgentPlan& agent, Cell at, double from, double to, const 
 
 Violations judge_removals(const Map& map, const Plan& plan, const CheckRules& rules) {
     Violations found;
-    const std::set<ObstacleId> protect(rules.protect.begin(), rules.protect.end());
-    std::set<ObstacleId> seen;
-    double weight = 0;
-    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
-        const Removal& removal = plan.removed[i];
-        append(found, judge_removal(map, removal, protect.contains(removal.obstacle)));
-        const auto report = [&](Rule rule, const std::string& what) {
-            found.push_back({rule, what, "", removal.obstacle, removal.at, removal.cleared_at});
-        };
-        if (!seen.insert(removal.obstacle).second) {
-            report(Rule::repetition, text(removal.obstacle) + " is removed more than once");
-        }
-        if (i >= std::size_t(std::max(rules.removals, 0))) {
-            report(Rule::removals, "removal " + std::to_string(i + 1) + " is one too many, " +
-                                       std::to_string(rules.removals) + " are allowed");
-        }
-        const double before = weight;
-        weight += i < rules.weights.size() ? rules.weights[i] : 1;
-        const double limit = rules.budget + slack(rules, rules.budget);
-        if (weight > limit && before <= limit) {
-            report(Rule::budget,
-                   "removals up to here weigh " + text(weight) + ", over the budget of " + text(rules.budget));
-        }
+    const Ids protect(rules.protect.begin(), rules.protect.end());
+    Ids seen;
+    for (const Removal& removal : plan.removed) {
+        const ObstacleId obstacle = removal.obstacle;
+        const bool is_new = seen.insert(obstacle).second;
+        if (!is_new) found.push_back(violation(Rule::repetition, text(obstacle) + " is removed twice", removal));
+        const auto reason = objection(map, obstacle, protect);
+        if (reason) found.push_back(violation(Rule::obstacle, *reason, removal));
+        if (names_obstacle(map, obstacle)) append(found, judge_description(map, removal));
+    }
+    append(found, judge_amount(plan, rules));
+    for (const NextRemoval& next : plan.next) {
+        auto reason = objection(map, next.obstacle, protect);
+        if (!reason && seen.contains(next.obstacle)) reason = text(next.obstacle) + " is removed already";
+        if (reason) found.push_back({Rule::next, "as the next removal: " + *reason, "", next.obstacle});
     }
     return found;
 }
@@ -124,7 +142,7 @@ Violations judge_breaches(const Map& map, const Plan& plan, const AgentPlan& air
     Violations found;
     double free_from = 0;  // the breach before is over
     for (const Removal& removal : plan.removed) {
-        if (!names_obstacle(map, removal)) continue;
+        if (!names_obstacle(map, removal.obstacle)) continue;
         if (found.size() > enough_violations) break;
         const double until = removal.cleared_at;
         const double from = until - rules.breach_time.of(map.obstacle(removal.obstacle));

@@ -82,6 +82,14 @@ Removal removal(const JsonField& field) {
     return result;
 }
 
+NextRemoval next_removal(const JsonField& field) {
+    NextRemoval result;
+    result.obstacle = obstacle(field["obstacle"]);
+    if (const auto id = field.find("source_id")) result.source_id = id->whole_number(INT64_MIN, INT64_MAX);
+    result.saves = field["saves"].number();
+    return result;
+}
+
 // Plan files of the first version do not say where an agent should start and end: then its path says so.
 Cell end_of(const JsonField& agent, const char* key, const Waypoint& point) {
     if (const auto field = agent.find(key)) return cell(*field);
@@ -133,6 +141,9 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
         file.plan.removed.push_back(removal(field));
         const auto weight = field.find("weight");
         file.rules.weights.push_back(weight ? not_negative(*weight) : 1);
+    }
+    if (const auto next = root.find("next")) {
+        for (const JsonField& field : next->items()) file.plan.next.push_back(next_removal(field));
     }
     for (const JsonField& field : root["agents"].items()) file.plan.agents.push_back(agent(field));
     return file;

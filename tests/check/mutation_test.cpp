@@ -171,6 +171,10 @@ const std::vector<Mutation> mutations{
          std::reverse(c.plan.removed.begin(), c.plan.removed.end());
          return c.plan.removed.front().cleared_at > c.plan.removed.back().cleared_at + 0.01;
      }},
+    {"would remove it again next", Rule::next,
+     [](Case& c) { return c.plan.next.push_back({.obstacle = c.removal().obstacle}), true; }},
+    {"would remove next what there is not", Rule::next,
+     [](Case& c) { return c.plan.next.push_back({.obstacle = {}}), true; }},
     {"says it is entered later", Rule::entered, [](Case& c) { return add(c.removal().entered_at, 0.01); }},
     {"says it is never entered", Rule::entered, [](Case& c) { return c.removal().entered_at.reset(), true; }},
     {"says it is entered", Rule::entered,

@@ -135,6 +135,12 @@ TEST(PlanFile, MaySayMore) {
     EXPECT_EQ(parse_plan(with("/agents/0/goal", {2, 0}), "p.json").plan.agents[0].goal, (Cell{2, 0}));
     EXPECT_EQ(parse_plan(with("/agents/0/path/0", {1e300, -1e300, 0}), "p.json").plan.agents[0].start,
               (Cell{1000000000, -1000000000}));
+    const Json next = {{{"obstacle", 2}, {"source_id", 5}, {"saves", 1.5}}};
+    file = parse_plan(with("/next", next), "p.json");
+    ASSERT_EQ(file.plan.next.size(), 1U);
+    EXPECT_EQ(file.plan.next[0].obstacle, ObstacleId{2});
+    EXPECT_EQ(file.plan.next[0].source_id, 5);
+    EXPECT_EQ(file.plan.next[0].saves, 1.5);
     EXPECT_EQ(parse_plan(without("/bound"), "p.json").plan.bound, std::nullopt);
     EXPECT_EQ(parse_plan(without("/options/removals"), "p.json").rules.removals, INT_MAX);
     file = parse_plan(with("/bound", {{"makespan", 2.5}, {"gap", 0.2}}), "p.json");
