@@ -95,6 +95,33 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::funct
     return add(app, name, read, type, text);
 }
 
+CLI::Option* add_duration(CLI::App& app, const std::string& name, double& value, const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        const auto time = number<double>(given);
+        if (!time || !std::isfinite(*time) || *time < 0) {
+            throw CLI::ValidationError(name, fmt::format("'{}' is not a time of at least 0", given));
+        }
+        value = *time;
+    };
+    return add(app, name, read, "TIME", text);
+}
+
+CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,
+                           const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        for (const std::string& word : CLI::detail::split(given + ",", ',')) {
+            const auto id = number<std::uint32_t>(word);
+            if (!id || *id == 0) {
+                throw CLI::ValidationError(
+                    name,
+                    fmt::format("'{}' is not a list of obstacles: ID,... are their numbers, such as 17,4", given));
+            }
+            value.push_back({*id});
+        }
+    };
+    return add(app, name, read, "ID,...", text);
+}
+
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text) {
     const auto read = [name, &value](const std::string& given) {
         if (given.empty()) throw CLI::ValidationError(long_name(name), "the name of a file is missing");

@@ -31,6 +31,13 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, const std::functi
 CLI::Option* add_number(CLI::App& app, const std::string& name, const std::function<void(double)>& assign, double least,
                         const std::string& type, const std::string& text);
 
+// A finite number of at least 0.
+CLI::Option* add_duration(CLI::App& app, const std::string& name, double& value, const std::string& text);
+
+// Ids of obstacles: "17,4".
+CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,
+                           const std::string& text);
+
 // The name of a file, not empty.
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text);
 

@@ -12,6 +12,7 @@ namespace waybreaker::apps {
 namespace {
 
 const Choices<FlightRule> flights{{"optimal", FlightRule::optimal}, {"nearest", FlightRule::nearest}};
+const Choices<Timing> timings{{"enforce", Timing::enforce}, {"ignore", Timing::ignore}};
 const Choices<Objective> objectives{{"makespan", Objective::makespan}, {"flowtime", Objective::flowtime}};
 const Choices<Planner> planners{{"theta", Planner::theta},       {"lazy-theta", Planner::lazy_theta},
                                 {"astar", Planner::astar},       {"jps", Planner::jps},
@@ -42,6 +43,17 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_cell(command, "--goal", options.goal, "Cell where both agents end (default: as the map file says)");
     add_cell(command, "--air-start", options.air_start, "Cell where the air agent starts, if elsewhere");
     add_cell(command, "--air-goal", options.air_goal, "Cell where the air agent ends, if elsewhere");
+    add_number(
+        command, "--ground-speed", [&options](double speed) { options.ground_speed = speed; }, 0, "SPEED",
+        "Cells per unit of time that the ground agent drives (default: 1)");
+    add_number(
+        command, "--air-speed", [&options](double speed) { options.air_speed = speed; }, 0, "SPEED",
+        "Cells per unit of time that the air agent flies (default: 1)");
+    add_duration(command, "--breach-time", options.breach_time.per_obstacle,
+                 "How long the air agent stays to breach an obstacle (default: 0)");
+    add_duration(command, "--breach-time-per-cell", options.breach_time.per_cell,
+                 "How much longer for each cell of the obstacle (default: 0)");
+    add_obstacles(command, "--protect", options.protect, "Obstacles that must stay");
     add_connectivity(command, options.connectivity);
     add_number(
         command, "--cell-size", [&options](double metres) { options.cell_size = metres; }, 0, "METRES",
@@ -59,8 +71,9 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
     add_choice(command, "--flight", flights, options.flight,
                "Shortest flight that touches every removed obstacle, or the paper's: past the cells nearest to the "
                "straight line (default: optimal)");
-    add_only_word(command, "--timing", "ignore", "enforce",
-                  "Whether an obstacle is solid until it has been breached: ignore, as the paper does");
+    add_choice(command, "--timing", timings, options.timing,
+               "An obstacle is solid until it has been breached, so that the ground agent waits or drives around; or, "
+               "as in the paper, removed obstacles are taken as never there (default: enforce)");
     add_choice(command, "--objective", objectives, options.objective,
                "When the last agent arrives, or the sum of all arrival times (default: makespan)");
 }
@@ -126,6 +139,9 @@ void validate(const PlanOptions& options) {
     if (options.paper && options.flight == FlightRule::optimal && options.removals > 1) {
         throw InputError("--paper stands for --flight nearest, which --flight optimal contradicts; drop one of them");
     }
+    if (options.paper && options.timing == Timing::enforce) {
+        throw InputError("--paper stands for --timing ignore, which --timing enforce contradicts; drop one of them");
+    }
     const std::array outputs{std::pair("--json", options.json), std::pair("--svg", options.svg),
                              std::pair("--png", options.png), std::pair("--trace", options.trace)};
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -150,6 +166,7 @@ Mission mission_of(const PlanOptions& options, const io::MapFile& map) {
     const Cell goal = place(options.goal, &io::XmlTask::goal, "--goal");
     Mission mission = ground_and_air(start, goal);
     for (Agent& agent : mission.agents) {
+        agent.speed = agent.kind == AgentKind::air ? options.air_speed : options.ground_speed;
         if (agent.kind != AgentKind::air) continue;
         agent.start = options.air_start.value_or(start);
         agent.goal = options.air_goal.value_or(goal);
@@ -163,6 +180,9 @@ MissionOptions mission_options_of(const PlanOptions& options, const io::MapFile&
     if (options.paper) result.search.planner = Planner::theta;
     result.removals = options.removals;
     result.flight = options.flight.value_or(result.flight);
+    result.timing = options.timing.value_or(result.timing);
+    result.breach_time = options.breach_time;
+    result.protect = options.protect;
     result.objective = options.objective;
     SearchOptions& search = result.search;
     search.planner = options.planner.value_or(search.planner);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "io/map_file.hpp"
@@ -22,6 +23,11 @@ struct PlanOptions {
     bool paper = false;
     int removals = 3;
     std::optional<FlightRule> flight;
+    std::optional<Timing> timing;
+    double ground_speed = 1;
+    double air_speed = 1;
+    BreachTime breach_time;
+    std::vector<ObstacleId> protect;
     Objective objective = Objective::makespan;
     Connectivity connectivity = Connectivity::four;
 

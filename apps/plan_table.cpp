@@ -1,6 +1,7 @@
 #include "plan_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -51,7 +52,8 @@ std::string heading(const io::PlanContext& context, const TableStyle& style) {
     if (style.metres) line += fmt::format(" of {:.6g} m", context.map.cell_size);
     line += fmt::format(", {} {}\n", map.obstacles().size(), map.obstacles().size() == 1 ? "obstacle" : "obstacles");
     for (const Agent& agent : context.mission.agents) {
-        line += fmt::format("{} agent from {} to {}\n", agent.id, text(agent.start), text(agent.goal));
+        line += fmt::format("{} agent from {} to {}", agent.id, text(agent.start), text(agent.goal));
+        line += agent.speed == 1 ? "\n" : fmt::format(" at speed {:.6g}\n", agent.speed);
     }
     return line;
 }
@@ -59,8 +61,11 @@ std::string heading(const io::PlanContext& context, const TableStyle& style) {
 std::string outcomes(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     std::vector<Row> rows{{"", "before", "after", "change"}};
     if (style.metres) rows.front().insert(rows.front().end(), {"before (m)", "after (m)"});
-    const auto add_length = [&](const std::string& name, std::optional<double> before, std::optional<double> after) {
+    const auto add_time = [&](const std::string& name, std::optional<double> before, std::optional<double> after) {
         rows.push_back({name, text(before, 3), text(after, 3), change(before, after)});
+    };
+    const auto add_length = [&](const std::string& name, std::optional<double> before, std::optional<double> after) {
+        add_time(name, before, after);
         if (!style.metres) return;
         for (const std::optional<double>& length : {before, after}) {
             rows.back().push_back(length ? fmt::format("{:.1f}", *length * context.map.cell_size) : nothing);
@@ -81,26 +86,80 @@ std::string outcomes(const Plan& plan, const io::PlanContext& context, const Tab
                         change(before.ground.seconds, after.ground.seconds)});
     }
     add_length("path B (air)", before.air.length, after.air.length);
-    add_length("flowtime", before.flowtime, after.flowtime);
-    add_length("makespan", before.makespan, after.makespan);
+    // With unit speeds times are lengths (paper, section 2).
+    const bool times_are_lengths = std::ranges::all_of(
+        context.mission.agents, [](double speed) { return speed == 1; }, &Agent::speed);
+    const auto add_end = [&](const std::string& name, std::optional<double> was, std::optional<double> is) {
+        times_are_lengths ? add_length(name, was, is) : add_time(name, was, is);
+    };
+    add_end("flowtime", before.flowtime, after.flowtime);
+    add_end("makespan", before.makespan, after.makespan);
     return aligned(rows, style.bold);
 }
 
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     const auto named = [](const Removal& removal) { return removal.source_id != 0; };
     const bool source_ids = std::any_of(plan.removed.begin(), plan.removed.end(), named);
+    const bool explained =
+        std::ranges::any_of(plan.removed, [](const Removal& removal) { return removal.saves.has_value(); });
     std::vector<Row> rows{{"removed", "obstacle", "cells", "hits", "breach cell", "breached at", "entered at"}};
+    if (explained) rows.front().push_back("saves");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     for (const Removal& removal : plan.removed) {
         rows.push_back({std::to_string(rows.size()), std::to_string(removal.obstacle.value),
                         std::to_string(removal.cells), std::to_string(removal.hits), text(removal.at),
                         text(removal.cleared_at, 3), text(removal.entered_at, 3)});
+        if (explained) rows.back().push_back(text(removal.saves, 3));
         if (!source_ids) continue;
         rows.back().insert(rows.back().begin() + 2, named(removal) ? std::to_string(removal.source_id) : nothing);
     }
     if (rows.size() > 1) return aligned(rows, style.bold);
-    return context.options.removals == 0 ? "nothing removed, as asked for\n"
-                                         : "nothing removed: the search ran into no obstacle\n";
+    if (context.options.removals == 0) return "nothing removed, as asked for\n";
+    return context.options.timing == Timing::ignore ? "nothing removed: the search ran into no obstacle\n"
+                                                    : "nothing removed: no removal gains anything\n";
+}
+
+// What one removal more would gain.
+std::string next(const Plan& plan) {
+    std::string lines;
+    for (const NextRemoval& removal : plan.next) {
+        lines +=
+            fmt::format("\none removal more, obstacle {}, would save {:.3f}\n", removal.obstacle.value, removal.saves);
+    }
+    return lines;
+}
+
+// Where the ground agent waits, and how long.
+std::string waits(const Plan& plan) {
+    double all = 0;
+    std::vector<std::string> lines;
+    for (const AgentPlan& agent : plan.agents) {
+        if (agent.kind != AgentKind::ground) continue;
+        for (std::size_t i = 1; i < agent.path.size(); ++i) {
+            const Waypoint& a = agent.path[i - 1];
+            const Waypoint& b = agent.path[i];
+            if (a.x != b.x || a.y != b.y || a.t == b.t) continue;
+            all += b.t - a.t;
+            lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}\n", agent.id,
+                                        b.t - a.t, a.x, a.y, a.t, b.t));
+        }
+    }
+    if (lines.size() > 1) lines.push_back(fmt::format("it waits {:.3f} in all\n", all));
+    return lines.empty() ? "" : fmt::format("\n{}", fmt::join(lines, ""));
+}
+
+// How far the plan can be from the best.
+std::string bound(const Plan& plan, const io::PlanContext& context) {
+    const bool makespan = context.options.objective == Objective::makespan;
+    const std::optional<double> reached = makespan ? plan.after.makespan : plan.after.flowtime;
+    if (!plan.bound || !reached) return "";
+    const std::string_view objective = makespan ? "makespan" : "flowtime";
+    const double gap = *plan.bound > 0 ? *reached / *plan.bound - 1 : 0;
+    if (gap < 1e-9)
+        return fmt::format("\nno plan with at most {} removals has a smaller {}\n", context.options.removals,
+                           objective);
+    return fmt::format("\nno {} is below {:.3f} with at most {} removals: the gap is {:.2f} %\n", objective,
+                       *plan.bound, context.options.removals, 100 * gap);
 }
 
 // The paper's choice of obstacles can be worse than none.
@@ -117,7 +176,7 @@ std::string warning(const Plan& plan, const io::PlanContext& context) {
 
 std::string plan_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     return heading(context, style) + "\n" + outcomes(plan, context, style) + "\n" + removals(plan, context, style) +
-           warning(plan, context);
+           next(plan) + waits(plan) + bound(plan, context) + warning(plan, context);
 }
 
 }  // namespace waybreaker::apps

@@ -38,7 +38,7 @@ struct MissionOptions {
     int removals = 3;  // how many obstacles may be removed, >= 0
     Selection select = Selection::hits;
     FlightRule flight = FlightRule::optimal;
-    Timing timing = Timing::ignore;
+    Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;
     BreachTime breach_time;
     std::vector<ObstacleId> protect;  // never removed
@@ -61,8 +61,8 @@ void validate(const Map& map, const Mission& mission, const MissionOptions& opti
 
 class MissionPlanner {
   public:
-    // The paper's method (section 3), step by step; validates first. Keeps its memory between calls; not for two
-    // threads at once.
+    // The paper's method (section 3), step by step; validates first. With timing enforced no plan is worse than to
+    // remove nothing, and more removals never cost more. Keeps its memory between calls; not for two threads at once.
     Plan plan(const Map& map, const Mission& mission, const MissionOptions& options = {});
 
   private:

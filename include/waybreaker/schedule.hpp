@@ -20,11 +20,13 @@ struct ScheduleTask {
     std::span<const Point> ground_path;  // turning points, at least one; waits happen there
     double ground_speed = 1;             // cells per unit of time
     double radius = 0.5;                 // of the ground agent; 0 for a point
+    bool slips = true;                   // between diagonal neighbours, a point; false: they must be gone
     Cell air_start;
     Cell air_goal;
     double air_speed = 1;
     std::span<const ObstacleId> removed = {};  // what the path needs open
     BreachTime breach_time = {};
+    Timing timing = Timing::enforce;  // ignore: the ground agent waits for nothing
     Objective objective = Objective::makespan;
 };
 

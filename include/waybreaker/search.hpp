@@ -38,6 +38,9 @@ struct SearchOptions {
     SearchListener* listener = nullptr;          // not owned; told of every step
 };
 
+// The heuristic that a search with these options uses.
+Heuristic heuristic_of(const SearchOptions& options);
+
 enum class SearchStatus { found, no_path, limit_reached, stopped };
 
 struct SearchResult {

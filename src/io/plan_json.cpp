@@ -26,6 +26,26 @@ std::string_view name(Planner planner) {
     return "bfs";
 }
 
+std::string_view name(Heuristic heuristic) {
+    switch (heuristic) {
+        case Heuristic::euclidean:
+            return "euclidean";
+        case Heuristic::octile:
+            return "octile";
+        case Heuristic::chebyshev:
+            return "chebyshev";
+        case Heuristic::manhattan:
+            return "manhattan";
+        case Heuristic::zero:
+            break;
+    }
+    return "zero";
+}
+
+std::string_view name(TieBreak rule) {
+    return rule == TieBreak::g_max ? "g-max" : "g-min";
+}
+
 std::string_view name(Corners corners) {
     switch (corners) {
         case Corners::none:
@@ -52,6 +72,14 @@ std::string_view name(PlanStatus status) {
     return "stopped";
 }
 
+std::string_view name(Selection selection) {
+    return selection == Selection::exact ? "exact" : "hits";
+}
+
+std::string_view name(Timing timing) {
+    return timing == Timing::enforce ? "enforce" : "ignore";
+}
+
 std::string_view name(FlightRule rule) {
     return rule == FlightRule::optimal ? "optimal" : "nearest";
 }
@@ -66,6 +94,10 @@ std::string_view name(AgentKind kind) {
 
 Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json place(Cell c) {
+    return {c.x, c.y};
 }
 
 // A whole number of cells stands without a decimal point.
@@ -84,16 +116,23 @@ Json map_json(const MapFile& map) {
 Json options_json(const PlanContext& context) {
     const MissionOptions& options = context.options;
     const Motion& motion = options.search.motion;
-    return {{"planner", name(options.search.planner)},
-            {"weight", number(options.search.weight)},
-            {"select", "hits"},
-            {"flight", name(options.flight)},
-            {"timing", "ignore"},
-            {"objective", name(options.objective)},
-            {"removals", options.removals},
-            {"connectivity", context.connectivity == Connectivity::four ? 4 : 8},
-            {"corners", name(motion.corners)},
-            {"radius", number(motion.radius)}};
+    Json json{{"planner", name(options.search.planner)},
+              {"heuristic", name(heuristic_of(options.search))},
+              {"weight", number(options.search.weight)},
+              {"tie_break", name(options.search.tie_break)},
+              {"select", name(options.select)},
+              {"flight", name(options.flight)},
+              {"timing", name(options.timing)},
+              {"objective", name(options.objective)},
+              {"removals", options.removals},
+              {"breach_time", number(options.breach_time.per_obstacle)},
+              {"breach_time_per_cell", number(options.breach_time.per_cell)},
+              {"connectivity", context.connectivity == Connectivity::four ? 4 : 8},
+              {"corners", name(motion.corners)},
+              {"radius", number(motion.radius)}};
+    for (const ObstacleId id : options.protect) json["protect"].push_back(id.value);
+    if (std::isfinite(options.budget)) json["budget"] = number(options.budget);
+    return json;
 }
 
 Json outcome_json(const Outcome& outcome, bool timing_fields) {
@@ -115,12 +154,21 @@ Json bound_json(const Plan& plan, Objective objective) {
     return bound;
 }
 
-Json removal_json(const Removal& removal) {
+Json removal_json(const Removal& removal, const MissionOptions& options) {
     Json json{{"obstacle", removal.obstacle.value}, {"cells", removal.cells}, {"hits", removal.hits}};
     if (removal.source_id != 0) json["source_id"] = removal.source_id;
-    json["at"] = {removal.at.x, removal.at.y};
+    if (!options.weights.empty()) json["weight"] = number(options.weights[removal.obstacle.value]);
+    json["at"] = place(removal.at);
     json["cleared_at"] = number(removal.cleared_at);
     json["entered_at"] = number(removal.entered_at);
+    if (removal.saves) json["saves"] = number(removal.saves);
+    return json;
+}
+
+Json next_json(const NextRemoval& next) {
+    Json json{{"obstacle", next.obstacle.value}};
+    if (next.source_id != 0) json["source_id"] = next.source_id;
+    json["saves"] = number(next.saves);
     return json;
 }
 
@@ -129,7 +177,12 @@ Json agent_json(const AgentPlan& agent) {
     for (const Waypoint& point : agent.path) {
         path.push_back(Json::array({coordinate(point.x), coordinate(point.y), number(point.t)}));
     }
-    return {{"id", agent.id}, {"kind", name(agent.kind)}, {"speed", number(agent.speed)}, {"path", std::move(path)}};
+    return {{"id", agent.id},
+            {"kind", name(agent.kind)},
+            {"speed", number(agent.speed)},
+            {"start", place(agent.start)},
+            {"goal", place(agent.goal)},
+            {"path", std::move(path)}};
 }
 
 Json seconds_json(const Plan::Seconds& seconds) {
@@ -165,9 +218,12 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
               {"before", outcome_json(plan.before, context.timing_fields)},
               {"after", outcome_json(plan.after, context.timing_fields)},
               {"bound", bound_json(plan, context.options.objective)},
-              {"removed", Json::array()},
-              {"agents", Json::array()}};
-    for (const Removal& removal : plan.removed) json["removed"].push_back(removal_json(removal));
+              {"removed", Json::array()}};
+    for (const Removal& removal : plan.removed) {
+        json["removed"].push_back(removal_json(removal, context.options));
+    }
+    for (const NextRemoval& next : plan.next) json["next"].push_back(next_json(next));
+    json["agents"] = Json::array();
     for (const AgentPlan& agent : plan.agents) json["agents"].push_back(agent_json(agent));
     if (context.timing_fields) json["seconds"] = seconds_json(plan.seconds);
     return pretty(json) + "\n";

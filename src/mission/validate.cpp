@@ -52,6 +52,29 @@ void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std
                      (place ? "; a free cell near it is " + text(*place) : "; the map has no free cell"));
 }
 
+void validate(const Map& map, const MissionOptions& options) {
+    if (options.removals < 0) throw InputError("the number of removals cannot be negative");
+    for (const double time : {options.breach_time.per_obstacle, options.breach_time.per_cell}) {
+        if (!(time >= 0) || !std::isfinite(time)) throw InputError("a breach cannot take a time of " + number(time));
+    }
+    const std::size_t obstacles = map.obstacles().size();
+    for (const ObstacleId id : options.protect) {
+        if (id && id.value <= obstacles) continue;
+        throw InputError("there is no obstacle " + std::to_string(id.value) + " to protect: the map has " +
+                         std::to_string(obstacles));
+    }
+    if (!options.weights.empty() && options.weights.size() != obstacles + 1) {
+        throw InputError("weights are needed for all " + std::to_string(obstacles) + " obstacles, by id, not for " +
+                         std::to_string(options.weights.size() - 1));
+    }
+    for (std::size_t id = 1; id < options.weights.size(); ++id) {
+        if (options.weights[id] > 0 && std::isfinite(options.weights[id])) continue;
+        throw InputError("the weight of obstacle " + std::to_string(id) + " must be a positive number");
+    }
+    if (!(options.budget >= 0)) throw InputError("the budget cannot be " + number(options.budget));
+    if (!(options.time_limit > 0)) throw InputError("the time limit must be above 0 seconds");
+}
+
 }  // namespace
 
 Mission ground_and_air(Cell start, Cell goal) {
@@ -62,6 +85,8 @@ Mission ground_and_air(Cell start, Cell goal) {
 MissionOptions paper_options(int removals) {
     MissionOptions options;
     options.removals = removals;
+    options.select = Selection::hits;
+    options.timing = Timing::ignore;
     // For one obstacle the paper flies the shortest way past it, which is what `optimal` does.
     options.flight = removals == 1 ? FlightRule::optimal : FlightRule::nearest;
     return options;
@@ -69,7 +94,7 @@ MissionOptions paper_options(int removals) {
 
 void validate(const Map& map, const Mission& mission, const MissionOptions& options) {
     validate(options.search);
-    if (options.removals < 0) throw InputError("the number of removals cannot be negative");
+    validate(map, options);
     int ground_agents = 0;
     int air_agents = 0;
     const OpenedMap closed(map);

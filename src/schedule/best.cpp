@@ -89,7 +89,8 @@ class Best {
     }
 
     Tour in_order_of_entry(Tour tour) const {
-        std::ranges::stable_sort(tour, {}, [this](const Stop& stop) { return course_.entry(stop.target); });
+        std::ranges::stable_sort(tour, {},
+                                 [this](const Stop& stop) { return course_.breaching(stop.target).needed_by; });
         return tour;
     }
 
@@ -115,7 +116,7 @@ Schedule best_schedule(const Map& map, const ScheduleTask& task) {
     if (few) best.prove();
 
     std::vector<Breaching> breachings;
-    for (const Stop& stop : best.tour()) breachings.push_back({course.entry(stop.target), course.stay(stop.target)});
+    for (const Stop& stop : best.tour()) breachings.push_back(course.breaching(stop.target));
     Schedule schedule = timetable(task, flight_of(start, best.tour(), goal, course.targets()), breachings);
     schedule.optimal = few;
     return schedule;

@@ -9,6 +9,7 @@
 
 #include "flight/exact.hpp"
 #include "flight/target.hpp"
+#include "schedule/timetable.hpp"
 #include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
@@ -32,12 +33,9 @@ class Course {
 
     // When the ground agent finishes if it never waits.
     double unhindered() const { return unhindered_; }
-    // When it touches a target's obstacle if it never waits; infinity if it does not touch it.
-    double entry(std::size_t target) const { return entries_[target]; }
-    // How long the air agent stays at a target.
-    double stay(std::size_t target) const { return stays_[target]; }
+    const Breaching& breaching(std::size_t target) const { return breachings_[target]; }
     // How long the ground agent would have to wait for a target; negative if it comes later.
-    double lateness(std::size_t target, double cleared_at) const { return cleared_at - entries_[target]; }
+    double lateness(std::size_t target, double cleared_at) const { return cleared_at - breachings_[target].needed_by; }
 
     Finish finish(const Tour& tour) const;
 
@@ -50,8 +48,8 @@ class Course {
     const ScheduleTask& task_;
     std::vector<Target> targets_;
     double unhindered_ = 0;
-    std::vector<double> entries_;
-    std::vector<double> stays_;
+    std::vector<Breaching> breachings_;
+    double stays_ = 0;  // of all together
 };
 
 }  // namespace waybreaker

@@ -35,7 +35,7 @@ class LocalSearch {
     // A new cell for a stop moves the times of all later stops alike, so that each cell is judged in constant time.
     bool better_cell(std::size_t i) {
         const std::size_t target = tour_[i].target;
-        const double stay = course_.stay(target);
+        const double stay = course_.breaching(target).stay;
         double time = 0;
         double left = 0;   // when the stop before is left
         double here = 0;   // when this one is left
@@ -43,7 +43,7 @@ class LocalSearch {
         double late = -std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < tour_.size(); ++k) {
             if (k == i) left = time;
-            time += flying(before(k), at(k)) + course_.stay(tour_[k].target);
+            time += flying(before(k), at(k)) + course_.breaching(tour_[k].target).stay;
             if (k == i) here = time;
             if (k < i) early = std::max(early, course_.lateness(tour_[k].target, time));
             if (k > i) late = std::max(late, course_.lateness(tour_[k].target, time));

@@ -9,6 +9,18 @@
 
 namespace waybreaker {
 
+Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven,
+                       ObstacleId obstacle) {
+    Breaching breaching{first_touch(map, obstacle, driven, task.radius), std::numeric_limits<double>::infinity(),
+                        task.breach_time.of(map.obstacle(obstacle))};
+    if (task.timing == Timing::ignore) return breaching;
+    // A point touches nothing when it passes between two diagonal neighbours.
+    constexpr double hair = 1e-5;
+    const auto needed_by = task.slips || task.radius > 0 ? breaching.touched : first_touch(map, obstacle, driven, hair);
+    if (needed_by) breaching.needed_by = *needed_by;
+    return breaching;
+}
+
 Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings) {
     assert(!task.ground_path.empty() && breachings.size() == flight.breaches.size());
     Schedule schedule;
@@ -39,9 +51,9 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
     };
     std::vector<double> delays(turns.size(), 0);
     for (std::size_t i = 0; i < breachings.size(); ++i) {
-        if (std::isinf(breachings[i].entry)) continue;
-        double& delay = delays[turn_before(breachings[i].entry)];
-        delay = std::max(delay, schedule.cleared_at[i] - breachings[i].entry);
+        if (std::isinf(breachings[i].needed_by)) continue;
+        double& delay = delays[turn_before(breachings[i].needed_by)];
+        delay = std::max(delay, schedule.cleared_at[i] - breachings[i].needed_by);
     }
     const double rounding = 1e-9 * (1 + schedule.air.back().t);
     double delay = 0;
@@ -54,10 +66,11 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
         delays[i] = delay;
     }
     for (std::size_t i = 0; i < breachings.size(); ++i) {
-        const double entry = breachings[i].entry;
-        schedule.entered_at.emplace_back();
-        if (std::isinf(entry)) continue;
-        schedule.entered_at.back() = std::max(entry + delays[turn_before(entry)], schedule.cleared_at[i]);
+        schedule.entered_at.push_back(breachings[i].touched);
+        std::optional<double>& entered = schedule.entered_at.back();
+        if (!entered) continue;
+        *entered += delays[turn_before(*entered)];
+        if (task.timing == Timing::enforce) entered = std::max(*entered, schedule.cleared_at[i]);
     }
 
     schedule.makespan = std::max(schedule.ground.back().t, schedule.air.back().t);
@@ -69,9 +82,7 @@ Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& fli
     const std::vector<Waypoint> driven = timed(task.ground_path, task.ground_speed);
     std::vector<Breaching> breachings;
     for (const BreachPoint& breach : flight.breaches) {
-        const std::optional<double> entry = first_touch(map, breach.obstacle, driven, task.radius);
-        breachings.push_back({entry.value_or(std::numeric_limits<double>::infinity()),
-                              task.breach_time.of(map.obstacle(breach.obstacle))});
+        breachings.push_back(breaching_of(map, task, driven, breach.obstacle));
     }
     return timetable(task, flight, breachings);
 }

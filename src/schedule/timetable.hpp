@@ -1,16 +1,22 @@
 // Timetable: a ground path and a flight with times, given when the ground agent comes to each obstacle.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
 
+// An obstacle as the timetable sees it. Times are those of a ground agent that never waits.
 struct Breaching {
-    double entry = 0;  // when the ground agent touches the obstacle if it never waits; infinity if it does not
-    double stay = 0;   // how long the air agent stays until the obstacle is gone
+    std::optional<double> touched;  // when the ground agent first touches the obstacle
+    double needed_by = 0;           // when it must be gone; infinity: any time
+    double stay = 0;                // how long the air agent stays until it is gone
 };
+
+// `driven` is the ground path without waits.
+Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven, ObstacleId obstacle);
 
 // `breachings` as flight.breaches.
 Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings);

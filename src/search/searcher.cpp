@@ -20,17 +20,17 @@ Searcher::~Searcher() = default;
 Searcher::Searcher(Searcher&&) noexcept = default;
 Searcher& Searcher::operator=(Searcher&&) noexcept = default;
 
-namespace {
-
-bool is_wide(const Motion& motion) {
-    return motion.corners == Corners::none && motion.radius > 0.5;
-}
-
 Heuristic heuristic_of(const SearchOptions& options) {
     if (options.planner == Planner::dijkstra || options.planner == Planner::bfs) return Heuristic::zero;
     if (options.heuristic) return *options.heuristic;
     if (options.planner == Planner::theta || options.planner == Planner::lazy_theta) return Heuristic::euclidean;
     return options.motion.diagonal ? Heuristic::octile : Heuristic::manhattan;
+}
+
+namespace {
+
+bool is_wide(const Motion& motion) {
+    return motion.corners == Corners::none && motion.radius > 0.5;
 }
 
 // The parts are chosen one after the other, each choice a function: steps, parents, order, observer.

@@ -38,7 +38,10 @@ RC_GTEST_PROP(EveryPlan, IsValid, ()) {
                                                Planner::dijkstra, Planner::bfs);
     options.search.motion = any_way_to_move();
     if (options.search.planner == Planner::jps) options.search.motion.radius = 0.5;
-    options.timing = Timing::ignore;
+    options.timing = *rc::gen::element(Timing::enforce, Timing::ignore);
+    options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
+    options.breach_time = {*rc::gen::element(0.0, 0.0, 2.5), *rc::gen::element(0.0, 0.0, 0.2)};
+    options.protect = some_obstacles(map, 2);
     const Mission mission = any_mission(plain, map, options.search.motion);
     const Plan plan = MissionPlanner().plan(map, mission, options);
     RC_ASSERT(plan_faults(map, mission, options, plan) == "");

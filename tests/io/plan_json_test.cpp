@@ -42,8 +42,8 @@ class PlanJson : public testing::Test {
         plan.after.flowtime = 7.5;
         plan.removed = {
             {.obstacle = ObstacleId{1}, .cells = 2, .hits = 11, .at = {2, 0}, .cleared_at = 1.25, .entered_at = {}}};
-        plan.agents = {{"ground", AgentKind::ground, 1, {{0, 0, 0}, {4, 1.5, 4.5}}},
-                       {"air", AgentKind::air, 2, {{0, 0, 0}, {4, 2, 2.25}}}};
+        plan.agents = {{"ground", AgentKind::ground, 1, {{0, 0, 0}, {4, 1.5, 4.5}}, {0, 0}, {4, 2}},
+                       {"air", AgentKind::air, 2, {{0, 0, 0}, {4, 2, 2.25}}, {0, 0}, {4, 2}}};
     }
     std::string text() const { return plan_json(plan, {file, mission, options, Connectivity::eight, timing_fields}); }
     Json json() const { return Json::parse(text()); }
@@ -68,8 +68,9 @@ TEST_F(PlanJson, HasTheKeysOfTheContractInItsOrder) {
     EXPECT_EQ(keys(plan_file),
               (Keys{"format", "status", "map", "options", "before", "after", "bound", "removed", "agents", "seconds"}));
     EXPECT_EQ(keys(plan_file["map"]), (Keys{"source", "width", "height", "cell_size", "digest"}));
-    EXPECT_EQ(keys(plan_file["options"]), (Keys{"planner", "weight", "select", "flight", "timing", "objective",
-                                                "removals", "connectivity", "corners", "radius"}));
+    EXPECT_EQ(keys(plan_file["options"]),
+              (Keys{"planner", "heuristic", "weight", "tie_break", "select", "flight", "timing", "objective",
+                    "removals", "breach_time", "breach_time_per_cell", "connectivity", "corners", "radius"}));
     for (const char* stage : {"before", "after"}) {
         EXPECT_EQ(keys(plan_file[stage]), (Keys{"ground", "air", "makespan", "flowtime"}));
         EXPECT_EQ(keys(plan_file[stage]["ground"]), (Keys{"length", "expanded", "generated", "seconds"}));
@@ -77,7 +78,7 @@ TEST_F(PlanJson, HasTheKeysOfTheContractInItsOrder) {
     }
     EXPECT_EQ(keys(plan_file["bound"]), (Keys{"makespan", "gap"}));
     EXPECT_EQ(keys(plan_file["removed"][0]), (Keys{"obstacle", "cells", "hits", "at", "cleared_at", "entered_at"}));
-    EXPECT_EQ(keys(plan_file["agents"][0]), (Keys{"id", "kind", "speed", "path"}));
+    EXPECT_EQ(keys(plan_file["agents"][0]), (Keys{"id", "kind", "speed", "start", "goal", "path"}));
     EXPECT_EQ(keys(plan_file["seconds"]), (Keys{"label", "search", "select", "flight", "total"}));
 }
 
@@ -88,8 +89,9 @@ TEST_F(PlanJson, SaysWhatThePlanSays) {
     EXPECT_EQ(plan_file["map"].dump(),
               R"({"source":"town.map","width":5,"height":3,"cell_size":1.0,"digest":"sha256:00"})");
     EXPECT_EQ(plan_file["options"].dump(),
-              R"({"planner":"theta","weight":1.0,"select":"hits","flight":"optimal","timing":"ignore",)"
-              R"("objective":"makespan","removals":1,"connectivity":8,"corners":"none","radius":0.5})");
+              R"({"planner":"theta","heuristic":"euclidean","weight":1.0,"tie_break":"g-max","select":"hits",)"
+              R"("flight":"optimal","timing":"ignore","objective":"makespan","removals":1,"breach_time":0.0,)"
+              R"("breach_time_per_cell":0.0,"connectivity":8,"corners":"none","radius":0.5})");
     EXPECT_EQ(plan_file["before"].dump(),
               R"({"ground":{"length":5.5,"expanded":7,"generated":9,"seconds":0.0},"air":{"length":0.0},)"
               R"("makespan":5.5,"flowtime":8.5})");
@@ -97,9 +99,10 @@ TEST_F(PlanJson, SaysWhatThePlanSays) {
     EXPECT_TRUE(plan_file["bound"].is_null());
     EXPECT_EQ(plan_file["removed"].dump(),
               R"([{"obstacle":1,"cells":2,"hits":11,"at":[2,0],"cleared_at":1.25,"entered_at":null}])");
-    EXPECT_EQ(plan_file["agents"].dump(),
-              R"([{"id":"ground","kind":"ground","speed":1.0,"path":[[0,0,0.0],[4,1.5,4.5]]},)"
-              R"({"id":"air","kind":"air","speed":2.0,"path":[[0,0,0.0],[4,2,2.25]]}])");
+    EXPECT_EQ(
+        plan_file["agents"].dump(),
+        R"([{"id":"ground","kind":"ground","speed":1.0,"start":[0,0],"goal":[4,2],"path":[[0,0,0.0],[4,1.5,4.5]]},)"
+        R"({"id":"air","kind":"air","speed":2.0,"start":[0,0],"goal":[4,2],"path":[[0,0,0.0],[4,2,2.25]]}])");
 }
 
 TEST_F(PlanJson, NamesOptionsAsTheCommandLineDoes) {
@@ -160,6 +163,33 @@ TEST_F(PlanJson, NamesTheSourceOfARemovedObstacleWhereItIsKnown) {
     EXPECT_EQ(removed["entered_at"], 2.5);
 }
 
+TEST_F(PlanJson, NamesWhatOnlySomeMissionsHave) {
+    for (const char* key : {"protect", "budget"}) EXPECT_FALSE(has_key(json()["options"], key));
+    EXPECT_FALSE(has_key(json(), "next"));
+    options.timing = Timing::enforce;
+    options.select = Selection::exact;
+    options.breach_time = {1.5, 0.25};
+    options.protect = {{1}, {2}};
+    options.budget = 4;
+    options.weights = {0, 2.5};
+    options.search.heuristic = Heuristic::octile;
+    options.search.tie_break = TieBreak::g_min;
+    plan.removed[0].saves = 3.5;
+    plan.next = {{.obstacle = {2}, .source_id = 77, .saves = 0.5}};
+    const Json written = json()["options"];
+    EXPECT_EQ(written["timing"], "enforce");
+    EXPECT_EQ(written["select"], "exact");
+    EXPECT_EQ(written["breach_time"], 1.5);
+    EXPECT_EQ(written["breach_time_per_cell"], 0.25);
+    EXPECT_EQ(written["protect"].dump(), "[1,2]");
+    EXPECT_EQ(written["budget"], 4.0);
+    EXPECT_EQ(written["heuristic"], "octile");
+    EXPECT_EQ(written["tie_break"], "g-min");
+    EXPECT_EQ(json()["removed"][0]["saves"], 3.5);
+    EXPECT_EQ(json()["removed"][0]["weight"], 2.5);
+    EXPECT_EQ(json()["next"].dump(), R"([{"obstacle":2,"source_id":77,"saves":0.5}])");
+}
+
 TEST_F(PlanJson, HasNoSecondsWithoutTimingFields) {
     EXPECT_TRUE(has_key(json(), "seconds"));
     timing_fields = false;
@@ -173,7 +203,7 @@ TEST_F(PlanJson, IsWrittenForPeople) {
   "format": "waybreaker-plan/1",
   "status": "solved",
   "map": {"source": "town.map", "width": 5, "height": 3, "cell_size": 1.0, "digest": "sha256:00"},
-  "options": {"planner": "theta", "weight": 1.0, "select": "hits", "flight": "optimal", "timing": "ignore", "objective": "makespan", "removals": 1, "connectivity": 8, "corners": "none", "radius": 0.5},
+  "options": {"planner": "theta", "heuristic": "euclidean", "weight": 1.0, "tie_break": "g-max", "select": "hits", "flight": "optimal", "timing": "ignore", "objective": "makespan", "removals": 1, "breach_time": 0.0, "breach_time_per_cell": 0.0, "connectivity": 8, "corners": "none", "radius": 0.5},
   "before": {"ground": {"length": 5.5, "expanded": 7, "generated": 9}, "air": {"length": 0.0}, "makespan": 5.5, "flowtime": 8.5},
   "after": {"ground": {"length": 4.5, "expanded": 0, "generated": 0}, "air": {"length": 3.0}, "makespan": 4.5, "flowtime": 7.5},
   "bound": null,
@@ -181,8 +211,8 @@ TEST_F(PlanJson, IsWrittenForPeople) {
     {"obstacle": 1, "cells": 2, "hits": 11, "at": [2, 0], "cleared_at": 1.25, "entered_at": null}
   ],
   "agents": [
-    {"id": "ground", "kind": "ground", "speed": 1.0, "path": [[0, 0, 0.0], [4, 1.5, 4.5]]},
-    {"id": "air", "kind": "air", "speed": 2.0, "path": [[0, 0, 0.0], [4, 2, 2.25]]}
+    {"id": "ground", "kind": "ground", "speed": 1.0, "start": [0, 0], "goal": [4, 2], "path": [[0, 0, 0.0], [4, 1.5, 4.5]]},
+    {"id": "air", "kind": "air", "speed": 2.0, "start": [0, 0], "goal": [4, 2], "path": [[0, 0, 0.0], [4, 2, 2.25]]}
   ]
 }
 )");

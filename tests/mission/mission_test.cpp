@@ -56,6 +56,7 @@ RC_GTEST_PROP(Mission, PlansWhatItsStepsSay, ()) {
     if (*rc::gen::arbitrary<bool>()) std::swap(mission.agents[0], mission.agents[1]);
     MissionOptions options;
     options.removals = *number(0, 4);
+    options.timing = Timing::ignore;
     options.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);
     options.search.planner = *rc::gen::element(Planner::theta, Planner::lazy_theta, Planner::astar, Planner::jps);
     const Plan plan = MissionPlanner().plan(map, mission, options);

@@ -72,6 +72,34 @@ TEST(ValidateMission, RefusesWrongOptions) {
     expect_words(refusal(mission, options), {"radius", "0.5 to 32"});
 }
 
+TEST(ValidateMission, RefusesImpossibleRemovals) {
+    const Mission mission = ground_and_air({0, 0}, {3, 2});
+    for (const double time : {-1.0, std::nan(""), HUGE_VAL}) {
+        MissionOptions options;
+        options.breach_time.per_obstacle = time;
+        expect_words(refusal(mission, options), {"breach", "time"});
+        options.breach_time = {0, time};
+        expect_words(refusal(mission, options), {"breach", "time"});
+    }
+    MissionOptions options;
+    options.protect = {{1}, {2}};
+    expect_words(refusal(mission, options), {"no obstacle 2", "has 1"});
+    options.protect = {{0}};
+    expect_words(refusal(mission, options), {"no obstacle 0"});
+    options.protect = {{1}};
+    EXPECT_EQ(refusal(mission, options), "");
+    options.weights = {0};
+    expect_words(refusal(mission, options), {"weights", "all 1 obstacles", "not for 0"});
+    options.weights = {0, 0};
+    expect_words(refusal(mission, options), {"weight of obstacle 1", "positive"});
+    options.weights = {0, 2};
+    options.budget = -1;
+    expect_words(refusal(mission, options), {"budget", "-1"});
+    options.budget = 3;
+    options.time_limit = 0;
+    expect_words(refusal(mission, options), {"time limit"});
+}
+
 TEST(ValidateMission, RefusesImpossibleAgents) {
     for (const double speed : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
         Mission mission = ground_and_air({0, 0}, {3, 2});

@@ -147,7 +147,8 @@ void expect_consistent(const World& world, const Schedule& schedule) {
         flown += distance(at, breach.at);
         t += distance(at, breach.at) / task.air_speed + task.breach_time.of(world.map.obstacle(breach.obstacle));
         RC_ASSERT(std::abs(schedule.cleared_at[i] - t) < hair);
-        const auto entered = first_touch(world.map, breach.obstacle, schedule.ground, task.radius - 1e-9);
+        const auto entered =
+            first_touch(world.map, breach.obstacle, schedule.ground, std::max(task.radius - 1e-9, 0.0));
         if (entered) RC_ASSERT(*entered > t - hair);
         if (entered && task.radius > 0) RC_ASSERT(std::abs(*schedule.entered_at[i] - *entered) < 1e-4);
         at = breach.at;

@@ -1,0 +1,53 @@
+// Candidate: obstacles to remove and the ground path that this opens; every way of selecting hands candidates on.
+// Draft: a candidate with the times of both agents, so that candidates can be compared.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+
+// What all steps of a mission's planning work on.
+struct Task {
+    const Map& map;
+    const Agent& driver;
+    const Agent& flyer;
+    const MissionOptions& options;
+
+    // Of the ground agent; 0 for a point.
+    double radius() const;
+    // When a ground path and a flight end, as the objective counts it.
+    double objective(double ground_time, double air_time) const;
+};
+
+// The task of a valid mission.
+Task task_of(const Map& map, const Mission& mission, const MissionOptions& options);
+
+struct Candidate {
+    std::vector<ObstacleId> removed;  // each once
+    SearchStatus status = SearchStatus::no_path;
+    Outcome::Ground ground;
+};
+
+// A ground path found by a search on the map without some obstacles.
+Candidate candidate_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds);
+
+struct Draft {
+    Candidate candidate;
+    Schedule schedule;          // of the air agent alone where there is no ground path
+    double flight_seconds = 0;  // what it took to make the schedule
+};
+
+// Flies as the options say.
+Draft draft_of(const Task& task, Candidate candidate);
+
+// The objective; infinity where there is no ground path.
+double cost(const Task& task, const Draft& draft);
+
+// The first of the best, gains that are rounding aside; `nothing` removes nothing. Where obstacles do not stand in time
+// (the paper), the last draft whatever it costs.
+const Draft& best_of(const Task& task, const Draft& nothing, const std::vector<Draft>& drafts);
+
+}  // namespace waybreaker

@@ -1,0 +1,69 @@
+#include "mission/hits.hpp"
+
+#include <algorithm>
+
+#include "mission/stopwatch.hpp"
+#include "waybreaker/breach.hpp"
+
+namespace waybreaker {
+namespace {
+
+// Lets stand again what the ground path does without.
+void keep_needed(const Task& task, Candidate& candidate, std::span<const Cell> path) {
+    for (std::size_t i = candidate.removed.size(); i-- > 0;) {
+        std::vector<ObstacleId> others = candidate.removed;
+        others.erase(others.begin() + std::ptrdiff_t(i));
+        const OpenedMap map(task.map, others);
+        const auto blocked = [&](Cell a, Cell b) { return !line_of_sight(map, a, b, task.options.search.motion); };
+        if (std::ranges::adjacent_find(path, blocked) == path.end()) candidate.removed = std::move(others);
+    }
+}
+
+Candidate opened(const Task& task, Searcher& searcher, std::span<const ObstacleId> removed) {
+    const Stopwatch watch;
+    const SearchResult search =
+        searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, task.options.search);
+    Candidate candidate = candidate_of({removed.begin(), removed.end()}, search, watch.seconds());
+    if (task.options.timing == Timing::enforce && candidate.ground.length) keep_needed(task, candidate, search.path);
+    return candidate;
+}
+
+}  // namespace
+
+std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::uint32_t> hits) {
+    const MissionOptions& options = task.options;
+    std::vector<std::uint32_t> countable(hits.begin(), hits.end());
+    for (const ObstacleId id : options.protect) countable[id.value] = 0;
+    std::vector<ObstacleId> chosen = most_hit(task.map, countable, options.removals);
+    double budget = options.budget;
+    std::erase_if(chosen, [&](ObstacleId id) {
+        const double weight = options.weights.empty() ? 1 : options.weights[id.value];
+        if (weight > budget) return true;
+        budget -= weight;
+        return false;
+    });
+    return chosen;
+}
+
+std::vector<Draft> drafts_by_hits(const Task& task, Searcher& searcher, const Draft& nothing,
+                                  std::span<const ObstacleId> chosen) {
+    if (chosen.empty() || nothing.candidate.status == SearchStatus::stopped) return {};
+    std::vector<Draft> drafts;
+    if (task.options.timing == Timing::ignore) {
+        drafts.push_back(draft_of(task, opened(task, searcher, chosen)));
+        return drafts;
+    }
+    const Stopwatch watch;
+    const double floor = task.objective(distance(task.driver.start, task.driver.goal) / task.driver.speed,
+                                        distance(task.flyer.start, task.flyer.goal) / task.flyer.speed);
+    double least = cost(task, nothing);
+    for (std::size_t count = 1; count <= chosen.size(); ++count) {
+        if (least <= floor * (1 + 1e-9) || watch.seconds() > task.options.time_limit) break;
+        drafts.push_back(draft_of(task, opened(task, searcher, chosen.first(count))));
+        least = std::min(least, cost(task, drafts.back()));
+        if (drafts.back().candidate.status == SearchStatus::stopped) break;
+    }
+    return drafts;
+}
+
+}  // namespace waybreaker
