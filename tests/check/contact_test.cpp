@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
-#include <sstream>
+#include <set>
+#include <string>
 
 #include "plan/timeline.hpp"
 #include "random_map.hpp"
@@ -130,17 +130,22 @@ TEST(Contact, IsExactFarAway) {
     EXPECT_EQ(contacts(map, leg, 501).size(), 1U);
 }
 
-// Rule 11 of the house: the judge uses the public map and plan, and nothing of how planners see them.
+// The judge uses the public map and plan, and nothing of how planners see them.
 TEST(Judge, SharesNoGeometryWithThePlanner) {
-    static const std::regex includes(R"(#include "(?!check/|waybreaker/(check|map|motion|plan|error)\.hpp))");
-    static const std::regex uses(
-        R"(\b(line_of_sight|fits|boundary|first_touch|path_length|timed|distance|OpenedMap)\()");
+    const std::set<std::string> allowed{"waybreaker/check.hpp", "waybreaker/error.hpp", "waybreaker/map.hpp",
+                                        "waybreaker/motion.hpp", "waybreaker/plan.hpp"};
+    const std::vector<std::string> forbidden{"line_of_sight(", "fits(",  ".boundary(", "first_touch(",
+                                             "path_length(",   "timed(", " distance(", "OpenedMap"};
     int files = 0;
     for (const auto& file : std::filesystem::directory_iterator(WAYBREAKER_SOURCE_DIR "/src/check")) {
-        std::stringstream text;
-        text << std::ifstream(file.path()).rdbuf();
-        EXPECT_FALSE(std::regex_search(text.str(), includes)) << file.path();
-        EXPECT_FALSE(std::regex_search(text.str(), uses)) << file.path();
+        std::ifstream text(file.path());
+        for (std::string line; std::getline(text, line);) {
+            for (const std::string& use : forbidden) EXPECT_EQ(line.find(use), std::string::npos) << line;
+            const std::string include = "#include \"";
+            if (!line.starts_with(include)) continue;
+            const std::string header = line.substr(include.size(), line.size() - include.size() - 1);
+            EXPECT_TRUE(allowed.contains(header) || header.starts_with("check/")) << file.path() << " uses " << header;
+        }
         ++files;
     }
     EXPECT_GE(files, 6);
