@@ -47,18 +47,19 @@ bool wants_bold() {
     return isatty(STDOUT_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
 }
 
-render::PictureOptions picture_options(const io::MapFile& map, bool metres) {
+render::PictureOptions picture_options(const io::MapFile& map, bool metres, Objective objective) {
     return {.cell_size = map.cell_size,
             .metres = metres,
             .title = map.title.empty() ? map.source : map.title,
-            .attribution = map.attribution};
+            .attribution = map.attribution,
+            .objective = objective};
 }
 
 // What goes where, standard output last: by then all files are complete.
 void write_outputs(const PlanOptions& options, const io::PlanContext& context, const Plan& plan) {
     const io::MapFile& file = context.map;
     const bool metres = has_metres(options, file);
-    const render::PictureOptions picture = picture_options(file, metres);
+    const render::PictureOptions picture = picture_options(file, metres, context.options.objective);
     std::vector<std::pair<std::string, std::string>> outputs;
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));

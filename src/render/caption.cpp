@@ -50,7 +50,19 @@ std::string why_no_plan(PlanStatus status) {
     }
 }
 
+// ", gap 0.2 %" to the best possible plan, where a bound is known for the makespan or the flowtime.
+std::string gap(const Plan& plan, const PictureOptions& options) {
+    const std::optional<double> reached =
+        options.objective == Objective::makespan ? plan.after.makespan : plan.after.flowtime;
+    if (!plan.bound || !reached || *plan.bound <= 0) return "";
+    return fmt::format(", gap {:.1f} %", 100 * std::max(*reached / *plan.bound - 1, 0.0));
+}
+
 }  // namespace
+
+std::string time_text(double time, const Mission& mission, const PictureOptions& options) {
+    return number(time, times_are_lengths(mission) ? options.cell_size : 1);
+}
 
 std::string headline(const Mission& mission, const Plan& plan, const PictureOptions& options) {
     if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(plan.removed.size());
@@ -58,11 +70,11 @@ std::string headline(const Mission& mission, const Plan& plan, const PictureOpti
     const double factor = lengths ? options.cell_size : 1;
     const std::string unit = !lengths ? "" : options.metres ? " m" : " cells";
     const std::string after = number(plan.after.makespan, factor) + unit;
-    if (plan.removed.empty()) return fmt::format("Makespan {}, {}", after, removals(0));
+    if (plan.removed.empty()) return fmt::format("Makespan {}, {}{}", after, removals(0), gap(plan, options));
     const std::string difference = change(plan.before.makespan, plan.after.makespan);
-    return fmt::format("Makespan {} {} {}{}, {}",
-                       plan.before.makespan ? number(plan.before.makespan, factor) : "(no way)", arrow, after,
-                       difference.empty() ? "" : " (" + difference + ")", removals(plan.removed.size()));
+    return fmt::format(
+        "Makespan {} {} {}{}, {}{}", plan.before.makespan ? number(plan.before.makespan, factor) : "(no way)", arrow,
+        after, difference.empty() ? "" : " (" + difference + ")", removals(plan.removed.size()), gap(plan, options));
 }
 
 std::vector<FigureRow> figures(const Mission& mission, const Plan& plan, const PictureOptions& options) {

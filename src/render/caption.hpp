@@ -11,8 +11,11 @@ namespace waybreaker::render {
 
 struct PictureOptions;
 
-// The plan in one sentence: "Makespan 584.0 → 552.1 m (−5.5 %), 3 obstacles removed".
+// The plan in one sentence: "Makespan 584.0 → 552.1 m (−5.5 %), 3 obstacles removed, gap 0.2 %".
 std::string headline(const Mission& mission, const Plan& plan, const PictureOptions& options);
+
+// A time as the headline tells it, without its unit: "208.7".
+std::string time_text(double time, const Mission& mission, const PictureOptions& options);
 
 struct FigureRow {
     std::string name;

@@ -84,26 +84,60 @@ std::string draw_paths(const Scene& scene) {
     return out + draw(PathSign::ground, after.ground.path) + draw(PathSign::air, after.air.path);
 }
 
-// Start and goal above everything; the breaches keep clear of them. More than 99 breaches are not numbered.
+struct Wait {
+    waybreaker::Point at;
+    double time;
+};
+
+// Of the ground agent, in the order of its path.
+std::vector<Wait> waits(const Plan& plan) {
+    std::vector<Wait> found;
+    for (const AgentPlan& agent : plan.agents) {
+        if (agent.kind != AgentKind::ground) continue;
+        for (std::size_t i = 1; i < agent.path.size(); ++i) {
+            const Waypoint& a = agent.path[i - 1];
+            const Waypoint& b = agent.path[i];
+            if (a.x == b.x && a.y == b.y && a.t < b.t) found.push_back({{a.x, a.y}, b.t - a.t});
+        }
+    }
+    return found;
+}
+
+// Breaches with their times, then waits with theirs. Many are neither numbered nor timed.
+std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
+    const std::vector<Removal>& removed = scene.plan.removed;
+    const std::vector<Wait> waiting = waits(scene.plan);
+    std::vector<waybreaker::Point> places;
+    for (const Removal& removal : removed) places.emplace_back(removal.at);
+    for (const Wait& wait : waiting) places.push_back(wait.at);
+    const std::vector<Point> points = scene.on_map(places);
+    const bool numbered = points.size() <= 99;
+    const bool with_times = points.size() <= 12;
+    const std::vector<Point> labels =
+        numbered ? spread_labels(points, taken, size::breach_label * scene.unit(), scene.layout.window) : points;
+
+    std::string out;
+    for (std::size_t i = 0; i < points.size(); ++i) out += breach_leader(points[i], labels[i], scene.unit());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool breach = i < removed.size();
+        const double time = breach ? removed[i].cleared_at : waiting[i - removed.size()].time;
+        if (with_times) {
+            const std::string said = time_text(time, scene.mission, scene.options);
+            out += note(labels[i], breach ? said : fmt::format("+{}", said), scene.unit());
+        }
+        out += breach ? breach_label(labels[i], numbered ? std::to_string(i + 1) : "", scene.unit())
+                      : wait_sign(labels[i], scene.unit());
+    }
+    return out;
+}
+
+// Start and goal above everything; what else there is to mark keeps clear of them.
 std::string draw_marks(const Scene& scene) {
     const std::vector<Point> starts = scene.places(&Agent::start);
     const std::vector<Point> goals = scene.places(&Agent::goal);
-    std::vector<Cell> cells;
-    for (const Removal& removal : scene.plan.removed) cells.push_back(removal.at);
-    const std::vector<Point> breaches = scene.on_map(cells);
-    const bool numbered = breaches.size() <= 99;
-    std::vector<Point> labels = breaches;
-    if (numbered) {
-        std::vector<Point> taken = starts;
-        taken.insert(taken.end(), goals.begin(), goals.end());
-        labels = spread_labels(breaches, taken, size::breach_label * scene.unit(), scene.layout.window);
-    }
-
-    std::string out;
-    for (std::size_t i = 0; i < breaches.size(); ++i) out += breach_leader(breaches[i], labels[i], scene.unit());
-    for (std::size_t i = 0; i < breaches.size(); ++i) {
-        out += breach_label(labels[i], numbered ? std::to_string(i + 1) : "", scene.unit());
-    }
+    std::vector<Point> taken = starts;
+    taken.insert(taken.end(), goals.begin(), goals.end());
+    std::string out = draw_moments(scene, taken);
     for (const Point start : starts) {
         out += start_sign(start, scene.unit(), std::find(goals.begin(), goals.end(), start) != goals.end());
     }
@@ -145,8 +179,9 @@ std::vector<LegendEntry> legend(const Scene& scene) {
         entries.push_back({swatch(Look::fixed_obstacle), "not removable"});
     if (!scene.plan.removed.empty()) {
         entries.push_back({swatch(Look::removed), "removed obstacle"});
-        entries.push_back({breach_label(middle, "1", unit), "breach point"});
+        entries.push_back({breach_label(middle, "1", unit), "breach, when"});
     }
+    if (!waits(scene.plan).empty()) entries.push_back({wait_sign(middle, unit), "wait, how long"});
     return entries;
 }
 

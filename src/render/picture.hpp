@@ -20,6 +20,7 @@ struct PictureOptions {
     bool metres = false;           // what lengths are then called: metres, or cells
     std::string title = {};        // first line; any bytes
     std::string attribution = {};  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
+    Objective objective = Objective::makespan;  // what the plan's bound is one of
 };
 
 // An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so

@@ -104,6 +104,24 @@ std::string breach_label(Point at, std::string_view number, double unit) {
     return sign + text({at.x, at.y + 0.36 * pixels}, number, pixels, colour::halo, Anchor::middle, true);
 }
 
+std::string wait_sign(Point at, double unit) {
+    const auto bar = [&](double x) {
+        return fmt::format(R"(<rect x="{:.6g}" y="{:.6g}" width="{:.4g}" height="{:.4g}" fill="{}"/>)"
+                           "\n",
+                           at.x + x * unit, at.y - 5 * unit, 3 * unit, 10 * unit, colour::halo);
+    };
+    return disc(at, size::breach_label * unit, colour::ground, colour::halo, 2 * unit) + bar(-4.5) + bar(1.5);
+}
+
+std::string note(Point at, std::string_view content, double unit) {
+    const double pixels = size::small_text * unit;
+    return fmt::format(
+        R"(<text x="{:.6g}" y="{:.6g}" font-size="{:.4g}" fill="{}" stroke="{}" stroke-width="{:.4g}" paint-order="stroke">{}</text>)"
+        "\n",
+        at.x + (size::breach_label + 4) * unit, at.y + 0.36 * pixels, pixels, colour::ink, colour::halo, 4 * unit,
+        content);
+}
+
 std::string obstacle_sign(Look look, std::string_view data, Point origin, double scale, double unit) {
     if (data.empty()) return "";
     struct Style {

@@ -24,6 +24,12 @@ std::string goal_sign(Point at, double unit);
 std::string breach_leader(Point at, Point label, double unit);
 std::string breach_label(Point at, std::string_view number, double unit);
 
+// A disc with two bars where the ground agent waits; as large as a breach's.
+std::string wait_sign(Point at, double unit);
+
+// A few words to the right of a disc.
+std::string note(Point at, std::string_view content, double unit);
+
 // Obstacles of one look, given as path data; `scale` is the size of the data's unit in pixels, `origin` its (0, 0).
 std::string obstacle_sign(Look look, std::string_view path_data, Point origin, double scale, double unit);
 
