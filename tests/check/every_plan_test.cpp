@@ -42,6 +42,8 @@ RC_GTEST_PROP(EveryPlan, IsValid, ()) {
     options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
     options.breach_time = {*rc::gen::element(0.0, 0.0, 2.5), *rc::gen::element(0.0, 0.0, 0.2)};
     options.protect = some_obstacles(map, 2);
+    options.weights.assign(map.obstacles().size() + 1, *rc::gen::element(0.5, 1.0));
+    options.budget = *rc::gen::element(0.9, 1.7, std::numeric_limits<double>::infinity());
     const Mission mission = any_mission(plain, map, options.search.motion);
     const Plan plan = MissionPlanner().plan(map, mission, options);
     RC_ASSERT(plan_faults(map, mission, options, plan) == "");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ascii_map.hpp"
+#include "checked_plan.hpp"
 #include "input_error.hpp"
 #include "io/plan_json.hpp"
 #include "random_map.hpp"
@@ -34,52 +35,78 @@ void expect_same(const Outcome& written, const Outcome& read) {
     RC_ASSERT(read.flowtime == written.flowtime);
 }
 
+void expect_same(const Removal& written, const Removal& read) {
+    RC_ASSERT(read.obstacle == written.obstacle);
+    RC_ASSERT(read.source_id == written.source_id);
+    RC_ASSERT(read.cells == written.cells);
+    RC_ASSERT(read.hits == written.hits);
+    RC_ASSERT(read.at == written.at);
+    RC_ASSERT(read.cleared_at == written.cleared_at);
+    RC_ASSERT(read.entered_at == written.entered_at);
+    RC_ASSERT(read.saves == written.saves);
+}
+
+void expect_same(const AgentPlan& written, const AgentPlan& read) {
+    RC_ASSERT(read.id == written.id);
+    RC_ASSERT(read.kind == written.kind);
+    RC_ASSERT(read.speed == written.speed);
+    RC_ASSERT(read.start == written.start);
+    RC_ASSERT(read.goal == written.goal);
+    RC_ASSERT(read.path == written.path);
+}
+
+MissionOptions any_options(const Map& map) {
+    MissionOptions options;
+    options.removals = *number(0, 3);
+    options.search.motion.corners = any_corners();
+    options.timing = *rc::gen::element(Timing::enforce, Timing::ignore);
+    options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
+    options.breach_time = {*rc::gen::element(0.0, 1.5), *rc::gen::element(0.0, 0.25)};
+    options.protect = some_obstacles(map, 2);
+    options.weights.assign(map.obstacles().size() + 1, 1.5);
+    options.budget = *rc::gen::element(3.0, std::numeric_limits<double>::infinity());
+    return options;
+}
+
 RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     const PlainMap plain = *random_map(20, 16);
     const MapFile file = map_file(Map(plain.grid()));
     Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
     mission.agents[1].speed = 3;
-    MissionOptions options = paper_options(*number(0, 3));
-    options.search.motion.corners = any_corners();
-    options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
+    const MissionOptions options = any_options(file.map);
     Plan plan = MissionPlanner().plan(file.map, mission, options);
     if (plan.after.makespan) plan.bound = *plan.after.makespan / 2;
+    for (Removal& removal : plan.removed) removal.saves = 0.1;
+    plan.next = {{.obstacle = {7}, .source_id = -7, .saves = 0.7}};
     const PlanFile read = parse_plan(plan_json(plan, {file, mission, options, Connectivity::eight, true}), "plan.json");
 
     RC_ASSERT(read.width == file.map.width() && read.height == file.map.height());
     RC_ASSERT(read.digest == file.digest);
     RC_ASSERT(read.connectivity == Connectivity::eight);
-    RC_ASSERT(read.rules.motion.corners == options.search.motion.corners);
-    RC_ASSERT(read.rules.motion.radius == options.search.motion.radius);
-    RC_ASSERT(read.rules.timing == options.timing);
-    RC_ASSERT(read.rules.objective == options.objective);
-    RC_ASSERT(read.rules.removals == options.removals);
+    const CheckRules rules = rules_of(options, plan);
+    RC_ASSERT(read.rules.motion.corners == rules.motion.corners);
+    RC_ASSERT(read.rules.motion.radius == rules.motion.radius);
+    RC_ASSERT(read.rules.timing == rules.timing);
+    RC_ASSERT(read.rules.breach_time.per_obstacle == rules.breach_time.per_obstacle);
+    RC_ASSERT(read.rules.breach_time.per_cell == rules.breach_time.per_cell);
+    RC_ASSERT(read.rules.objective == rules.objective);
+    RC_ASSERT(read.rules.removals == rules.removals);
+    RC_ASSERT(read.rules.protect == rules.protect);
+    RC_ASSERT(read.rules.weights == rules.weights);
+    RC_ASSERT(read.rules.budget == rules.budget);
+    RC_ASSERT(read.rules.gap.has_value() == plan.bound.has_value());
     RC_ASSERT(read.plan.status == plan.status);
     RC_ASSERT(read.plan.bound == plan.bound);
-    RC_ASSERT(read.rules.gap.has_value() == plan.bound.has_value());
     expect_same(plan.before, read.plan.before);
     expect_same(plan.after, read.plan.after);
     RC_ASSERT(read.plan.removed.size() == plan.removed.size());
-    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
-        const Removal& removal = read.plan.removed[i];
-        RC_ASSERT(removal.obstacle == plan.removed[i].obstacle);
-        RC_ASSERT(removal.cells == plan.removed[i].cells);
-        RC_ASSERT(removal.hits == plan.removed[i].hits);
-        RC_ASSERT(removal.source_id == plan.removed[i].source_id);
-        RC_ASSERT(removal.at == plan.removed[i].at);
-        RC_ASSERT(removal.cleared_at == plan.removed[i].cleared_at);
-        RC_ASSERT(removal.entered_at == plan.removed[i].entered_at);
-    }
+    for (std::size_t i = 0; i < plan.removed.size(); ++i) expect_same(plan.removed[i], read.plan.removed[i]);
     RC_ASSERT(read.plan.agents.size() == plan.agents.size());
-    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-        const AgentPlan& agent = read.plan.agents[i];
-        RC_ASSERT(agent.id == plan.agents[i].id);
-        RC_ASSERT(agent.kind == plan.agents[i].kind);
-        RC_ASSERT(agent.speed == plan.agents[i].speed);
-        RC_ASSERT(agent.path == plan.agents[i].path);
-        RC_ASSERT(agent.start == plan.agents[i].start);
-        RC_ASSERT(agent.goal == plan.agents[i].goal);
-    }
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) expect_same(plan.agents[i], read.plan.agents[i]);
+    RC_ASSERT(read.plan.next.size() == 1U);
+    RC_ASSERT(read.plan.next[0].obstacle == plan.next[0].obstacle);
+    RC_ASSERT(read.plan.next[0].source_id == plan.next[0].source_id);
+    RC_ASSERT(read.plan.next[0].saves == plan.next[0].saves);
 }
 
 const char* const small_plan = R"({
