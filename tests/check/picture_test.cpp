@@ -108,6 +108,31 @@ TEST(Check, LetsPointsTouchAndSlipButNotPassWalls) {
     EXPECT_EQ(drive(map, {{0, 0}, {-1.5, 1.5}, {0, 4}}, point), Rules{Rule::vertex}) << "off the map";
 }
 
+TEST(Check, KeepsPointsFromPassingWallsAtAnyEdgeOfTheMap) {
+    const Map map = map_from_ascii(R"(
+        .a.
+        b.c
+        .d.)");
+    const Motion point{.radius = 0};
+    const Rules collision{Rule::collision};
+    EXPECT_EQ(drive(map, {{0, 0}, {-0.5, 0.5}, {-0.5, 1.5}, {0, 2}}, point), collision);
+    EXPECT_EQ(drive(map, {{2, 2}, {2.5, 1.5}, {2.5, 0.5}, {2, 0}}, point), collision);
+    EXPECT_EQ(drive(map, {{0, 0}, {0.5, -0.5}, {1.5, -0.5}, {2, 0}}, point), collision);
+    EXPECT_EQ(drive(map, {{2, 2}, {1.5, 2.5}, {0.5, 2.5}, {0, 2}}, point), collision);
+    EXPECT_EQ(drive(map, {{0, 0}, {0.5, 0.5}, {1.5, 0.5}, {2, 0}}, point), none) << "along the other side";
+}
+
+TEST(Check, LetsNoErrorsAddUp) {
+    const Map map(Grid(1100, 1));
+    const Path path{{0, 0}, {1000, 0}, {1001, 0}, {1002, 0}, {1003, 0}};
+    std::vector<Waypoint> ground = driven(path);
+    ground[2].t -= 0.0007;  // within the tolerance of a millionth of 1000
+    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}})), {}), none);
+    ground[3].t -= 0.0014;
+    ground[4].t -= 0.0021;
+    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}})), {}).count(Rule::speed), 1U);
+}
+
 TEST(Check, BendsAtCellCentresOfTheMap) {
     const Map map(Grid(9, 5));
     EXPECT_EQ(drive(map, {{1, 1}, {2.5, 1.5}, {4, 1}}), Rules{Rule::vertex});
@@ -184,6 +209,11 @@ TEST_F(TwoWalls, TakeTimeToBreach) {
     EXPECT_EQ(broken(plan, rules), none);
     EXPECT_EQ(broken(plan, {.breach_time = {.per_obstacle = 2.6}}), Rules{Rule::breach}) << "does not stay so long";
 
+    Plan restless = plan;
+    restless.agents[1].path.insert(restless.agents[1].path.begin() + 2, {{2, 1, 3}, {2, 0, 4}});
+    set_figures(restless);
+    EXPECT_EQ(broken(restless, rules), Rules{Rule::breach}) << "goes for a walk";
+
     // Both from one place between them, one after the other.
     const Map near = map_from_ascii("..a.b..");
     const CheckRules slow{.breach_time = {.per_obstacle = 2}};
@@ -229,6 +259,21 @@ TEST(Check, LetsPointsPassBetweenCellsThatAreGone) {
     plan = hand_made(ground, {{0, 0, 0}, {0, 0, 1}},
                      {{.obstacle = {1}, .cells = 4, .at = {0, 0}, .cleared_at = 1, .entered_at = enters}});
     EXPECT_EQ(broken_rules(map, plan, point), Rules{Rule::collision}) << "too early";
+}
+
+TEST(Check, LetsPointsPassBetweenTwoObstaclesIfOneIsGone) {
+    const Map map = map_from_ascii(R"(
+        .....
+        .aab.
+        .....)");
+    const std::vector<Waypoint> ground = driven({{2, 0}, {2.5, 0.5}, {2.5, 1.5}, {2, 2}});
+    const double enters = std::sqrt(0.5);
+    const CheckRules point{.motion = {.radius = 0}};
+    const Removal a{.obstacle = {1}, .cells = 2, .at = {0, 0}, .entered_at = enters};
+    const Removal b{.obstacle = {2}, .cells = 1, .at = {4, 0}, .entered_at = enters};
+    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}}), {a}), point), none);
+    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{4, 0}}), {b}), point), none);
+    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}})), point), Rules{Rule::collision});
 }
 
 TEST(Check, KnowsWhatBelongsToAPlanThatThereIsNot) {
