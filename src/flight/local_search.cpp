@@ -3,6 +3,7 @@
 #include "flight/local_search.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace waybreaker {
 namespace {
@@ -13,7 +14,15 @@ constexpr double least_gain = 1e-9;
 class LocalSearch {
   public:
     LocalSearch(Cell start, Tour tour, Cell goal, std::span<const Target> targets)
-        : start_(start), tour_(std::move(tour)), goal_(goal), targets_(targets) {}
+        : start_(start), tour_(std::move(tour)), goal_(goal) {
+        // Only cells that a shorter tour could visit, were each its only stop.
+        const double length = tour_length(start, tour_, goal);
+        for (const Target& target : targets) {
+            std::vector<Cell>& cells = cells_.emplace_back();
+            std::ranges::copy_if(target.cells, std::back_inserter(cells),
+                                 [&](Cell c) { return distance(start, c) + distance(c, goal) <= length; });
+        }
+    }
 
     Tour run() {
         while (better_cells() || reverse_parts() || move_parts()) {
@@ -32,7 +41,7 @@ class LocalSearch {
             const Cell from = before(i);
             const Cell to = at(i + 1);
             double least = distance(from, at(i)) + distance(at(i), to) - least_gain;
-            for (const Cell c : targets_[tour_[i].target].cells) {
+            for (const Cell c : cells_[tour_[i].target]) {
                 const double length = distance(from, c) + distance(c, to);
                 if (length >= least) continue;
                 least = length;
@@ -97,7 +106,7 @@ class LocalSearch {
     Cell start_;
     Tour tour_;
     Cell goal_;
-    std::span<const Target> targets_;
+    std::vector<std::vector<Cell>> cells_;  // by target
 };
 
 }  // namespace

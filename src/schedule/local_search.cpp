@@ -1,8 +1,10 @@
 #include "schedule/local_search.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "schedule/rank.hpp"
 
@@ -12,7 +14,17 @@ namespace {
 class LocalSearch {
   public:
     LocalSearch(const Course& course, Tour tour, double rounding)
-        : course_(course), tour_(std::move(tour)), rounding_(rounding), rank_(rank_of(course_.finish(tour_))) {}
+        : course_(course), tour_(std::move(tour)), rounding_(rounding), rank_(rank_of(course_.finish(tour_))) {
+        // Only cells that a better tour could visit, were each its only stop.
+        const bool makespan = course_.task().objective == Objective::makespan;
+        const double reach = course_.reach(rank_.first + rounding_ - (makespan ? 0 : course_.unhindered()));
+        for (const Target& target : course_.targets()) {
+            std::vector<Cell>& cells = cells_.emplace_back();
+            std::ranges::copy_if(target.cells, std::back_inserter(cells), [&](Cell c) {
+                return distance(course_.start(), c) + distance(c, course_.goal()) <= reach;
+            });
+        }
+    }
 
     Tour run() {
         while (better_cells() || move_stops()) {
@@ -52,7 +64,7 @@ class LocalSearch {
         const double end = time + flying(before(tour_.size()), course_.goal());
 
         bool found = false;
-        for (const Cell c : course_.targets()[target].cells) {
+        for (const Cell c : cells_[target]) {
             const double cleared = left + flying(before(i), c) + stay;
             const double delay = cleared + flying(c, at(i + 1)) - here - onward;
             const double wait = std::max({early, course_.lateness(target, cleared), late + delay});
@@ -88,6 +100,7 @@ class LocalSearch {
     Tour tour_;
     double rounding_;
     Rank rank_;
+    std::vector<std::vector<Cell>> cells_;  // by target
 };
 
 }  // namespace
