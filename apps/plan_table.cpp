@@ -103,7 +103,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     const bool explained =
         std::ranges::any_of(plan.removed, [](const Removal& removal) { return removal.saves.has_value(); });
     std::vector<Row> rows{{"removed", "obstacle", "cells", "hits", "breach cell", "breached at", "entered at"}};
-    if (explained) rows.front().push_back("saves");
+    if (explained) rows.front().emplace_back("saves");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     for (const Removal& removal : plan.removed) {
         rows.push_back({std::to_string(rows.size()), std::to_string(removal.obstacle.value),

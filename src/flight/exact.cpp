@@ -251,7 +251,7 @@ std::optional<Tour> search(Cell start, Cell goal, std::span<const Target> target
 
 Tour shortest_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known) {
     assert(known.size() == targets.size());
-    return search(start, goal, targets, tour_length(start, known, goal), nullptr).value();
+    return search(start, goal, targets, tour_length(start, known, goal), nullptr).value_or(known);
 }
 
 std::optional<Tour> shortest_tour_in_time(Cell start, Cell goal, std::span<const Target> targets,
