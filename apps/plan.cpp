@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -96,31 +97,38 @@ io::MapFile read_map(const PlanOptions& options) {
     return file;
 }
 
-Plan plan_mission(const io::MapFile& file, const Mission& mission, const MissionOptions& options) {
+// One plan; or, with --removals auto, those for 0, 1, 2, ... removals as long as they gain.
+std::vector<Plan> plan_mission(const io::MapFile& file, const Mission& mission, const MissionOptions& options,
+                               bool front) {
     const Progress progress("planning");
-    Plan plan = MissionPlanner().plan(file.map, mission, options);
-    plan.seconds.label = file.label_seconds;
-    plan.seconds.total += file.label_seconds;
-    return plan;
+    MissionPlanner planner;
+    std::vector<Plan> plans =
+        front ? planner.front(file.map, mission, options) : std::vector<Plan>{planner.plan(file.map, mission, options)};
+    plans.back().seconds.label = file.label_seconds;
+    plans.back().seconds.total += file.label_seconds;
+    return plans;
 }
 
 void run(const PlanOptions& options) {
     validate(options);
     const io::MapFile file = read_map(options);
     const Mission mission = mission_of(options, file);
-    const MissionOptions mission_options = mission_options_of(options, file);
+    MissionOptions mission_options = mission_options_of(options, file);
     validate(mission_options.search);
     try {
         validate(file.map, mission, mission_options);
     } catch (const InputError& error) {
         throw InputError(options.map, 0, error.what());
     }
-    const Plan plan = plan_mission(file, mission, mission_options);
+    const std::vector<Plan> plans = plan_mission(file, mission, mission_options, options.removals_auto);
+    if (options.removals_auto) mission_options.removals = int(plans.size()) - 1;
+    const Plan& plan = plans.back();
     const io::PlanContext context{.map = file,
                                   .mission = mission,
                                   .options = mission_options,
                                   .connectivity = options.connectivity,
-                                  .timing_fields = !options.no_timing};
+                                  .timing_fields = !options.no_timing,
+                                  .front = options.removals_auto ? std::span(plans) : std::span<const Plan>()};
     write_outputs(options, context, plan);
     require_plan(plan, mission, mission_options);
 }
@@ -137,6 +145,7 @@ void setup_plan(CLI::App& root, Run& run_chosen) {
     add_plan_options(*command, *options);
     set_examples(*command,
                  {"waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55",
+                  "waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55 --removals auto --explain",
                   "waybreaker plan Berlin_0_512.map --start 12,20 --goal 400,380 --paper -n 1 --json plan.json",
                   "waybreaker plan task.xml --planner jps --svg - | rsvg-convert > plan.png"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });

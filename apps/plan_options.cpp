@@ -2,21 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <climits>
 
+#include "io/weights.hpp"
 #include "option.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
 namespace {
 
+const Choices<Selection> selections{{"exact", Selection::exact}, {"hits", Selection::hits}};
 const Choices<FlightRule> flights{{"optimal", FlightRule::optimal}, {"nearest", FlightRule::nearest}};
 const Choices<Timing> timings{{"enforce", Timing::enforce}, {"ignore", Timing::ignore}};
 const Choices<Objective> objectives{{"makespan", Objective::makespan}, {"flowtime", Objective::flowtime}};
 const Choices<Planner> planners{{"theta", Planner::theta},       {"lazy-theta", Planner::lazy_theta},
                                 {"astar", Planner::astar},       {"jps", Planner::jps},
-                                {"dijkstra", Planner::dijkstra}, {"bfs", Planner::bfs}};
+                                {"dijkstra", Planner::dijkstra}, {"bfs", Planner::bfs},
+                                {"optimal", Planner::optimal}};
 const Choices<Heuristic> heuristics{{"euclidean", Heuristic::euclidean},
                                     {"octile", Heuristic::octile},
                                     {"chebyshev", Heuristic::chebyshev},
@@ -26,16 +30,18 @@ const Choices<TieBreak> tie_breaks{{"g-max", TieBreak::g_max}, {"g-min", TieBrea
 const Choices<Corners> corner_rules{{"none", Corners::none}, {"cut", Corners::cut}, {"squeeze", Corners::squeeze}};
 const Choices<bool> move_counts{{"8", true}, {"4", false}};
 
-// An option that knows one value today; the better one has a name already.
-CLI::Option* add_only_word(CLI::App& app, const std::string& name, const std::string& word, const std::string& later,
-                           const std::string& text) {
-    const auto read = [=](const std::string& given) {
-        if (given == word) return;
-        const std::string reason =
-            given == later ? later + " comes with a later version" : "'" + given + "' is unknown";
-        throw CLI::ValidationError(name, fmt::format("{}; use {}", reason, word));
-    };
-    return app.add_option_function<std::string>(name, read, text)->type_name(word);
+constexpr int most_auto_removals = 32;
+
+// A whole number, or "auto".
+void add_removals(CLI::App& command, PlanOptions& options) {
+    CLI::Option* option = add_count(
+        command, "-n,--removals", [&options](std::int64_t n) { options.removals = int(n); }, 0, INT_MAX,
+        "How many obstacles may be removed; 0 means none, auto as many as gain anything (default: 3)");
+    option->transform([&options](std::string given) {
+        options.removals_auto = given == "auto";
+        return options.removals_auto ? std::to_string(most_auto_removals) : given;
+    });
+    option->type_name("N|auto");
 }
 
 void add_mission_options(CLI::App& command, PlanOptions& options) {
@@ -64,10 +70,23 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
     command.add_flag("--paper", options.paper,
                      "The paper's method: --select hits --flight nearest --timing ignore --planner theta; for -n 1 its "
                      "exact flight past one obstacle");
-    add_count(
-        command, "-n,--removals", [&options](std::int64_t n) { options.removals = int(n); }, 0, INT_MAX,
-        "How many obstacles may be removed; 0 means none (default: 3)");
-    add_only_word(command, "--select", "hits", "exact", "Remove the obstacles that the search ran into most often");
+    add_removals(command, options);
+    add_choice(command, "--select", selections, options.select,
+               "Obstacles whose removal is proven best, or those that the search ran into most often, as in the paper "
+               "(default: exact)");
+    add_number(
+        command, "--budget", [&options](double budget) { options.budget = budget; }, 0, "WEIGHT",
+        "What the removed obstacles may weigh together, each 1 unless --weights says otherwise; alone it stands in "
+        "place of a count");
+    add_file(command, "--weights", options.weights,
+             "Weights of obstacles: a file with lines \"ID WEIGHT\", or the word cells for each obstacle's number of "
+             "cells");
+    add_number(
+        command, "--time-limit", [&options](double seconds) { options.time_limit = seconds; }, 0, "SECONDS",
+        "Stop selecting after that time, with the best plan known and how far it can be from the best");
+    command.add_flag("--bound", options.bound, "Prove a limit that no plan can beat also where the method proves none");
+    command.add_flag("--explain", options.explain,
+                     "Say what each removal saves, and which obstacle one removal more would take");
     add_choice(command, "--flight", flights, options.flight,
                "Shortest flight that touches every removed obstacle, or the paper's: past the cells nearest to the "
                "straight line (default: optimal)");
@@ -79,7 +98,9 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
 }
 
 void add_search_options(CLI::App& command, PlanOptions& options) {
-    add_choice(command, "--planner", planners, options.planner, "Search of the ground agent (default: theta)");
+    add_choice(
+        command, "--planner", planners, options.planner,
+        "Search of the ground agent (default: optimal; theta where the way to select, the agent or its moves need it)");
     add_choice(command, "--heuristic", heuristics, options.heuristic,
                "Estimate of the way to go (default: euclidean for theta and lazy-theta, octile for astar and jps)");
     add_number(
@@ -109,6 +130,20 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
                      "Leave out measured times, so that equal input gives equal bytes");
 }
 
+// What only a search with a heuristic knows, or can tell of its steps.
+bool needs_search(const PlanOptions& options) {
+    return options.heuristic || options.weight || options.tie_break || !options.trace.empty();
+}
+
+std::vector<double> weights_of(const std::string& source, const Map& map) {
+    if (source == "cells") {
+        std::vector<double> weights{0};
+        for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
+        return weights;
+    }
+    return source.empty() ? std::vector<double>(map.obstacles().size() + 1, 1) : io::read_weights(source, map);
+}
+
 std::string word_for(Planner planner) {
     for (const auto& [word, value] : planners) {
         if (value == planner) return word;
@@ -131,12 +166,18 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
 }
 
 void validate(const PlanOptions& options) {
+    if (options.planner == Planner::optimal && needs_search(options)) {
+        throw InputError("--planner optimal has no --heuristic, --weight, --tie-break or --trace; use theta for them");
+    }
     if (options.paper && options.planner && *options.planner != Planner::theta) {
         throw InputError(
             fmt::format("--paper stands for --planner theta, which --planner {} contradicts; drop one of them",
                         word_for(*options.planner)));
     }
-    if (options.paper && options.flight == FlightRule::optimal && options.removals > 1) {
+    if (options.paper && options.select == Selection::exact) {
+        throw InputError("--paper stands for --select hits, which --select exact contradicts; drop one of them");
+    }
+    if (options.paper && options.flight == FlightRule::optimal && options.removals.value_or(3) > 1) {
         throw InputError("--paper stands for --flight nearest, which --flight optimal contradicts; drop one of them");
     }
     if (options.paper && options.timing == Timing::enforce) {
@@ -175,17 +216,26 @@ Mission mission_of(const PlanOptions& options, const io::MapFile& map) {
 }
 
 MissionOptions mission_options_of(const PlanOptions& options, const io::MapFile& map) {
-    MissionOptions result = options.paper ? paper_options(options.removals) : MissionOptions{};
-    if (map.task) result.search = map.task->search;
+    MissionOptions result;
+    // A budget alone stands in place of a count.
+    const int all = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
+    const int removals = options.removals.value_or(options.budget ? all : result.removals);
+    if (options.paper) result = paper_options(removals);
+    result.removals = removals;
+    result.select = options.select.value_or(result.select);
+    result.budget = options.budget.value_or(result.budget);
+    if (options.budget || !options.weights.empty()) result.weights = weights_of(options.weights, map.map);
+    result.bound = options.bound;
+    result.explain = options.explain;
+    result.time_limit = options.time_limit;
+    result.search = map.task ? map.task->search : SearchOptions{};
     if (options.paper) result.search.planner = Planner::theta;
-    result.removals = options.removals;
     result.flight = options.flight.value_or(result.flight);
     result.timing = options.timing.value_or(result.timing);
     result.breach_time = options.breach_time;
     result.protect = options.protect;
     result.objective = options.objective;
     SearchOptions& search = result.search;
-    search.planner = options.planner.value_or(search.planner);
     if (options.heuristic) search.heuristic = options.heuristic;
     search.weight = options.weight.value_or(search.weight);
     search.tie_break = options.tie_break.value_or(search.tie_break);
@@ -193,6 +243,14 @@ MissionOptions mission_options_of(const PlanOptions& options, const io::MapFile&
     search.motion.radius = options.radius.value_or(search.motion.radius);
     search.motion.diagonal = options.diagonal.value_or(search.motion.diagonal);
     search.expansion_limit = options.expansion_limit;
+    const Planner by_default = map.task || options.paper || needs_search(options) ? search.planner : Planner::optimal;
+    search.planner = options.planner.value_or(by_default);
+    if (options.planner == Planner::optimal && planner_of(result) != Planner::optimal) {
+        throw InputError(
+            "--planner optimal drives an agent of radius 0.5 or 0 that passes no blocked corner, and counts no hits; "
+            "drop it, or the option that contradicts it");
+    }
+    search.planner = planner_of(result);
     return result;
 }
 

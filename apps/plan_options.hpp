@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,14 @@ struct PlanOptions {
     std::optional<Cell> air_goal;
 
     bool paper = false;
-    int removals = 3;
+    std::optional<int> removals;
+    bool removals_auto = false;  // as many as gain anything
+    std::optional<Selection> select;
+    std::optional<double> budget;
+    std::string weights;
+    bool bound = false;
+    bool explain = false;
+    double time_limit = std::numeric_limits<double>::infinity();
     std::optional<FlightRule> flight;
     std::optional<Timing> timing;
     double ground_speed = 1;

@@ -102,21 +102,43 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     const bool source_ids = std::any_of(plan.removed.begin(), plan.removed.end(), named);
     const bool explained =
         std::ranges::any_of(plan.removed, [](const Removal& removal) { return removal.saves.has_value(); });
-    std::vector<Row> rows{{"removed", "obstacle", "cells", "hits", "breach cell", "breached at", "entered at"}};
+    const bool counted = context.options.select == Selection::hits;
+    std::vector<Row> rows{{"removed", "obstacle", "cells", "breach cell", "breached at", "entered at"}};
+    if (counted) rows.front().insert(rows.front().begin() + 3, "hits");
     if (explained) rows.front().emplace_back("saves");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     for (const Removal& removal : plan.removed) {
         rows.push_back({std::to_string(rows.size()), std::to_string(removal.obstacle.value),
-                        std::to_string(removal.cells), std::to_string(removal.hits), text(removal.at),
-                        text(removal.cleared_at, 3), text(removal.entered_at, 3)});
+                        std::to_string(removal.cells), text(removal.at), text(removal.cleared_at, 3),
+                        text(removal.entered_at, 3)});
+        if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(removal.hits));
         if (explained) rows.back().push_back(text(removal.saves, 3));
         if (!source_ids) continue;
         rows.back().insert(rows.back().begin() + 2, named(removal) ? std::to_string(removal.source_id) : nothing);
     }
     if (rows.size() > 1) return aligned(rows, style.bold);
     if (context.options.removals == 0) return "nothing removed, as asked for\n";
-    return context.options.timing == Timing::ignore ? "nothing removed: the search ran into no obstacle\n"
-                                                    : "nothing removed: no removal gains anything\n";
+    return counted && context.options.timing == Timing::ignore ? "nothing removed: the search ran into no obstacle\n"
+                                                               : "nothing removed: no removal gains anything\n";
+}
+
+// What each further removal saves.
+std::string front(const io::PlanContext& context, const TableStyle& style) {
+    if (context.front.empty()) return "";
+    const bool makespan = context.options.objective == Objective::makespan;
+    std::vector<Row> rows{{"removals", makespan ? "makespan" : "flowtime", "saves", "no plan below", "obstacles"}};
+    std::optional<double> before;
+    for (const Plan& plan : context.front) {
+        const std::optional<double> reached = makespan ? plan.after.makespan : plan.after.flowtime;
+        const std::optional<double> saves = before && reached ? std::optional(*before - *reached) : std::nullopt;
+        std::vector<std::uint32_t> ids;
+        for (const Removal& removal : plan.removed) ids.push_back(removal.obstacle.value);
+        std::ranges::sort(ids);
+        rows.push_back({std::to_string(rows.size() - 1), text(reached, 3), text(saves, 3), text(plan.bound, 3),
+                        ids.empty() ? nothing : fmt::format("{}", fmt::join(ids, " "))});
+        before = reached;
+    }
+    return aligned(rows, style.bold) + "\n";
 }
 
 // What one removal more would gain.
@@ -155,11 +177,11 @@ std::string bound(const Plan& plan, const io::PlanContext& context) {
     if (!plan.bound || !reached) return "";
     const std::string_view objective = makespan ? "makespan" : "flowtime";
     const double gap = *plan.bound > 0 ? *reached / *plan.bound - 1 : 0;
-    if (gap < 1e-9)
-        return fmt::format("\nno plan with at most {} removals has a smaller {}\n", context.options.removals,
-                           objective);
-    return fmt::format("\nno {} is below {:.3f} with at most {} removals: the gap is {:.2f} %\n", objective,
-                       *plan.bound, context.options.removals, 100 * gap);
+    const int n = context.options.removals;
+    const std::string removals = n == 1 ? "1 removal" : fmt::format("{} removals", n);
+    if (gap < 1e-9) return fmt::format("\nno plan with at most {} has a smaller {}\n", removals, objective);
+    return fmt::format("\nno {} is below {:.3f} with at most {}: the gap is {:.2f} %\n", objective, *plan.bound,
+                       removals, 100 * gap);
 }
 
 // The paper's choice of obstacles can be worse than none.
@@ -175,8 +197,8 @@ std::string warning(const Plan& plan, const io::PlanContext& context) {
 }  // namespace
 
 std::string plan_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
-    return heading(context, style) + "\n" + outcomes(plan, context, style) + "\n" + removals(plan, context, style) +
-           next(plan) + waits(plan) + bound(plan, context) + warning(plan, context);
+    return heading(context, style) + "\n" + front(context, style) + outcomes(plan, context, style) + "\n" +
+           removals(plan, context, style) + next(plan) + waits(plan) + bound(plan, context) + warning(plan, context);
 }
 
 }  // namespace waybreaker::apps

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "waybreaker/crossing.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/plan.hpp"
 #include "waybreaker/schedule.hpp"
@@ -36,7 +37,7 @@ enum class FlightRule { optimal, nearest };
 
 struct MissionOptions {
     int removals = 3;  // how many obstacles may be removed, >= 0
-    Selection select = Selection::hits;
+    Selection select = Selection::exact;
     FlightRule flight = FlightRule::optimal;
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;
@@ -48,8 +49,12 @@ struct MissionOptions {
     bool bound = false;    // prove a bound whatever the method (`exact` always does)
     bool explain = false;  // what each removal saves, and which would come next
     double time_limit = std::numeric_limits<double>::infinity();  // seconds, of the selection: then the best known
-    SearchOptions search;  // of the ground agent; count_hits is set by the planner
+    SearchOptions search = {.planner = Planner::optimal};         // of the ground agent; see planner_of
 };
+
+// The planner that drives the ground agent: the one asked for; Theta* in place of `optimal` where hits are to be
+// counted or the agent is not one of radius 0.5 or 0 that passes no blocked corner.
+Planner planner_of(const MissionOptions& options);
 
 // The paper's method with n removals: Theta*, most hits, its flight rules (exact for n = 1, nearest to the segment for
 // more).
@@ -61,12 +66,18 @@ void validate(const Map& map, const Mission& mission, const MissionOptions& opti
 
 class MissionPlanner {
   public:
-    // The paper's method (section 3), step by step; validates first. With timing enforced no plan is worse than to
-    // remove nothing, and more removals never cost more. Keeps its memory between calls; not for two threads at once.
+    // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
+    // and puts both agents in time. With timing enforced no plan is worse than to remove nothing, and more removals
+    // never cost more. Keeps its memory between calls; not for two threads at once.
     Plan plan(const Map& map, const Mission& mission, const MissionOptions& options = {});
+
+    // What each further removal gains: the plans for 0, 1, 2, ... removals, up to options.removals, as long as the
+    // objective falls.
+    std::vector<Plan> front(const Map& map, const Mission& mission, const MissionOptions& options = {});
 
   private:
     Searcher searcher_;
+    CrossingSearcher crossing_;
 };
 
 }  // namespace waybreaker

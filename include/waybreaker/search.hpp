@@ -18,7 +18,8 @@
 
 namespace waybreaker {
 
-enum class Planner { theta, lazy_theta, astar, jps, dijkstra, bfs };
+// `optimal` is the crossing search with nothing to cross (crossing.hpp); a mission can ask for it, a Searcher cannot.
+enum class Planner { theta, lazy_theta, astar, jps, dijkstra, bfs, optimal };
 enum class Heuristic { euclidean, octile, chebyshev, manhattan, zero };
 enum class TieBreak { g_max, g_min };
 

@@ -20,6 +20,8 @@ std::string_view name(Planner planner) {
             return "jps";
         case Planner::dijkstra:
             return "dijkstra";
+        case Planner::optimal:
+            return "optimal";
         case Planner::bfs:
             break;
     }
@@ -185,6 +187,16 @@ Json agent_json(const AgentPlan& agent) {
             {"path", std::move(path)}};
 }
 
+// One step of the front: what so many removals reach.
+Json step_json(const Plan& plan, Objective objective) {
+    Json removed = Json::array();
+    for (const Removal& removal : plan.removed) removed.push_back(removal.obstacle.value);
+    return {{"makespan", number(plan.after.makespan)},
+            {"flowtime", number(plan.after.flowtime)},
+            {"bound", bound_json(plan, objective)},
+            {"removed", std::move(removed)}};
+}
+
 Json seconds_json(const Plan::Seconds& seconds) {
     return {{"label", number(seconds.label)},
             {"search", number(seconds.search)},
@@ -224,6 +236,7 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     }
     for (const NextRemoval& next : plan.next) json["next"].push_back(next_json(next));
     json["agents"] = Json::array();
+    for (const Plan& step : context.front) json["front"].push_back(step_json(step, context.options.objective));
     for (const AgentPlan& agent : plan.agents) json["agents"].push_back(agent_json(agent));
     if (context.timing_fields) json["seconds"] = seconds_json(plan.seconds);
     return pretty(json) + "\n";

@@ -1,6 +1,7 @@
 // The plan file, "waybreaker-plan/1" (contract, section 4).
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "io/map_file.hpp"
@@ -15,7 +16,8 @@ struct PlanContext {
     const Mission& mission;
     const MissionOptions& options;
     Connectivity connectivity = Connectivity::four;
-    bool timing_fields = true;  // false: no "seconds" anywhere, so that equal input gives equal bytes
+    bool timing_fields = true;         // false: no "seconds" anywhere, so that equal input gives equal bytes
+    std::span<const Plan> front = {};  // the plans for 0, 1, 2, ... removals, if asked for
 };
 
 // The whole document, indented, with a final newline. Same input, same bytes, `seconds` aside.

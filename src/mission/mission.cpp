@@ -1,8 +1,13 @@
 // From mission to plan. plan() reads as the paper's section 3, with time.
 #include "waybreaker/mission.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "mission/candidate.hpp"
-#include "mission/hits.hpp"
+#include "mission/chooser.hpp"
+#include "mission/exact.hpp"
+#include "mission/explain.hpp"
 #include "mission/stopwatch.hpp"
 
 namespace waybreaker {
@@ -44,58 +49,80 @@ std::vector<Removal> removals(const Task& task, const Schedule& schedule, std::s
         removed.push_back({.obstacle = obstacle.id,
                            .source_id = obstacle.source_id,
                            .cells = obstacle.cells,
-                           .hits = hits[obstacle.id.value],
+                           .hits = hits.empty() ? 0 : hits[obstacle.id.value],
                            .at = breach.at,
                            .cleared_at = schedule.cleared_at[i],
-                           .entered_at = schedule.entered_at[i]});
+                           .entered_at = schedule.entered_at[i],
+                           .saves = std::nullopt});
     }
     return removed;
 }
 
 }  // namespace
 
-Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionOptions& options) {
-    validate(map, mission, options);
+Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionOptions& wanted) {
+    validate(map, mission, wanted);
+    MissionOptions options = wanted;
+    options.search.planner = planner_of(wanted);
     const Task task = task_of(map, mission, options);
     const Stopwatch total;
+    Chooser chooser{task, searcher_, crossing_};
 
-    // Search the ground path and count how often each obstacle is in the way.
-    SearchOptions counting = options.search;
-    counting.count_hits = true;
-    const Stopwatch searching;
-    const SearchResult search = searcher_.find(OpenedMap(map), task.driver.start, task.driver.goal, counting);
-    const Draft nothing = draft_of(task, candidate_of({}, search, searching.seconds()));
-
-    // Select the obstacles to remove.
+    // The ground path without removal; the paper counts on the way how often each obstacle is in it.
+    const Draft nothing = chooser.nothing();
+    // Select the obstacles to remove, open the ground path, fly past them, and put both in time.
     const Stopwatch selecting;
-    const std::vector<ObstacleId> chosen = chosen_by_hits(task, search.hits);
-    const double select_seconds = selecting.seconds();
-
-    // Replan the ground path on the opened map, fly past the obstacles, and put both in time.
-    const std::vector<Draft> drafts = drafts_by_hits(task, searcher_, nothing, chosen);
+    const std::vector<Draft> drafts = chooser.drafts(nothing);
     const Draft& best = best_of(task, nothing, drafts);
+    const double selected = selecting.seconds();
 
     // Report both, without removal and with the best.
     Plan plan;
     plan.status = plan_status(best.candidate.status);
     plan.before = outcome(task, nothing);
     plan.after = outcome(task, best);
-    plan.removed = removals(task, best.schedule, search.hits);
+    plan.removed = removals(task, best.schedule, chooser.hits());
     if (plan.status == PlanStatus::solved) {
         for (const Agent& agent : mission.agents) {
             const std::vector<Waypoint>& path =
                 agent.kind == AgentKind::ground ? best.schedule.ground : best.schedule.air;
             plan.agents.push_back({agent.id, agent.kind, agent.speed, path, agent.start, agent.goal});
         }
+        if (options.select == Selection::exact || options.bound) {
+            plan.bound = bound_of(task, crossing_, cost(task, best));
+        }
+        if (options.explain) explain(task, chooser, nothing, best, plan);
     }
     plan.seconds.search = nothing.candidate.ground.seconds;
-    plan.seconds.select = select_seconds;
     for (const Draft& draft : drafts) {
         plan.seconds.search += draft.candidate.ground.seconds;
         plan.seconds.flight += draft.flight_seconds;
     }
+    plan.seconds.select = selected;
     plan.seconds.total = total.seconds();
     return plan;
+}
+
+std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const MissionOptions& options) {
+    constexpr std::size_t patience = 2;  // removals that gain nothing alone may gain together
+    const auto reached = [&options](const Plan& plan) {
+        const auto objective = options.objective == Objective::makespan ? plan.after.makespan : plan.after.flowtime;
+        return objective.value_or(std::numeric_limits<double>::infinity());
+    };
+    std::vector<Plan> plans;
+    std::size_t worth = 1;  // plans that gained on what came before, and those between them
+    MissionOptions step = options;
+    for (step.removals = 0; step.removals <= options.removals; ++step.removals) {
+        plans.push_back(plan(map, mission, step));
+        const double best = reached(plans[worth - 1]);
+        const bool closed = !std::isfinite(best);
+        if (reached(plans.back()) < best * (1 - 1e-9) || (closed && std::isfinite(reached(plans.back())))) {
+            worth = plans.size();
+        }
+        if (!closed && plans.size() > worth + patience - 1) break;
+    }
+    plans.resize(worth);
+    return plans;
 }
 
 }  // namespace waybreaker

@@ -82,10 +82,19 @@ Mission ground_and_air(Cell start, Cell goal) {
              {.id = "air", .kind = AgentKind::air, .start = start, .goal = goal}}};
 }
 
+Planner planner_of(const MissionOptions& options) {
+    const Motion& motion = options.search.motion;
+    const bool own_agent =
+        motion.corners == Corners::none && motion.diagonal && (motion.radius == 0.5 || motion.radius == 0);
+    const bool possible = options.select == Selection::exact && own_agent;
+    return options.search.planner == Planner::optimal && !possible ? Planner::theta : options.search.planner;
+}
+
 MissionOptions paper_options(int removals) {
     MissionOptions options;
     options.removals = removals;
     options.select = Selection::hits;
+    options.search.planner = Planner::theta;
     options.timing = Timing::ignore;
     // For one obstacle the paper flies the shortest way past it, which is what `optimal` does.
     options.flight = removals == 1 ? FlightRule::optimal : FlightRule::nearest;
@@ -93,8 +102,12 @@ MissionOptions paper_options(int removals) {
 }
 
 void validate(const Map& map, const Mission& mission, const MissionOptions& options) {
-    validate(options.search);
+    SearchOptions search = options.search;
+    search.planner = planner_of(options);
+    validate(search);
     validate(map, options);
+    // A point stands wherever its cell is free.
+    const Motion motion = search.planner == Planner::optimal ? Motion{} : search.motion;
     int ground_agents = 0;
     int air_agents = 0;
     const OpenedMap closed(map);
@@ -103,8 +116,8 @@ void validate(const Map& map, const Mission& mission, const MissionOptions& opti
         if (!(agent.speed > 0) || !std::isfinite(agent.speed)) {
             throw InputError("the " + agent.id + " agent's speed must be a positive number");
         }
-        validate_place(closed, agent, agent.start, "start", options.search.motion);
-        validate_place(closed, agent, agent.goal, "goal", options.search.motion);
+        validate_place(closed, agent, agent.start, "start", motion);
+        validate_place(closed, agent, agent.goal, "goal", motion);
     }
     if (ground_agents != 1 || air_agents != 1) {
         throw InputError("a mission has one ground agent and one air agent, not " + std::to_string(ground_agents) +

@@ -92,8 +92,15 @@ struct Assembly {
 }  // namespace
 
 void validate(const SearchOptions& options) {
-    validate(options.motion);
+    const Motion& motion = options.motion;
     if (!(options.weight >= 1)) throw InputError("the heuristic's weight must be at least 1");
+    if (options.planner == Planner::optimal) {
+        if (motion.corners == Corners::none && motion.diagonal && (motion.radius == 0.5 || motion.radius == 0)) return;
+        throw InputError(
+            "the optimal planner drives an agent of radius 0.5 or 0 that passes no blocked corner: use theta for "
+            "others");
+    }
+    validate(motion);
     if (options.planner != Planner::jps) return;
     if (!options.motion.diagonal) throw InputError("jps needs eight neighbours: use astar for four");
     if (is_wide(options.motion))
@@ -102,6 +109,8 @@ void validate(const SearchOptions& options) {
 
 SearchResult Searcher::find(const OpenedMap& map, Cell start, Cell goal, const SearchOptions& options) {
     validate(options);
+    if (options.planner == Planner::optimal)
+        throw InputError("a Searcher has no optimal planner: use CrossingSearcher");
     const LineOfSight sight(map, options.motion);
     const auto stands = [&](Cell c) { return map.map().grid().contains(c) && sight.fits(c); };
     if (!stands(start) || !stands(goal)) {

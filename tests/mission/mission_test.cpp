@@ -55,6 +55,7 @@ RC_GTEST_PROP(Mission, PlansWhatItsStepsSay, ()) {
     const Agent flyer = mission.agents[1];
     if (*rc::gen::arbitrary<bool>()) std::swap(mission.agents[0], mission.agents[1]);
     MissionOptions options;
+    options.select = Selection::hits;
     options.removals = *number(0, 4);
     options.timing = Timing::ignore;
     options.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);

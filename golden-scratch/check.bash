@@ -1,0 +1,1 @@
+waybreaker check yard.map

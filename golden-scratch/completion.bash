@@ -1,0 +1,1 @@
+waybreaker completion fish | grep -c -- '-l tie-break'

@@ -1,0 +1,1 @@
+waybreaker map info free.map

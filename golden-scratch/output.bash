@@ -1,0 +1,1 @@
+waybreaker plan missing.map 2>&-

@@ -1,0 +1,34 @@
+// Chooser: the two ways to select, behind one face.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mission/candidate.hpp"
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker {
+
+class Chooser {
+  public:
+    Chooser(const Task& task, Searcher& searcher, CrossingSearcher& crossing)
+        : task_(task), searcher_(searcher), crossing_(crossing) {}
+
+    // The mission without removal.
+    Draft nothing();
+    // What the task's way of selecting leads to. Precondition: nothing() was called, for the paper's way counts there.
+    std::vector<Draft> drafts(const Draft& nothing);
+    // The same for other options.
+    std::vector<Draft> drafts(const MissionOptions& options, const Draft& nothing);
+    // By obstacle, for the paper's way; else empty.
+    std::span<const std::uint32_t> hits() const { return hits_; }
+
+  private:
+    const Task& task_;
+    Searcher& searcher_;
+    CrossingSearcher& crossing_;
+    std::vector<std::uint32_t> hits_;
+};
+
+}  // namespace waybreaker

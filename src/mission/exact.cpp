@@ -1,0 +1,161 @@
+#include "mission/exact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mission/stopwatch.hpp"
+#include "waybreaker/flight.hpp"
+
+namespace waybreaker {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-9;  // relative: what is less is no gain
+constexpr int patience = 64;       // sets to try after the first
+
+// The crossing search drives the ground path itself where its body is the agent.
+bool drives_itself(const Task& task) {
+    return task.options.search.planner == Planner::optimal;
+}
+
+Body body_of(const Task& task) {
+    return drives_itself(task) && task.radius() > 0 ? Body::square : Body::point;
+}
+
+double straight_flight(const Task& task) {
+    return distance(task.flyer.start, task.flyer.goal) / task.flyer.speed;
+}
+
+double gap(Cell c, const Box& box) {
+    const int x = std::max({box.min.x - c.x, c.x - box.max.x, 0});
+    const int y = std::max({box.min.y - c.y, c.y - box.max.y, 0});
+    return std::sqrt(double(x) * x + double(y) * y);
+}
+
+// The longest ground path, in cells, that could still lead to an objective.
+double longest_path(const Task& task, double objective) {
+    const double left = task.options.objective == Objective::makespan ? objective : objective - straight_flight(task);
+    return left * task.driver.speed;
+}
+
+// A path through an obstacle ends no earlier than its breach and the way from there to the goal take.
+double least_cost(const Task& task, ObstacleId id) {
+    const Obstacle& obstacle = task.map.obstacle(id);
+    const double flight = std::max(gap(task.flyer.start, obstacle.bounds) - std::sqrt(2.0), 0.0);
+    const double cleared = flight / task.flyer.speed + task.options.breach_time.of(obstacle);
+    const double drive = std::max(gap(task.driver.goal, obstacle.bounds) - 0.5 - task.radius(), 0.0);
+    return cleared * task.driver.speed + drive;
+}
+
+CrossingOptions crossing_options(const Task& task, Body body, double longest) {
+    const MissionOptions& options = task.options;
+    CrossingOptions crossing;
+    crossing.body = body;
+    crossing.crossings = options.removals;
+    crossing.protect = options.protect;
+    crossing.weights = options.weights;
+    crossing.budget = options.budget;
+    crossing.length_limit = longest;
+    crossing.time_limit = options.time_limit;
+    crossing.stop = options.search.stop;
+    if (options.timing == Timing::enforce) {
+        crossing.least_cost = [&task](ObstacleId id) { return least_cost(task, id); };
+    }
+    return crossing;
+}
+
+Candidate candidate_of(std::vector<ObstacleId> removed, const CrossingResult& result, double seconds) {
+    Candidate candidate{std::move(removed), result.status, {}};
+    candidate.ground.expanded = result.expanded;
+    candidate.ground.generated = result.generated;
+    candidate.ground.seconds = seconds;
+    if (result.status != SearchStatus::found) return candidate;
+    candidate.ground.length = result.best.length;
+    candidate.ground.path = result.best.path;
+    return candidate;
+}
+
+}  // namespace
+
+Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
+                           std::vector<ObstacleId> removed) {
+    const Stopwatch watch;
+    if (!drives_itself(task)) {
+        const SearchResult found =
+            searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, task.options.search);
+        return candidate_of(std::move(removed), found, watch.seconds());
+    }
+    CrossingOptions options;
+    options.body = body_of(task);
+    options.removed = removed;
+    options.stop = task.options.search.stop;
+    options.expansion_limit = task.options.search.expansion_limit;
+    const CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+    return candidate_of(std::move(removed), found, watch.seconds());
+}
+
+std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
+                                   const Draft& nothing) {
+    if (task.options.removals == 0) return {};
+    const Stopwatch watch;
+    std::vector<Draft> drafts;
+    double best = cost(task, nothing);
+    CrossingOptions options = crossing_options(task, body_of(task), longest_path(task, best));
+
+    const auto try_out = [&](const CrossingPath& path, const CrossingResult& search) {
+        if (path.crossed.empty()) return;
+        CrossingResult found = search;
+        found.best = path;
+        Candidate candidate = drives_itself(task) ? candidate_of(path.crossed, found, watch.seconds())
+                                                  : ground_candidate(task, crossing, searcher, path.crossed);
+        drafts.push_back(draft_of(task, std::move(candidate)));
+        best = std::min(best, cost(task, drafts.back()));
+    };
+    const auto beats_best = [&](const CrossingPath& path) {
+        return task.objective(path.cost / task.driver.speed, straight_flight(task)) < best * (1 - rounding);
+    };
+
+    // Most often the very first set cannot be beaten, and finding it alone is faster.
+    const CrossingResult first = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+    if (first.best.path.empty() || !beats_best(first.best)) return drafts;
+    try_out(first.best, first);
+    if (!beats_best(first.best)) return drafts;
+
+    options.length_limit = longest_path(task, best);
+    options.time_limit -= watch.seconds();
+    CrossingSearcher others;
+    int tried = 0;
+    others.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
+        if (!beats_best(path) || tried == patience) return false;
+        ++tried;
+        if (path.crossed != first.best.crossed) try_out(path, first);
+        return watch.seconds() < task.options.time_limit;
+    });
+    return drafts;
+}
+
+double bound_of(const Task& task, CrossingSearcher& crossing, double reached) {
+    const CrossingOptions options = crossing_options(task, Body::point, longest_path(task, reached));
+    const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
+    if (task.options.objective == Objective::makespan) {
+        const CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        return std::min(least(found.lower_bound, straight_flight(task)), reached);
+    }
+    // The flight past the obstacles of a set counts as well.
+    double best = infinity;
+    int tried = 0;
+    const CrossingResult rest =
+        crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
+            if (least(path.cost, straight_flight(task)) >= std::min(best, reached) || tried == patience) return false;
+            ++tried;
+            double flight =
+                fly_optimal(task.map, task.flyer.start, task.flyer.goal, path.crossed).length / task.flyer.speed;
+            for (const ObstacleId id : path.crossed) flight += task.options.breach_time.of(task.map.obstacle(id));
+            best = std::min(best, least(path.cost, flight));
+            return true;
+        });
+    return std::min({best, least(rest.lower_bound, straight_flight(task)), reached});
+}
+
+}  // namespace waybreaker

@@ -1,0 +1,37 @@
+#include "mission/explain.hpp"
+
+#include <algorithm>
+
+namespace waybreaker {
+namespace {
+
+double best_cost(const Task& task, Chooser& chooser, const Draft& nothing, const MissionOptions& options,
+                 std::vector<ObstacleId>* removed = nullptr) {
+    const std::vector<Draft> drafts = chooser.drafts(options, nothing);
+    const Draft& best = best_of(task, nothing, drafts);
+    if (removed != nullptr) *removed = best.candidate.removed;
+    return cost(task, best);
+}
+
+}  // namespace
+
+void explain(const Task& task, Chooser& chooser, const Draft& nothing, const Draft& best, Plan& plan) {
+    const double reached = cost(task, best);
+    for (Removal& removal : plan.removed) {
+        MissionOptions without = task.options;
+        without.protect.push_back(removal.obstacle);
+        removal.saves = best_cost(task, chooser, nothing, without) - reached;
+    }
+    MissionOptions more = task.options;
+    ++more.removals;
+    std::vector<ObstacleId> removed;
+    const double gain = reached - best_cost(task, chooser, nothing, more, &removed);
+    if (gain <= 0) return;
+    for (const ObstacleId id : removed) {
+        if (std::ranges::find(best.candidate.removed, id) != best.candidate.removed.end()) continue;
+        plan.next.push_back({id, task.map.obstacle(id).source_id, gain});
+        return;
+    }
+}
+
+}  // namespace waybreaker
