@@ -30,6 +30,7 @@ class CrossingSearcher::Search {
     void search_ellipses(double longest);
     Outcome search_ellipse();
     void expand(std::uint32_t label);
+    double least_cost(std::uint32_t parent, const Reached& reached) const;
     void push(std::uint32_t parent, const Reached& reached);
     bool earlier(std::uint32_t a, std::uint32_t b) const;
     std::optional<Outcome> interrupted();
@@ -63,16 +64,21 @@ bool CrossingSearcher::Search::earlier(std::uint32_t a, std::uint32_t b) const {
     return a < b;
 }
 
+// Half cells.
+double CrossingSearcher::Search::least_cost(std::uint32_t parent, const Reached& reached) const {
+    double least = labels_[parent].least;
+    if (!options_->least_cost) return least;
+    for (const std::uint32_t id : reached.crossed) least = std::max(least, 2 * options_->least_cost(ObstacleId{id}));
+    return least;
+}
+
 void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached) {
     const std::span<const std::uint32_t> crossed = reached.crossed;
     const Vertex v = reached.at;
     Label label;
     label.at = v;
     label.length = labels_[parent].length + length(v - labels_[parent].at);
-    label.least = labels_[parent].least;
-    for (const std::uint32_t obstacle : crossed) {
-        if (options_->least_cost) label.least = std::max(label.least, 2 * options_->least_cost(ObstacleId{obstacle}));
-    }
+    label.least = least_cost(parent, reached);
     label.estimate = std::max(label.length + length(goal_ - v), label.least);
     if (label.estimate > limit_) return;
     label.parent = parent;
@@ -109,7 +115,16 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
                    .range = limit_ - label.length};
     if (label.parent != no_label) from.arriving = label.at - labels_[label.parent].at;
     for (const std::uint32_t obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
-    for (const Reached& reached : fan_.look(from, accept_ != nullptr)) push(index, reached);
+    for (bool alternatives = accept_ != nullptr;; alternatives = true) {
+        bool dear = false;  // the straight way to the goal costs more than its length: a detour can cost less
+        from.open = sets_[label.set];
+        for (const Reached& reached : fan_.look(from, alternatives)) {
+            push(index, reached);
+            if (reached.at == goal_)
+                dear = dear || least_cost(index, reached) > label.length + length(goal_ - label.at);
+        }
+        if (alternatives || !dear) return;
+    }
 }
 
 std::optional<CrossingSearcher::Search::Outcome> CrossingSearcher::Search::interrupted() {
@@ -183,7 +198,11 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
         }
         std::sort(hits.begin(), hits.end(),
                   [](const Hit& a, const Hit& b) { return a.at != b.at ? a.at > b.at : a.obstacle > b.obstacle; });
-        for (const Hit& hit : hits) path.crossed.push_back(ObstacleId{hit.obstacle});
+        for (const Hit& hit : hits) {
+            const ObstacleId id{hit.obstacle};
+            if (std::find(path.crossed.begin(), path.crossed.end(), id) == path.crossed.end())
+                path.crossed.push_back(id);
+        }
     }
     std::reverse(path.path.begin(), path.path.end());
     std::reverse(path.crossed.begin(), path.crossed.end());

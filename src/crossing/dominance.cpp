@@ -5,7 +5,10 @@
 namespace waybreaker {
 
 bool Dominance::operator()(const Label& better, const Label& worse) const {
-    if (better.length > worse.length || better.least > worse.least) return false;
+    if (better.at == goal ? better.estimate > worse.estimate
+                          : better.length > worse.length || better.least > worse.least) {
+        return false;
+    }
     if (better.set == worse.set) return true;
     const auto mine = sets[better.set];
     const auto theirs = sets[worse.set];

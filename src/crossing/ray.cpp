@@ -7,39 +7,10 @@
 #include <limits>
 #include <new>
 
+#include "crossing/stairs.hpp"
 #include "map/bit_run.hpp"
 
 namespace waybreaker {
-namespace {
-
-// floor((start + i * step) / divisor) for i = 0, 1, ...: additions only after the first.
-class Stairs {
-  public:
-    Stairs(std::int64_t start, std::int64_t step, std::int64_t divisor)
-        : value_(floor_divide(start, divisor)),
-          rest_(start - value_ * divisor),
-          step_(floor_divide(step, divisor)),
-          step_rest_(step - step_ * divisor),
-          divisor_(divisor) {}
-
-    std::int64_t value() const { return value_; }
-    void next() {
-        rest_ += step_rest_;
-        const bool carry = rest_ >= divisor_;
-        rest_ -= carry ? divisor_ : 0;
-        value_ += step_ + carry;
-    }
-
-  private:
-    std::int64_t value_;
-    std::int64_t rest_;
-    std::int64_t step_;
-    std::int64_t step_rest_;
-    std::int64_t divisor_;
-};
-
-}  // namespace
-
 void Ray::Free::operator()(void* memory) const {
     std::free(memory);
 }
@@ -217,9 +188,14 @@ void Ray::meet(const Hit& hit) {
     Mark& mark = marks_[hit.obstacle];
     if (mark.ray == ray_) {
         Hit& known = hits_[mark.hit];
-        const bool surely = known.surely || hit.surely;
-        if (hit.leg == known.leg && hit.at < known.at) known = hit;
-        known.surely = surely;
+        if (known.surely || !hit.surely) {
+            if (hit.leg == known.leg && hit.at < known.at && hit.surely) known = hit;
+            return;
+        }
+        // It is crossed for certain now, perhaps in another of its parts: a hit of its own, already counted.
+        if (stopped_ && hit.at >= stopped_at_) return;
+        mark.hit = std::uint32_t(hits_.size());
+        hits_.push_back(hit);
         return;
     }
     if (stopped_ && hit.at >= stopped_at_) return;
@@ -290,6 +266,7 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
     const int crossings = crossings_left_ - (counted ? 0 : 1);
     const double weight_left = weight_left_ - (counted ? 0 : std::min(weight(one.obstacle), weight(other.obstacle)));
     meet(one);
+    stopped_ = false;  // both are hit, whichever stops the ray
     meet(other);
     crossings_left_ = crossings;
     weight_left_ = weight_left;
