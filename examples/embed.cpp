@@ -9,13 +9,13 @@ int main() {
 
     waybreaker::MissionPlanner planner;
     const auto mission = waybreaker::ground_and_air({4, 4}, {36, 4});
-    const waybreaker::Plan plan = planner.plan(map, mission, waybreaker::paper_options(1));
+    const waybreaker::Plan plan = planner.plan(map, mission, {.removals = 1});
     if (plan.status != waybreaker::PlanStatus::solved) return 1;
 
     for (const auto& wall : plan.removed) {
         std::cout << "break wall " << wall.obstacle.value << " from (" << wall.at.x << ", " << wall.at.y << ")\n";
     }
     std::cout << "drive";
-    for (const auto& cell : plan.after.ground.path) std::cout << " (" << cell.x << ", " << cell.y << ")";
+    for (const auto& point : plan.after.ground.path) std::cout << " (" << point.x << ", " << point.y << ")";
     std::cout << "\n" << *plan.before.makespan << " cells before, " << *plan.after.makespan << " after\n";
 }
