@@ -70,6 +70,7 @@ void Fan::look_along(Step direction) {
 }
 
 void Fan::look_at(const Aim& aim) {
+    if (aim.at == from_.at) return;  // a corner that it stands at
     const Step direction = aim.at - from_.at;
     ray_.start(from_.crossings, from_.weight);
     if (ray_.walk(from_.at, aim.at)) {

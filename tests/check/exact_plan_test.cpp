@@ -36,8 +36,10 @@ RC_GTEST_PROP(ExactPlan, IsValid, ()) {
     const Map map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
     const Body body = *rc::gen::element(Body::square, Body::point);
     const int crossings = *number(0, 4);
-    const CrossingResult result = CrossingSearcher().find(map, any_free_cell(plain), any_free_cell(plain),
-                                                          {.body = body, .crossings = crossings});
+    CrossingOptions options{.body = body, .crossings = crossings};
+    const double least = *rc::gen::element(0.0, 10.0, 60.0);
+    options.least_cost = [least](ObstacleId) { return least; };
+    const CrossingResult result = CrossingSearcher().find(map, any_free_cell(plain), any_free_cell(plain), options);
     RC_PRE(result.status == SearchStatus::found);
     ScheduleTask task;
     task.ground_path = result.best.path;
