@@ -31,7 +31,7 @@ class Bench {
         const CrossingResult result = searcher_.find(map, start, goal, options);
         const double seconds = least_seconds(repeats, [&] { searcher_.find(map, start, goal, options); });
         std::printf("%s,%g,%zu,%s,%d,%.3f,%.6f,%llu,%llu,%.4f\n", kind, at, map.obstacles().size(),
-                    body == Body::square ? "square" : "point", crossings, distance(start, goal), result.best.length,
+                    body == Body::square ? "square" : "point", crossings, distance(start, goal), result.lower_bound,
                     static_cast<unsigned long long>(result.expanded), static_cast<unsigned long long>(result.generated),
                     1e3 * seconds);
     }

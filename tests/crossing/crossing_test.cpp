@@ -1,0 +1,180 @@
+// CrossingSearcher::find against the oracle: the same length, a path that is what it claims to be, a true bound.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "ascii_map.hpp"
+#include "crossing_case.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker {
+namespace {
+
+double least(const CrossingCase& problem) {
+    const slow::CrossingOracle oracle = problem.oracle();
+    const slow::Set removed = slow::set_of(problem.removed);
+    double best = slow::CrossingOracle::nowhere;
+    for (const slow::Set set : problem.choices()) {
+        best = std::min(best, problem.cost(oracle.shortest(removed | set), set));
+    }
+    return best;
+}
+
+void check(const CrossingCase& problem, const CrossingResult& result, double expected) {
+    RC_LOG() << problem << "found " << result.best.cost << ", least " << expected << ", bound " << result.lower_bound
+             << '\n';
+    RC_ASSERT((result.status == SearchStatus::found) == (expected < slow::CrossingOracle::nowhere));
+    RC_ASSERT(same_length(expected, result.lower_bound));
+    if (result.status != SearchStatus::found) {
+        RC_ASSERT(result.status == SearchStatus::no_path);
+        RC_ASSERT(result.best.path.empty());
+        return;
+    }
+    RC_ASSERT(path_fault(problem, result.best) == "");
+    RC_ASSERT(same_length(expected, result.best.cost));
+}
+
+RC_GTEST_PROP(Crossing, IsTheShortest, ()) {
+    CrossingSearcher searcher;  // keeps its memory from case to case
+    const Map map = *number(0, 1) == 0 ? random_connected_map(9) : random_label_map(9);
+    for (int mission = 0; mission < 4; ++mission) {
+        CrossingCase problem = random_case(map);
+        for (const Body body : {Body::square, Body::point}) {
+            problem.body = body;
+            check(problem, searcher.find(map, problem.start, problem.goal, problem.options()), least(problem));
+        }
+    }
+}
+
+// One wide obstacle after the other, so that paths are long and bend often.
+RC_GTEST_PROP(Crossing, IsTheShortestThroughWalls, ()) {
+    const int width = *number(4, 12);
+    const int height = *number(2, 6);
+    std::vector<std::uint32_t> labels(std::size_t(width * height));
+    for (int x = 1; x < width - 1; x += 2) {
+        const int gap = *number(-1, height - 1);
+        const int split = *number(0, height);
+        for (int y = 0; y < height; ++y) {
+            labels[std::size_t(y * width + x)] = y == gap ? 0 : std::uint32_t(y < split ? x : x + 1);
+        }
+    }
+    const Map map = Map::from_labels(width, height, labels);
+    for (const Body body : {Body::square, Body::point}) {
+        for (int n = 0; n <= 3; ++n) {
+            const CrossingCase problem{map, {0, *number(0, height - 1)}, {width - 1, *number(0, height - 1)}, body, n};
+            check(problem, CrossingSearcher().find(map, problem.start, problem.goal, problem.options()),
+                  least(problem));
+        }
+    }
+}
+
+RC_GTEST_PROP(Crossing, GivesTheSameAgain, ()) {
+    const CrossingCase problem = *any_case(12);
+    const CrossingCase other = *any_case(12);
+    CrossingSearcher searcher;
+    const auto find = [&](const CrossingCase& c) { return searcher.find(c.map, c.start, c.goal, c.options()); };
+    const CrossingResult first = find(problem);
+    find(other);
+    const CrossingResult again = find(problem);
+    RC_ASSERT(first.best.path == again.best.path);
+    RC_ASSERT(first.best.crossed == again.best.crossed);
+    RC_ASSERT(first.best.length == again.best.length);
+    RC_ASSERT(first.lower_bound == again.lower_bound);
+    RC_ASSERT(first.expanded == again.expanded);
+    RC_ASSERT(first.generated == again.generated);
+}
+
+RC_GTEST_PROP(Crossing, HoldsWhatItProvedWhenStopped, ()) {
+    const CrossingCase problem = *any_case(9);
+    const double expected = least(problem);
+    CrossingOptions options = problem.options();
+    switch (*number(0, 3)) {
+        case 0:
+            options.expansion_limit = std::uint64_t(*number(0, 30));
+            break;
+        case 1:
+            options.length_limit = *number(0, 20);
+            break;
+        case 2:
+            options.time_limit = 0;
+            break;
+        default: {
+            std::stop_source source;
+            source.request_stop();
+            options.stop = source.get_token();
+        }
+    }
+    const CrossingResult result = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    RC_LOG() << problem << "limits: " << options.expansion_limit << " expansions, length " << options.length_limit
+             << ", time " << options.time_limit << "; found " << result.best.cost << ", least " << expected
+             << ", bound " << result.lower_bound << '\n';
+    if (result.status == SearchStatus::found) {
+        RC_ASSERT(path_fault(problem, result.best) == "");
+        RC_ASSERT(same_length(expected, result.best.cost));
+        RC_ASSERT(result.best.cost <= options.length_limit);
+    } else {
+        if (!result.best.path.empty()) RC_ASSERT(path_fault(problem, result.best) == "");
+        RC_ASSERT(result.lower_bound <= expected * (1 + 1e-9));
+        RC_ASSERT(options.length_limit == std::numeric_limits<double>::infinity() ||
+                  expected > options.length_limit * (1 - 1e-9));
+        if (options.length_limit < 1e9) RC_ASSERT(result.lower_bound >= options.length_limit);
+    }
+}
+
+TEST(Crossing, HasNoPathFromOrToAPlaceThatIsClosed) {
+    const Map map = map_from_ascii("aa.. .... ...b");
+    CrossingSearcher searcher;
+    for (const auto& [start, goal] : {std::pair{Cell{0, 0}, Cell{3, 0}},
+                                      {Cell{0, 1}, Cell{3, 2}},
+                                      {Cell{-1, 0}, Cell{1, 1}},
+                                      {Cell{0, 1}, Cell{4, 1}}}) {
+        const CrossingResult result = searcher.find(map, start, goal, {.crossings = 2});
+        EXPECT_EQ(result.status, SearchStatus::no_path);
+        EXPECT_EQ(result.lower_bound, std::numeric_limits<double>::infinity());
+    }
+    const std::vector<ObstacleId> removed{{1}};
+    const CrossingResult result = searcher.find(map, {0, 0}, {3, 0}, {.removed = removed});
+    EXPECT_EQ(result.status, SearchStatus::found);
+    EXPECT_DOUBLE_EQ(result.best.length, 3);
+}
+
+TEST(Crossing, ListsObstaclesInTheOrderOfThePath) {
+    const std::string_view picture = R"(
+        .cab.
+        GcabS
+        .cab.)";
+    const Map map = map_from_ascii(picture);
+    const auto id = [&](char letter) { return map.obstacle_at(mark_in_ascii(picture, letter)); };
+    for (const Body body : {Body::square, Body::point}) {
+        const CrossingResult result = CrossingSearcher().find(map, {4, 1}, {0, 1}, {.body = body, .crossings = 3});
+        EXPECT_EQ(result.best.crossed, (std::vector<ObstacleId>{id('b'), id('a'), id('c')}));
+    }
+}
+
+TEST(Crossing, StaysWhereItIs) {
+    const Map map = map_from_ascii("..a");
+    const CrossingResult result = CrossingSearcher().find(map, {1, 0}, {1, 0}, {});
+    EXPECT_EQ(result.status, SearchStatus::found);
+    EXPECT_EQ(result.best.length, 0);
+    EXPECT_EQ(result.lower_bound, 0);
+}
+
+TEST(Crossing, RefusesOptionsOutOfRange) {
+    const Map map = map_from_ascii("..a");
+    const auto find = [&](const CrossingOptions& options) { CrossingSearcher().find(map, {0, 0}, {1, 0}, options); };
+    const std::vector<ObstacleId> unknown{{2}};
+    const std::vector<ObstacleId> none{{0}};
+    const std::vector<double> few{1};
+    const std::vector<double> nothing{1, 0};
+    const std::vector<double> unclear{1, std::nan("")};
+    EXPECT_THROW(find({.crossings = -1}), InputError);
+    EXPECT_THROW(find({.removed = unknown}), InputError);
+    EXPECT_THROW(find({.removed = none}), InputError);
+    EXPECT_THROW(find({.protect = unknown}), InputError);
+    EXPECT_THROW(find({.weights = few}), InputError);
+    EXPECT_THROW(find({.weights = nothing}), InputError);
+    EXPECT_THROW(find({.weights = unclear}), InputError);
+    EXPECT_NO_THROW(find({.crossings = 1000}));
+}
+
+}  // namespace
+}  // namespace waybreaker

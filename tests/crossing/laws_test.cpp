@@ -1,0 +1,107 @@
+// Laws of crossing paths on maps too large for the oracle: more crossings never cost more, every square's path is a
+// point's, and neither mirrors nor larger cells change a length.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "crossing_case.hpp"
+
+namespace waybreaker {
+namespace {
+
+// Labels of a map seen another way: the cell shown at c is the one at `where(c)`.
+template <class Where>
+Map seen(const Map& map, int width, int height, Where where) {
+    std::vector<std::uint32_t> labels;
+    for (Cell c; c.y < height; ++c.y) {
+        for (c.x = 0; c.x < width; ++c.x) labels.push_back(map.obstacle_at(where(c)).value);
+    }
+    std::vector<ObstacleAttributes> attributes(map.obstacles().size() + 1);
+    for (const Obstacle& obstacle : map.obstacles()) attributes[obstacle.id.value].destructible = obstacle.destructible;
+    return Map::from_labels(width, height, labels, attributes);
+}
+
+double cost(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
+    return CrossingSearcher().find(map, start, goal, options).lower_bound;
+}
+
+CrossingCase plain_case(int most_side) {
+    CrossingCase problem = *any_case(most_side);
+    problem.removed.clear();
+    problem.protect.clear();
+    problem.weights.clear();
+    problem.budget = std::numeric_limits<double>::infinity();
+    problem.least_cost.clear();
+    return problem;
+}
+
+RC_GTEST_PROP(CrossingLaws, MoreCrossingsNeverCostMore, ()) {
+    CrossingCase problem = *any_case(40);
+    double before = std::numeric_limits<double>::infinity();
+    for (problem.crossings = 0; problem.crossings <= 4; ++problem.crossings) {
+        const double now = cost(problem.map, problem.start, problem.goal, problem.options());
+        RC_LOG() << problem << now << '\n';
+        RC_ASSERT(now <= before * (1 + 1e-12));
+        before = now;
+    }
+}
+
+RC_GTEST_PROP(CrossingLaws, ASquareIsNeverFasterThanAPoint, ()) {
+    CrossingCase problem = *any_case(40);
+    CrossingOptions options = problem.options();
+    options.body = Body::square;
+    const double square = cost(problem.map, problem.start, problem.goal, options);
+    options.body = Body::point;
+    const double point = cost(problem.map, problem.start, problem.goal, options);
+    RC_LOG() << problem << square << ' ' << point << '\n';
+    RC_ASSERT(point <= square * (1 + 1e-12));
+}
+
+RC_GTEST_PROP(CrossingLaws, TheWayBackIsAsLong, ()) {
+    const CrossingCase problem = *any_case(40);
+    RC_LOG() << problem;
+    RC_ASSERT(same_length(cost(problem.map, problem.start, problem.goal, problem.options()),
+                          cost(problem.map, problem.goal, problem.start, problem.options())));
+}
+
+RC_GTEST_PROP(CrossingLaws, MirrorsChangeNoLength, ()) {
+    const CrossingCase problem = plain_case(40);
+    const int w = problem.map.width();
+    const int h = problem.map.height();
+    const double there = cost(problem.map, problem.start, problem.goal, problem.options());
+    const auto mirrored = [&](Cell c) { return Cell{w - 1 - c.x, c.y}; };
+    const auto turned = [](Cell c) { return Cell{c.y, c.x}; };
+    RC_LOG() << problem << there << '\n';
+    RC_ASSERT(same_length(there, cost(seen(problem.map, w, h, mirrored), mirrored(problem.start),
+                                      mirrored(problem.goal), problem.options())));
+    RC_ASSERT(same_length(
+        there, cost(seen(problem.map, h, w, turned), turned(problem.start), turned(problem.goal), problem.options())));
+}
+
+RC_GTEST_PROP(CrossingLaws, APointsPathGrowsWithTheMap, ()) {
+    CrossingCase problem = plain_case(14);
+    problem.body = Body::point;
+    const double there = cost(problem.map, problem.start, problem.goal, problem.options());
+    const auto large = [](Cell c) { return Cell{3 * c.x + 1, 3 * c.y + 1}; };
+    const Map map = seen(problem.map, 3 * problem.map.width(), 3 * problem.map.height(), [](Cell c) {
+        return Cell{c.x / 3, c.y / 3};
+    });
+    RC_LOG() << problem << there << '\n';
+    RC_ASSERT(same_length(3 * there, cost(map, large(problem.start), large(problem.goal), problem.options())));
+}
+
+// What is crossed may as well be removed before.
+RC_GTEST_PROP(CrossingLaws, RemovingWhatIsCrossedLeavesTheSamePath, ()) {
+    const CrossingCase problem = *any_case(40);
+    const CrossingResult first = CrossingSearcher().find(problem.map, problem.start, problem.goal, problem.options());
+    if (first.status != SearchStatus::found) return;
+    std::vector<ObstacleId> removed = problem.removed;
+    removed.insert(removed.end(), first.best.crossed.begin(), first.best.crossed.end());
+    const CrossingResult second =
+        CrossingSearcher().find(problem.map, problem.start, problem.goal, {.body = problem.body, .removed = removed});
+    RC_LOG() << problem;
+    RC_ASSERT(same_length(first.best.length, second.best.length) || first.best.cost > first.best.length);
+    RC_ASSERT(second.best.crossed.empty());
+}
+
+}  // namespace
+}  // namespace waybreaker
