@@ -28,23 +28,45 @@ Mission any_mission(const PlainMap& plain, const Map& map, const Motion& motion)
     return mission;
 }
 
-RC_GTEST_PROP(EveryPlan, IsValid, ()) {
-    const PlainMap plain = *random_map(24, 20);
-    const Map map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
+MissionOptions any_options(const Map& map) {
     MissionOptions options;
     options.removals = *number(0, 4);
     options.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);
-    options.search.planner = *rc::gen::element(Planner::theta, Planner::lazy_theta, Planner::astar, Planner::jps,
-                                               Planner::dijkstra, Planner::bfs);
-    options.search.motion = any_way_to_move();
-    if (options.search.planner == Planner::jps) options.search.motion.radius = 0.5;
     options.timing = *rc::gen::element(Timing::enforce, Timing::ignore);
     options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
     options.breach_time = {*rc::gen::element(0.0, 0.0, 2.5), *rc::gen::element(0.0, 0.0, 0.2)};
     options.protect = some_obstacles(map, 2);
     options.weights.assign(map.obstacles().size() + 1, *rc::gen::element(0.5, 1.0));
     options.budget = *rc::gen::element(0.9, 1.7, std::numeric_limits<double>::infinity());
+    options.bound = *rc::gen::arbitrary<bool>();
+    options.explain = *rc::gen::arbitrary<bool>();
+    return options;
+}
+
+// The paper's choice and the proven one, with every planner that drives from cell to cell.
+RC_GTEST_PROP(EveryPlan, IsValid, ()) {
+    const PlainMap plain = *random_map(24, 20);
+    const Map map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
+    MissionOptions options = any_options(map);
+    options.select = *rc::gen::element(Selection::hits, Selection::exact);
+    options.search.planner = *rc::gen::element(Planner::theta, Planner::lazy_theta, Planner::astar, Planner::jps,
+                                               Planner::dijkstra, Planner::bfs);
+    options.search.motion = any_way_to_move();
+    if (options.search.planner == Planner::jps) options.search.motion.radius = 0.5;
     const Mission mission = any_mission(plain, map, options.search.motion);
+    const Plan plan = MissionPlanner().plan(map, mission, options);
+    RC_ASSERT(plan_faults(map, mission, options, plan) == "");
+}
+
+// The proven choice with the optimal planner, for the unit square and for the point.
+RC_GTEST_PROP(EveryPlan, IsValidWithTheOptimalPlanner, ()) {
+    const PlainMap plain = *random_map(24, 20);
+    const Map map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
+    MissionOptions options = any_options(map);
+    options.select = Selection::exact;
+    options.search.planner = Planner::optimal;
+    options.search.motion.radius = *rc::gen::element(0.5, 0.0);
+    const Mission mission = any_mission(plain, map, {});
     const Plan plan = MissionPlanner().plan(map, mission, options);
     RC_ASSERT(plan_faults(map, mission, options, plan) == "");
 }
