@@ -5,6 +5,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,10 +42,10 @@ struct MissionOptions {
     FlightRule flight = FlightRule::optimal;
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;
-    BreachTime breach_time;
-    std::vector<ObstacleId> protect;  // never removed
+    BreachTime breach_time = {};
+    std::vector<ObstacleId> protect = {};  // never removed
     // weights[id], > 0, of every obstacle (empty: 1 each); the removed ones may weigh at most `budget` together.
-    std::vector<double> weights;
+    std::vector<double> weights = {};
     double budget = std::numeric_limits<double>::infinity();
     bool bound = false;    // prove a bound whatever the method (`exact` always does)
     bool explain = false;  // what each removal saves, and which would come next
@@ -79,5 +80,11 @@ class MissionPlanner {
     Searcher searcher_;
     CrossingSearcher crossing_;
 };
+
+// Plans each mission as MissionPlanner::plan does, over that many threads (0: all cores), and gives the plans in the
+// order of the missions: the same whatever the number of threads, measured seconds aside. Throws what the first mission
+// that cannot be planned throws, once all others are done.
+std::vector<Plan> plan_all(const Map& map, std::span<const Mission> missions, const MissionOptions& options = {},
+                           unsigned threads = 0);
 
 }  // namespace waybreaker

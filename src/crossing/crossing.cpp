@@ -238,7 +238,7 @@ void CrossingSearcher::Search::search_ellipses(double longest) {
     const double straight = length(goal_ - start_);
     double proven = straight;
     // With nothing to cross detours are long.
-    for (double slack = options_->crossings == 0 ? 0.03 : 0.002;; slack *= 4) {
+    for (double slack = options_->crossings == 0 ? 0.1 : 0.002;; slack *= 4) {
         limit_ = slack > 2 || longest < straight * (1 + 4 * slack) ? longest : straight * (1 + slack);
         const Outcome outcome = search_ellipse();
         if (outcome == Outcome::found) return;

@@ -1,0 +1,38 @@
+// Many missions on one map, over several threads.
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+
+std::vector<Plan> plan_all(const Map& map, std::span<const Mission> missions, const MissionOptions& options,
+                           unsigned threads) {
+    std::vector<Plan> plans(missions.size());
+    std::vector<std::exception_ptr> errors(missions.size());
+    std::atomic<std::size_t> next = 0;
+    // Each thread takes the next mission; where a plan lands does not depend on who makes it.
+    const auto work = [&] {
+        MissionPlanner planner;
+        for (std::size_t i = next++; i < missions.size(); i = next++) {
+            try {
+                plans[i] = planner.plan(map, missions[i], options);
+            } catch (...) {
+                errors[i] = std::current_exception();
+            }
+        }
+    };
+    const std::size_t wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(wanted, missions.size()); ++i) others.emplace_back(work);
+    work();
+    others.clear();  // joins them
+    for (const std::exception_ptr& error : errors) {
+        if (error) std::rethrow_exception(error);
+    }
+    return plans;
+}
+
+}  // namespace waybreaker

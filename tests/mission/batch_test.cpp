@@ -1,0 +1,40 @@
+// Many missions at once give what each gives alone, whatever the number of threads.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "random_map.hpp"
+#include "waybreaker/error.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+namespace {
+
+RC_GTEST_PROP(Batch, GivesWhatEachMissionGivesAlone, ()) {
+    const PlainMap plain_map = *random_map(24, 24);
+    const Map map(plain_map.grid());
+    std::vector<Mission> missions;
+    for (int i = *number(0, 12); i > 0; --i) {
+        missions.push_back(ground_and_air(any_free_cell(plain_map), any_free_cell(plain_map)));
+    }
+    const MissionOptions options{.removals = *number(0, 3)};
+    const std::vector<Plan> plans = plan_all(map, missions, options, unsigned(*number(1, 4)));
+    RC_ASSERT(plans.size() == missions.size());
+    for (std::size_t i = 0; i < missions.size(); ++i) {
+        const Plan alone = MissionPlanner().plan(map, missions[i], options);
+        RC_ASSERT(plans[i].status == alone.status);
+        RC_ASSERT(plans[i].after.makespan == alone.after.makespan);
+        RC_ASSERT(plans[i].bound == alone.bound);
+        RC_ASSERT(plans[i].agents.size() == alone.agents.size());
+        for (std::size_t a = 0; a < alone.agents.size(); ++a)
+            RC_ASSERT(plans[i].agents[a].path == alone.agents[a].path);
+    }
+}
+
+TEST(Batch, ThrowsWhatTheFirstImpossibleMissionThrows) {
+    const Map map{Grid(4, 4)};
+    const std::vector<Mission> missions{ground_and_air({0, 0}, {3, 3}), ground_and_air({0, 0}, {9, 3})};
+    EXPECT_THROW(plan_all(map, missions), InputError);
+}
+
+}  // namespace
+}  // namespace waybreaker
