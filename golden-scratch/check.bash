@@ -1,1 +1,0 @@
-waybreaker check yard.map

@@ -1,1 +1,0 @@
-waybreaker completion fish | grep -c -- '-l tie-break'

@@ -1,1 +1,0 @@
-ls new.tif

@@ -1,1 +1,0 @@
-waybreaker map info free.map

@@ -1,1 +1,0 @@
-waybreaker plan missing.map 2>&-
