@@ -106,6 +106,17 @@ CLI::Option* add_duration(CLI::App& app, const std::string& name, double& value,
     return add(app, name, read, "TIME", text);
 }
 
+CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        const auto length = number<double>(given);
+        if (!length || !std::isfinite(*length) || *length < 0) {
+            throw CLI::ValidationError(name, fmt::format("'{}' is not a length of at least 0", given));
+        }
+        value = *length;
+    };
+    return add(app, name, read, "CELLS", text);
+}
+
 CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,
                            const std::string& text) {
     const auto read = [name, &value](const std::string& given) {

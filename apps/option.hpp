@@ -34,6 +34,9 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::funct
 // A finite number of at least 0.
 CLI::Option* add_duration(CLI::App& app, const std::string& name, double& value, const std::string& text);
 
+// A finite number of cells, at least 0.
+CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, const std::string& text);
+
 // Ids of obstacles: "17,4".
 CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,
                            const std::string& text);

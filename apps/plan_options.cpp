@@ -111,9 +111,8 @@ void add_search_options(CLI::App& command, PlanOptions& options) {
         "Of two equally promising nodes take the one farther from (g-max) or nearer to the start (default: g-max)");
     add_choice(command, "--corners", corner_rules, options.corners,
                "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
-    add_number(
-        command, "--radius", [&options](double radius) { options.radius = radius; }, 0, "CELLS",
-        "Radius of the ground agent (default: 0.5)");
+    add_length(command, "--radius", options.radius,
+               "Radius of the ground agent; 0 for a point, which --planner optimal drives (default: 0.5)");
     add_choice(command, "--moves", move_counts, options.diagonal, "Steps from a cell (default: 8)");
     add_count(
         command, "--expansion-limit", [&options](std::int64_t n) { options.expansion_limit = std::uint64_t(n); }, 1,

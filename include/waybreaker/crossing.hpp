@@ -37,7 +37,8 @@ struct CrossingOptions {
     // A path that crosses an obstacle costs at least so many cells, however short it is: it cannot be open earlier.
     std::function<double(ObstacleId)> least_cost = {};
     double length_limit = std::numeric_limits<double>::infinity();  // dearer paths are not looked for
-    double time_limit = std::numeric_limits<double>::infinity();    // seconds
+    double expected = 0;  // a guess of the cost, cells: near above it, the search is fastest
+    double time_limit = std::numeric_limits<double>::infinity();  // seconds
     std::uint64_t expansion_limit = UINT64_MAX;
     std::stop_token stop = {};
 };

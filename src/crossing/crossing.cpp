@@ -236,10 +236,12 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
 // as all before it.
 void CrossingSearcher::Search::search_ellipses(double longest) {
     const double straight = length(goal_ - start_);
+    const bool guessed = 2 * options_->expected > straight;
+    const double least = guessed ? 2 * options_->expected : straight;
     double proven = straight;
     // With nothing to cross detours are long.
-    for (double slack = options_->crossings == 0 ? 0.1 : 0.002;; slack *= 4) {
-        limit_ = slack > 2 || longest < straight * (1 + 4 * slack) ? longest : straight * (1 + slack);
+    for (double slack = guessed ? 0.004 : options_->crossings == 0 ? 0.1 : 0.002;; slack *= slack < 0.02 ? 4 : 2) {
+        limit_ = slack > 2 || longest < least * (1 + 4 * slack) ? longest : least * (1 + slack);
         const Outcome outcome = search_ellipse();
         if (outcome == Outcome::found) return;
         if (outcome != Outcome::exhausted) {

@@ -50,11 +50,12 @@ bool Fan::look_at_goal() {
 
 void Fan::look_into(const Sector& sector) {
     if (sector.turn != 0) {
-        look_along(sector.straight);
+        look_along(sector.straight, sector.turn);
         const Step outward = sector.sliding + -sector.around.quadrant;
         const Outline outline(*map_, body_, sector.around.obstacle);
         // Along the obstacle's own side. Where that ends at a corner, the ray to it is the sector's border.
-        if (!scan(outline, {sector.around.cell, outward, sector.sliding}, -sector.turn)) look_along(sector.sliding);
+        if (!scan(outline, {sector.around.cell, outward, sector.sliding}, -sector.turn))
+            look_along(sector.sliding, -sector.turn);
     }
     while (!aims_.empty()) {
         const Aim aim = aims_.back();
@@ -63,10 +64,11 @@ void Fan::look_into(const Sector& sector) {
     }
 }
 
-void Fan::look_along(Step direction) {
+// A border of the sector: what it hits is followed into the sector only.
+void Fan::look_along(Step direction, int into) {
     ray_.start(from_.crossings, from_.weight);
     walk_on(from_.at, direction);
-    scan_from_hits(direction);
+    scan_from_hits(direction, into);
 }
 
 void Fan::look_at(const Aim& aim) {
@@ -77,7 +79,7 @@ void Fan::look_at(const Aim& aim) {
         reach(aim.at);
         walk_on(aim.at, direction);
     }
-    scan_from_hits(direction, aim.open);
+    scan_from_hits(direction, aim.open, 1);
 }
 
 // On to where the ray leaves the ellipse, or the map.
@@ -90,8 +92,8 @@ void Fan::walk_on(Vertex from, Step direction) {
     ray_.walk(from, {from.x + direction.x * steps, from.y + direction.y * steps});
 }
 
-// Both ways along the outline of all that the ray has hit; behind the corner it was aimed at, only on the open side.
-void Fan::scan_from_hits(Step direction, int open_behind) {
+// Both ways along the outline of all that the ray has hit; to one side only, if so, of what it hit after some legs.
+void Fan::scan_from_hits(Step direction, int only, int only_behind) {
     for (const Hit& hit : ray_.hits()) {
         const Outline outline(*map_, body_, hit.obstacle);
         Cell cell = hit.cell;
@@ -102,7 +104,7 @@ void Fan::scan_from_hits(Step direction, int open_behind) {
         }
         for (const Step along : {Step{side.y, side.x}, Step{-side.y, -side.x}}) {
             const int turn = sign(cross(direction, along));
-            if (open_behind != 0 && hit.leg > 1 && turn == -open_behind) continue;
+            if (turn == -only && (only_behind == 0 || hit.leg > only_behind)) continue;
             if (turn != 0) {
                 scan(outline, {cell, side, along}, turn);
             } else if (sign(along.x) == -sign(direction.x) && sign(along.y) == -sign(direction.y)) {

@@ -72,10 +72,10 @@ class Fan {
 
     bool look_at_goal();
     void look_into(const Sector& sector);
-    void look_along(Step direction);
+    void look_along(Step direction, int into);
     void look_at(const Aim& aim);
     void walk_on(Vertex from, Step direction);
-    void scan_from_hits(Step direction, int open_behind = 0);
+    void scan_from_hits(Step direction, int only = 0, int only_behind = 0);
     bool scan(const Outline& outline, Side side, int turn);
     std::optional<Side> behind_notch(const Outline& outline, Side side, Step corner, int turn) const;
     bool clear(Vertex a, Vertex b) const;

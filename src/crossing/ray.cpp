@@ -246,6 +246,16 @@ Hit Ray::edge_entry(const Frame& f, int x, int row, int across) const {
     return hit;
 }
 
+// A ray can squeeze past an obstacle in one place and face it in another: each such place is a hit of its own.
+void Ray::meet_beside(const Frame& f, const Hit& hit) {
+    const bool faces = (f.steep ? hit.side.y : hit.side.x) != 0;
+    if (!met(hit.obstacle)) {
+        meet(hit);
+    } else if (faces) {
+        hits_.push_back(hit);
+    }
+}
+
 void Ray::visit_pair(const Frame& f, int x, int upper) {
     const bool no_upper = outside(f, x, upper);
     const bool no_lower = outside(f, x, upper + 1);
@@ -265,9 +275,9 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
     const bool counted = met(one.obstacle) || met(other.obstacle);
     const int crossings = crossings_left_ - (counted ? 0 : 1);
     const double weight_left = weight_left_ - (counted ? 0 : std::min(weight(one.obstacle), weight(other.obstacle)));
-    meet(one);
+    meet_beside(f, one);
     stopped_ = false;  // both are hit, whichever stops the ray
-    meet(other);
+    meet_beside(f, other);
     crossings_left_ = crossings;
     weight_left_ = weight_left;
     stopped_ = crossings_left_ < 0 || weight_left_ < 0 || (solid(one.obstacle) && solid(other.obstacle));

@@ -80,6 +80,7 @@ class Ray {
     void visit_cell(const Frame& frame, int x, int row);
     void visit_pair(const Frame& frame, int x, int upper);
     void meet(const Hit& hit);
+    void meet_beside(const Frame& frame, const Hit& hit);
     void stop(double at);
     bool outside(const Frame& frame, int x, int row) const;
     std::uint32_t label(const Frame& frame, int x, int row) const;

@@ -25,7 +25,11 @@ std::vector<Draft> Chooser::drafts(const Draft& nothing) {
 
 std::vector<Draft> Chooser::drafts(const MissionOptions& options, const Draft& nothing) {
     const Task task{task_.map, task_.driver, task_.flyer, options};
-    if (options.select == Selection::exact) return drafts_by_proof(task, crossing_, searcher_, nothing);
+    bound_.reset();
+    if (options.select == Selection::exact) {
+        bound_ = bound_of(task, crossing_, cost(task, nothing));
+        return drafts_by_proof(task, crossing_, searcher_, nothing, *bound_);
+    }
     return drafts_by_hits(task, searcher_, nothing, chosen_by_hits(task, hits_));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,8 @@ class Chooser {
     std::vector<Draft> drafts(const Draft& nothing);
     // The same for other options.
     std::vector<Draft> drafts(const MissionOptions& options, const Draft& nothing);
+    // Of the objective, over all plans the last drafts() could have made, if its way proves one.
+    std::optional<double> bound() const { return bound_; }
     // By obstacle, for the paper's way; else empty.
     std::span<const std::uint32_t> hits() const { return hits_; }
 
@@ -29,6 +32,7 @@ class Chooser {
     Searcher& searcher_;
     CrossingSearcher& crossing_;
     std::vector<std::uint32_t> hits_;
+    std::optional<double> bound_;
 };
 
 }  // namespace waybreaker

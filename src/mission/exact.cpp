@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-9;  // relative: what is less is no gain
-constexpr int patience = 64;       // sets to try after the first
+constexpr int patience = 16;       // sets to try after the first
 
 // The crossing search drives the ground path itself where its body is the agent.
 bool drives_itself(const Task& task) {
@@ -96,12 +96,14 @@ Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searche
 }
 
 std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
-                                   const Draft& nothing) {
+                                   const Draft& nothing, double bound) {
     if (task.options.removals == 0) return {};
     const Stopwatch watch;
     std::vector<Draft> drafts;
     double best = cost(task, nothing);
     CrossingOptions options = crossing_options(task, body_of(task), longest_path(task, best));
+    // Not much longer than a point's.
+    options.expected = longest_path(task, bound);
 
     const auto try_out = [&](const CrossingPath& path, const CrossingResult& search) {
         if (path.crossed.empty()) return;

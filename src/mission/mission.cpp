@@ -1,6 +1,7 @@
 // From mission to plan. plan() reads as the paper's section 3, with time.
 #include "waybreaker/mission.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -88,8 +89,9 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
                 agent.kind == AgentKind::ground ? best.schedule.ground : best.schedule.air;
             plan.agents.push_back({agent.id, agent.kind, agent.speed, path, agent.start, agent.goal});
         }
-        if (options.select == Selection::exact || options.bound) {
-            plan.bound = bound_of(task, crossing_, cost(task, best));
+        const double reached = cost(task, best);
+        if (options.bound || chooser.bound()) {
+            plan.bound = std::min(chooser.bound() ? *chooser.bound() : bound_of(task, crossing_, reached), reached);
         }
         if (options.explain) explain(task, chooser, nothing, best, plan);
     }
