@@ -12,7 +12,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-9;  // relative: what is less is no gain
-constexpr int patience = 16;       // sets to try after the first
+
+// Sets to try after the first: schedules of many obstacles take long.
+int patience(const Task& task) {
+    return task.options.removals <= 3 ? 256 : 16;
+}
 
 // The crossing search drives the ground path itself where its body is the agent.
 bool drives_itself(const Task& task) {
@@ -128,12 +132,22 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
     options.time_limit -= watch.seconds();
     CrossingSearcher others;
     int tried = 0;
+    bool gave_up = false;
     others.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
-        if (!beats_best(path) || tried == patience) return false;
+        if (!beats_best(path)) return false;
+        gave_up = tried == patience(task);
+        if (gave_up) return false;
         ++tried;
         if (path.crossed != first.best.crossed) try_out(path, first);
         return watch.seconds() < task.options.time_limit;
     });
+    if (gave_up) {  // what fewer removals reach, more must reach as well
+        MissionOptions fewer = task.options;
+        --fewer.removals;
+        const Task less{task.map, task.driver, task.flyer, fewer};
+        for (Draft& draft : drafts_by_proof(less, crossing, searcher, nothing, bound))
+            drafts.push_back(std::move(draft));
+    }
     return drafts;
 }
 
@@ -149,7 +163,8 @@ double bound_of(const Task& task, CrossingSearcher& crossing, double reached) {
     int tried = 0;
     const CrossingResult rest =
         crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
-            if (least(path.cost, straight_flight(task)) >= std::min(best, reached) || tried == patience) return false;
+            if (least(path.cost, straight_flight(task)) >= std::min(best, reached) || tried == patience(task))
+                return false;
             ++tried;
             double flight =
                 fly_optimal(task.map, task.flyer.start, task.flyer.goal, path.crossed).length / task.flyer.speed;
