@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -118,6 +119,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     }
     if (rows.size() > 1) return aligned(rows, style.bold);
     if (context.options.removals == 0) return "nothing removed, as asked for\n";
+    if (std::isfinite(context.options.time_limit)) return "nothing removed: no better plan was found in time\n";
     return counted && context.options.timing == Timing::ignore ? "nothing removed: the search ran into no obstacle\n"
                                                                : "nothing removed: no removal gains anything\n";
 }

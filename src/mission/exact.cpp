@@ -13,14 +13,15 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-9;  // relative: what is less is no gain
 
-// Sets to try after the first: schedules of many obstacles take long.
-int patience(const Task& task) {
-    return task.options.removals <= 3 ? 256 : 16;
-}
-
 // The crossing search drives the ground path itself where its body is the agent.
 bool drives_itself(const Task& task) {
     return task.options.search.planner == Planner::optimal;
+}
+
+// Sets to try after the first. A search for each takes long, and so do schedules of many obstacles.
+int patience(const Task& task) {
+    if (!drives_itself(task)) return 8;
+    return task.options.removals <= 3 ? 256 : 16;
 }
 
 Body body_of(const Task& task) {
@@ -113,6 +114,7 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
         if (path.crossed.empty()) return;
         CrossingResult found = search;
         found.best = path;
+        found.status = SearchStatus::found;  // a limit may have ended the search, but there is this path
         Candidate candidate = drives_itself(task) ? candidate_of(path.crossed, found, watch.seconds())
                                                   : ground_candidate(task, crossing, searcher, path.crossed);
         drafts.push_back(draft_of(task, std::move(candidate)));
