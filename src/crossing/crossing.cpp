@@ -29,12 +29,12 @@ class CrossingSearcher::Search {
 
     void search_ellipses(double longest);
     Outcome search_ellipse();
-    void expand(std::uint32_t label);
+    void expand(std::uint32_t index);
     double least_cost(std::uint32_t parent, const Reached& reached) const;
     void push(std::uint32_t parent, const Reached& reached);
     bool earlier(std::uint32_t a, std::uint32_t b) const;
     std::optional<Outcome> interrupted();
-    CrossingPath path_of(std::uint32_t label);
+    CrossingPath path_of(std::uint32_t index);
     CrossingPath incumbent();
 
     const Map* map_ = nullptr;

@@ -42,7 +42,7 @@ class Outline {
                 2 * side.cell.y + reach_ * side.outward.y + ahead * side.along.y};
     }
 
-    Side next(const Side& side, Turn turn) const {
+    static Side next(const Side& side, Turn turn) {
         switch (turn) {
             case Turn::back:
                 return {side.cell + side.along + side.outward, -side.along, side.outward};

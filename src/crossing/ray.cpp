@@ -151,7 +151,7 @@ void Ray::visit_leftwards(const Frame& f, int row, std::size_t from, std::size_t
     }
 }
 
-bool Ray::outside(const Frame& f, int x, int row) const {
+bool Ray::outside(const Frame& f, int x, int row) {
     return x < 0 || row < 0 || x >= f.grid->width() || row >= f.grid->height();
 }
 

@@ -82,7 +82,7 @@ class Ray {
     void meet(const Hit& hit);
     void meet_beside(const Frame& frame, const Hit& hit);
     void stop(double at);
-    bool outside(const Frame& frame, int x, int row) const;
+    static bool outside(const Frame& frame, int x, int row);
     std::uint32_t label(const Frame& frame, int x, int row) const;
     Hit entry(const Frame& frame, int x, int row) const;
     Hit edge_entry(const Frame& frame, int x, int row, int across) const;

@@ -61,11 +61,11 @@ std::vector<Removal> removals(const Task& task, const Schedule& schedule, std::s
 
 }  // namespace
 
-Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionOptions& wanted) {
-    validate(map, mission, wanted);
-    MissionOptions options = wanted;
-    options.search.planner = planner_of(wanted);
-    const Task task = task_of(map, mission, options);
+Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionOptions& options) {
+    validate(map, mission, options);
+    MissionOptions settled = options;
+    settled.search.planner = planner_of(options);
+    const Task task = task_of(map, mission, settled);
     const Stopwatch total;
     Chooser chooser{task, searcher_, crossing_};
 
@@ -90,8 +90,8 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
             plan.agents.push_back({agent.id, agent.kind, agent.speed, path, agent.start, agent.goal});
         }
         const double reached = cost(task, best);
-        if (options.bound || chooser.bound()) {
-            plan.bound = std::min(chooser.bound() ? *chooser.bound() : bound_of(task, crossing_, reached), reached);
+        if (const std::optional<double> bound = chooser.bound(); bound || options.bound) {
+            plan.bound = std::min(bound ? *bound : bound_of(task, crossing_, reached), reached);
         }
         if (options.explain) explain(task, chooser, nothing, best, plan);
     }
