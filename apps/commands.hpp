@@ -16,6 +16,7 @@ void setup_plan(CLI::App& root, Run& run);
 void setup_check(CLI::App& root, Run& run);
 void setup_import(CLI::App& root, Run& run);
 void setup_map_info(CLI::App& root, Run& run);
+void setup_missions_generate(CLI::App& root, Run& run);
 void setup_completion(CLI::App& root, Run& run);
 void setup_manual(CLI::App& root, Run& run);
 

@@ -98,8 +98,10 @@ std::string zsh_option(const CLI::Option& option) {
     std::string action;
     if (takes_file(option)) action = "_files";
     if (const auto words = words_of(option); !words.empty()) action = fmt::format("({})", fmt::join(words, " "));
-    if (option.get_positional())
-        return " \\\n    " + quoted(fmt::format("1:{}:{}", option.get_name(true, false), action));
+    if (option.get_positional()) {
+        const std::string place = option.get_expected_max() > 1 ? "*" : "1";
+        return " \\\n    " + quoted(fmt::format("{}:{}:{}", place, option.get_name(true, false), action));
+    }
     const std::string value =
         takes_value(option) ? fmt::format(":{}:{}", words_of(option).empty() ? option.get_type_name() : "value", action)
                             : "";

@@ -98,7 +98,9 @@ std::vector<NamedCommand> all_commands(const CLI::App& root) {
 std::string synopsis(const CLI::App& app) {
     if (!app.get_subcommands({}).empty()) return "COMMAND";
     std::string line;
-    for (const CLI::Option* positional : positionals_of(app)) line += positional->get_name(true, false) + " ";
+    for (const CLI::Option* positional : positionals_of(app)) {
+        line += positional->get_name(true, false) + (positional->get_expected_max() > 1 ? "... " : " ");
+    }
     for (const CLI::Option* option : options_of(app)) {
         if (!option->get_required()) continue;
         const std::string short_name = option->get_snames().empty() ? "" : "-" + option->get_snames().front();

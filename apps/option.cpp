@@ -142,6 +142,17 @@ CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value
     return add(app, name, read, positional ? "" : "FILE", text);
 }
 
+CLI::Option* add_files(CLI::App& app, const std::string& name, std::vector<std::string>& value,
+                       const std::string& text) {
+    const auto read = [name, &value](const std::vector<std::string>& given) {
+        if (std::ranges::find(given, "") != given.end()) {
+            throw CLI::ValidationError(long_name(name), "the name of a file is missing");
+        }
+        value = given;
+    };
+    return app.add_option_function<std::vector<std::string>>(name, read, text)->type_name("")->required();
+}
+
 CLI::Option* add_word(CLI::App& app, const std::string& name, const std::vector<std::string>& words,
                       const std::function<void(std::size_t)>& assign, const std::string& text) {
     const auto read = [name, words, assign](const std::string& given) {

@@ -44,6 +44,10 @@ CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<O
 // The name of a file, not empty.
 CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text);
 
+// The names of files, at least one.
+CLI::Option* add_files(CLI::App& app, const std::string& name, std::vector<std::string>& value,
+                       const std::string& text);
+
 // One of the words, given by its position to `assign`.
 CLI::Option* add_word(CLI::App& app, const std::string& name, const std::vector<std::string>& words,
                       const std::function<void(std::size_t)>& assign, const std::string& text);

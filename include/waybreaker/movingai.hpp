@@ -8,6 +8,7 @@
 #pragma once
 
 #include <istream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +34,9 @@ struct Scenario {
 
 std::vector<Scenario> read_movingai_scenarios(std::istream& in, const std::string& name);
 std::vector<Scenario> read_movingai_scenarios(std::string_view bytes, const std::string& name);
+
+// The text of a scenario file of version 1, columns between tabs. Throws InputError for a map whose name is empty or
+// holds what would end its column.
+std::string movingai_scenarios(std::span<const Scenario> scenarios);
 
 }  // namespace waybreaker

@@ -1,0 +1,104 @@
+// `waybreaker missions generate`: the missions of an experiment, drawn as the paper draws them.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "commands.hpp"
+#include "experiment/missions.hpp"
+#include "experiment/parallel.hpp"
+#include "help.hpp"
+#include "io/map_file.hpp"
+#include "io/output_file.hpp"
+#include "option.hpp"
+#include "progress.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MissionsGenerateOptions {
+    std::vector<std::string> maps;
+    std::string output;
+    std::optional<double> min_distance;
+    experiment::MissionRules rules;
+};
+
+// As seen from the scenario file, so that the two can be moved together.
+std::string name_of(const std::string& map, const std::string& scenarios) {
+    if (scenarios == "-") return map;
+    return fs::proximate(map, fs::absolute(scenarios).parent_path()).generic_string();
+}
+
+experiment::DrawnMissions draw(const std::string& path, const MissionsGenerateOptions& options) {
+    const io::MapFile file = io::read_map_file(path);
+    try {
+        experiment::DrawnMissions missions = experiment::draw_missions(file.map, options.rules);
+        for (Scenario& scenario : missions.kept) scenario.map = name_of(path, options.output);
+        return missions;
+    } catch (const InputError& error) {
+        throw InputError(path, 0, error.what());
+    }
+}
+
+void run(const MissionsGenerateOptions& options) {
+    std::vector<experiment::DrawnMissions> of_map(options.maps.size());
+    {
+        const Progress progress(fmt::format("drawing missions on {} maps", options.maps.size()));
+        experiment::for_each_index(options.maps.size(), 0,
+                                   [&](std::size_t i) { of_map[i] = draw(options.maps[i], options); });
+    }
+    experiment::DrawnMissions all;
+    for (const experiment::DrawnMissions& missions : of_map) {
+        all.kept.insert(all.kept.end(), missions.kept.begin(), missions.kept.end());
+        all.drawn += missions.drawn;
+        all.without_way += missions.without_way;
+    }
+    io::write_whole(options.output, movingai_scenarios(all.kept));
+    if (options.output == "-") return;
+    io::write_whole(
+        "-", fmt::format("{}: {} of {} pairs kept; {} have no way, {} too small a detour\n", options.output,
+                         all.kept.size(), all.drawn, all.without_way, all.drawn - all.kept.size() - all.without_way));
+}
+
+}  // namespace
+
+void setup_missions_generate(CLI::App& root, Run& run_chosen) {
+    auto options = std::make_shared<MissionsGenerateOptions>();
+    CLI::App* missions = root.add_subcommand("missions", "Make missions for experiments");
+    missions->require_subcommand(1);
+    set_examples(*missions, {"waybreaker missions generate data/berlin-mitte.tif -o berlin.scen"});
+    CLI::App* command = missions->add_subcommand(
+        "generate",
+        "Draw missions at random, as the paper does\n\n"
+        "On each map pairs of a start and a goal that lie far apart are drawn; those are kept whose Theta* path is "
+        "clearly longer than the straight line. They are written as a MovingAI scenario file: maps are named as seen "
+        "from its folder, the last column is the length of the optimal octile path. The same maps and seed give the "
+        "same missions everywhere.");
+    experiment::MissionRules& rules = options->rules;
+    add_files(*command, "MAP", options->maps, "Map files of any kind");
+    add_count(
+        *command, "--pairs", [&rules](auto n) { rules.pairs = int(n); }, 1, 10'000'000,
+        fmt::format("Pairs to draw on each map (default: {})", rules.pairs));
+    add_length(*command, "--min-distance", options->min_distance,
+               fmt::format("Start and goal are farther apart (default: {})", rules.min_distance));
+    add_count(
+        *command, "--min-detour", [&rules](auto n) { rules.min_detour = double(n) / 100; }, 0, 10'000,
+        fmt::format("Theta* paths are longer than the straight line by more than that many percent "
+                    "(default: {})",
+                    100 * rules.min_detour));
+    add_count(
+        *command, "--seed", [&rules](auto n) { rules.seed = std::uint64_t(n); }, 0,
+        std::numeric_limits<std::int64_t>::max(), fmt::format("Of the draw (default: {})", rules.seed));
+    add_file(*command, "-o,--output", options->output, "The scenario file to write")->required();
+    set_examples(*command, {"waybreaker missions generate data/berlin-mitte.tif data/turin.tif -o cities.scen",
+                            "waybreaker missions generate maze.map --pairs 1000 --min-distance 100 --min-detour 0 "
+                            "--seed 7 -o maze.scen"});
+    command->callback([options, &run_chosen] {
+        options->rules.min_distance = options->min_distance.value_or(options->rules.min_distance);
+        run_chosen = [options] { run(*options); };
+    });
+}
+
+}  // namespace waybreaker::apps
