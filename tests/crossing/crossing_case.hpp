@@ -9,6 +9,8 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "random_map.hpp"
@@ -144,6 +146,12 @@ inline int most_crossings(const Map& map) {
     return obstacles <= 9 ? 4 : obstacles <= 13 ? 3 : obstacles <= 25 ? 2 : 1;
 }
 
+inline std::pair<std::vector<double>, double> random_budget(const Map& map) {
+    std::vector<double> weights;
+    for (std::size_t id = 0; id <= map.obstacles().size(); ++id) weights.push_back(*number(1, 4));
+    return {weights, *number(0, 8)};
+}
+
 inline CrossingCase random_case(Map map) {
     RC_PRE(map.obstacles().size() <= slow::most_obstacles);
     const int crossings = *number(0, most_crossings(map));
@@ -154,10 +162,7 @@ inline CrossingCase random_case(Map map) {
     std::vector<ObstacleId> protect = sometimes(2);
     std::vector<double> weights;
     double budget = std::numeric_limits<double>::infinity();
-    if (*number(0, 3) == 0) {
-        for (std::size_t id = 0; id <= map.obstacles().size(); ++id) weights.push_back(*number(1, 4));
-        budget = *number(0, 8);
-    }
+    if (*number(0, 3) == 0) std::tie(weights, budget) = random_budget(map);
     std::vector<double> least_cost;
     if (*number(0, 3) == 0) {
         for (std::size_t id = 0; id <= map.obstacles().size(); ++id) least_cost.push_back(*number(0, 16));
@@ -175,12 +180,39 @@ inline rc::Gen<CrossingCase> any_case(int most_side) {
     });
 }
 
+// One wall after the other, each with at most one gap and of a few obstacles that come back in later walls: paths are
+// long, bend often, and cross the same obstacle again.
+inline rc::Gen<CrossingCase> any_walls() {
+    return rc::gen::exec([] {
+        const int width = *number(4, 16);
+        const int height = *number(2, 8);
+        const int kinds = *number(2, 12);
+        std::vector<std::uint32_t> labels(std::size_t(width * height));
+        for (int x = 1; x < width - 1; x += 2) {
+            const int gap = *number(-1, height - 1);
+            const int split = *number(0, height);
+            const auto above = std::uint32_t(*number(1, kinds));
+            const auto below = std::uint32_t(*number(1, kinds));
+            for (int y = 0; y < height; ++y) {
+                if (y != gap) labels[std::size_t(y * width + x)] = y < split ? above : below;
+            }
+        }
+        CrossingCase problem{
+            Map::from_labels(width, height, labels), {0, *number(0, height - 1)}, {width - 1, *number(0, height - 1)}};
+        problem.body = *rc::gen::element(Body::square, Body::point);
+        problem.crossings = *number(0, 3);
+        if (*number(0, 1) == 0) std::tie(problem.weights, problem.budget) = random_budget(problem.map);
+        return problem;
+    });
+}
+
 inline bool same_length(double a, double b) {
     return a == b || std::abs(a - b) <= 1e-9 * (1 + a);
 }
 
 // What is wrong with a path; nothing if it is legal, as long as it says, and crosses what it says.
-inline std::string path_fault(const CrossingCase& problem, const CrossingPath& found) {
+inline std::string path_fault(const CrossingCase& problem, const slow::CrossingOracle& oracle,
+                              const CrossingPath& found) {
     const std::vector<Point>& path = found.path;
     if (path.empty() || path.front() != Point(problem.start) || path.back() != Point(problem.goal)) {
         return "it does not lead from start to goal";
@@ -191,7 +223,6 @@ inline std::string path_fault(const CrossingCase& problem, const CrossingPath& f
     const std::vector<slow::Set> choices = problem.choices();
     if (std::find(choices.begin(), choices.end(), crossed) == choices.end()) return "it may not cross that";
 
-    const slow::CrossingOracle oracle = problem.oracle();
     const slow::Set gone = crossed | slow::set_of(problem.removed);
     slow::Set met = 0;
     double length = 0;

@@ -11,11 +11,11 @@ namespace {
 
 // Shortest lengths and least costs by set, and which sets are beaten by a set within them.
 struct Front {
+    slow::CrossingOracle oracle;
     std::map<slow::Set, double> length;
     std::map<slow::Set, double> cost;
 
-    explicit Front(const CrossingCase& problem) {
-        const slow::CrossingOracle oracle = problem.oracle();
+    explicit Front(const CrossingCase& problem) : oracle(problem.oracle()) {
         for (const slow::Set set : problem.choices()) {
             length[set] = oracle.shortest(set | slow::set_of(problem.removed));
             cost[set] = problem.cost(length[set], set);
@@ -40,7 +40,7 @@ struct Front {
 };
 
 RC_GTEST_PROP(Enumerate, TellsOfEverySetThatIsNotBeaten, ()) {
-    const CrossingCase problem = *any_case(8);
+    const CrossingCase problem = *number(0, 1) == 0 ? *any_case(8) : *any_walls();
     const Front front(problem);
     std::vector<CrossingPath> told;
     const CrossingResult result = CrossingSearcher().enumerate(problem.map, problem.start, problem.goal,
@@ -56,7 +56,7 @@ RC_GTEST_PROP(Enumerate, TellsOfEverySetThatIsNotBeaten, ()) {
     double last = 0;
     for (const CrossingPath& path : told) {
         const slow::Set set = slow::set_of(path.crossed);
-        RC_ASSERT(path_fault(problem, path) == "");
+        RC_ASSERT(path_fault(problem, front.oracle, path) == "");
         RC_ASSERT(++times[set] == 1);
         RC_ASSERT(same_length(path.length, front.length.at(set)));
         RC_ASSERT(front.may_be_told(set));
@@ -69,7 +69,7 @@ RC_GTEST_PROP(Enumerate, TellsOfEverySetThatIsNotBeaten, ()) {
 }
 
 RC_GTEST_PROP(Enumerate, BoundsWhatItHasNotTold, ()) {
-    const CrossingCase problem = *any_case(8);
+    const CrossingCase problem = *number(0, 1) == 0 ? *any_case(8) : *any_walls();
     const Front front(problem);
     const std::size_t most = std::size_t(*number(1, 3));
     std::vector<slow::Set> told;
