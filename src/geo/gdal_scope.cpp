@@ -67,4 +67,11 @@ std::string MemoryFile::bytes() const {
     return data ? std::string(reinterpret_cast<const char*>(data), size) : std::string();
 }
 
+std::string MemoryFile::nameless(std::string message) const {
+    for (const std::string& name : {"`" + path_ + "'", path_}) {
+        for (std::size_t at; (at = message.find(name)) != std::string::npos;) message.replace(at, name.size(), "it");
+    }
+    return message;
+}
+
 }  // namespace waybreaker::geo

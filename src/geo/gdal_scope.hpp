@@ -41,6 +41,8 @@ class MemoryFile {
 
     const std::string& path() const { return path_; }
     std::string bytes() const;
+    // What GDAL says of the file, without the name that only GDAL knows.
+    std::string nameless(std::string message) const;
 
   private:
     std::string path_;

@@ -38,7 +38,8 @@ std::string metadata(GDALDataset& file, const char* item) {
 // One entry per obstacle, in id order, between commas: its source id, with a `!` before it if it cannot be destroyed.
 std::string obstacles_text(const Map& map) {
     std::string text;
-    bool worth_writing = false;
+    // A single obstacle must not be taken for a mask.
+    bool worth_writing = map.obstacles().size() == 1;
     for (const Obstacle& obstacle : map.obstacles()) {
         if (!text.empty()) text += ',';
         text += fmt::format("{}{}", obstacle.destructible ? "" : "!", obstacle.source_id);
@@ -107,7 +108,7 @@ void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name)
 }
 
 // The ids of all cells, row by row; cells without data are free.
-std::vector<std::uint32_t> read_labels(GDALDataset& file, const std::string& name) {
+std::vector<std::uint32_t> read_labels(GDALDataset& file, const MemoryFile& memory, const std::string& name) {
     GDALRasterBand& band = *file.GetRasterBand(1);
     const int width = band.GetXSize();
     const int height = band.GetYSize();
@@ -124,7 +125,7 @@ std::vector<std::uint32_t> read_labels(GDALDataset& file, const std::string& nam
         const CPLErr outcome = band.RasterIO(GF_Read, 0, y, width, rows, &labels[std::size_t(y) * std::size_t(width)],
                                              width, rows, is_signed ? GDT_Int32 : GDT_UInt32, 0, 0, nullptr);
         if (outcome != CE_None || gdal.failed()) {
-            throw refusal(name, "is damaged or cut short: " + gdal.failure());
+            throw refusal(name, "is damaged or cut short: " + memory.nameless(gdal.failure()));
         }
         band.FlushCache(false);
     }
@@ -143,6 +144,23 @@ std::vector<std::uint32_t> read_labels(GDALDataset& file, const std::string& nam
                                         std::int32_t(*negative), at % width, at / width));
     }
     return labels;
+}
+
+// Whether what is not 0 is all the same.
+bool has_one_value(const std::vector<std::uint32_t>& labels) {
+    const auto first = std::find_if(labels.begin(), labels.end(), [](std::uint32_t l) { return l != 0; });
+    return std::all_of(first, labels.end(), [&](std::uint32_t l) { return l == 0 || l == *first; });
+}
+
+Grid grid_of(int width, int height, const std::vector<std::uint32_t>& labels) {
+    Grid grid(width, height);
+    const std::uint32_t* label = labels.data();
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x, ++label) {
+            if (*label != 0) grid.set_blocked({x, y}, true);
+        }
+    }
+    return grid;
 }
 
 // Cell size in metres, and where the map lies if the file knows its coordinate system.
@@ -191,23 +209,28 @@ GDALDriver& tiff_driver() {
 
 }  // namespace
 
-LabelTiff read_label_tiff(std::string_view bytes, const std::string& name) {
+LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Connectivity connectivity) {
     tiff_driver();
     const GdalScope gdal;
     const MemoryFile memory(bytes);
     const char* const only_tiff[] = {"GTiff", nullptr};
     const GDALDatasetUniquePtr file(GDALDataset::Open(memory.path().c_str(), GDAL_OF_RASTER, only_tiff));
-    if (!file) throw refusal(name, "is no GeoTIFF map: " + gdal.failure());
+    if (!file) throw refusal(name, "is no GeoTIFF map: " + memory.nameless(gdal.failure()));
     check_layout(*file, bytes.size(), name);
     Place place = read_place(*file, name);
-    const std::vector<ObstacleAttributes> attributes = parse_obstacles(metadata(*file, obstacles_item), name);
+    const std::string obstacles = metadata(*file, obstacles_item);
+    const std::vector<ObstacleAttributes> attributes = parse_obstacles(obstacles, name);
     const int width = file->GetRasterXSize();
     const int height = file->GetRasterYSize();
-    return {.map = Map::from_labels(width, height, read_labels(*file, name), attributes),
+    std::vector<std::uint32_t> labels = read_labels(*file, memory, name);
+    const bool mask = obstacles.empty() && has_one_value(labels);
+    return {.map = mask ? Map(grid_of(width, height, labels), connectivity)
+                        : Map::from_labels(width, height, std::move(labels), attributes),
             .cell_size = place.cell_size,
             .georeference = std::move(place.georeference),
             .attribution = metadata(*file, attribution_item),
-            .title = metadata(*file, title_item)};
+            .title = metadata(*file, title_item),
+            .mask = mask};
 }
 
 std::string label_tiff_bytes(const LabelTiff& tiff) {

@@ -30,12 +30,15 @@ struct LabelTiff {
     std::optional<Georeference> georeference = {};
     std::string attribution = {};  // of the source data; may be empty
     std::string title = {};        // place and window, for captions; may be empty
+    bool mask = false;             // the file says which cells are blocked, not by what
 };
 
-// The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. `name` is how
-// it is called in errors. Throws InputError (name and remedy) on anything that is not such a map, or too large for the
-// limits of grid.hpp.
-LabelTiff read_label_tiff(std::string_view bytes, const std::string& name);
+// The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. Where all that
+// is not 0 has one value, and nothing says who the obstacles are, it is a mask: its obstacles are connected sets of
+// cells. `name` is how it is called in errors. Throws InputError (name and remedy) on anything that is not such a map,
+// or too large for the limits of grid.hpp.
+LabelTiff read_label_tiff(std::string_view bytes, const std::string& name,
+                          Connectivity connectivity = Connectivity::four);
 
 // The bytes of such a file. Small: compressed, labels in the least type of 16 or 32 bits.
 std::string label_tiff_bytes(const LabelTiff& tiff);
