@@ -83,7 +83,7 @@ void run(const CheckOptions& options) {
     const io::PlanFile plan = io::read_plan_file(options.plan);
     const io::MapFile map = [&] {
         const Progress progress("reading " + options.map);
-        return io::read_map_file(options.map, plan.connectivity);
+        return io::read_map_file(options.map, plan.connectivity, plan.image);
     }();
     const Violations violations = judge(options, plan, map);
     if (!options.json.empty()) io::write_whole(options.json, as_json(violations));

@@ -36,7 +36,7 @@ void setup(CLI::App& root, Run& run) {
     setup_plan(root, run);
     setup_check(root, run);
     setup_import(root, run);
-    setup_map_info(root, run);
+    setup_map(root, run);
     setup_missions_generate(root, run);
     setup_completion(root, run);
     setup_manual(root, run);

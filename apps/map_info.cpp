@@ -18,6 +18,7 @@ namespace {
 struct MapInfoOptions {
     std::string file;
     Connectivity connectivity = Connectivity::four;
+    io::ImageReading image;
     bool json = false;
 };
 
@@ -37,6 +38,8 @@ std::string as_json(const io::MapFile& file, const MapSummary& summary) {
         json["obstacles"]["largest"] = {
             {"id", largest->id.value}, {"source_id", largest->source_id}, {"cells", largest->cells}};
     }
+    json["unknown"] = file.unknown;
+    json["origin"] = file.ros ? Json(file.ros->yaml.origin) : Json();
     json["georeference"] = nullptr;
     if (file.georeference)
         json["georeference"] = {{"crs", file.georeference->crs_name()},
@@ -45,6 +48,7 @@ std::string as_json(const io::MapFile& file, const MapSummary& summary) {
     json["goal"] = file.task ? cell(file.task->goal) : Json();
     json["title"] = file.title;
     json["attribution"] = file.attribution;
+    json["notes"] = file.notes;
     json["digest"] = file.digest;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -61,6 +65,7 @@ std::string as_text(const io::MapFile& file, const MapSummary& summary) {
                                               map.width() * file.cell_size, map.height() * file.cell_size));
     }
     text += line("blocked", fmt::format("{} cells, {:.1f} %", summary.blocked, 100 * summary.density));
+    if (file.unknown > 0) text += line("unknown", fmt::format("{} cells", file.unknown));
     text += line("obstacles", std::to_string(map.obstacles().size()));
     if (const Obstacle* largest = summary.largest) {
         const std::string source = largest->source_id == 0 ? "" : fmt::format(" (OSM {})", largest->source_id);
@@ -71,16 +76,21 @@ std::string as_text(const io::MapFile& file, const MapSummary& summary) {
         text += line("projection", file.georeference->crs_name());
         text += line("centre", fmt::format("longitude {:.6f}, latitude {:.6f}", longitude, latitude));
     }
+    if (file.ros) {
+        text += line("origin", fmt::format("{:.6g}, {:.6g} (lower left, in metres)", file.ros->yaml.origin[0],
+                                           file.ros->yaml.origin[1]));
+    }
     if (file.task && file.task->start)
         text += line("start", fmt::format("{},{}", file.task->start->x, file.task->start->y));
     if (file.task && file.task->goal)
         text += line("goal", fmt::format("{},{}", file.task->goal->x, file.task->goal->y));
+    for (const std::string& note : file.notes) text += line("note", note);
     return text + line("source", file.attribution) + line("digest", file.digest);
 }
 
 io::MapFile read_map(const MapInfoOptions& options) {
     const Progress progress("reading " + options.file);
-    return io::read_map_file(options.file, options.connectivity);
+    return io::read_map_file(options.file, options.connectivity, options.image);
 }
 
 void run(const MapInfoOptions& options) {
@@ -91,14 +101,14 @@ void run(const MapInfoOptions& options) {
 
 }  // namespace
 
-void setup_map_info(CLI::App& root, Run& run_chosen) {
+void setup_map_info(CLI::App& map, Run& run_chosen) {
     auto options = std::make_shared<MapInfoOptions>();
-    CLI::App* map = root.add_subcommand("map", "Look at map files");
-    map->require_subcommand(1);
-    set_examples(*map, {"waybreaker map info data/turin.tif"});
-    CLI::App* command = map->add_subcommand("info", "Tell a map's size, density, obstacles, place on earth and origin");
-    add_file(*command, "FILE", options->file, "A MovingAI map, an XML task file or a GeoTIFF label map")->required();
+    CLI::App* command = map.add_subcommand("info", "Tell a map's size, density, obstacles, place on earth and origin");
+    add_file(*command, "FILE", options->file,
+             "A map: MovingAI, the authors' XML, GeoTIFF, the YAML of a ROS map, PNG, PGM, ...")
+        ->required();
     add_connectivity(*command, options->connectivity);
+    add_image_reading(*command, options->image);
     command->add_flag("--json", options->json, "Write JSON, for programs");
     set_examples(*command, {"waybreaker map info data/turin.tif",
                             "waybreaker map info data/turin.tif --json | jq .obstacles.count"});

@@ -172,6 +172,20 @@ CLI::Option* add_connectivity(CLI::App& app, Connectivity& value) {
                       "(default: 4)");
 }
 
+void add_image_reading(CLI::App& app, io::ImageReading& value) {
+    const auto read = [&value](const std::string& given) {
+        const auto share = number<double>(given);
+        if (!share || !(*share > 0 && *share <= 1)) {
+            throw CLI::ValidationError("--threshold", fmt::format("'{}' is not a share above 0 and up to 1", given));
+        }
+        value.threshold = share;
+    };
+    add(app, "--threshold", read, "SHARE",
+        "Of maps that are images: cells at least so dark, or of a ROS map so occupied, are blocked (default: 0.5 of "
+        "images, 1 of ROS maps)");
+    app.add_flag("--unknown-free", value.unknown_free, "Of ROS maps: cells of unknown occupancy are free");
+}
+
 std::vector<std::string> words_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     const bool placeholder = std::any_of(type.begin(), type.end(), [](char c) { return c >= 'A' && c <= 'Z'; });

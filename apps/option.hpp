@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/map_file.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::apps {
@@ -67,6 +68,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const Choices<Va
 
 // How blocked cells make obstacles.
 CLI::Option* add_connectivity(CLI::App& app, Connectivity& value);
+
+// What blocks in maps that are images.
+void add_image_reading(CLI::App& app, io::ImageReading& value);
 
 // The words an option offers; empty if it takes something else.
 std::vector<std::string> words_of(const CLI::Option& option);

@@ -92,7 +92,7 @@ void require_plan(const Plan& plan, const Mission& mission, const MissionOptions
 
 io::MapFile read_map(const PlanOptions& options) {
     const Progress progress("reading " + options.map);
-    io::MapFile file = io::read_map_file(options.map, options.connectivity);
+    io::MapFile file = io::read_map_file(options.map, options.connectivity, options.image);
     file.cell_size = options.cell_size.value_or(file.cell_size);
     return file;
 }
@@ -128,6 +128,7 @@ void run(const PlanOptions& options) {
                                   .options = mission_options,
                                   .connectivity = options.connectivity,
                                   .timing_fields = !options.no_timing,
+                                  .image = options.image,
                                   .front = options.removals_auto ? std::span(plans) : std::span<const Plan>()};
     write_outputs(options, context, plan);
     require_plan(plan, mission, mission_options);

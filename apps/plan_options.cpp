@@ -61,6 +61,7 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
                  "How much longer for each cell of the obstacle (default: 0)");
     add_obstacles(command, "--protect", options.protect, "Obstacles that must stay");
     add_connectivity(command, options.connectivity);
+    add_image_reading(command, options.image);
     add_number(
         command, "--cell-size", [&options](double metres) { options.cell_size = metres; }, 0, "METRES",
         "Side of a cell, for lengths in metres (default: as the map file says)");
@@ -153,7 +154,9 @@ std::string word_for(Planner planner) {
 }  // namespace
 
 void add_plan_options(CLI::App& command, PlanOptions& options) {
-    add_file(command, "MAP", options.map, "A MovingAI map, an XML task file or a GeoTIFF label map")->required();
+    add_file(command, "MAP", options.map,
+             "A map: MovingAI, the authors' XML, GeoTIFF, the YAML of a ROS map, PNG, PGM, ...")
+        ->required();
     command.option_defaults()->group("Mission");
     add_mission_options(command, options);
     command.option_defaults()->group("Method");

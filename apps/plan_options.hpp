@@ -38,6 +38,7 @@ struct PlanOptions {
     std::vector<ObstacleId> protect;
     Objective objective = Objective::makespan;
     Connectivity connectivity = Connectivity::four;
+    io::ImageReading image;
 
     std::optional<Planner> planner;
     std::optional<Heuristic> heuristic;

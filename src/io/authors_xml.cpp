@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/authors_xml_words.hpp"
 #include "io/xml_element.hpp"
 #include "movingai/text_lines.hpp"
 
@@ -102,8 +103,7 @@ bool flag(const Element& algorithm, std::string_view tag, bool otherwise) {
 
 // What a word of the file stands for, of a list of them; the fallback where the word, or the element, is not there.
 template <class Value, std::size_t n>
-Value choice(const Element& algorithm, std::string_view tag,
-             const std::array<std::pair<std::string_view, Value>, n>& words, Value fallback) {
+Value choice(const Element& algorithm, std::string_view tag, const XmlWords<Value, n>& words, Value fallback) {
     const std::optional<Element> element = algorithm.find(tag);
     if (!element) return fallback;
     std::string text(element->trimmed_text());
@@ -114,22 +114,10 @@ Value choice(const Element& algorithm, std::string_view tag,
 }
 
 SearchOptions read_algorithm(const Element& algorithm) {
-    static constexpr std::array<std::pair<std::string_view, Planner>, 5> planners{{{"theta", Planner::theta},
-                                                                                   {"astar", Planner::astar},
-                                                                                   {"jp_search", Planner::jps},
-                                                                                   {"dijkstra", Planner::dijkstra},
-                                                                                   {"bfs", Planner::bfs}}};
-    static constexpr std::array<std::pair<std::string_view, std::optional<Heuristic>>, 4> heuristics{
-        {{"diagonal", Heuristic::octile},
-         {"manhattan", Heuristic::manhattan},
-         {"euclid", Heuristic::euclidean},
-         {"chebyshev", Heuristic::chebyshev}}};
-    static constexpr std::array<std::pair<std::string_view, TieBreak>, 2> ties{
-        {{"g-max", TieBreak::g_max}, {"g-min", TieBreak::g_min}}};
     SearchOptions search;
-    search.planner = choice(algorithm, "searchtype", planners, Planner::theta);
-    search.heuristic = choice(algorithm, "metrictype", heuristics, std::optional<Heuristic>());
-    search.tie_break = choice(algorithm, "breakingties", ties, TieBreak::g_max);
+    search.planner = choice(algorithm, "searchtype", xml_planners, Planner::theta);
+    search.heuristic = choice(algorithm, "metrictype", xml_heuristics, std::optional<Heuristic>());
+    search.tie_break = choice(algorithm, "breakingties", xml_ties, TieBreak::g_max);
     if (const auto weight = algorithm.find("hweight")) search.weight = weight_of(*weight);
     search.motion.diagonal = flag(algorithm, "allowdiagonal", true);
     // As in the authors' program, the wider permission counts only together with the narrower one.

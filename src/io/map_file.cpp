@@ -28,69 +28,90 @@ bool is_xml(std::string_view bytes) {
     return first != std::string_view::npos && bytes[first] == '<';
 }
 
-// The map and how long it took to make it.
-template <class MakeMap>
-std::pair<Map, double> timed(MakeMap make_map) {
+MapFile labelled(Grid grid, Connectivity connectivity, std::string format) {
     const auto start = std::chrono::steady_clock::now();
-    Map map = make_map();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    return {std::move(map), seconds.count()};
+    MapFile file{.map = Map(std::move(grid), connectivity), .format = std::move(format)};
+    file.label_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return file;
+}
+
+// Labels and pictures need their memory; the file's bytes go before.
+void release(std::string& bytes) {
+    std::string().swap(bytes);
+}
+
+MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity connectivity) {
+    geo::LabelTiff tiff = geo::read_label_tiff(bytes, path, connectivity);
+    return {.map = std::move(tiff.map),
+            .format = tiff.mask ? "GeoTIFF occupancy map" : "GeoTIFF label map",
+            .cell_size = tiff.cell_size,
+            .georeference = std::move(tiff.georeference),
+            .attribution = std::move(tiff.attribution),
+            .title = std::move(tiff.title)};
+}
+
+MapFile read_xml(std::string& bytes, const std::string& path, Connectivity connectivity) {
+    AuthorsXml xml = parse_authors_xml(bytes, path);
+    release(bytes);
+    MapFile file = labelled(std::move(xml.grid), connectivity, "authors' XML");
+    file.cell_size = xml.task.cell_size;
+    file.title = xml.task.title;
+    file.task = std::move(xml.task);
+    return file;
+}
+
+MapFile read_plain_image(std::string& bytes, const std::string& path, Connectivity connectivity,
+                         const ImageReading& reading) {
+    constexpr double half = 0.5;
+    const std::string format = is_png(bytes) ? "PNG image" : "netpbm image";
+    Grid grid = grid_of(read_image(bytes, path), reading.threshold.value_or(half));
+    release(bytes);
+    return labelled(std::move(grid), connectivity, format);
+}
+
+MapFile read_ros_map(std::string& text, const std::string& path, Connectivity connectivity,
+                     const ImageReading& reading) {
+    RosYaml yaml = parse_ros_yaml(text, path);
+    const std::string image_path = (std::filesystem::path(path).parent_path() / yaml.image).string();
+    std::string image = read_whole(image_path);
+    RosGrid cells = ros_grid(read_image(image, image_path), yaml, reading.threshold.value_or(1), reading.unknown_free);
+    MapFile file = labelled(std::move(cells.grid), connectivity, "ROS map");
+    file.digest = sha256_digest(text + image);
+    file.cell_size = yaml.resolution;
+    file.unknown = cells.unknown;
+    if (cells.frees_unknown) {
+        file.notes.push_back(
+            "its free_thresh takes the grey of 205, which map savers write for unknown, for free; "
+            "with 0.196 it is unknown");
+    }
+    file.ros = RosFiles{std::move(yaml), std::move(text), std::move(image)};
+    return file;
+}
+
+MapFile read(std::string& bytes, const std::string& path, Connectivity connectivity, const ImageReading& image) {
+    if (is_tiff(bytes)) return read_tiff(bytes, path, connectivity);
+    if (is_png(bytes) || is_netpbm(bytes)) return read_plain_image(bytes, path, connectivity, image);
+    if (is_xml(bytes)) return read_xml(bytes, path, connectivity);
+    if (is_ros_yaml(bytes)) return read_ros_map(bytes, path, connectivity, image);
+    if (!bytes.starts_with("type")) {
+        throw InputError(path, 0,
+                         "not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in "
+                         "the authors' XML, a GeoTIFF, the YAML of a ROS map, or an image (PNG, PGM, PBM, PPM)");
+    }
+    Grid grid = read_movingai_map(std::string_view(bytes), path);
+    release(bytes);
+    return labelled(std::move(grid), connectivity, "MovingAI map");
 }
 
 }  // namespace
 
-MapFile read_map_file(const std::string& path, Connectivity connectivity) {
+MapFile read_map_file(const std::string& path, Connectivity connectivity, const ImageReading& image) {
     std::string bytes = read_whole(path);
-    std::string source = std::filesystem::path(path).filename().string();
     std::string digest = sha256_digest(bytes);
-    // Labels and pictures need their memory; the file's bytes go before.
-    const auto label = [&](Grid grid) {
-        std::string().swap(bytes);
-        return timed([&] { return Map(std::move(grid), connectivity); });
-    };
-    if (is_tiff(bytes)) {
-        auto tiff = geo::read_label_tiff(bytes, path);
-        return {.map = std::move(tiff.map),
-                .source = std::move(source),
-                .format = "GeoTIFF label map",
-                .digest = std::move(digest),
-                .cell_size = tiff.cell_size,
-                .label_seconds = 0,  // the labels came with the file
-                .georeference = std::move(tiff.georeference),
-                .attribution = std::move(tiff.attribution),
-                .title = std::move(tiff.title),
-                .task = std::nullopt};
-    }
-    if (is_xml(bytes)) {
-        AuthorsXml xml = parse_authors_xml(bytes, path);
-        auto [map, seconds] = label(std::move(xml.grid));
-        return {.map = std::move(map),
-                .source = std::move(source),
-                .format = "authors' XML",
-                .digest = std::move(digest),
-                .cell_size = xml.task.cell_size,
-                .label_seconds = seconds,
-                .georeference = std::nullopt,
-                .attribution = {},
-                .title = xml.task.title,
-                .task = std::move(xml.task)};
-    }
-    if (!bytes.starts_with("type")) {
-        throw InputError(path, 0,
-                         "not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in "
-                         "the authors' XML or a GeoTIFF label map");
-    }
-    auto [map, seconds] = label(read_movingai_map(std::string_view(bytes), path));
-    return {.map = std::move(map),
-            .source = std::move(source),
-            .format = "MovingAI map",
-            .digest = std::move(digest),
-            .cell_size = 1,
-            .label_seconds = seconds,
-            .georeference = std::nullopt,
-            .attribution = {},
-            .title = {},
-            .task = std::nullopt};
+    MapFile file = read(bytes, path, connectivity, image);
+    file.source = std::filesystem::path(path).filename().string();
+    if (file.digest.empty()) file.digest = std::move(digest);
+    return file;
 }
 
 }  // namespace waybreaker::io

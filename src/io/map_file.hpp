@@ -1,29 +1,51 @@
 // Any map file waybreaker reads, told apart by its content.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "geo/label_tiff.hpp"
 #include "io/authors_xml.hpp"
+#include "io/ros_map.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::io {
 
+// What blocks in maps that are images.
+struct ImageReading {
+    // Cells are blocked from that on: darkness of a plain image (empty: 0.5), occupancy of a ROS map (empty: 1).
+    std::optional<double> threshold = {};
+    bool unknown_free = false;  // cells of unknown occupancy are free
+    friend bool operator==(const ImageReading&, const ImageReading&) = default;
+};
+
+// The files of a ROS map.
+struct RosFiles {
+    RosYaml yaml;
+    std::string text;   // of the YAML
+    std::string image;  // bytes
+};
+
 struct MapFile {
     Map map;
-    std::string source;    // file name without folders
-    std::string format;    // for people: "MovingAI map", "authors' XML", "GeoTIFF label map"
-    std::string digest;    // "sha256:..." of the file's bytes
-    double cell_size = 1;  // metres per cell
+    std::string source = {};  // file name without folders
+    std::string format = {};  // for people: "MovingAI map", "ROS map", ...
+    std::string digest = {};  // "sha256:..." of the file's bytes; a ROS map's YAML and image one after the other
+    double cell_size = 1;     // metres per cell
     double label_seconds = 0;
-    std::optional<geo::Georeference> georeference;
-    std::string attribution;
-    std::string title;
-    std::optional<XmlTask> task;  // start, goal and options, where the file holds them
+    std::optional<geo::Georeference> georeference = {};
+    std::string attribution = {};
+    std::string title = {};
+    std::optional<XmlTask> task = {};  // start, goal and options, where the file holds them
+    std::optional<RosFiles> ros = {};
+    std::uint64_t unknown = 0;            // cells of unknown occupancy
+    std::vector<std::string> notes = {};  // what a person should know of the file, a line each
 };
 
 // Throws InputError. `connectivity` applies to formats without a label layer.
-MapFile read_map_file(const std::string& path, Connectivity connectivity = Connectivity::four);
+MapFile read_map_file(const std::string& path, Connectivity connectivity = Connectivity::four,
+                      const ImageReading& image = {});
 
 }  // namespace waybreaker::io

@@ -127,6 +127,10 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     file.width = int(root["map"]["width"].whole_number(1, max_side));
     file.height = int(root["map"]["height"].whole_number(1, max_side));
     file.digest = root["map"]["digest"].text();
+    file.image.threshold = number_or_null(root["map"].find("threshold"));
+    if (const auto unknown = root["map"].find("unknown")) {
+        file.image.unknown_free = unknown->one_of<bool>({{"free", true}, {"blocked", false}});
+    }
     const JsonField options = root["options"];
     file.connectivity = options["connectivity"].whole_number(4, 8) == 8 ? Connectivity::eight : Connectivity::four;
     file.rules = rules(options);

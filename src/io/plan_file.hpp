@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/map_file.hpp"
 #include "waybreaker/check.hpp"
 #include "waybreaker/plan.hpp"
 
@@ -13,6 +14,7 @@ struct PlanFile {
     Plan plan;  // without node counts and seconds
     CheckRules rules;
     Connectivity connectivity = Connectivity::four;
+    ImageReading image;
     // The map it was made for.
     int width = 0;
     int height = 0;

@@ -107,12 +107,15 @@ Json coordinate(double value) {
     return value == std::floor(value) && std::abs(value) < 1e9 ? Json(std::int64_t(value)) : number(value);
 }
 
-Json map_json(const MapFile& map) {
-    return {{"source", map.source},
-            {"width", map.map.width()},
-            {"height", map.map.height()},
-            {"cell_size", number(map.cell_size)},
-            {"digest", map.digest}};
+Json map_json(const MapFile& map, const ImageReading& image) {
+    Json json{{"source", map.source},
+              {"width", map.map.width()},
+              {"height", map.map.height()},
+              {"cell_size", number(map.cell_size)},
+              {"digest", map.digest}};
+    if (image.threshold) json["threshold"] = number(image.threshold);
+    if (image.unknown_free) json["unknown"] = "free";
+    return json;
 }
 
 Json options_json(const PlanContext& context) {
@@ -225,7 +228,7 @@ std::string pretty(const Json& json, const std::string& indent = "") {
 std::string plan_json(const Plan& plan, const PlanContext& context) {
     Json json{{"format", "waybreaker-plan/1"},
               {"status", name(plan.status)},
-              {"map", map_json(context.map)},
+              {"map", map_json(context.map, context.image)},
               {"options", options_json(context)},
               {"before", outcome_json(plan.before, context.timing_fields)},
               {"after", outcome_json(plan.after, context.timing_fields)},

@@ -17,6 +17,7 @@ struct PlanContext {
     const MissionOptions& options;
     Connectivity connectivity = Connectivity::four;
     bool timing_fields = true;         // false: no "seconds" anywhere, so that equal input gives equal bytes
+    ImageReading image = {};           // how the map was read
     std::span<const Plan> front = {};  // the plans for 0, 1, 2, ... removals, if asked for
 };
 

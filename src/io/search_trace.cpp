@@ -1,7 +1,6 @@
 #include "io/search_trace.hpp"
 
-#include <array>
-#include <charconv>
+#include "io/shortest_text.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -13,12 +12,6 @@ constexpr std::string_view head = R"({"version": "1.4.0",
  "pivot": {"x": "${{ $.x + 0.5 }}", "y": "${{ $.y + 0.5 }}", "scale": 1},
  "events": [
 )";
-
-std::string text(double value) {
-    std::array<char, 32> digits;
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    return {digits.data(), end};
-}
 
 // Nodes are numbered from 1: the visualiser takes 0 for "no parent".
 std::string node_id(Cell cell, int width) {
@@ -57,8 +50,8 @@ std::string SearchTrace::place(std::string_view type, Cell cell) const {
 
 std::string SearchTrace::event(std::string_view type, const Step& step) const {
     const std::string parent = step.parent == step.cell ? "null" : node_id(step.parent, width_);
-    return place(type, step.cell) + R"(, "pId": )" + parent + R"(, "g": )" + io::text(step.g) + R"(, "f": )" +
-           io::text(step.f) + "}";
+    return place(type, step.cell) + R"(, "pId": )" + parent + R"(, "g": )" + shortest_text(step.g) + R"(, "f": )" +
+           shortest_text(step.f) + "}";
 }
 
 // A cell is closed when all around it has been looked at; the goal ends the search.

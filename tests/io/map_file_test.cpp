@@ -1,6 +1,7 @@
 // Map files are told apart by what is in them, not by their names.
 #include "io/map_file.hpp"
 
+#include "ascii_map.hpp"
 #include "geo/label_tiff.hpp"
 #include "input_error.hpp"
 #include "io/digest.hpp"
@@ -53,18 +54,70 @@ TEST_F(MapFiles, WithLabels) {
     EXPECT_EQ(file.map.obstacles()[0].cells, 2U);
 }
 
+TEST_F(MapFiles, ThatAreMasks) {
+    // A label layer, for it says who its obstacle is; then the same cells with nothing said.
+    const std::string labels = geo::label_tiff_bytes({.map = Map::from_labels(3, 1, {7, 0, 7})});
+    EXPECT_EQ(read_map_file(put("labels.tif", labels)).map.obstacles().size(), 1U);
+    std::string mask = labels;
+    mask.replace(mask.find("WAYBREAKER_OBSTACLES"), 10, "SOMETHING_");
+    const MapFile file = read_map_file(put("mask.tif", mask));
+    EXPECT_EQ(file.format, "GeoTIFF occupancy map");
+    EXPECT_EQ(file.map.obstacles().size(), 2U);
+}
+
+TEST_F(MapFiles, ThatAreImages) {
+    const std::string bytes = "P2 3 2 255 0 127 128 255 0 255";
+    const MapFile file = read_map_file(put("floor.pgm", bytes));
+    EXPECT_EQ(file.format, "netpbm image");
+    EXPECT_EQ(file.digest, sha256_digest(bytes));
+    EXPECT_EQ(file.map.grid(), map_from_ascii("##. .#.").grid());
+    EXPECT_EQ(read_map_file(path("floor.pgm"), Connectivity::four, {.threshold = 0.6}).map.grid(),
+              map_from_ascii("#.. .#.").grid());
+    EXPECT_EQ(read_map_file(put("floor.png", png_bytes(2, 1, {9, 200}))).format, "PNG image");
+}
+
+TEST_F(MapFiles, OfRos) {
+    std::filesystem::create_directory(path("images"));
+    const std::string image = "P2 3 2 255 0 205 254 254 100 254";
+    put("images/floor.pgm", image);
+    const std::string yaml = "resolution: 0.25\norigin: [-1, 2.5, 0]\nimage: images/floor.pgm\n";
+    const MapFile file = read_map_file(put("floor.yaml", yaml));
+    EXPECT_EQ(file.format, "ROS map");
+    EXPECT_EQ(file.source, "floor.yaml");
+    EXPECT_EQ(file.digest, sha256_digest(yaml + image));
+    EXPECT_EQ(file.cell_size, 0.25);
+    EXPECT_EQ(file.unknown, 2U);
+    EXPECT_TRUE(file.notes.empty());
+    EXPECT_EQ(file.map.grid(), map_from_ascii("##. .#.").grid());
+    ASSERT_TRUE(file.ros);
+    EXPECT_EQ(file.ros->yaml.origin, (std::array{-1.0, 2.5}));
+    EXPECT_EQ(file.ros->text + file.ros->image, yaml + image);
+    EXPECT_EQ(read_map_file(path("floor.yaml"), Connectivity::four, {.unknown_free = true}).map.grid(),
+              map_from_ascii("#.. ...").grid());
+    EXPECT_EQ(read_map_file(put("floor.yaml", yaml + "free_thresh: 0.25\n")).notes.size(), 1U);
+
+    put("images/floor.pgm", "P2 3 2 255 0 205");
+    EXPECT_NE(input_error([&] { read_map_file(path("floor.yaml")); }).find(path("images/floor.pgm")),
+              std::string::npos);
+    std::filesystem::remove(path("images/floor.pgm"));
+    EXPECT_EQ(input_error([&] { read_map_file(path("floor.yaml")); }),
+              "cannot read " + path("images/floor.pgm") + ": No such file or directory");
+}
+
 TEST_F(MapFiles, ThatAreNoneAreRefused) {
     const std::string hint =
         ": not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in the authors' "
-        "XML or a GeoTIFF label map";
-    for (const std::string_view junk : {"", "hello\n", "\x89PNG\r\n\x1a\n",
+        "XML, a GeoTIFF, the YAML of a ROS map, or an image (PNG, PGM, PBM, PPM)";
+    for (const std::string_view junk : {"", "hello\n",
                                         "\x7f"
                                         "ELF"}) {
         const std::string file = put("junk", junk);
         EXPECT_EQ(input_error([&] { read_map_file(file); }), file + hint);
     }
     const std::string tiff = put("cut.tif", std::string_view("II*\0junk", 8));
-    EXPECT_NE(input_error([&] { read_map_file(tiff); }).find(tiff), std::string::npos);
+    EXPECT_EQ(input_error([&] { read_map_file(tiff); }).find(tiff + ": is no GeoTIFF map: "), 0U);
+    EXPECT_EQ(input_error([&] { read_map_file(tiff); }).find("/vsimem"), std::string::npos);
+    EXPECT_EQ(input_error([&] { read_map_file(put("cut.png", "\x89PNG\r\n\x1a\n")); }).find(path("cut.png")), 0U);
     EXPECT_EQ(input_error([&] { read_map_file(path(".")); }),
               "cannot read " + path(".") + ": it is a folder; give a file");
     EXPECT_EQ(input_error([&] { read_map_file(path("none")); }),

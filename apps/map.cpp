@@ -1,0 +1,15 @@
+// `waybreaker map`: what can be done with map files, each a command of its own (map_info.cpp, ...).
+#include "commands.hpp"
+#include "help.hpp"
+
+namespace waybreaker::apps {
+
+void setup_map(CLI::App& root, Run& run_chosen) {
+    CLI::App* map = root.add_subcommand("map", "Look at map files, and convert them");
+    map->require_subcommand(1);
+    set_examples(*map, {"waybreaker map info data/turin.tif", "waybreaker map convert data/turin.tif turin.map"});
+    setup_map_info(*map, run_chosen);
+    setup_map_convert(*map, run_chosen);
+}
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,188 @@
+#include "io/ros_map.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+
+#include "io/shortest_text.hpp"
+#include "movingai/text_lines.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+constexpr std::size_t most_bytes = 1 << 16;
+
+// The document and its name in errors.
+class Document {
+  public:
+    Document(std::string_view bytes, const std::string& name) : name_(name) {
+        if (bytes.size() > most_bytes) throw InputError(name, 0, "is too long for the YAML of a ROS map");
+        try {
+            root_ = YAML::Load(std::string(bytes));
+        } catch (const YAML::Exception& problem) {
+            throw error(problem.mark, "not well-formed YAML: " + problem.msg);
+        }
+        if (!root_.IsMap()) throw InputError(name, 0, "is no YAML of a ROS map: 'key: value' lines are expected");
+    }
+
+    std::optional<YAML::Node> find(const char* key) const {
+        const YAML::Node& root = root_;
+        const YAML::Node node = root[key];
+        return node.IsDefined() && !node.IsNull() ? std::optional(node) : std::nullopt;
+    }
+
+    YAML::Node get(const char* key) const {
+        const std::optional<YAML::Node> node = find(key);
+        if (!node) throw InputError(name_, 0, std::string(key) + " is missing: the YAML of a ROS map must say it");
+        return *node;
+    }
+
+    InputError error(const YAML::Mark& mark, const std::string& message) const {
+        return {name_, mark.is_null() ? 0 : std::size_t(mark.line) + 1, message};
+    }
+
+    double number(const YAML::Node& node, const char* what, double least, double most) const {
+        const std::optional<double> value =
+            node.IsScalar() ? waybreaker::number<double>(node.Scalar()) : std::optional<double>();
+        if (!value || !(*value >= least && *value <= most)) {
+            throw error(node.Mark(), std::string(what) + " must be a number from " + shortest_text(least) + " to " +
+                                         shortest_text(most));
+        }
+        return *value;
+    }
+
+  private:
+    const std::string& name_;
+    YAML::Node root_;
+};
+
+RosMode mode_of(const Document& document, const YAML::Node& node) {
+    const std::string word = node.IsScalar() ? node.Scalar() : "";
+    if (word == "trinary") return RosMode::trinary;
+    if (word == "scale") return RosMode::scale;
+    if (word == "raw") return RosMode::raw;
+    throw document.error(node.Mark(), "mode is " + quoted(word) + ", but must be trinary, scale or raw");
+}
+
+bool negate_of(const Document& document, const YAML::Node& node) {
+    const std::string word = node.IsScalar() ? node.Scalar() : "";
+    if (word == "0" || word == "false") return false;
+    if (word == "1" || word == "true") return true;
+    throw document.error(node.Mark(), "negate is " + quoted(word) + ", but must be 0 or 1");
+}
+
+std::array<double, 2> origin_of(const Document& document, const YAML::Node& node) {
+    constexpr double far = 1e9;
+    if (!node.IsSequence() || node.size() < 2 || node.size() > 3) {
+        throw document.error(node.Mark(), "origin must be [x, y, yaw]");
+    }
+    if (node.size() == 3 && document.number(node[2], "the yaw of origin", -far, far) != 0) {
+        throw document.error(node.Mark(), "origin has a yaw, which turns the map; turn the image until it is 0");
+    }
+    return {document.number(node[0], "the x of origin", -far, far),
+            document.number(node[1], "the y of origin", -far, far)};
+}
+
+// Whether the text is that of a ROS map with that image.
+bool names_image(const std::string& text, const std::string& image) {
+    try {
+        return parse_ros_yaml(text, "").image == image;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+std::string image_of(const Document& document) {
+    const YAML::Node node = document.get("image");
+    const std::string image = node.IsScalar() ? node.Scalar() : "";
+    const bool printable = image.find_first_of(std::string_view("\0\n\r", 3)) == std::string::npos;
+    if (image.empty() || !printable) throw document.error(node.Mark(), "image must be the name of a file");
+    return image;
+}
+
+}  // namespace
+
+bool is_ros_yaml(std::string_view bytes) {
+    if (bytes.size() > most_bytes) return false;
+    return bytes.starts_with("image:") || bytes.find("\nimage:") != std::string_view::npos;
+}
+
+RosYaml parse_ros_yaml(std::string_view bytes, const std::string& name) try {
+    const Document document(bytes, name);
+    RosYaml yaml;
+    yaml.image = image_of(document);
+    yaml.resolution = document.number(document.get("resolution"), "resolution", 1e-6, 1e6);
+    yaml.origin = origin_of(document, document.get("origin"));
+    if (const auto node = document.find("mode")) yaml.mode = mode_of(document, *node);
+    if (const auto node = document.find("negate")) yaml.negate = negate_of(document, *node);
+    if (const auto node = document.find("occupied_thresh")) {
+        yaml.occupied_thresh = document.number(*node, "occupied_thresh", 0, 1);
+    }
+    if (const auto node = document.find("free_thresh")) yaml.free_thresh = document.number(*node, "free_thresh", 0, 1);
+    if (yaml.free_thresh > yaml.occupied_thresh) {
+        throw InputError(name, 0, "free_thresh is above occupied_thresh: are they exchanged?");
+    }
+    return yaml;
+} catch (const YAML::Exception& problem) {
+    throw InputError(name, 0, "not well-formed YAML: " + problem.msg);
+}
+
+std::optional<int> occupancy(GreyImage::Pixel pixel, bool transparency, const RosYaml& yaml) {
+    if (yaml.mode == RosMode::raw) {
+        const int value = int(std::round(pixel.sum / 3.0));
+        return value <= 100 ? std::optional(value) : std::nullopt;
+    }
+    // Of whole numbers, so that a quotient that should equal a threshold does. In trinary mode nav2 takes how opaque a
+    // pixel is for a fourth colour.
+    const bool four = yaml.mode == RosMode::trinary && transparency;
+    const int white = four ? 1020 : 765;
+    const int light = pixel.sum + (four ? pixel.alpha : 0);
+    const double occupied = double(yaml.negate ? light : white - light) / white;
+    if (yaml.mode == RosMode::scale && pixel.alpha < 255) return std::nullopt;
+    if (occupied > yaml.occupied_thresh) return 100;
+    if (occupied < yaml.free_thresh) return 0;
+    if (yaml.mode == RosMode::trinary) return std::nullopt;
+    const double width = yaml.occupied_thresh - yaml.free_thresh;
+    return width > 0 ? int(std::rint((occupied - yaml.free_thresh) / width * 100)) : 100;
+}
+
+RosGrid ros_grid(const GreyImage& image, const RosYaml& yaml, double threshold, bool unknown_free) {
+    constexpr int savers_unknown = 3 * 205;
+    RosGrid result{.grid = Grid(image.width, image.height)};
+    const GreyImage::Pixel* pixel = image.pixels.data();
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x, ++pixel) {
+            const std::optional<int> percent = occupancy(*pixel, image.transparency, yaml);
+            if (!percent) ++result.unknown;
+            if (percent ? *percent >= 100 * threshold : !unknown_free) result.grid.set_blocked({x, y}, true);
+            if (percent == 0 && pixel->sum == savers_unknown && yaml.mode != RosMode::raw) result.frees_unknown = true;
+        }
+    }
+    return result;
+}
+
+std::string ros_yaml_text(const RosYaml& yaml) {
+    const char* const mode = yaml.mode == RosMode::trinary ? "trinary" : yaml.mode == RosMode::scale ? "scale" : "raw";
+    YAML::Emitter image;
+    image << yaml.image;
+    return std::string("image: ") + image.c_str() + "\nmode: " + mode +
+           "\nresolution: " + shortest_text(yaml.resolution) + "\norigin: [" + shortest_text(yaml.origin[0]) + ", " +
+           shortest_text(yaml.origin[1]) + ", 0]\nnegate: " + (yaml.negate ? "1" : "0") +
+           "\noccupied_thresh: " + shortest_text(yaml.occupied_thresh) +
+           "\nfree_thresh: " + shortest_text(yaml.free_thresh) + "\n";
+}
+
+std::string with_image(std::string_view bytes, const std::string& image, const std::string& name) {
+    RosYaml yaml = parse_ros_yaml(bytes, name);
+    if (yaml.image == image) return std::string(bytes);
+    const std::size_t key = bytes.starts_with("image:") ? 0 : bytes.find("\nimage:") + 1;
+    const std::size_t at = bytes.find(yaml.image, key);
+    std::string changed(bytes);
+    if (at < bytes.find('\n', key)) changed.replace(at, yaml.image.size(), image);
+    // Written in a way that hides the name, or does not suit the new one: then in our own words.
+    yaml.image = image;
+    return names_image(changed, image) ? changed : ros_yaml_text(yaml);
+}
+
+}  // namespace waybreaker::io

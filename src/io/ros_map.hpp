@@ -1,0 +1,64 @@
+// Maps of ROS (`map_server`, `nav2_map_server`): a YAML file that names an image and says what its pixels mean.
+//
+//     image: floor.pgm                # beside the YAML file
+//     mode: trinary                   # or scale, raw
+//     resolution: 0.05                # metres a cell
+//     origin: [-10.0, -10.0, 0.0]     # of the lower-left corner of the lower-left cell; the yaw must be 0
+//     negate: 0
+//     occupied_thresh: 0.65
+//     free_thresh: 0.196
+//
+// image, resolution and origin must be there; the rest has the values above. How a pixel becomes an occupancy is
+// nav2's map_io, thresholds strict on both sides; which occupancy blocks is its costmap's: see docs/data.md.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/grey_image.hpp"
+#include "waybreaker/grid.hpp"
+
+namespace waybreaker::io {
+
+enum class RosMode { trinary, scale, raw };
+
+// What the YAML says.
+struct RosYaml {
+    std::string image = {};
+    RosMode mode = RosMode::trinary;
+    double resolution = 1;
+    std::array<double, 2> origin{};  // metres
+    bool negate = false;
+    double occupied_thresh = 0.65;
+    double free_thresh = 0.196;
+};
+
+// A text file with a line that begins with "image:".
+bool is_ros_yaml(std::string_view bytes);
+
+// Throws InputError with name and line.
+RosYaml parse_ros_yaml(std::string_view bytes, const std::string& name);
+
+// In percent, 0 (free) to 100 (occupied); empty for unknown. `transparency`: the image says how opaque its pixels are.
+std::optional<int> occupancy(GreyImage::Pixel pixel, bool transparency, const RosYaml& yaml);
+
+struct RosGrid {
+    Grid grid;
+    std::size_t unknown = 0;  // cells of unknown occupancy
+    // Whether free_thresh makes free of the grey of 205 that map savers write for unknown.
+    bool frees_unknown = false;
+};
+
+// Cells are blocked from an occupancy of `threshold` (a share, 1 in nav2's costmap) on, and unknown ones unless they
+// are to be free.
+RosGrid ros_grid(const GreyImage& image, const RosYaml& yaml, double threshold, bool unknown_free);
+
+// The text of such a file, as nav2's map saver writes it; numbers come back the same.
+std::string ros_yaml_text(const RosYaml& yaml);
+
+// The text with another image named in it, all else as it is.
+std::string with_image(std::string_view bytes, const std::string& image, const std::string& name);
+
+}  // namespace waybreaker::io

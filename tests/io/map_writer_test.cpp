@@ -1,0 +1,156 @@
+// Maps in every format that is written come back as they were, as far as the format goes; what is lost is said.
+#include "io/map_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ascii_map.hpp"
+#include "input_error.hpp"
+#include "io/output_file.hpp"
+#include "shared_data.hpp"
+#include "temporary_folder.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+class WrittenMaps : public TemporaryFolder {
+  protected:
+    WrittenMap write(const MapFile& map, const std::string& name) const {
+        WrittenMap written = write_map(map, path(name));
+        for (const OutputFile& file : written.files) write_whole(file.path, file.bytes);
+        return written;
+    }
+};
+
+constexpr std::string_view yard = R"(
+    .aab.
+    ..ab#
+    ..c.#)";
+
+MapFile labelled_yard() {
+    const Map drawn = map_from_ascii(yard);
+    std::vector<ObstacleAttributes> attributes(drawn.obstacles().size() + 1);
+    attributes[2] = {.destructible = false, .source_id = -4711};
+    return {.map = Map::from_labels(5, 3, {drawn.labels().begin(), drawn.labels().end()}, attributes),
+            .cell_size = 2.5,
+            .georeference = geo::Georeference{"LOCAL_CS[\"here\",UNIT[\"metre\",1]]", {100, 2.5, 0, 50, 0, -2.5}},
+            .attribution = "(c) somebody",
+            .title = "Yard"};
+}
+
+TEST_F(WrittenMaps, ComeBackWithTheirCells) {
+    const MapFile map = labelled_yard();
+    for (const char* name : {"y.map", "y.xml", "y.tif", "y.tiff", "y.yaml", "y.yml", "y.png", "y.pgm"}) {
+        write(map, name);
+        const MapFile back = read_map_file(path(name));
+        EXPECT_EQ(back.map.grid(), map.map.grid()) << name;
+        // And from there the same bytes.
+        const auto again = std::filesystem::path("again").replace_extension(std::filesystem::path(name).extension());
+        const WrittenMap twice = write_map(back, path(again));
+        EXPECT_EQ(twice.files.front().bytes, write_map(map, path(again)).files.front().bytes) << name;
+    }
+}
+
+TEST_F(WrittenMaps, KeepWhatTheirFormatHolds) {
+    const MapFile map = labelled_yard();
+    write(map, "y.tif");
+    const MapFile tiff = read_map_file(path("y.tif"));
+    EXPECT_TRUE(std::equal(tiff.map.labels().begin(), tiff.map.labels().end(), map.map.labels().begin()));
+    EXPECT_EQ(tiff.map.obstacles()[1].source_id, -4711);
+    EXPECT_FALSE(tiff.map.obstacles()[1].destructible);
+    EXPECT_EQ(tiff.title, "Yard");
+    EXPECT_EQ(tiff.attribution, "(c) somebody");
+
+    write(map, "y.yaml");
+    const MapFile ros = read_map_file(path("y.yaml"));
+    EXPECT_EQ(ros.cell_size, 2.5);
+    ASSERT_TRUE(ros.ros);
+    EXPECT_EQ(ros.ros->yaml.origin, (std::array{100.0, 42.5}));  // lower left: 3 cells of 2.5 below the top
+
+    write(map, "y.xml");
+    EXPECT_EQ(read_map_file(path("y.xml")).cell_size, 2.5);
+    EXPECT_EQ(read_map_file(path("y.xml")).title, "Yard");
+}
+
+TEST_F(WrittenMaps, KeepATask) {
+    MapFile map = labelled_yard();
+    map.task = XmlTask{.title = "Yard",
+                       .cell_size = 2.5,
+                       .start = Cell{0, 0},
+                       .goal = Cell{4, 0},
+                       .search = {.planner = Planner::jps, .heuristic = Heuristic::octile, .weight = 1.25}};
+    map.task->search.motion.corners = Corners::cut;
+    map.task->search.tie_break = TieBreak::g_min;
+    write(map, "y.xml");
+    const XmlTask task = *read_map_file(path("y.xml")).task;
+    EXPECT_EQ(task.start, (Cell{0, 0}));
+    EXPECT_EQ(task.goal, (Cell{4, 0}));
+    EXPECT_EQ(task.search.planner, Planner::jps);
+    EXPECT_EQ(task.search.heuristic, Heuristic::octile);
+    EXPECT_EQ(task.search.weight, 1.25);
+    EXPECT_EQ(task.search.tie_break, TieBreak::g_min);
+    EXPECT_EQ(task.search.motion.corners, Corners::cut);
+    EXPECT_TRUE(task.search.motion.diagonal);
+}
+
+TEST_F(WrittenMaps, SayWhatIsLost) {
+    const MapFile map = labelled_yard();
+    EXPECT_EQ(write_map(map, "y.tif").losses, std::vector<std::string>());
+    EXPECT_EQ(write_map(map, "y.map").losses,
+              (std::vector<std::string>{
+                  "a MovingAI map does not hold that its 4 obstacles are not the 1 connected ones, source ids, which "
+                  "obstacles cannot be destroyed",
+                  "a MovingAI map does not hold the coordinate system",
+                  "a MovingAI map does not hold the size of a cell",
+                  "a MovingAI map does not hold the title",
+                  "a MovingAI map does not hold the attribution, which must go with it: (c) somebody",
+              }));
+    const MapFile plain{.map = map_from_ascii("..#..")};
+    for (const char* name : {"y.map", "y.xml", "y.tif", "y.yaml", "y.png", "y.pgm"}) {
+        EXPECT_EQ(write_map(plain, name).losses, std::vector<std::string>()) << name;
+    }
+}
+
+TEST_F(WrittenMaps, HaveAFormatByName) {
+    const MapFile plain{.map = map_from_ascii("..#..")};
+    for (const char* name : {"y", "y.jpg", "y.MAP", "map", ".map"}) {
+        EXPECT_NE(input_error([&] { write_map(plain, name); }).find(std::string(name) + ": the name says no format"),
+                  std::string::npos)
+            << name;
+    }
+}
+
+// Saved by ROS, read, planned on, and written where it then is called the same: not a byte differs.
+TEST_F(WrittenMaps, OfRosAreTheSameToTheByte) {
+    const std::string image = std::string("P5\n# CREATOR: map_saver.cpp 0.050 m/pix\n4 3\n255\n") +
+                              "\xCD\xFE\xFE\xFE\xCD\xFE" + std::string("\0", 1) + "\xFE\xCD\xFE\xFE\xFE";
+    const std::string yaml =
+        "image: floor.pgm\nresolution: 0.050000\norigin: [-12.200000, -7.500000, 0.000000]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.196\n\n";
+    std::filesystem::create_directory(path("out"));
+    put("floor.pgm", image);
+    const MapFile map = read_map_file(put("floor.yaml", yaml));
+    const Plan plan = MissionPlanner().plan(map.map, ground_and_air({1, 0}, {3, 2}));
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(write(map, "out/floor.yaml").losses.empty());
+    EXPECT_EQ(bytes_of("out/floor.pgm"), image);
+    EXPECT_EQ(bytes_of("out/floor.yaml"), yaml);
+
+    write(map, "out/hall.yaml");
+    EXPECT_EQ(bytes_of("out/hall.pgm"), image);
+    EXPECT_EQ(bytes_of("out/hall.yaml"), "image: hall.pgm" + yaml.substr(16));
+}
+
+TEST_F(WrittenMaps, OfCitiesComeBack) {
+    const auto shared = shared_folder();
+    if (!shared) GTEST_SKIP() << no_shared_folder;
+    const std::string city = (*shared / "data" / "cities" / "Berlin_0_512.map").string();
+    const MapFile map = read_map_file(city);
+    for (const char* name : {"b.map", "b.xml", "b.tif", "b.yaml", "b.png", "b.pgm"}) {
+        write(map, name);
+        EXPECT_EQ(read_map_file(path(name)).map.grid(), map.map.grid()) << name;
+    }
+}
+
+}  // namespace
+}  // namespace waybreaker::io
