@@ -49,8 +49,9 @@ struct MissionOptions {
     double budget = std::numeric_limits<double>::infinity();
     bool bound = false;    // prove a bound whatever the method (`exact` always does)
     bool explain = false;  // what each removal saves, and which would come next
-    double time_limit = std::numeric_limits<double>::infinity();  // seconds, of the selection: then the best known
-    SearchOptions search = {.planner = Planner::optimal};         // of the ground agent; see planner_of
+    // Seconds, of the selection, bound included: then the best known. search.expansion_limit ends single searches.
+    double time_limit = std::numeric_limits<double>::infinity();
+    SearchOptions search = {.planner = Planner::optimal};  // of the ground agent; see planner_of
 };
 
 // The planner that drives the ground agent: the one asked for; Theta* in place of `optimal` where hits are to be

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mission/stopwatch.hpp"
+#include "mission/hits.hpp"
 #include "waybreaker/flight.hpp"
 
 namespace waybreaker {
@@ -53,7 +53,7 @@ double least_cost(const Task& task, ObstacleId id) {
     return cleared * task.driver.speed + drive;
 }
 
-CrossingOptions crossing_options(const Task& task, Body body, double longest) {
+CrossingOptions crossing_options(const Task& task, Body body, double longest, double seconds) {
     const MissionOptions& options = task.options;
     CrossingOptions crossing;
     crossing.body = body;
@@ -62,7 +62,8 @@ CrossingOptions crossing_options(const Task& task, Body body, double longest) {
     crossing.weights = options.weights;
     crossing.budget = options.budget;
     crossing.length_limit = longest;
-    crossing.time_limit = options.time_limit;
+    crossing.time_limit = seconds;
+    crossing.expansion_limit = options.search.expansion_limit;
     crossing.stop = options.search.stop;
     if (options.timing == Timing::enforce) {
         crossing.least_cost = [&task](ObstacleId id) { return least_cost(task, id); };
@@ -75,10 +76,23 @@ Candidate candidate_of(std::vector<ObstacleId> removed, const CrossingResult& re
     candidate.ground.expanded = result.expanded;
     candidate.ground.generated = result.generated;
     candidate.ground.seconds = seconds;
-    if (result.status != SearchStatus::found) return candidate;
+    if (result.best.path.empty()) return candidate;
+    candidate.status = SearchStatus::found;  // a limit may have ended the search, but there is this path
     candidate.ground.length = result.best.length;
     candidate.ground.path = result.best.path;
     return candidate;
+}
+
+// The shortest path that crosses none but some obstacles: that is quickly found.
+CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
+                           double longest) {
+    CrossingOptions options = crossing_options(task, body_of(task), longest, infinity);
+    std::vector<ObstacleId> protect = task.options.protect;
+    for (const Obstacle& obstacle : task.map.obstacles()) {
+        if (std::ranges::find(obstacles, obstacle.id) == obstacles.end()) protect.push_back(obstacle.id);
+    }
+    options.protect = protect;
+    return crossing.find(task.map, task.driver.start, task.driver.goal, options);
 }
 
 }  // namespace
@@ -101,37 +115,43 @@ Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searche
 }
 
 std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
-                                   const Draft& nothing, double bound) {
+                                   const Draft& nothing, const Bound& bound, const Deadline& deadline) {
     if (task.options.removals == 0) return {};
     const Stopwatch watch;
     std::vector<Draft> drafts;
     double best = cost(task, nothing);
-    CrossingOptions options = crossing_options(task, body_of(task), longest_path(task, best));
+    CrossingOptions options = crossing_options(task, body_of(task), longest_path(task, best), deadline.left());
     // Not much longer than a point's.
-    options.expected = longest_path(task, bound);
+    options.expected = longest_path(task, bound.objective);
 
+    const auto beats_best = [&](const CrossingPath& path) {
+        return task.objective(path.cost / task.driver.speed, straight_flight(task)) < best * (1 - rounding);
+    };
     const auto try_out = [&](const CrossingPath& path, const CrossingResult& search) {
         if (path.crossed.empty()) return;
         CrossingResult found = search;
         found.best = path;
-        found.status = SearchStatus::found;  // a limit may have ended the search, but there is this path
         Candidate candidate = drives_itself(task) ? candidate_of(path.crossed, found, watch.seconds())
                                                   : ground_candidate(task, crossing, searcher, path.crossed);
         drafts.push_back(draft_of(task, std::move(candidate)));
         best = std::min(best, cost(task, drafts.back()));
     };
-    const auto beats_best = [&](const CrossingPath& path) {
-        return task.objective(path.cost / task.driver.speed, straight_flight(task)) < best * (1 - rounding);
-    };
 
     // Most often the very first set cannot be beaten, and finding it alone is faster.
     const CrossingResult first = crossing.find(task.map, task.driver.start, task.driver.goal, options);
-    if (first.best.path.empty() || !beats_best(first.best)) return drafts;
-    try_out(first.best, first);
-    if (!beats_best(first.best)) return drafts;
+    if (!first.best.path.empty() && beats_best(first.best)) try_out(first.best, first);
+    if (first.status == SearchStatus::limit_reached) {
+        const auto try_within = [&](std::span<const ObstacleId> likely) {
+            const CrossingResult found = find_within(task, crossing, likely, longest_path(task, best));
+            if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
+        };
+        try_within(bound.removed);
+        if (drafts.empty()) try_within(chosen_by_hits(task, search_counting_hits(task, searcher).hits));
+    }
+    if (first.status != SearchStatus::found || !beats_best(first.best)) return drafts;
 
     options.length_limit = longest_path(task, best);
-    options.time_limit -= watch.seconds();
+    options.time_limit = deadline.left();
     CrossingSearcher others;
     int tried = 0;
     bool gave_up = false;
@@ -141,40 +161,42 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
         if (gave_up) return false;
         ++tried;
         if (path.crossed != first.best.crossed) try_out(path, first);
-        return watch.seconds() < task.options.time_limit;
+        return !deadline.passed();
     });
     if (gave_up) {  // what fewer removals reach, more must reach as well
         MissionOptions fewer = task.options;
         --fewer.removals;
         const Task less{task.map, task.driver, task.flyer, fewer};
-        for (Draft& draft : drafts_by_proof(less, crossing, searcher, nothing, bound))
+        for (Draft& draft : drafts_by_proof(less, crossing, searcher, nothing, bound, deadline))
             drafts.push_back(std::move(draft));
     }
     return drafts;
 }
 
-double bound_of(const Task& task, CrossingSearcher& crossing, double reached) {
-    const CrossingOptions options = crossing_options(task, Body::point, longest_path(task, reached));
+Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
+    const CrossingOptions options = crossing_options(task, Body::point, longest_path(task, reached), deadline.left());
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
     if (task.options.objective == Objective::makespan) {
-        const CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
-        return std::min(least(found.lower_bound, straight_flight(task)), reached);
+        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        return {std::min(least(found.lower_bound, straight_flight(task)), reached), std::move(found.best.crossed)};
     }
     // The flight past the obstacles of a set counts as well.
-    double best = infinity;
+    Bound best{infinity, {}};
     int tried = 0;
     const CrossingResult rest =
         crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
-            if (least(path.cost, straight_flight(task)) >= std::min(best, reached) || tried == patience(task))
+            if (least(path.cost, straight_flight(task)) >= std::min(best.objective, reached) || tried == patience(task))
                 return false;
             ++tried;
             double flight =
                 fly_optimal(task.map, task.flyer.start, task.flyer.goal, path.crossed).length / task.flyer.speed;
             for (const ObstacleId id : path.crossed) flight += task.options.breach_time.of(task.map.obstacle(id));
-            best = std::min(best, least(path.cost, flight));
+            const double objective = least(path.cost, flight);
+            if (objective < best.objective) best = {objective, path.crossed};
             return true;
         });
-    return std::min({best, least(rest.lower_bound, straight_flight(task)), reached});
+    best.objective = std::min({best.objective, least(rest.lower_bound, straight_flight(task)), reached});
+    return best;
 }
 
 }  // namespace waybreaker

@@ -4,19 +4,27 @@
 #include <vector>
 
 #include "mission/candidate.hpp"
+#include "mission/stopwatch.hpp"
 #include "waybreaker/crossing.hpp"
 
 namespace waybreaker {
 
-// A lower limit of the objective over all plans with at most options.removals obstacles removed, whatever the agent's
-// radius: of a point, the air agent on its shortest way. `reached`: the objective of a plan; the limit is never above.
-double bound_of(const Task& task, CrossingSearcher& crossing, double reached);
+// What is known of all plans with at most options.removals obstacles removed.
+struct Bound {
+    double objective = 0;                  // no plan is below it, whatever the agent's radius
+    std::vector<ObstacleId> removed = {};  // of the best way that the proof has found: worth a try
+};
+
+// Of a point, the air agent on its shortest way. `reached`: the objective of a plan; the bound is never above. A proof
+// that a limit ends is a bound as well.
+Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline);
 
 // The best draft there is for a set of at most options.removals obstacles, and what it had to beat on the way there.
 // Sets come in the order of what their shortest path proves they cost at least; they end where that is no better than
-// the best draft, or where time or patience does. Empty if nothing beats `nothing`. `bound`: of the objective.
+// the best draft, or where time or patience does. Where a limit comes before the first set, sets that are likely to be
+// good take its place. Empty if nothing beats `nothing`.
 std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
-                                   const Draft& nothing, double bound);
+                                   const Draft& nothing, const Bound& bound, const Deadline& deadline);
 
 // The shortest ground path of the planner the options name, on the map without some obstacles.
 Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searcher& searcher,

@@ -30,6 +30,13 @@ Candidate opened(const Task& task, Searcher& searcher, std::span<const ObstacleI
 
 }  // namespace
 
+SearchResult search_counting_hits(const Task& task, Searcher& searcher) {
+    SearchOptions counting = task.options.search;
+    if (counting.planner == Planner::optimal) counting.planner = Planner::theta;
+    counting.count_hits = true;
+    return searcher.find(OpenedMap(task.map), task.driver.start, task.driver.goal, counting);
+}
+
 std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::uint32_t> hits) {
     const MissionOptions& options = task.options;
     std::vector<std::uint32_t> countable(hits.begin(), hits.end());

@@ -9,6 +9,9 @@
 
 namespace waybreaker {
 
+// The ground path without removal, and on the way how often each obstacle was in it (the paper's step 2).
+SearchResult search_counting_hits(const Task& task, Searcher& searcher);
+
 // The most hit obstacles that the options allow to be removed, most hits first.
 std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::uint32_t> hits);
 

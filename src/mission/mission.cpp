@@ -91,7 +91,8 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
         }
         const double reached = cost(task, best);
         if (const std::optional<double> bound = chooser.bound(); bound || options.bound) {
-            plan.bound = std::min(bound ? *bound : bound_of(task, crossing_, reached), reached);
+            const Deadline deadline(options.time_limit);
+            plan.bound = std::min(bound ? *bound : bound_of(task, crossing_, reached, deadline).objective, reached);
         }
         if (options.explain) explain(task, chooser, nothing, best, plan);
     }

@@ -1,6 +1,7 @@
-// Stopwatch: seconds since it was made.
+// Stopwatch: seconds since it was made. Deadline: seconds that are left.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 
 namespace waybreaker {
@@ -11,6 +12,19 @@ class Stopwatch {
 
   private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+class Deadline {
+  public:
+    // So many seconds from now; infinity: never.
+    explicit Deadline(double seconds) : seconds_(seconds) {}
+
+    double left() const { return std::max(seconds_ - watch_.seconds(), 0.0); }
+    bool passed() const { return left() <= 0; }
+
+  private:
+    double seconds_;
+    Stopwatch watch_;
 };
 
 }  // namespace waybreaker

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
 #include "waybreaker/crossing.hpp"
@@ -127,6 +128,51 @@ RC_GTEST_PROP(ExactChoice, ExplainsWhatEachRemovalSaves, ()) {
         RC_ASSERT(*removal.saves >= -1e-9);
         RC_ASSERT(cost == infinity || std::abs(cost - objective(world, plan) - *removal.saves) < 1e-6);
     }
+}
+
+// Of a search that may expand little, or is out of time at once.
+RC_GTEST_PROP(ExactChoice, HoldsWhatItProvedWhenStopped, ()) {
+    World world = any_world();
+    if (*number(0, 3) == 0) {
+        world.options.time_limit = 1e-9;
+    } else {
+        world.options.search.expansion_limit = std::uint64_t(*number(1, 30));
+    }
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    if (plan.status != PlanStatus::solved) return;
+    RC_ASSERT(plan_faults(world.map, world.mission, world.options, plan) == "");
+    RC_ASSERT(plan.bound.has_value());
+    RC_ASSERT(*plan.bound <= least_cost(world) * (1 + 1e-9));
+    RC_ASSERT(*plan.bound <= objective(world, plan) * (1 + 1e-9));
+    const Plan again = MissionPlanner().plan(world.map, world.mission, world.options);
+    RC_ASSERT(again.bound == plan.bound);
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) RC_ASSERT(again.agents[i].path == plan.agents[i].path);
+}
+
+RC_GTEST_PROP(ExactChoice, ProvesNoLessWhenItMayExpandMore, ()) {
+    World world = any_world();
+    double before = 0;
+    for (world.options.search.expansion_limit = 1; world.options.search.expansion_limit < 60;
+         world.options.search.expansion_limit += std::uint64_t(*number(1, 9))) {
+        const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+        if (!plan.before.makespan || plan.status != PlanStatus::solved) continue;
+        RC_ASSERT(*plan.bound >= before * (1 - 1e-9));
+        before = *plan.bound;
+    }
+}
+
+TEST(ExactChoice, OpensWhatIsMostInTheWayWhenOutOfTime) {
+    const Map map = map_from_ascii(R"(
+        ..a....
+        ..a.b..
+        ..a....)");
+    const Mission mission = ground_and_air({0, 1}, {6, 1});
+    const MissionOptions options{.removals = 1, .time_limit = 1e-9};
+    const Plan plan = MissionPlanner().plan(map, mission, options);
+    EXPECT_TRUE(is_valid(map, mission, options, plan));
+    ASSERT_EQ(plan.removed.size(), 1U);
+    EXPECT_EQ(plan.removed[0].obstacle, map.obstacle_at({2, 0}));
+    EXPECT_DOUBLE_EQ(plan.bound.value(), 6);  // the straight line
 }
 
 }  // namespace
