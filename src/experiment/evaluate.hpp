@@ -1,0 +1,30 @@
+// Evaluate: one job, from a mission and a configuration to a result.
+#pragma once
+
+#include <stop_token>
+
+#include "experiment/experiment.hpp"
+#include "experiment/result.hpp"
+#include "waybreaker/crossing.hpp"
+#include "waybreaker/map.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker::experiment {
+
+// Keeps the planners' memory between jobs; not for two threads at once.
+class Evaluator {
+  public:
+    // Never throws for what a mission can do wrong: that is a result as well. A job that is told to stop has timed out.
+    Result evaluate(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
+                    const std::stop_token& stop);
+
+  private:
+    Result plan(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
+                const std::stop_token& stop);
+    Result plan_greedily(const Map& map, const ExperimentMission& mission, int removals, const std::stop_token& stop);
+
+    MissionPlanner planner_;
+    CrossingSearcher crossing_;
+};
+
+}  // namespace waybreaker::experiment

@@ -1,0 +1,74 @@
+// Experiment: which missions are planned how. Read from a spec, a TOML file:
+//
+//     name = "The paper's section 4"
+//     missions = ["cities.scen"]     # MovingAI scenario files; they name their maps
+//     time_limit = 60                # seconds for one mission; this is the default
+//
+//     [[run]]                        # as often as one likes; lists are multiplied
+//     methods = ["paper"]            # paper, exact, greedy, none
+//     planners = ["theta"]
+//     weights = [1, 2]
+//     removals = [1, 2, 3, 4, 5]
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker::experiment {
+
+// paper: the hits of its section 3. exact: the proven choice. greedy: again and again the obstacle whose removal
+// shortens the ground path most. none: the mission without removal.
+enum class Method { paper, exact, greedy, none };
+
+struct Configuration {
+    Method method = Method::exact;
+    Planner planner = Planner::optimal;
+    double weight = 1;
+    int removals = 0;
+    friend bool operator==(const Configuration&, const Configuration&) = default;
+};
+
+struct ExperimentMap {
+    std::string name;  // without folders
+    std::string path;
+    std::string digest;  // "sha256:..." of the file's bytes
+    int width = 0;
+    int height = 0;
+};
+
+struct ExperimentMission {
+    std::uint32_t set = 0;  // of Experiment::sets: the scenario file it comes from
+    std::uint32_t map = 0;  // of Experiment::maps
+    Cell start;
+    Cell goal;
+    double octile = 0;  // length of the optimal octile path, as the scenario file says
+};
+
+// Every mission is planned in every configuration; that is a job. Jobs are numbered mission by mission.
+struct Experiment {
+    std::string name;
+    std::string spec;  // its text
+    double time_limit = 60;
+    std::vector<std::string> sets;
+    std::vector<ExperimentMap> maps;
+    std::vector<ExperimentMission> missions;
+    std::vector<Configuration> configurations;
+    std::string digest;  // of all that decides the results: equal experiments have equal digests
+
+    std::size_t job_count() const { return missions.size() * configurations.size(); }
+};
+
+// Reads a spec and the scenario files it names; maps are found from the scenario file's folder, and are only digested
+// here. Throws InputError with file and line.
+Experiment read_experiment(const std::string& spec_path);
+
+// The words of a spec.
+std::string_view word_for(Method method);
+std::string_view word_for(Planner planner);
+
+}  // namespace waybreaker::experiment

@@ -1,0 +1,47 @@
+// Result: what one job gave, the row that is stored.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "waybreaker/map.hpp"
+
+namespace waybreaker::experiment {
+
+// `timed_out`: the time limit ended it. `failed`: it threw. `crashed`: it took the program down twice.
+enum class ResultStatus { solved, no_plan, timed_out, failed, crashed };
+
+// The mission without removal, or as planned. Lengths in cells, makespan and flowtime for speeds of 1.
+struct Stage {
+    std::optional<double> ground;  // length of path A
+    std::uint64_t expanded = 0;
+    std::uint64_t generated = 0;
+    double seconds = 0;  // of the ground search
+    double air = 0;      // length of path B
+    std::optional<double> makespan;
+    std::optional<double> flowtime;
+};
+
+struct Result {
+    ResultStatus status = ResultStatus::no_plan;
+    std::string message = {};  // why it failed
+    Stage before = {};
+    Stage after = {};
+    std::optional<double> bound = {};      // proven: no makespan is below it
+    std::vector<ObstacleId> removed = {};  // in flight order
+    double seconds = 0;                    // of the whole mission's planning
+};
+
+// As results files say it.
+std::string_view word_for(ResultStatus status);
+
+struct Row {
+    std::uint64_t job = 0;  // its number in the experiment
+    Result result;
+};
+
+}  // namespace waybreaker::experiment

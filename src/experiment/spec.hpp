@@ -1,0 +1,23 @@
+// Spec: what stands in the TOML file of an experiment, before its scenario files are read.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiment/experiment.hpp"
+
+namespace waybreaker::experiment {
+
+struct Spec {
+    std::string name;
+    std::vector<std::string> missions;  // scenario files as written
+    double time_limit = 60;
+    std::vector<Configuration> configurations;  // in the order of the file, each once
+};
+
+// Throws InputError with name and line: on what is no TOML, unknown keys, values out of range, and configurations that
+// contradict themselves or stand there twice.
+Spec parse_spec(std::string_view text, const std::string& name);
+
+}  // namespace waybreaker::experiment

@@ -1,0 +1,107 @@
+#include "experiment/spec.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "input_error.hpp"
+#include "small_experiment.hpp"
+
+namespace waybreaker::experiment {
+namespace {
+
+TEST(Spec, MultipliesTheListsOfARun) {
+    const Spec spec = parse_spec(
+        "name = 'both'\nmissions = ['a.scen', 'b.scen']\ntime_limit = 2.5\n"
+        "[[run]]\nmethods = ['paper', 'none']\nweights = [1, 2]\nremovals = [1, 3]\n"
+        "[[run]]\nmethods = 'exact'\nremovals = 0\n",
+        "s.toml");
+    EXPECT_EQ(spec.name, "both");
+    EXPECT_EQ(spec.missions, (std::vector<std::string>{"a.scen", "b.scen"}));
+    EXPECT_EQ(spec.time_limit, 2.5);
+    const std::vector<Configuration> expected{
+        {Method::paper, Planner::theta, 1, 1},  {Method::paper, Planner::theta, 1, 3},
+        {Method::paper, Planner::theta, 2, 1},  {Method::paper, Planner::theta, 2, 3},
+        {Method::none, Planner::theta, 1, 0},   {Method::none, Planner::theta, 2, 0},
+        {Method::exact, Planner::optimal, 1, 0}};
+    EXPECT_EQ(spec.configurations, expected);
+}
+
+TEST(Spec, SaysWhatIsWrongAndWhere) {
+    const auto message = [](const std::string& text) { return input_error([&] { parse_spec(text, "s.toml"); }); };
+    const auto run = [&](const std::string& text) { return message("missions = 'a.scen'\n[[run]]\n" + text); };
+    EXPECT_TRUE(message("missions = 'a.scen'\nname = \n").starts_with("s.toml:2: not TOML: "));
+    EXPECT_EQ(message("mission = 'a.scen'\n"), "s.toml:1: unknown key 'mission': use name, missions, time_limit, run");
+    EXPECT_EQ(message("[[run]]\n"), "s.toml: 'missions' is missing: a list of MovingAI scenario files");
+    EXPECT_EQ(message("missions = []\n"), "s.toml:1: 'missions' is an empty list");
+    EXPECT_EQ(message("missions = 7\n"), "s.toml:1: the name of a scenario file must be a text, such as \"...\"");
+    EXPECT_EQ(message("missions = 'a.scen'\n"), "s.toml: it has no [[run]]: say which methods with how many removals");
+    EXPECT_EQ(message("missions = 'a.scen'\nrun = 3\n"), "s.toml:2: 'run' must be tables, each under its [[run]]");
+    EXPECT_EQ(message("missions = 'a.scen'\ntime_limit = 0\n"),
+              "s.toml:2: 'time_limit' must be a number from 0.001 to 86400");
+    EXPECT_EQ(run("removals = 1\n"), "s.toml:2: a [[run]] needs 'methods', such as [\"paper\", \"exact\"]");
+    EXPECT_EQ(run("methods = 'exact'\n"), "s.toml:2: this [[run]] needs 'removals', such as [1, 2, 3]");
+    EXPECT_EQ(run("methods = 'best'\nremovals = 1\n"),
+              "s.toml:3: this must be one of \"paper\", \"exact\", \"greedy\", \"none\"");
+    EXPECT_EQ(run("methods = 'exact'\nremovals = [1, -1]\n"),
+              "s.toml:4: a number of removals must be a whole number from 0 to 100");
+    EXPECT_EQ(run("methods = 'exact'\nremovals = 1.5\n"),
+              "s.toml:4: a number of removals must be a whole number from 0 to 100");
+    EXPECT_EQ(run("methods = 'paper'\nremovals = 1\nweights = nan\n"),
+              "s.toml:5: a weight must be a number from 1 to 1000");
+    EXPECT_EQ(run("methods = 'paper'\nremovals = 1\nplanners = 'optimal'\n"),
+              "s.toml:2: the paper's method counts hits, which the optimal planner cannot: use theta");
+    EXPECT_EQ(run("methods = 'greedy'\nremovals = 1\nplanners = 'theta'\n"),
+              "s.toml:2: the greedy method drives by the optimal planner only");
+    EXPECT_EQ(run("methods = 'exact'\nremovals = 1\nweights = 2\n"),
+              "s.toml:2: the planner optimal has no heuristic that a weight could change");
+    EXPECT_EQ(run("methods = 'exact'\nremovals = [1, 1]\n"),
+              "s.toml:2: exact with optimal, weight 1 and 1 removals stands here twice");
+}
+
+RC_GTEST_PROP(Spec, SurvivesAnyBytes, (const std::string& bytes)) {
+    try {
+        parse_spec(bytes, "s.toml");
+    } catch (const InputError&) {
+    }
+}
+
+using ReadExperiment = SmallExperiment;
+
+TEST_F(ReadExperiment, FindsMapsFromTheScenarioFile) {
+    ASSERT_EQ(experiment.maps.size(), 2U);
+    EXPECT_EQ(experiment.maps[1].name, "yard.map");
+    EXPECT_EQ(experiment.maps[1].path, path("yard.map"));
+    EXPECT_EQ(experiment.maps[1].digest.substr(0, 7), "sha256:");
+    ASSERT_EQ(experiment.missions.size(), 6U);
+    EXPECT_EQ(experiment.missions[2].map, 1U);
+    EXPECT_EQ(experiment.missions[5].map, 0U);
+    EXPECT_EQ(experiment.missions[5].start, (Cell{6, 1}));
+    EXPECT_EQ(experiment.sets, std::vector<std::string>{"cities"});
+    EXPECT_EQ(experiment.configurations.size(), 12U);
+}
+
+TEST_F(ReadExperiment, DigestsWhatDecidesTheResults) {
+    const auto digest = [&](const std::string& text) { return read_experiment(put("other.toml", text)).digest; };
+    const std::string text = spec;
+    EXPECT_EQ(digest("# a comment\n" + text), experiment.digest);
+    EXPECT_EQ(digest("name = 'other'\n" + text.substr(text.find('\n') + 1)), experiment.digest);
+    EXPECT_NE(digest("time_limit = 1\n" + text), experiment.digest);
+    EXPECT_NE(digest(text + "[[run]]\nmethods = 'exact'\nremovals = 3\n"), experiment.digest);
+    put("yard.map",
+        "type octile\nheight 5\nwidth 7\nmap\n" + std::string("......@\n.......\n.......\n.......\n.......\n"));
+    EXPECT_NE(digest(text), experiment.digest);
+}
+
+TEST_F(ReadExperiment, SaysWhatIsMissing) {
+    const auto message = [&](const std::string& scenarios) {
+        put("cities.scen", scenarios);
+        return input_error([&] { read_experiment(path("small.toml")); });
+    };
+    EXPECT_EQ(message("version 1\n"), path("small.toml") + ": its scenario files hold no mission");
+    EXPECT_EQ(message("1 none.map 7 5 0 0 1 1 2\n"), "cannot read " + path("none.map") + ": No such file or directory");
+    EXPECT_EQ(message("1 yard.map 7 5 0 0 1 1 2\n1 yard.map 8 5 0 0 1 1 2\n"),
+              path("cities.scen") + ": gives yard.map two sizes");
+}
+
+}  // namespace
+}  // namespace waybreaker::experiment
