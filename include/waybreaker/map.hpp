@@ -60,6 +60,10 @@ class Map {
     // Labels row by row, as obstacle_at gives them.
     std::span<const std::uint32_t> labels() const { return labels_; }
 
+    // Equal for copies of one map, and for no others as long as somebody holds it: what is known of the map can be
+    // kept.
+    const std::shared_ptr<const void>& identity() const { return identity_; }
+
     // Cells of the map outside the obstacle and 8-adjacent to one of its cells, in scan order. They may be free or
     // belong to other obstacles. Time O(bounding box).
     std::vector<Cell> boundary(ObstacleId id) const;
@@ -72,6 +76,7 @@ class Map {
     std::vector<std::uint32_t> labels_;
     std::vector<Obstacle> obstacles_;
     bool obstacles_touch_ = false;
+    std::shared_ptr<const void> identity_ = std::make_shared<char>();
 };
 
 // A view of a map with some obstacles removed: a value, cheap to make (it copies only the rows and columns that change)

@@ -53,6 +53,7 @@ class CrossingSearcher::Search {
     ObstacleSets sets_;
     Places places_;
     std::vector<Label> labels_;
+    std::vector<Front> fronts_;        // straight on from labels; the first is none
     std::vector<std::uint32_t> open_;  // heap
 };
 
@@ -98,6 +99,11 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(label, labels_[other])) labels_[other].dominated = true;
     }
+    if (const auto ahead = fan_.ahead(reached)) {
+        label.fronts_begin = std::uint32_t(fronts_.size());
+        fronts_.insert(fronts_.end(), ahead->begin(), ahead->end());
+        label.fronts_end = std::uint32_t(fronts_.size());
+    }
     label.next = places_[place].labels;
     places_[place].labels = std::uint32_t(labels_.size());
     labels_.push_back(label);
@@ -109,11 +115,14 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
     const Label label = labels_[index];
     Viewpoint from{.at = label.at,
                    .arriving = std::nullopt,
+                   .ahead = std::nullopt,
                    .open = sets_[label.set],
                    .crossings = capacity_ - int(sets_[label.set].size()),
                    .weight = weight_capacity_,
                    .range = limit_ - label.length};
     if (label.parent != no_label) from.arriving = label.at - labels_[label.parent].at;
+    if (label.fronts_begin != 0)
+        from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
     for (const std::uint32_t obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
     for (bool alternatives = accept_ != nullptr;; alternatives = true) {
         bool dear = false;  // the straight way to the goal costs more than its length: a detour can cost less
@@ -141,6 +150,7 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
     open_.clear();
     sets_.clear();
     places_.clear();
+    fronts_.resize(1);
     std::vector<std::uint32_t> removed;
     for (const ObstacleId id : options_->removed) removed.push_back(id.value);
     std::sort(removed.begin(), removed.end());
@@ -190,8 +200,7 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
         const auto set = sets_[here.set];
         Ray& ray = fan_.ray();
         ray.set_open(sets_[before.set]);
-        ray.start(int(set.size()), infinity);
-        ray.walk(before.at, here.at);
+        ray.cast(before.at, here.at, int(set.size()), infinity);
         std::vector<Hit> hits;
         for (const Hit& hit : ray.hits()) {
             if (std::binary_search(set.begin(), set.end(), hit.obstacle)) hits.push_back(hit);
@@ -240,8 +249,8 @@ void CrossingSearcher::Search::search_ellipses(double longest) {
     const double least = guessed ? 2 * options_->expected : straight;
     double proven = straight;
     // With nothing to cross detours are long.
-    for (double slack = guessed ? 0.004 : options_->crossings == 0 ? 0.1 : 0.002;; slack *= slack < 0.02 ? 4 : 2) {
-        limit_ = slack > 2 || longest < least * (1 + 4 * slack) ? longest : least * (1 + slack);
+    for (double slack = guessed ? 0.004 : options_->crossings == 0 ? 0.4 : 0.002;; slack *= slack < 0.02 ? 4 : 2) {
+        limit_ = slack > 2 || longest < least * (1 + 1.5 * slack) ? longest : least * (1 + slack);
         const Outcome outcome = search_ellipse();
         if (outcome == Outcome::found) return;
         if (outcome != Outcome::exhausted) {

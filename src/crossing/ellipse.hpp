@@ -18,6 +18,7 @@ class Ellipse {
         axis_x_ = distance > 0 ? to_goal_.x / distance : 1;
         axis_y_ = distance > 0 ? to_goal_.y / distance : 0;
         if (longest == std::numeric_limits<double>::infinity()) return;
+        reserve_ = (longest * longest - distance * distance) / 2;
         const double half = longest / 2 * (1 + rounding);
         along_scale_ = 1 / std::max(half * half, rounding);
         across_scale_ = 1 / std::max(half * half - distance * distance / 4, rounding);
@@ -31,14 +32,12 @@ class Ellipse {
         return along * along * along_scale_ + across * across * across_scale_ <= 1;
     }
 
-    // How far from `from` a ray leaves the ellipse; infinity if it never does.
-    double range(Step direction) const {
+    // How many times the step leads from `from` to where one leaves the ellipse; infinity if one never does.
+    double times(Step step) const {
         if (along_scale_ == 0) return std::numeric_limits<double>::infinity();
-        const double distance = length(to_goal_);
-        const double towards =
-            (double(direction.x) * to_goal_.x + double(direction.y) * to_goal_.y) / length(direction);
-        return longest_ > distance ? (longest_ * longest_ - distance * distance) / (2 * (longest_ - towards))
-                                   : distance;
+        const double towards = double(step.x) * to_goal_.x + double(step.y) * to_goal_.y;
+        const double left = longest_ * length(step) - towards;
+        return left > 0 ? reserve_ / left : 1;
     }
 
   private:
@@ -46,6 +45,7 @@ class Ellipse {
 
     Step to_goal_;
     double longest_;
+    double reserve_ = 0;
     double middle_x_, middle_y_;
     double axis_x_, axis_y_;
     double along_scale_ = 0;

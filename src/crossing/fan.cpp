@@ -10,6 +10,8 @@ void Fan::start_query(const Map& map, Body body, Vertex goal, std::span<const Ob
     map_ = &map;
     body_ = body;
     goal_ = goal;
+    bends_ = &bends_of_[body == Body::square ? 0 : 1];
+    bends_->start_query(map, body);
     ray_.start_query(map, body, protect, weights);
 }
 
@@ -17,10 +19,11 @@ std::span<const Reached> Fan::look(const Viewpoint& from, bool alternatives) {
     from_ = from;
     ellipse_ = Ellipse(from.at, goal_, from.range);
     reached_.clear();
+    fronts_.resize(1);
     ray_.set_open(from.open);
     if (!from.arriving) {
         sector_ = {};
-        done_.clear();
+        begin_look();
         if (!look_at_goal() || alternatives) look_into(sector_);
         return reached_;
     }
@@ -30,27 +33,35 @@ std::span<const Reached> Fan::look(const Viewpoint& from, bool alternatives) {
         const std::optional<Corner> corner = corner_at(from.at, quadrant);
         if (!corner) continue;
         sector_ = {*from.arriving, slide, sign(cross(*from.arriving, slide)), *corner};
-        done_.clear();
+        begin_look();
         if (sector_.holds(goal_ - from.at) && look_at_goal() && !alternatives) return reached_;
         look_into(sector_);
     }
     return reached_;
 }
 
+void Fan::begin_look() {
+    ++look_;
+    done_.clear();
+}
+
 // True if the goal is in reach.
 bool Fan::look_at_goal() {
     aims_.clear();
     const Step direction = goal_ - from_.at;
-    ray_.start(from_.crossings, from_.weight);
     const std::size_t before = reached_.size();
-    if (ray_.walk(from_.at, goal_)) reach(goal_);
-    scan_from_hits(direction);
+    if (cast(direction, 1)) reach(goal_, 1);
+    for (const Hit& hit : ray_.hits()) scan_from({hit.obstacle, hit.cell, hit.side}, direction, 0);
     return reached_.size() > before;
 }
 
 void Fan::look_into(const Sector& sector) {
     if (sector.turn != 0) {
-        look_along(sector.straight, sector.turn);
+        if (from_.ahead) {
+            for (const Front& front : *from_.ahead) scan_from(front, sector.straight, sector.turn);
+        } else {
+            look_along(sector.straight, sector.turn);
+        }
         const Step outward = sector.sliding + -sector.around.quadrant;
         const Outline outline(*map_, body_, sector.around.obstacle);
         // Along the obstacle's own side. Where that ends at a corner, the ray to it is the sector's border.
@@ -66,50 +77,68 @@ void Fan::look_into(const Sector& sector) {
 
 // A border of the sector: what it hits is followed into the sector only.
 void Fan::look_along(Step direction, int into) {
-    ray_.start(from_.crossings, from_.weight);
-    walk_on(from_.at, direction);
-    scan_from_hits(direction, into);
+    cast(direction, times_in_range(direction));
+    for (const Hit& hit : ray_.hits()) scan_from({hit.obstacle, hit.cell, hit.side}, direction, into);
 }
 
 void Fan::look_at(const Aim& aim) {
     if (aim.at == from_.at) return;  // a corner that it stands at
     const Step direction = aim.at - from_.at;
-    ray_.start(from_.crossings, from_.weight);
-    if (ray_.walk(from_.at, aim.at)) {
-        reach(aim.at);
-        walk_on(aim.at, direction);
+    const int times = times_in_range(direction);
+    const double share = 1.0 / times;
+    cast(direction, times);
+    if (ray_.reaches(share)) {
+        const std::size_t before = reached_.size();
+        reach(aim.at, share);
+        if (reached_.size() > before && ray_.squeezes().empty()) keep_ahead(share);
     }
-    scan_from_hits(direction, aim.open, 1);
+    // What lies behind the corner is followed to its open side only.
+    for (const Hit& hit : ray_.hits())
+        scan_from({hit.obstacle, hit.cell, hit.side}, direction, hit.at < share ? 0 : aim.open);
 }
 
-// On to where the ray leaves the ellipse, or the map.
-void Fan::walk_on(Vertex from, Step direction) {
-    const double step = length(direction);
-    const double across_map = 2.0 * (map_->width() + map_->height());
-    const double range = std::min(ellipse_.range(direction), across_map) - length(from - from_.at);
-    if (range <= 0) return;
-    const int steps = int(range / step) + 1;
-    ray_.walk(from, {from.x + direction.x * steps, from.y + direction.y * steps});
+// True if nothing stops the ray.
+bool Fan::cast(Step direction, int times) {
+    const Vertex end{from_.at.x + direction.x * times, from_.at.y + direction.y * times};
+    return ray_.cast(from_.at, end, from_.crossings, from_.weight);
 }
 
-// Both ways along the outline of all that the ray has hit; to one side only, if so, of what it hit after some legs.
-void Fan::scan_from_hits(Step direction, int only, int only_behind) {
+// How often the step fits until it has left the ellipse, or the map.
+int Fan::times_in_range(Step direction) const {
+    const int step = std::max(std::abs(direction.x), std::abs(direction.y));
+    const double across_map = 2.0 * std::max(map_->width(), map_->height()) / step;
+    return int(std::min(ellipse_.times(direction), across_map)) + 1;
+}
+
+// The path that goes on straight from what was reached last meets the same.
+void Fan::keep_ahead(double share) {
+    reached_.back().fronts_begin = std::uint32_t(fronts_.size());
     for (const Hit& hit : ray_.hits()) {
-        const Outline outline(*map_, body_, hit.obstacle);
-        Cell cell = hit.cell;
-        Step side = hit.side;
-        if (outline.owns(cell + side)) {  // it was entered at a concave corner, through two boxes at once
-            cell = cell + side;
-            side = side.x != 0 ? Step{0, -sign(direction.y)} : Step{-sign(direction.x), 0};
-        }
-        for (const Step along : {Step{side.y, side.x}, Step{-side.y, -side.x}}) {
-            const int turn = sign(cross(direction, along));
-            if (turn == -only && (only_behind == 0 || hit.leg > only_behind)) continue;
-            if (turn != 0) {
-                scan(outline, {cell, side, along}, turn);
-            } else if (sign(along.x) == -sign(direction.x) && sign(along.y) == -sign(direction.y)) {
-                scan(outline, {cell, side, along}, sign(cross(direction, -side)));  // it lies along the ray
-            }
+        if (hit.at >= share) fronts_.push_back({hit.obstacle, hit.cell, hit.side});
+    }
+    reached_.back().fronts_end = std::uint32_t(fronts_.size());
+}
+
+std::optional<std::span<const Front>> Fan::ahead(const Reached& reached) const {
+    if (reached.fronts_begin == 0) return std::nullopt;
+    return std::span(fronts_.data() + reached.fronts_begin, fronts_.data() + reached.fronts_end);
+}
+
+// Both ways along the outline of what a ray has hit; or to one side only.
+void Fan::scan_from(Front front, Step direction, int only) {
+    const Outline outline(*map_, body_, front.obstacle);
+    if (outline.owns(front.cell + front.side)) {  // it was entered at a concave corner, through two boxes at once
+        front.cell = front.cell + front.side;
+        front.side = front.side.x != 0 ? Step{0, -sign(direction.y)} : Step{-sign(direction.x), 0};
+    }
+    for (const Step along : {Step{front.side.y, front.side.x}, Step{-front.side.y, -front.side.x}}) {
+        const int turn = sign(cross(direction, along));
+        if (only != 0 && turn == -only) continue;
+        if (turn != 0) {
+            scan(outline, {front.cell, front.side, along}, turn);
+        } else if (sign(along.x) == -sign(direction.x) && sign(along.y) == -sign(direction.y)) {
+            scan(outline, {front.cell, front.side, along},
+                 sign(cross(direction, -front.side)));  // it lies along the ray
         }
     }
 }
@@ -117,67 +146,56 @@ void Fan::scan_from_hits(Step direction, int only, int only_behind) {
 // Follows an outline as seen from the viewpoint, away from the ray that hit it to the side of `turn`, and notes the
 // corners it could be passed at: up to the first one that ends the visible front, the sector or the ellipse. True if
 // the first bend is such a corner.
-bool Fan::scan(const Outline& outline, Side side, int turn) {
-    const Side first = side;
-    bool first_is_corner = false;
-    bool first_bend = true;
+bool Fan::scan(const Outline& outline, const Side& side, int turn) {
+    Bends& bends = *bends_;
+    const std::uint32_t first = bends.ahead(outline, side);
+    std::uint32_t at = first;
     do {
-        const Outline::Turn kind = outline.turn(side);
-        Side next = outline.next(side, kind);
-        if (kind != Outline::Turn::straight) {
-            const Vertex bend = outline.bend(side, kind);
-            const Step arriving = bend - from_.at;
-            if (first_bend) first_is_corner = kind == Outline::Turn::away;
-            first_bend = false;
-            if (arriving != Step{}) {
-                if (!sector_.holds(arriving) || !ellipse_.holds(bend) || passed(bend, side, kind)) break;
-                if (kind == Outline::Turn::away) {
-                    const Step slide = sliding(arriving, -(side.along + side.outward));
-                    const int bending = sign(cross(arriving, slide));
-                    if (bending == -turn) {
-                        const std::optional<Side> back = behind_notch(outline, next, arriving, turn);
-                        if (!back) {
-                            note(bend, turn);
-                            break;
-                        }
-                        next = *back;
-                    } else if (bending != 0) {
-                        note(bend, -turn);
+        Bend& bend = bends[at];
+        const Step arriving = bend.at - from_.at;
+        if (arriving != Step{}) {
+            if (!sector_.holds(arriving) || !ellipse_.holds(bend.at) || bend.seen == look_) break;
+            bend.seen = look_;
+            if (bend.quadrant != Step{}) {
+                const int bending = sign(cross(arriving, sliding(arriving, bend.quadrant)));
+                if (bending == -turn) {
+                    const std::optional<std::uint32_t> back = behind_notch(outline, at, turn);
+                    if (!back) {
+                        note(bends[at].at, turn);
+                        break;
                     }
+                    at = *back;
+                    continue;
                 }
+                if (bending != 0) note(bend.at, -turn);
             }
         }
-        side = next;
-    } while (!(side == first));
-    return first_is_corner;
+        at = bends.next(outline, at);
+    } while (at != first);
+    return bends[first].quadrant != Step{};
 }
 
 // A corner that the outline hides in a notch of its own as soon as it is passed: what bends around it gets nowhere. The
-// side where the outline comes back into view, if it does so soon.
-std::optional<Side> Fan::behind_notch(const Outline& outline, Side side, Step corner, int turn) const {
+// bend where the outline comes back into view, if it does so soon.
+std::optional<std::uint32_t> Fan::behind_notch(const Outline& outline, std::uint32_t corner, int turn) {
     constexpr int longest = 8;  // bends
-    const auto ahead = [corner](Step step) {
-        const Step beyond = step + -corner;
-        return std::int64_t(beyond.x) * corner.x + std::int64_t(beyond.y) * corner.y >= 0;
-    };
-    Step min = corner;
-    Step max = corner;
-    for (int bends = 0; bends < longest;) {
-        const Outline::Turn kind = outline.turn(side);
-        if (kind != Outline::Turn::straight) {
-            const Step bend = outline.bend(side, kind) - from_.at;
-            if (!ahead(bend)) return std::nullopt;
-            min = {std::min(min.x, bend.x), std::min(min.y, bend.y)};
-            max = {std::max(max.x, bend.x), std::max(max.y, bend.y)};
-            if (bends > 0 && sign(cross(corner, bend)) * turn >= 0) {
-                const Step goal = goal_ - from_.at;
-                const bool holds_goal = goal.x >= min.x && goal.x <= max.x && goal.y >= min.y && goal.y <= max.y;
-                if (holds_goal || !clear(from_.at + corner, from_.at + bend)) return std::nullopt;
-                return side;
-            }
-            ++bends;
+    const Step passing = (*bends_)[corner].at - from_.at;
+    Step min = passing;
+    Step max = passing;
+    std::uint32_t at = corner;
+    for (int bends = 0; bends < longest; ++bends) {
+        at = bends_->next(outline, at);
+        const Step bend = (*bends_)[at].at - from_.at;
+        const Step beyond = bend + -passing;
+        if (std::int64_t(beyond.x) * passing.x + std::int64_t(beyond.y) * passing.y < 0) return std::nullopt;
+        min = {std::min(min.x, bend.x), std::min(min.y, bend.y)};
+        max = {std::max(max.x, bend.x), std::max(max.y, bend.y)};
+        if (bends > 0 && sign(cross(passing, bend)) * turn >= 0) {
+            const Step goal = goal_ - from_.at;
+            const bool holds_goal = goal.x >= min.x && goal.x <= max.x && goal.y >= min.y && goal.y <= max.y;
+            if (holds_goal || !clear(from_.at + passing, from_.at + bend)) return std::nullopt;
+            return at;
         }
-        side = outline.next(side, kind);
     }
     return std::nullopt;
 }
@@ -202,15 +220,6 @@ bool Fan::clear(Vertex a, Vertex b) const {
         }
     }
     return true;
-}
-
-// Whether this look has followed the outline from here before; from now on it has.
-bool Fan::passed(Vertex bend, const Side& side, Outline::Turn kind) {
-    // A bend, the side before it and the way the side is followed name one corner of one cell.
-    const int outward = side.outward.x != 0 ? side.outward.x + 1 : side.outward.y + 2;  // 0 to 3
-    const int along = side.along.x + side.along.y > 0 ? 1 : 0;
-    const int concave = kind == Outline::Turn::back ? 1 : 0;
-    return done_.before(bend, unsigned(4 * outward + 2 * along + concave));
 }
 
 void Fan::note(Vertex corner, int open) {
@@ -239,16 +248,16 @@ bool Fan::bends(Vertex v, std::span<const std::uint32_t> crossed) const {
     });
 }
 
-void Fan::reach(Vertex v) {
+void Fan::reach(Vertex v, double share) {
     std::vector<std::uint32_t> crossed;
     for (const Hit& hit : ray_.hits()) {
-        if (hit.surely) crossed.push_back(hit.obstacle);
+        if (hit.surely && hit.at < share) crossed.push_back(hit.obstacle);
     }
-    reach(v, 0, crossed);
+    reach(v, share, 0, crossed);
 }
 
 // Once for each choice between the two obstacles of a squeeze.
-void Fan::reach(Vertex v, std::size_t squeeze, std::vector<std::uint32_t>& crossed) {
+void Fan::reach(Vertex v, double share, std::size_t squeeze, std::vector<std::uint32_t>& crossed) {
     double weight = 0;
     for (const std::uint32_t obstacle : crossed) weight += ray_.weight(obstacle);
     if (int(crossed.size()) > from_.crossings || weight > from_.weight) return;
@@ -260,14 +269,14 @@ void Fan::reach(Vertex v, std::size_t squeeze, std::vector<std::uint32_t>& cross
         return std::find(crossed.begin(), crossed.end(), obstacle) != crossed.end();
     };
     const Squeeze pair = ray_.squeezes()[squeeze];
-    if (has(pair.one) || has(pair.other)) {
-        reach(v, squeeze + 1, crossed);
+    if (pair.at >= share || has(pair.one) || has(pair.other)) {
+        reach(v, share, squeeze + 1, crossed);
         return;
     }
     for (const std::uint32_t obstacle : {pair.one, pair.other}) {
         if (ray_.solid(obstacle)) continue;
         crossed.push_back(obstacle);
-        reach(v, squeeze + 1, crossed);
+        reach(v, share, squeeze + 1, crossed);
         crossed.pop_back();
     }
 }

@@ -5,11 +5,13 @@
 // Why no corner of a shortest path is missed: docs/exact.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "crossing/bends.hpp"
 #include "crossing/done.hpp"
 #include "crossing/ellipse.hpp"
 #include "crossing/outline.hpp"
@@ -24,12 +26,20 @@ struct Corner {
     std::uint32_t obstacle = 0;
 };
 
+// What a ray has met: through which side of which cell it enters the obstacle.
+struct Front {
+    std::uint32_t obstacle = 0;
+    Cell cell;
+    Step side;
+};
+
 // A way to be somewhere.
 struct Viewpoint {
     Vertex at;
-    std::optional<Step> arriving;         // none: the start, where every direction is taut
-    std::span<const std::uint32_t> open;  // obstacles that cost nothing any more
-    int crossings = 0;                    // how many more may be crossed, and of which weight
+    std::optional<Step> arriving;                 // none: the start, where every direction is taut
+    std::optional<std::span<const Front>> ahead;  // what is met straight on, if that is known
+    std::span<const std::uint32_t> open;          // obstacles that cost nothing any more
+    int crossings = 0;                            // how many more may be crossed, and of which weight
     double weight = 0;
     double range = 0;  // longest path from here to the goal, half cells
 };
@@ -38,6 +48,8 @@ struct Viewpoint {
 struct Reached {
     Vertex at;
     std::vector<std::uint32_t> crossed;
+    std::uint32_t fronts_begin = 0;  // of what is met straight on from there; 0, 0: not known
+    std::uint32_t fronts_end = 0;
 };
 
 class Fan {
@@ -48,6 +60,8 @@ class Fan {
     // All corners and the goal that a shortest path can go to next. `alternatives`: also when the goal itself is in
     // reach. What is returned lives until the next call.
     std::span<const Reached> look(const Viewpoint& from, bool alternatives);
+    // What the last look met straight on from what it reached, if that is known.
+    std::optional<std::span<const Front>> ahead(const Reached& reached) const;
 
     Ray& ray() { return ray_; }
     const Ray& ray() const { return ray_; }
@@ -70,32 +84,38 @@ class Fan {
         int open;
     };
 
+    void begin_look();
     bool look_at_goal();
     void look_into(const Sector& sector);
     void look_along(Step direction, int into);
     void look_at(const Aim& aim);
-    void walk_on(Vertex from, Step direction);
-    void scan_from_hits(Step direction, int only = 0, int only_behind = 0);
-    bool scan(const Outline& outline, Side side, int turn);
-    std::optional<Side> behind_notch(const Outline& outline, Side side, Step corner, int turn) const;
+    bool cast(Step direction, int times);
+    int times_in_range(Step direction) const;
+    void scan_from(Front front, Step direction, int only);
+    void keep_ahead(double share);
+    bool scan(const Outline& outline, const Side& side, int turn);
+    std::optional<std::uint32_t> behind_notch(const Outline& outline, std::uint32_t corner, int turn);
     bool clear(Vertex a, Vertex b) const;
-    bool passed(Vertex bend, const Side& side, Outline::Turn kind);
     void note(Vertex corner, int open);
     std::optional<Corner> corner_at(Vertex v, Step quadrant) const;
     bool bends(Vertex v, std::span<const std::uint32_t> crossed) const;
-    void reach(Vertex v);
-    void reach(Vertex v, std::size_t squeeze, std::vector<std::uint32_t>& crossed);
+    void reach(Vertex v, double share);
+    void reach(Vertex v, double share, std::size_t squeeze, std::vector<std::uint32_t>& crossed);
 
     const Map* map_ = nullptr;
     Body body_ = Body::square;
     Vertex goal_;
     Ray ray_;
+    std::array<Bends, 2> bends_of_;  // by body
+    Bends* bends_ = nullptr;
     Done done_;
+    std::uint64_t look_ = 0;  // numbers the sectors looked into
     Viewpoint from_;
     Ellipse ellipse_{{}, {}, 0};
     Sector sector_;
     std::vector<Aim> aims_;
     std::vector<Reached> reached_;
+    std::vector<Front> fronts_;  // ahead of those reached; the first is none
 };
 
 }  // namespace waybreaker

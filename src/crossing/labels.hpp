@@ -18,8 +18,10 @@ struct Label {
     double estimate = 0;  // of the cost: length and the straight line to the goal, or the least
     Vertex at;
     std::uint32_t parent = no_label;
-    std::uint32_t set = 0;          // of the obstacles crossed
-    std::uint32_t next = no_label;  // at the same vertex
+    std::uint32_t set = 0;           // of the obstacles crossed
+    std::uint32_t next = no_label;   // at the same vertex
+    std::uint32_t fronts_begin = 0;  // of what it meets straight on; 0, 0: not known
+    std::uint32_t fronts_end = 0;
     bool dominated = false;
 };
 

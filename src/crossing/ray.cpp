@@ -37,19 +37,14 @@ void Ray::set_open(std::span<const std::uint32_t> obstacles) {
     for (const std::uint32_t obstacle : obstacles) marks_[obstacle].open = opening_;
 }
 
-void Ray::start(int crossings, double weight) {
+bool Ray::cast(Vertex from, Vertex to, int crossings, double weight) {
     ++ray_;
     hits_.clear();
     squeezes_.clear();
-    leg_ = 0;
     crossings_left_ = crossings;
     weight_left_ = weight;
     stopped_ = false;
     stopped_at_ = std::numeric_limits<double>::infinity();
-}
-
-bool Ray::walk(Vertex from, Vertex to) {
-    ++leg_;
     const int dx = to.x - from.x;
     const int dy = to.y - from.y;
     const Frame frame = std::abs(dx) >= std::abs(dy) ? Frame{&map_->grid(), false, from.x, from.y, dx, dy}
@@ -71,8 +66,9 @@ void Ray::walk_line(const Frame& f) {
     const std::int64_t dy = std::int64_t(down) * f.dy;
     const std::int64_t low_x = std::min(f.x, f.x + f.dx);
     const std::int64_t high_x = std::max(f.x, f.x + f.dx);
-    const std::int64_t first = floor_divide(low_x - reach_, 2) + 1;
-    const std::int64_t last = floor_divide(high_x + reach_ - 1, 2);
+    // Up to the frame, which stops every ray.
+    const std::int64_t first = std::max<std::int64_t>(floor_divide(low_x - reach_, 2) + 1, -1);
+    const std::int64_t last = std::min<std::int64_t>(floor_divide(high_x + reach_ - 1, 2), f.grid->width());
     const std::int64_t first_row = floor_divide(y - reach_, 2) + 1;
     const std::int64_t last_row = floor_divide(y + dy + reach_ - 1, 2);
     if (dy == 0) {
@@ -86,26 +82,24 @@ void Ray::walk_line(const Frame& f) {
     const std::int64_t high_y = f.dx > 0 ? far_y : near_y;
     Stairs low((f.x - reach_) * dy + low_y * f.dx, 2 * std::int64_t(f.dx), 2 * dy);
     Stairs high((f.x + reach_) * dy + high_y * f.dx - 1, 2 * std::int64_t(f.dx), 2 * dy);
-    for (std::int64_t row = first_row; row <= last_row; ++row, low.next(), high.next()) {
+    const std::uint64_t* words = f.grid->row(int(down * first_row));
+    const std::ptrdiff_t next_row = down * std::ptrdiff_t(f.grid->words_per_row());
+    for (std::int64_t row = first_row; row <= last_row; ++row, low.next(), high.next(), words += next_row) {
         const std::int64_t from = std::max(first, low.value() + 1);
         const std::int64_t to = std::min(last, high.value());
         const bool stopped_before = stopped_;
-        if (stopped_ || any_blocked(f, int(down * row), from, to)) visit_run(f, int(down * row), from, to);
+        if (stopped_ || (from <= to && any_bit(words, unsigned(from + 1), unsigned(to + 1))))
+            visit_run(f, int(down * row), from, to);
         // Boxes of the next row can begin before the end of this row's: one row more settles what was entered first.
         if (stopped_ && (stopped_before || reach_ == 1)) return;
     }
 }
 
-// Whether there is anything to visit. Precondition: the row is on the map or its frame.
-bool Ray::any_blocked(const Frame& f, int row, std::int64_t first, std::int64_t last) {
-    if (first < 0 || last >= f.grid->width()) return true;
-    return first <= last && any_bit(f.grid->row(row), unsigned(first + 1), unsigned(last + 1));
-}
-
 // The blocked cells among first..last of a row, in the direction of travel; of cells that are known to belong together
 // the first alone.
 void Ray::visit_run(const Frame& f, int row, std::int64_t first, std::int64_t last) {
-    if (first > f.grid->width() || last < -1 || row < -1 || row > f.grid->height()) return;  // behind the map's edge
+    if (first > last || first > f.grid->width() || last < -1 || row < -1 || row > f.grid->height())
+        return;  // behind the map's edge
     const bool leaves = first < 0 || last >= f.grid->width();
     first = std::max<std::int64_t>(first, 0);
     last = std::min<std::int64_t>(last, f.grid->width() - 1);
@@ -167,7 +161,6 @@ Hit Ray::entry(const Frame& f, int x, int row) const {
     return {.obstacle = outside(f, x, row) ? 0 : label(f, x, row),
             .cell = f.steep ? Cell{row, x} : Cell{x, row},
             .side = f.steep ? Step{side.y, side.x} : side,
-            .leg = leg_,
             .row = row,
             .at = std::max(along, across)};
 }
@@ -189,7 +182,7 @@ void Ray::meet(const Hit& hit) {
     if (mark.ray == ray_) {
         Hit& known = hits_[mark.hit];
         if (known.surely || !hit.surely) {
-            if (hit.leg == known.leg && hit.at < known.at && hit.surely) known = hit;
+            if (hit.at < known.at && hit.surely) known = hit;
             return;
         }
         // It is crossed for certain now, perhaps in another of its parts: a hit of its own, already counted.
@@ -260,7 +253,7 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
     const bool no_upper = outside(f, x, upper);
     const bool no_lower = outside(f, x, upper + 1);
     if (no_upper && no_lower) {
-        stopped_ = true;
+        stop(entry(f, x, upper).at);
         return;
     }
     Hit one = edge_entry(f, x, no_upper ? upper + 1 : upper, no_upper ? upper : upper + 1);
@@ -270,7 +263,7 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
         meet((f.steep ? one.side.y : one.side.x) != 0 ? one : other);
         return;
     }
-    squeezes_.push_back({one.obstacle, other.obstacle});
+    squeezes_.push_back({one.obstacle, other.obstacle, one.at});
     one.surely = other.surely = false;
     const bool counted = met(one.obstacle) || met(other.obstacle);
     const int crossings = crossings_left_ - (counted ? 0 : 1);
@@ -281,6 +274,7 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
     crossings_left_ = crossings;
     weight_left_ = weight_left;
     stopped_ = crossings_left_ < 0 || weight_left_ < 0 || (solid(one.obstacle) && solid(other.obstacle));
+    stopped_at_ = stopped_ ? one.at : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace waybreaker

@@ -16,9 +16,8 @@ struct Hit {
     std::uint32_t obstacle = 0;
     Cell cell;
     Step side;           // from the cell outwards
-    int leg = 0;         // in which walk() since start()
-    int row = 0;         // of the cell, across that walk
-    double at = 0;       // share of that walk
+    int row = 0;         // of the cell, across the ray
+    double at = 0;       // share of the ray
     bool surely = true;  // false: only as one of a Squeeze
 };
 
@@ -26,6 +25,7 @@ struct Hit {
 struct Squeeze {
     std::uint32_t one = 0;
     std::uint32_t other = 0;
+    double at = 0;  // share of the ray
 };
 
 class Ray {
@@ -36,15 +36,14 @@ class Ray {
     // Obstacles that the next rays pass as if they were gone.
     void set_open(std::span<const std::uint32_t> obstacles);
 
-    // A new ray: it passes at most so many further obstacles, of at most that weight together.
-    void start(int crossings, double weight);
+    // Casts a ray that passes at most so many further obstacles, of at most that weight together. False when it was
+    // stopped: by an obstacle that cannot be passed any more, or by the edge of the map. What it met before is in
+    // hits(). Squeezes count as the cheaper of their obstacles, so a ray can get farther than a path does.
+    bool cast(Vertex from, Vertex to, int crossings, double weight);
+    // Whether it got to that share of its length.
+    bool reaches(double share) const { return !stopped_ || stopped_at_ >= share; }
 
-    // Goes on along the segment. False when it was stopped: by an obstacle that cannot be passed any more, or by the
-    // edge of the map. What it met before is in hits(). Squeezes count as the cheaper of their obstacles, so a ray can
-    // get farther than a path does.
-    bool walk(Vertex from, Vertex to);
-
-    // The obstacles met since start(), each once; when stopped also those that stop it. Their order means nothing.
+    // The obstacles that the ray met, each once; when stopped also those that stop it. Their order means nothing.
     std::span<const Hit> hits() const { return hits_; }
     std::span<const Squeeze> squeezes() const { return squeezes_; }
 
@@ -73,7 +72,6 @@ class Ray {
 
     void walk_line(const Frame& frame);
     void walk_edge(const Frame& frame);
-    static bool any_blocked(const Frame& frame, int row, std::int64_t first, std::int64_t last);
     void visit_run(const Frame& frame, int row, std::int64_t first, std::int64_t last);
     void visit_rightwards(const Frame& frame, int row, std::size_t from, std::size_t to);
     void visit_leftwards(const Frame& frame, int row, std::size_t from, std::size_t to);
@@ -99,7 +97,6 @@ class Ray {
 
     std::vector<Hit> hits_;
     std::vector<Squeeze> squeezes_;
-    int leg_ = 0;
     int crossings_left_ = 0;
     double weight_left_ = 0;
     bool stopped_ = false;
