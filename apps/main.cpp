@@ -35,6 +35,7 @@ void setup(CLI::App& root, Run& run) {
     root.require_subcommand(1);
     setup_plan(root, run);
     setup_check(root, run);
+    setup_export(root, run);
     setup_import(root, run);
     setup_map(root, run);
     setup_missions_generate(root, run);

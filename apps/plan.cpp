@@ -68,6 +68,11 @@ void write_outputs(const PlanOptions& options, const io::PlanContext& context, c
     if (!options.trace.empty()) {
         outputs.emplace_back(options.trace, trace(file.map, context.mission, context.options.search));
     }
+    Plan exported = plan;
+    if (options.no_timing) exported.after.ground.seconds = 0;
+    for (auto& output : export_plan(options.exports, exported, file, context.options.search)) {
+        outputs.push_back(std::move(output));
+    }
     const auto last =
         std::stable_partition(outputs.begin(), outputs.end(), [](const auto& output) { return output.first != "-"; });
     if (last == outputs.end() && plan.status == PlanStatus::solved) {

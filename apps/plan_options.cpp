@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <climits>
 
 #include "io/weights.hpp"
@@ -126,6 +125,7 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--png", options.png, "Write a picture");
     add_file(command, "--trace", options.trace,
              "Write every step of the first ground search, for the Posthoc search visualiser (NAME.trace.json)");
+    add_plan_exports(command, options.exports);
     command.add_flag("--no-timing", options.no_timing,
                      "Leave out measured times, so that equal input gives equal bytes");
 }
@@ -185,17 +185,11 @@ void validate(const PlanOptions& options) {
     if (options.paper && options.timing == Timing::enforce) {
         throw InputError("--paper stands for --timing ignore, which --timing enforce contradicts; drop one of them");
     }
-    const std::array outputs{std::pair("--json", options.json), std::pair("--svg", options.svg),
-                             std::pair("--png", options.png), std::pair("--trace", options.trace)};
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            const auto& [option, path] = outputs[i];
-            const auto& [other_option, other_path] = outputs[j];
-            if (path.empty() || path != other_path) continue;
-            throw InputError(fmt::format("{} and {} cannot both write to {}", other_option, option,
-                                         path == "-" ? "standard output" : path));
-        }
-    }
+    std::vector<std::pair<std::string, std::string>> outputs = named_outputs(options.exports);
+    outputs.insert(
+        outputs.begin(),
+        {{"--json", options.json}, {"--svg", options.svg}, {"--png", options.png}, {"--trace", options.trace}});
+    require_distinct(outputs);
 }
 
 Mission mission_of(const PlanOptions& options, const io::MapFile& map) {

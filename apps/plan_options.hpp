@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "io/map_file.hpp"
+#include "plan_exports.hpp"
 #include "waybreaker/mission.hpp"
 
 namespace waybreaker::apps {
@@ -54,6 +55,7 @@ struct PlanOptions {
     std::string svg;
     std::string png;
     std::string trace;
+    PlanExports exports;
     bool no_timing = false;
 };
 

@@ -1,9 +1,8 @@
+#include "geo/georeference.hpp"
+
 #include <ogr_spatialref.h>
 
-#include <memory>
-
 #include "geo/gdal_scope.hpp"
-#include "geo/label_tiff.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -16,19 +15,30 @@ std::string Georeference::crs_name() const {
 }
 
 std::array<double, 2> Georeference::lon_lat(double x, double y) const {
+    return ToLonLat(*this)(x, y);
+}
+
+ToLonLat::ToLonLat(const Georeference& place) : transform_(place.transform) {
     const GdalScope gdal;
-    OGRSpatialReference from(crs.c_str());
+    OGRSpatialReference from(place.crs.c_str());
     from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     OGRSpatialReference wgs84;
     wgs84.SetWellKnownGeogCS("WGS84");
     wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const std::unique_ptr<OGRCoordinateTransformation> to_wgs84(OGRCreateCoordinateTransformation(&from, &wgs84));
+    to_wgs84_.reset(OGRCreateCoordinateTransformation(&from, &wgs84));
+    if (!to_wgs84_) throw InputError("the map's coordinate system has no longitudes and latitudes: " + gdal.failure());
+}
+
+ToLonLat::~ToLonLat() = default;
+
+std::array<double, 2> ToLonLat::operator()(double x, double y) const {
+    const GdalScope gdal;
     // Cell centres are integers, GDAL counts from the corner of the upper-left cell.
     const double column = x + 0.5;
     const double row = y + 0.5;
-    double east = transform[0] + column * transform[1] + row * transform[2];
-    double north = transform[3] + column * transform[4] + row * transform[5];
-    if (!to_wgs84 || !to_wgs84->Transform(1, &east, &north)) {
+    double east = transform_[0] + column * transform_[1] + row * transform_[2];
+    double north = transform_[3] + column * transform_[4] + row * transform_[5];
+    if (!to_wgs84_->Transform(1, &east, &north)) {
         throw InputError("no longitude and latitude for cell " + std::to_string(x) + ", " + std::to_string(y) + ": " +
                          gdal.failure());
     }

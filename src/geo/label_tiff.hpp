@@ -5,24 +5,14 @@
 // metadata item, WAYBREAKER_OBSTACLES, which gdal_translate copies too: see docs/data.md.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "geo/georeference.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geo {
-
-// Where the map lies on the ground.
-struct Georeference {
-    std::string crs;  // well-known text
-    // GDAL's affine transform from cell corner coordinates (column, row) to the coordinate system.
-    std::array<double, 6> transform{0, 1, 0, 0, 0, 1};
-    std::string crs_name() const;  // for people, e.g. "WGS 84 / UTM zone 33N"
-    std::array<double, 2> lon_lat(double x,
-                                  double y) const;  // of a point in cell units (integer = cell centre), WGS84 degrees
-};
 
 struct LabelTiff {
     Map map;

@@ -51,7 +51,7 @@ void append_task(pugi::xml_node root, const Grid& grid, const XmlTask& task) {
     const SearchOptions& search = task.search;
     pugi::xml_node algorithm = root.append_child("algorithm");
     put_word(algorithm, "searchtype", xml_planners, search.planner);
-    put_word(algorithm, "metrictype", xml_heuristics, search.heuristic);
+    put_word(algorithm, "metrictype", xml_heuristics, std::optional(heuristic_of(search)));
     put_word(algorithm, "breakingties", xml_ties, search.tie_break);
     put(algorithm, "hweight", shortest_text(search.weight).c_str());
     put(algorithm, "allowdiagonal", int(search.motion.diagonal));

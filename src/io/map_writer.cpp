@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "io/authors_xml_writer.hpp"
+#include "io/map_frame.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
@@ -103,21 +104,14 @@ std::vector<std::uint8_t> grey(const Grid& grid, std::uint8_t of_free) {
     return pixels;
 }
 
-// The lower-left corner of the map, in the metres of its coordinate system where it has one.
-std::array<double, 2> origin_of(const MapFile& map) {
-    if (!map.georeference) return {0, 0};
-    const std::array<double, 6>& transform = map.georeference->transform;
-    const double metres = map.cell_size / transform[1];  // of a unit
-    return {metres * transform[0], metres * (transform[3] + map.map.height() * transform[5])};
-}
-
 // Files that were read go out as they came in; others as nav2's map saver writes them.
 std::vector<OutputFile> ros_files(const MapFile& map, const std::string& path) {
     const fs::path extension = map.ros ? fs::path(map.ros->yaml.image).extension() : fs::path(".pgm");
     const fs::path image = fs::path(path).replace_extension(extension);
     const std::string name = image.filename().string();
     if (map.ros) return {{image.string(), map.ros->image}, {path, with_image(map.ros->text, name, path)}};
-    const RosYaml yaml{.image = name, .resolution = map.cell_size, .origin = origin_of(map)};
+    const Point origin = MapFrame(map).origin();
+    const RosYaml yaml{.image = name, .resolution = map.cell_size, .origin = {origin.x, origin.y}};
     const Grid& grid = map.map.grid();
     return {{image.string(), pgm_bytes(grid.width(), grid.height(), grey(grid, free_grey))},
             {path, ros_yaml_text(yaml)}};

@@ -60,9 +60,42 @@ CheckRules rules(const JsonField& options) {
     return result;
 }
 
+SearchOptions search(const JsonField& options) {
+    SearchOptions result;
+    result.motion = motion(options);
+    if (const auto planner = options.find("planner")) {
+        result.planner = planner->one_of<Planner>({{"theta", Planner::theta},
+                                                   {"lazy-theta", Planner::lazy_theta},
+                                                   {"astar", Planner::astar},
+                                                   {"jps", Planner::jps},
+                                                   {"dijkstra", Planner::dijkstra},
+                                                   {"bfs", Planner::bfs},
+                                                   {"optimal", Planner::optimal}});
+    }
+    if (const auto heuristic = options.find("heuristic")) {
+        result.heuristic = heuristic->one_of<Heuristic>({{"euclidean", Heuristic::euclidean},
+                                                         {"octile", Heuristic::octile},
+                                                         {"chebyshev", Heuristic::chebyshev},
+                                                         {"manhattan", Heuristic::manhattan},
+                                                         {"zero", Heuristic::zero}});
+    }
+    if (const auto weight = options.find("weight")) result.weight = not_negative(*weight);
+    if (const auto rule = options.find("tie_break")) {
+        result.tie_break = rule->one_of<TieBreak>({{"g-max", TieBreak::g_max}, {"g-min", TieBreak::g_min}});
+    }
+    return result;
+}
+
 Outcome outcome(const JsonField& field) {
     Outcome result;
     result.ground.length = field["ground"]["length"].number_or_null();
+    const JsonField ground = field["ground"];
+    if (const auto count = ground.find("expanded"))
+        result.ground.expanded = std::uint64_t(count->whole_number(0, INT64_MAX));
+    if (const auto count = ground.find("generated")) {
+        result.ground.generated = std::uint64_t(count->whole_number(0, INT64_MAX));
+    }
+    if (const auto seconds = ground.find("seconds")) result.ground.seconds = not_negative(*seconds);
     result.air.length = field["air"]["length"].number();
     result.makespan = field["makespan"].number_or_null();
     result.flowtime = field["flowtime"].number_or_null();
@@ -134,6 +167,7 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     const JsonField options = root["options"];
     file.connectivity = options["connectivity"].whole_number(4, 8) == 8 ? Connectivity::eight : Connectivity::four;
     file.rules = rules(options);
+    file.search = search(options);
     file.plan.before = outcome(root["before"]);
     file.plan.after = outcome(root["after"]);
     if (const auto bound = root.find("bound")) {

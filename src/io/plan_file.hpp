@@ -11,7 +11,8 @@
 namespace waybreaker::io {
 
 struct PlanFile {
-    Plan plan;  // without node counts and seconds
+    Plan plan;             // without seconds of its parts
+    SearchOptions search;  // of the ground agent
     CheckRules rules;
     Connectivity connectivity = Connectivity::four;
     ImageReading image;

@@ -1,0 +1,76 @@
+// `waybreaker export`: a plan file in the formats that others take plans in.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "commands.hpp"
+#include "help.hpp"
+#include "io/map_file.hpp"
+#include "io/output_file.hpp"
+#include "io/plan_file.hpp"
+#include "option.hpp"
+#include "plan_exports.hpp"
+#include "progress.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+struct ExportOptions {
+    std::string map;
+    std::string plan;
+    PlanExports exports;
+    bool ignore_digest = false;
+};
+
+io::MapFile read_map(const ExportOptions& options, const io::PlanFile& plan) {
+    const Progress progress("reading " + options.map);
+    return io::read_map_file(options.map, plan.connectivity, plan.image);
+}
+
+// Writers believe a plan; one that comes from a file has to show first that it holds.
+void require_valid(const ExportOptions& options, const io::PlanFile& plan, const io::MapFile& map) {
+    if (plan.width != map.map.width() || plan.height != map.map.height() ||
+        (plan.digest != map.digest && !options.ignore_digest)) {
+        throw InputError(options.plan, 0, "was made for another map file (see waybreaker check, and --ignore-digest)");
+    }
+    if (!check(map.map, plan.plan, plan.rules).empty()) {
+        throw InputError(options.plan, 0,
+                         fmt::format("is not valid: see waybreaker check {} {}", options.map, options.plan));
+    }
+}
+
+void run(const ExportOptions& options) {
+    const auto outputs = named_outputs(options.exports);
+    require_distinct(outputs);
+    if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
+        throw InputError("nothing to write: give --geojson, --csv, --ros-path or --xml");
+    }
+    const io::PlanFile plan = io::read_plan_file(options.plan);
+    const io::MapFile map = read_map(options, plan);
+    require_valid(options, plan, map);
+    for (const auto& [path, bytes] : export_plan(options.exports, plan.plan, map, plan.search)) {
+        io::write_whole(path, bytes);
+    }
+}
+
+}  // namespace
+
+void setup_export(CLI::App& root, Run& run_chosen) {
+    auto options = std::make_shared<ExportOptions>();
+    CLI::App* command = root.add_subcommand(
+        "export",
+        "Write a plan for GIS, spreadsheets, robots and the authors' tools\n\n"
+        "Takes a plan file and its map, and writes what waybreaker plan would have with the same options. A plan that "
+        "is not valid for the map is refused.");
+    add_file(*command, "MAP", options->map, "The map the plan was made for")->required();
+    add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it")->required();
+    add_plan_exports(*command, options->exports);
+    command->add_flag("--ignore-digest", options->ignore_digest,
+                      "Accept another map file, if only the plan holds on it");
+    set_examples(*command, {"waybreaker export data/berlin-mitte.tif plan.json --geojson plan.geojson",
+                            "waybreaker export floor.yaml plan.json --ros-path path.yaml --csv waypoints.csv"});
+    command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
+}
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,52 @@
+#include "plan_exports.hpp"
+
+#include <fmt/format.h>
+
+#include "io/plan_csv.hpp"
+#include "io/plan_geojson.hpp"
+#include "io/plan_ros_path.hpp"
+#include "io/plan_xml.hpp"
+#include "option.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+
+void add_plan_exports(CLI::App& command, PlanExports& exports) {
+    add_file(command, "--geojson", exports.geojson,
+             "Write paths, breach points and removed obstacles in longitude and latitude, for GIS");
+    add_file(command, "--csv", exports.csv, "Write the timed waypoints: cells, metres, longitude and latitude");
+    add_file(command, "--ros-path", exports.ros_path,
+             "Write the paths as YAML of ROS's nav_msgs/Path, in metres of the map's frame");
+    add_file(command, "--xml", exports.xml, "Write the log of the authors' program");
+}
+
+std::vector<std::pair<std::string, std::string>> named_outputs(const PlanExports& exports) {
+    return {{"--geojson", exports.geojson},
+            {"--csv", exports.csv},
+            {"--ros-path", exports.ros_path},
+            {"--xml", exports.xml}};
+}
+
+void require_distinct(const std::vector<std::pair<std::string, std::string>>& outputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const auto& [option, path] = outputs[i];
+            const auto& [other_option, other_path] = outputs[j];
+            if (path.empty() || path != other_path) continue;
+            throw InputError(fmt::format("{} and {} cannot both write to {}", other_option, option,
+                                         path == "-" ? "standard output" : path));
+        }
+    }
+}
+
+std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
+                                                             const io::MapFile& map, const SearchOptions& search) {
+    std::vector<std::pair<std::string, std::string>> files;
+    if (!exports.geojson.empty()) files.emplace_back(exports.geojson, io::plan_geojson(plan, map));
+    if (!exports.csv.empty()) files.emplace_back(exports.csv, io::plan_csv(plan, map));
+    if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map));
+    if (!exports.xml.empty()) files.emplace_back(exports.xml, io::plan_xml(plan, map, search));
+    return files;
+}
+
+}  // namespace waybreaker::apps

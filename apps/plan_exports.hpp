@@ -1,0 +1,35 @@
+// The formats that others take plans in: what `waybreaker plan` and `waybreaker export` have in common.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "io/map_file.hpp"
+#include "waybreaker/plan.hpp"
+#include "waybreaker/search.hpp"
+
+namespace waybreaker::apps {
+
+// The files to write; empty where none is asked for.
+struct PlanExports {
+    std::string geojson;
+    std::string csv;
+    std::string ros_path;
+    std::string xml;
+};
+
+void add_plan_exports(CLI::App& command, PlanExports& exports);
+
+// Options and the files they name, for require_distinct.
+std::vector<std::pair<std::string, std::string>> named_outputs(const PlanExports& exports);
+
+// Throws InputError if two options name the same file, or both standard output.
+void require_distinct(const std::vector<std::pair<std::string, std::string>>& outputs);
+
+// Path and bytes of each file. Precondition: the plan is one for this map, whatever was searched for it.
+std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
+                                                             const io::MapFile& map, const SearchOptions& search);
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,23 @@
+#include "io/map_frame.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+Point origin_of(const MapFile& map) {
+    if (map.ros) return {map.ros->yaml.origin[0], map.ros->yaml.origin[1]};
+    if (!map.georeference) return {0, 0};
+    const std::array<double, 6>& transform = map.georeference->transform;
+    const double metres = map.cell_size / transform[1];  // of a unit of the coordinate system
+    return {metres * transform[0], metres * (transform[3] + map.map.height() * transform[5])};
+}
+
+}  // namespace
+
+MapFrame::MapFrame(const MapFile& map)
+    : origin_(origin_of(map)), cell_size_(map.cell_size), height_(map.map.height()) {}
+
+Point MapFrame::metres(Point cell) const {
+    return {origin_.x + (cell.x + 0.5) * cell_size_, origin_.y + (height_ - 0.5 - cell.y) * cell_size_};
+}
+
+}  // namespace waybreaker::io

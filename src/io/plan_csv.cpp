@@ -1,0 +1,65 @@
+#include "io/plan_csv.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "io/map_frame.hpp"
+#include "io/shortest_text.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+// A name as CSV (RFC 4180) has it.
+std::string field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string decimals(double value, double per_unit) {
+    return shortest_text(std::round(value * per_unit) / per_unit);
+}
+
+// The obstacle that the air agent opens at that point of its path, at the end of its stay.
+std::string breach_at(const Plan& plan, const AgentPlan& agent, std::size_t i) {
+    const Waypoint& point = agent.path[i];
+    if (agent.kind != AgentKind::air || (i + 1 < agent.path.size() && agent.path[i + 1] == point)) return "";
+    for (const Removal& removal : plan.removed) {
+        if (point == Waypoint{double(removal.at.x), double(removal.at.y), removal.cleared_at}) {
+            return std::to_string(removal.obstacle.value);
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string plan_csv(const Plan& plan, const MapFile& map) {
+    constexpr double millimetres = 1e3;
+    constexpr double degrees = 1e9;
+    const MapFrame frame(map);
+    std::optional<geo::ToLonLat> to_lon_lat;
+    if (map.georeference) to_lon_lat.emplace(*map.georeference);
+    std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches\n";
+    for (const AgentPlan& agent : plan.agents) {
+        const bool air = agent.kind == AgentKind::air;
+        for (std::size_t i = 0; i < agent.path.size(); ++i) {
+            const Waypoint& point = agent.path[i];
+            const Point place = frame.metres({point.x, point.y});
+            text += field(agent.id) + (air ? ",air," : ",ground,") + shortest_text(point.t) + "," +
+                    shortest_text(point.x) + "," + shortest_text(point.y) + "," + decimals(place.x, millimetres) + "," +
+                    decimals(place.y, millimetres) + ",";
+            if (to_lon_lat) {
+                const auto [lon, lat] = (*to_lon_lat)(point.x, point.y);
+                text += decimals(lon, degrees) + "," + decimals(lat, degrees) + ",";
+            } else {
+                text += ",,";
+            }
+            text += breach_at(plan, agent, i) + "\n";
+        }
+    }
+    return text;
+}
+
+}  // namespace waybreaker::io

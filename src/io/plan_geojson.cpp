@@ -1,0 +1,73 @@
+#include "io/plan_geojson.hpp"
+
+#include "io/lon_lat_json.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json feature(Json properties, Json geometry) {
+    return {{"type", "Feature"}, {"properties", std::move(properties)}, {"geometry", std::move(geometry)}};
+}
+
+Json path_feature(const geo::ToLonLat& to_lon_lat, const AgentPlan& agent) {
+    Json line = Json::array();
+    Json times = Json::array();
+    for (const Waypoint& point : agent.path) {
+        line.push_back(position_json(to_lon_lat, {point.x, point.y}));
+        times.push_back(point.t);
+    }
+    // Who stays where he is has a line all the same, of no length.
+    if (line.size() == 1) {
+        line.push_back(line.front());
+        times.push_back(times.front());
+    }
+    const char* const kind = agent.kind == AgentKind::ground ? "ground" : "air";
+    return feature({{"role", "path"},
+                    {"agent", agent.id},
+                    {"kind", kind},
+                    {"speed", agent.speed},
+                    {"arrives_at", agent.path.back().t},
+                    {"times", std::move(times)}},
+                   {{"type", "LineString"}, {"coordinates", std::move(line)}});
+}
+
+Json properties_of(const Removal& removal, const char* role, std::size_t order) {
+    Json properties{{"role", role}, {"order", order}, {"obstacle", removal.obstacle.value}};
+    properties["source_id"] = removal.source_id != 0 ? Json(removal.source_id) : Json();
+    properties["cells"] = removal.cells;
+    properties["cleared_at"] = removal.cleared_at;
+    properties["entered_at"] = removal.entered_at ? Json(*removal.entered_at) : Json();
+    return properties;
+}
+
+}  // namespace
+
+std::string plan_geojson(const Plan& plan, const MapFile& map) {
+    if (!map.georeference) {
+        throw InputError(map.source +
+                         ": GeoJSON needs longitude and latitude, but the map does not say where it lies on earth; "
+                         "--csv and --ros-path do without");
+    }
+    const geo::ToLonLat to_lon_lat(*map.georeference);
+    const std::vector<std::vector<geo::Polygon>> outlines = geo::outlines(map.map);
+    std::vector<Json> features;
+    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
+        const Removal& removal = plan.removed[i];
+        features.push_back(feature(properties_of(removal, "removed", i + 1),
+                                   polygons_json(to_lon_lat, outlines[removal.obstacle.value])));
+    }
+    for (const AgentPlan& agent : plan.agents) features.push_back(path_feature(to_lon_lat, agent));
+    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
+        const Json place{{"type", "Point"}, {"coordinates", position_json(to_lon_lat, plan.removed[i].at)}};
+        features.push_back(feature(properties_of(plan.removed[i], "breach", i + 1), place));
+    }
+    Json head = Json::object();
+    if (!map.title.empty()) head["title"] = map.title;
+    if (!map.attribution.empty()) head["attribution"] = map.attribution;
+    return collection_text(head, features);
+}
+
+}  // namespace waybreaker::io

@@ -1,0 +1,18 @@
+// Plans as GeoJSON (RFC 7946): for every GIS, over any base map.
+//
+// Features have a property `role`: `path` (a line, with the time at each of its points), `breach` (a point, where the
+// air agent opens an obstacle) and `removed` (the obstacle's cells as polygons, with its id in the source). Longitude
+// and latitude have 9 decimals, a tenth of a millimetre.
+#pragma once
+
+#include <string>
+
+#include "io/map_file.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker::io {
+
+// Precondition: the plan is one for this map. Throws InputError if the map does not say where it lies on earth.
+std::string plan_geojson(const Plan& plan, const MapFile& map);
+
+}  // namespace waybreaker::io
