@@ -31,6 +31,7 @@ struct CrossingOptions {
     // Crossed for nothing, as if they were gone; and never crossed. Indestructible obstacles never are.
     std::span<const ObstacleId> removed = {};
     std::span<const ObstacleId> protect = {};
+    std::span<const ObstacleId> only = {};  // if not empty: no others are crossed
     // weights[id], > 0, of every obstacle (entry 0 is not used): then their sum is limited to `budget` as well.
     std::span<const double> weights = {};
     double budget = std::numeric_limits<double>::infinity();

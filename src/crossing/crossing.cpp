@@ -235,7 +235,7 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
         return !id || std::find(options.removed.begin(), options.removed.end(), id) != options.removed.end();
     };
     if (!stands(start) || !stands(goal)) return result_;
-    fan_.start_query(map, options.body, goal_, options.protect, options.weights);
+    fan_.start_query(map, goal_, options);
     search_ellipses(2 * options.length_limit);
     result_.generated = result_.expanded + open_.size();
     return result_;

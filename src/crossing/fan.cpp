@@ -5,14 +5,13 @@
 
 namespace waybreaker {
 
-void Fan::start_query(const Map& map, Body body, Vertex goal, std::span<const ObstacleId> protect,
-                      std::span<const double> weights) {
+void Fan::start_query(const Map& map, Vertex goal, const CrossingOptions& options) {
     map_ = &map;
-    body_ = body;
+    body_ = options.body;
     goal_ = goal;
-    bends_ = &bends_of_[body == Body::square ? 0 : 1];
-    bends_->start_query(map, body);
-    ray_.start_query(map, body, protect, weights);
+    bends_ = &bends_of_[body_ == Body::square ? 0 : 1];
+    bends_->start_query(map, body_);
+    ray_.start_query(map, options);
 }
 
 std::span<const Reached> Fan::look(const Viewpoint& from, bool alternatives) {

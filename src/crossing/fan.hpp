@@ -54,8 +54,7 @@ struct Reached {
 
 class Fan {
   public:
-    void start_query(const Map& map, Body body, Vertex goal, std::span<const ObstacleId> protect,
-                     std::span<const double> weights);
+    void start_query(const Map& map, Vertex goal, const CrossingOptions& options);
 
     // All corners and the goal that a shortest path can go to next. `alternatives`: also when the goal itself is in
     // reach. What is returned lives until the next call.

@@ -15,11 +15,12 @@ void Ray::Free::operator()(void* memory) const {
     std::free(memory);
 }
 
-void Ray::start_query(const Map& map, Body body, std::span<const ObstacleId> protect, std::span<const double> weights) {
+void Ray::start_query(const Map& map, const CrossingOptions& options) {
     map_ = &map;
     touching_ = map.obstacles_touch();
-    reach_ = reach_of(body);
-    weights_ = weights;
+    reach_ = reach_of(options.body);
+    weights_ = options.weights;
+    allows_some_ = !options.only.empty();
     const std::size_t count = map.obstacles().size() + 1;
     // Fresh pages are zero and cost nothing until used: a big map costs no more than what the rays see of it.
     if (count > mark_count_ || query_ > UINT32_MAX / 2 || opening_ > UINT32_MAX / 2 || ray_ > UINT32_MAX / 2) {
@@ -29,7 +30,8 @@ void Ray::start_query(const Map& map, Body body, std::span<const ObstacleId> pro
         query_ = opening_ = ray_ = 0;
     }
     ++query_;
-    for (const ObstacleId id : protect) marks_[id.value].protect = query_;
+    for (const ObstacleId id : options.protect) marks_[id.value].protect = query_;
+    for (const ObstacleId id : options.only) marks_[id.value].allow = query_;
 }
 
 void Ray::set_open(std::span<const std::uint32_t> obstacles) {
@@ -209,7 +211,9 @@ void Ray::stop(double at) {
 }
 
 bool Ray::solid(std::uint32_t obstacle) const {
-    return marks_[obstacle].protect == query_ || !map_->obstacle(ObstacleId{obstacle}).destructible;
+    const Mark& mark = marks_[obstacle];
+    return mark.protect == query_ || (allows_some_ && mark.allow != query_) ||
+           !map_->obstacle(ObstacleId{obstacle}).destructible;
 }
 
 // A point that slides along cell edges crosses what fills both sides.

@@ -30,8 +30,7 @@ struct Squeeze {
 
 class Ray {
   public:
-    // The obstacles of a new query: those of `protect` and the indestructible ones are never passed.
-    void start_query(const Map& map, Body body, std::span<const ObstacleId> protect, std::span<const double> weights);
+    void start_query(const Map& map, const CrossingOptions& options);
 
     // Obstacles that the next rays pass as if they were gone.
     void set_open(std::span<const std::uint32_t> obstacles);
@@ -59,6 +58,7 @@ class Ray {
         std::uint32_t ray = 0;      // the ray that met it
         std::uint32_t hit = 0;      // its index in hits_, if so
         std::uint32_t protect = 0;  // the query that protects it
+        std::uint32_t allow = 0;    // the query that allows it alone, with others
     };
     struct Free {
         void operator()(void* memory) const;
@@ -88,6 +88,7 @@ class Ray {
     const Map* map_ = nullptr;
     int reach_ = 2;
     bool touching_ = false;
+    bool allows_some_ = false;  // and no others
     std::span<const double> weights_;
     std::unique_ptr<Mark[], Free> marks_;
     std::size_t mark_count_ = 0;

@@ -18,6 +18,7 @@ void validate(const Map& map, const CrossingOptions& options) {
     if (options.crossings < 0) throw InputError("the number of crossings cannot be negative");
     check_ids(options.removed, "remove");
     check_ids(options.protect, "protect");
+    check_ids(options.only, "cross");
     if (!(options.budget >= 0)) throw InputError("the budget cannot be negative");
     if (options.weights.empty()) return;
     if (options.weights.size() != map.obstacles().size() + 1) {

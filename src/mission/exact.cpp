@@ -86,12 +86,9 @@ Candidate candidate_of(std::vector<ObstacleId> removed, const CrossingResult& re
 // The shortest path that crosses none but some obstacles: that is quickly found.
 CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
                            double longest) {
+    if (obstacles.empty()) return {};
     CrossingOptions options = crossing_options(task, body_of(task), longest, infinity);
-    std::vector<ObstacleId> protect = task.options.protect;
-    for (const Obstacle& obstacle : task.map.obstacles()) {
-        if (std::ranges::find(obstacles, obstacle.id) == obstacles.end()) protect.push_back(obstacle.id);
-    }
-    options.protect = protect;
+    options.only = obstacles;
     return crossing.find(task.map, task.driver.start, task.driver.goal, options);
 }
 
@@ -120,10 +117,6 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
     const Stopwatch watch;
     std::vector<Draft> drafts;
     double best = cost(task, nothing);
-    CrossingOptions options = crossing_options(task, body_of(task), longest_path(task, best), deadline.left());
-    // Not much longer than a point's.
-    options.expected = longest_path(task, bound.objective);
-
     const auto beats_best = [&](const CrossingPath& path) {
         return task.objective(path.cost / task.driver.speed, straight_flight(task)) < best * (1 - rounding);
     };
@@ -137,15 +130,19 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
         best = std::min(best, cost(task, drafts.back()));
     };
 
-    // Most often the very first set cannot be beaten, and finding it alone is faster.
+    const auto try_within = [&](std::span<const ObstacleId> likely) {
+        const CrossingResult found = find_within(task, crossing, likely, longest_path(task, best));
+        if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
+    };
+
+    // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
+    try_within(bound.removed);
+    CrossingOptions options =
+        crossing_options(task, body_of(task), longest_path(task, best) * (1 - rounding), deadline.left());
+    options.expected = longest_path(task, bound.objective);
     const CrossingResult first = crossing.find(task.map, task.driver.start, task.driver.goal, options);
     if (!first.best.path.empty() && beats_best(first.best)) try_out(first.best, first);
     if (first.status == SearchStatus::limit_reached) {
-        const auto try_within = [&](std::span<const ObstacleId> likely) {
-            const CrossingResult found = find_within(task, crossing, likely, longest_path(task, best));
-            if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
-        };
-        try_within(bound.removed);
         if (drafts.empty()) try_within(chosen_by_hits(task, search_counting_hits(task, searcher).hits));
     }
     if (first.status != SearchStatus::found || !beats_best(first.best)) return drafts;
