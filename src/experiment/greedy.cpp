@@ -1,6 +1,8 @@
 // The greedy method: again and again the one obstacle whose removal shortens the ground path most. Each step is
 // proven by the crossing search, the whole is not: two obstacles may only gain together.
 
+#include <chrono>
+
 #include "experiment/evaluate.hpp"
 #include "waybreaker/schedule.hpp"
 
@@ -38,8 +40,13 @@ Result Evaluator::plan_greedily(const Map& map, const ExperimentMission& mission
         options.stop = stop;
         return crossing_.find(map, mission.start, mission.goal, options);
     };
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point begin = Clock::now();
+    const auto seconds = [&begin] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
     Result result;
     result.before = result.after = scheduled(map, mission, search(0, {}), {}, result);
+    result.before.seconds = result.after.seconds = seconds();
+    begin = Clock::now();
     std::vector<ObstacleId> removed;
     while (std::ssize(removed) < removals) {
         const CrossingResult next = search(1, removed);
@@ -50,6 +57,7 @@ Result Evaluator::plan_greedily(const Map& map, const ExperimentMission& mission
         const bool better =
             further.after.makespan && (!result.after.makespan || *further.after.makespan < *result.after.makespan);
         if (better) result = further;
+        result.after.seconds = seconds();
     }
     result.status = result.after.makespan ? ResultStatus::solved : ResultStatus::no_plan;
     return result;

@@ -1,4 +1,6 @@
 // PNG by librsvg from the SVG: one way of drawing, two formats (docs/adr/002-png-by-librsvg.md).
+#include "render/png.hpp"
+
 #include <cairo.h>
 #include <librsvg/rsvg.h>
 
@@ -46,11 +48,13 @@ cairo_status_t append(void* png, const unsigned char* bytes, unsigned int count)
 
 }  // namespace
 
-std::string png(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
-    const Document document = parse(svg(map, mission, plan, options));
+std::string png_of(const std::string& svg, double scale) {
+    const Document document = parse(svg);
     double width = 0;
     double height = 0;
     rsvg_handle_get_intrinsic_size_in_pixels(document.get(), &width, &height);
+    width *= scale;
+    height *= scale;
 
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(width), int(height)));
     const Context context(cairo_create(surface.get()));
@@ -61,6 +65,10 @@ std::string png(const Map& map, const Mission& mission, const Plan& plan, const 
     std::string bytes;
     if (cairo_surface_write_to_png_stream(surface.get(), append, &bytes) != CAIRO_STATUS_SUCCESS) fail(nullptr);
     return bytes;
+}
+
+std::string png(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
+    return png_of(svg(map, mission, plan, options));
 }
 
 }  // namespace waybreaker::render

@@ -1,0 +1,35 @@
+// Estimate: a mean over missions with its 95 % confidence interval.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace waybreaker::experiment {
+
+struct Estimate {
+    double mean = 0;
+    double low = 0;  // low = high = mean where the interval is unknown: fewer than two maps
+    double high = 0;
+    std::size_t count = 0;  // of missions
+};
+
+// Missions of one map are alike, so the maps are what is independent: the variance is that of the maps' sums (the
+// cluster- robust variance of a mean), the interval Student's with one degree of freedom fewer than there are maps.
+class Estimator {
+  public:
+    explicit Estimator(std::size_t maps) : maps_(maps) {}
+    void add(std::size_t map, double value);
+    Estimate estimate() const;
+
+  private:
+    struct OfMap {
+        double sum = 0;
+        std::size_t count = 0;
+    };
+    std::vector<OfMap> maps_;
+};
+
+// Half the width of a 95 % interval in standard errors. Precondition: degrees > 0.
+double student_95(std::size_t degrees);
+
+}  // namespace waybreaker::experiment

@@ -1,0 +1,103 @@
+#include "experiment/report.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "experiment/figures.hpp"
+#include "render/chart.hpp"
+#include "render/png.hpp"
+#include "render/xml_text.hpp"
+
+namespace waybreaker::experiment {
+namespace {
+
+constexpr double png_scale = 2;
+
+constexpr std::string_view style =
+    "body{font:16px/1.5 'DejaVu "
+    "Sans',Helvetica,Arial,sans-serif;color:#26231f;background:#fff;max-width:900px;margin:2em "
+    "auto;padding:0 1em}h1{font-size:1.6em}h2{font-size:1.2em;margin-top:2.5em}svg{max-width:100%;height:auto}"
+    "table{border-collapse:collapse;font-size:14px;font-variant-numeric:tabular-nums}th,td{padding:.25em .8em;"
+    "text-align:right;border-bottom:1px solid #e3ded6}th:first-child,td:first-child{text-align:left}"
+    "dl{display:grid;grid-template-columns:max-content 1fr;gap:.2em 1em}dt{color:#6a635a}dd{margin:0}"
+    "dd "
+    "p{margin:0}.note{color:#6a635a;font-size:14px}.ci{color:#6a635a}.wide{overflow-x:auto}code{overflow-wrap:"
+    "anywhere}";
+
+std::string escaped(const std::string& text) {
+    return render::xml_text(text, 10'000);
+}
+
+std::string cell(const std::optional<render::ChartPoint>& point) {
+    if (!point) return "<td></td>";
+    const double half = (point->high - point->low) / 2;
+    const std::string interval = half >= 100 ? fmt::format("{:.0f}", half) : fmt::format("{:.3g}", half);
+    return fmt::format("<td>{:.6g}{}</td>", point->y,
+                       half > 0 ? " <span class=\"ci\">&#177; " + interval + "</span>" : "");
+}
+
+// What is drawn, in numbers.
+std::string table(const render::Chart& chart) {
+    std::string html = "<div class=\"wide\"><table><tr><th>" + escaped(chart.x_label) + "</th>";
+    for (const std::string& category : chart.categories) html += "<th>" + escaped(category) + "</th>";
+    html += "</tr>\n";
+    for (const render::ChartSeries& series : chart.series) {
+        html += "<tr><td>" + escaped(series.name) + "</td>";
+        for (const auto& point : series.points) html += cell(point);
+        html += "</tr>\n";
+    }
+    return html + "</table></div>\n";
+}
+
+std::string section(const Figure& figure, const std::string& svg) {
+    std::string html = fmt::format("<h2 id=\"{}\">{}</h2>\n{}", figure.file, escaped(figure.chart.title), svg);
+    if (!figure.note.empty()) html += "<p class=\"note\">" + escaped(figure.note) + "</p>\n";
+    html += "<dl><dt>The paper</dt><dd>" + escaped(figure.says) + "</dd>\n<dt>Measured</dt><dd>";
+    for (const std::string& sentence : figure.measured) html += "<p>" + escaped(sentence) + "</p>\n";
+    return html + "</dd></dl>\n" + table(figure.chart);
+}
+
+std::string opening(const Summary& summary) {
+    const std::string title = summary.name.empty() ? "Experiment" : summary.name;
+    std::string html = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+        "<meta name=\"viewport\" content=\"width=device-width\"><title>{0}</title>"
+        "<style>{1}</style></head>\n<body><h1>{0}</h1>\n",
+        escaped(title), style);
+    const SetSummary& all = summary.all;
+    html += fmt::format(
+        "<p>{} missions; every mean is over the {} of them, on {} maps, that all methods solved and that have a "
+        "way without removal. &#177; is half of a 95 % confidence interval, which allows for missions of one "
+        "map being alike.</p>\n<p>Results:",
+        all.missions, all.compared, all.maps);
+    for (const auto& [status, count] : summary.statuses) html += fmt::format(" {} {};", count, escaped(status));
+    html += fmt::format(" {} missing. waybreaker {}, experiment <code>{}</code>.</p>\n", summary.missing,
+                        escaped(summary.version), escaped(summary.digest));
+    html +=
+        "<p>Compared with the figures of A. Andreychuk, K. Yakovlev: Path Finding for the Coalition of Co-operative "
+        "Agents "
+        "Acting in the Environment with Destructible Obstacles, ICR 2018, arXiv 1807.00771. There are no numbers in "
+        "the "
+        "paper but those quoted.</p>\n";
+    return html;
+}
+
+}  // namespace
+
+std::vector<ReportFile> report(const Summary& summary) {
+    std::vector<Figure> figures = paper_figures(summary.all);
+    if (summary.sets.size() > 1) figures.push_back(conjecture_figure(summary.sets));
+    std::string page = opening(summary);
+    std::vector<ReportFile> files;
+    for (const Figure& figure : figures) {
+        const std::string svg = render::chart_svg(figure.chart);
+        page += section(figure, svg);
+        files.push_back({figure.file + ".svg", svg});
+        files.push_back({figure.file + ".png", render::png_of(svg, png_scale)});
+    }
+    files.push_back({"index.html", page + "</body></html>\n"});
+    return files;
+}
+
+}  // namespace waybreaker::experiment

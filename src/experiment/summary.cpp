@@ -1,0 +1,162 @@
+#include "experiment/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace waybreaker::experiment {
+namespace {
+
+using MissionResults = std::span<const std::optional<Result>>;
+using Values = std::array<std::optional<double>, measure_count>;
+
+std::optional<double> percent(const std::optional<double>& value, double of) {
+    return value ? std::optional(100 * *value / of) : std::nullopt;
+}
+
+Values values(const Stage& stage, double straight) {
+    Values values;
+    values[std::size_t(Measure::nodes)] = double(stage.expanded);
+    values[std::size_t(Measure::search_ms)] = 1000 * stage.seconds;
+    values[std::size_t(Measure::path_a)] = stage.ground;
+    values[std::size_t(Measure::path_b)] = stage.air;
+    values[std::size_t(Measure::flowtime)] = stage.flowtime;
+    values[std::size_t(Measure::makespan)] = percent(stage.makespan, straight);
+    return values;
+}
+
+Values values(const Result& result, double straight) {
+    Values values = experiment::values(result.after, straight);
+    values[std::size_t(Measure::total_ms)] = 1000 * result.seconds;
+    values[std::size_t(Measure::bound)] = percent(result.bound, straight);
+    return values;
+}
+
+bool comparable(MissionResults row) {
+    return std::ranges::all_of(row, [](const std::optional<Result>& result) {
+        return result && result->status == ResultStatus::solved && result->before.makespan;
+    });
+}
+
+std::string name_of(const Configuration& one, bool weights_differ) {
+    const Planner usual = one.method == Method::paper || one.method == Method::none ? Planner::theta : Planner::optimal;
+    std::string name(word_for(one.method));
+    if (one.planner != usual) name += fmt::format(", {}", word_for(one.planner));
+    if (weights_differ && one.planner != Planner::optimal) name += fmt::format(", w = {}", one.weight);
+    return name;
+}
+
+// Adds up the missions of one set, or of all.
+class Collector {
+  public:
+    Collector(const Experiment& experiment, std::string name) : experiment_(experiment), name_(std::move(name)) {
+        std::set<double> weights;
+        for (const Configuration& one : experiment.configurations) {
+            weights.insert(one.weight);
+            most_ = std::max(most_, std::size_t(one.removals));
+        }
+        for (const Configuration& one : experiment.configurations) {
+            const std::size_t place = std::size_t(std::ranges::find_if(series_,
+                                                                       [&](const Configuration& other) {
+                                                                           return other.method == one.method &&
+                                                                                  other.planner == one.planner &&
+                                                                                  other.weight == one.weight;
+                                                                       }) -
+                                                  series_.begin());
+            if (place == series_.size()) {
+                series_.push_back(one);
+                names_.push_back(name_of(one, weights.size() > 1));
+            }
+            place_.push_back(place);
+        }
+        const Estimators none(measure_count, Estimator(experiment.maps.size()));
+        estimators_.assign(series_.size(), std::vector<Estimators>(most_ + 1, none));
+    }
+
+    void add(const ExperimentMission& mission, MissionResults row) {
+        ++missions_;
+        const double straight = distance(mission.start, mission.goal);
+        if (!comparable(row) || straight == 0) return;
+        ++compared_;
+        maps_.insert(mission.map);
+        std::vector<bool> has_before(series_.size(), false);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::size_t removals = std::size_t(experiment_.configurations[i].removals);
+            if (!has_before[place_[i]]) {
+                has_before[place_[i]] = true;
+                add_values(place_[i], 0, mission.map, values(row[i]->before, straight));
+            }
+            if (removals == 0) {  // what there is to know without removal, a configuration of its own knows
+                Values more;
+                more[std::size_t(Measure::total_ms)] = 1000 * row[i]->seconds;
+                more[std::size_t(Measure::bound)] = percent(row[i]->bound, straight);
+                add_values(place_[i], 0, mission.map, more);
+            }
+            if (removals > 0) add_values(place_[i], removals, mission.map, values(*row[i], straight));
+        }
+    }
+
+    std::size_t most_removals() const { return most_; }
+
+    SetSummary summary() const {
+        SetSummary summary{name_, missions_, compared_, maps_.size(), {}};
+        for (std::size_t i = 0; i < series_.size(); ++i) {
+            Series series{series_[i], names_[i], {}};
+            for (const Estimators& measures : estimators_[i]) {
+                auto& at = series.at.emplace_back();
+                for (std::size_t m = 0; m < measure_count; ++m) {
+                    const Estimate estimate = measures[m].estimate();
+                    if (estimate.count == compared_ && compared_ > 0) at[m] = estimate;
+                }
+            }
+            summary.series.push_back(std::move(series));
+        }
+        return summary;
+    }
+
+  private:
+    using Estimators = std::vector<Estimator>;  // by measure
+
+    void add_values(std::size_t series, std::size_t removals, std::uint32_t map, const Values& given) {
+        for (std::size_t m = 0; m < measure_count; ++m) {
+            if (given[m]) estimators_[series][removals][m].add(map, *given[m]);
+        }
+    }
+
+    const Experiment& experiment_;
+    std::string name_;
+    std::vector<Configuration> series_;
+    std::vector<std::string> names_;
+    std::vector<std::size_t> place_;  // by configuration: its series
+    std::size_t most_ = 0;
+    std::vector<std::vector<Estimators>> estimators_;  // by series and removals
+    std::size_t missions_ = 0;
+    std::size_t compared_ = 0;
+    std::set<std::uint32_t> maps_;
+};
+
+}  // namespace
+
+Summary summarise(Results& results) {
+    const Experiment& experiment = results.experiment();
+    Collector all(experiment, experiment.name);
+    std::vector<Collector> sets;
+    for (const std::string& set : experiment.sets) sets.emplace_back(experiment, set);
+    results.for_each_mission([&](const ExperimentMission& mission, MissionResults row) {
+        all.add(mission, row);
+        sets[mission.set].add(mission, row);
+    });
+    Summary summary{experiment.name,
+                    results.version(),
+                    experiment.digest,
+                    results.statuses(),
+                    results.missing(),
+                    all.summary(),
+                    {},
+                    all.most_removals()};
+    for (const Collector& set : sets) summary.sets.push_back(set.summary());
+    return summary;
+}
+
+}  // namespace waybreaker::experiment

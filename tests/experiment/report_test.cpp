@@ -1,0 +1,162 @@
+#include "experiment/report.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "experiment/estimate.hpp"
+#include "experiment/random.hpp"
+#include "small_experiment.hpp"
+
+namespace waybreaker::experiment {
+namespace {
+
+TEST(Estimate, IsTheMeanWithTheIntervalOfItsMaps) {
+    // One mission a map: the textbook interval, here mean 3, standard deviation 1.5811, 5 values, t = 2.7764.
+    Estimator plain(7);
+    for (const std::size_t i : {0U, 1U, 2U, 3U, 4U}) plain.add(i + 1, double(i) + 1);
+    const Estimate estimate = plain.estimate();
+    EXPECT_DOUBLE_EQ(estimate.mean, 3);
+    EXPECT_NEAR(estimate.high - estimate.mean, 2.7764 * 1.58114 / std::sqrt(5), 1e-4);
+    EXPECT_NEAR(estimate.mean - estimate.low, estimate.high - estimate.mean, 1e-12);
+    EXPECT_EQ(estimate.count, 5U);
+    // The same missions thrice on each map tell nothing more.
+    Estimator thrice(5);
+    for (const std::size_t i : {0U, 1U, 2U, 3U, 4U}) {
+        for (int k = 0; k < 3; ++k) thrice.add(i, double(i) + 1);
+    }
+    EXPECT_NEAR(thrice.estimate().high, estimate.high, 1e-12);
+    Estimator one(1);
+    one.add(0, 4);
+    EXPECT_EQ(one.estimate().low, one.estimate().high);
+    EXPECT_EQ(Estimator(3).estimate().count, 0U);
+}
+
+TEST(Estimate, CoversTheTruthInNinetyFiveOfAHundredCases) {
+    Random random(11);
+    int covered = 0;
+    constexpr int cases = 2000;
+    for (int i = 0; i < cases; ++i) {
+        Estimator estimator(20);
+        for (std::size_t map = 0; map < 20; ++map) {
+            const double of_map = random.below(1001) - 500;  // mean 0, shared by the map's missions
+            for (int k = 0; k < 8; ++k) estimator.add(map, of_map + random.below(101) - 50);
+        }
+        const Estimate estimate = estimator.estimate();
+        covered += estimate.low <= 0 && 0 <= estimate.high ? 1 : 0;
+    }
+    EXPECT_NEAR(double(covered) / cases, 0.95, 0.02);
+}
+
+TEST(Estimate, KnowsStudentsDistribution) {
+    EXPECT_NEAR(student_95(11), 2.2010, 1e-3);
+    EXPECT_NEAR(student_95(30), 2.0423, 1e-3);
+    EXPECT_NEAR(student_95(99), 1.9842, 1e-3);
+    EXPECT_NEAR(student_95(1'000'000), 1.95996, 1e-4);
+}
+
+class Report : public SmallExperiment {
+  protected:
+    Report() {
+        run_into("r.db");
+        Results results(path("r.db"));
+        files = report(summarise(results));
+    }
+    std::string file(const std::string& name) const {
+        const auto found = std::ranges::find(files, name, &ReportFile::name);
+        return found == files.end() ? "" : found->bytes;
+    }
+    // The part of the page on a figure.
+    std::string section(const std::string& figure) const {
+        const std::string page = file("index.html");
+        const std::size_t begin = page.find("<h2 id=\"" + figure + "\"");
+        return begin == std::string::npos ? "" : page.substr(begin, page.find("<h2", begin + 1) - begin);
+    }
+    std::string row(const std::string& figure, const std::string& series) const {
+        const std::string text = section(figure);
+        const std::size_t begin = text.find("<tr><td>" + series + "</td>");
+        return begin == std::string::npos ? "" : text.substr(begin, text.find("</tr>", begin) - begin);
+    }
+
+    std::vector<ReportFile> files;
+};
+
+// Asked of the database itself, by its own means: over missions that no configuration left unsolved.
+TEST_F(Report, SaysWhatTheDatabaseSays) {
+    SQLite::Database sql(path("r.db"));
+    const std::string compared =
+        "mission NOT IN (SELECT mission FROM rows WHERE status != 'solved' OR before_makespan IS NULL)";
+    EXPECT_EQ(sql.execAndGet("SELECT count(DISTINCT mission) FROM rows WHERE " + compared).getInt(), 4);
+    const std::map<std::string, std::string> measures{
+        {"figure-3-nodes", "_expanded"},
+        {"figure-4-runtime", "_seconds * 1000"},
+        {"figure-6-flowtime", "_flowtime"},
+        {"figure-7-makespan",
+         "_makespan * 100 / sqrt((goal_x - start_x) * (goal_x - start_x) + (goal_y - start_y) * (goal_y - start_y))"}};
+    const std::map<std::string, std::string> series{{"paper, w = 1", "method = 'paper' AND weight = 1"},
+                                                    {"paper, w = 2", "method = 'paper' AND weight = 2"},
+                                                    {"exact", "method = 'exact'"},
+                                                    {"greedy", "method = 'greedy'"}};
+    int numbers = 0;
+    for (const auto& [figure, column] : measures) {
+        for (const auto& [name, condition] : series) {
+            for (const int n : {0, 1, 2}) {
+                const std::string query =
+                    fmt::format("SELECT avg({}{}) FROM rows WHERE {} AND removals = {} AND {}",
+                                n == 0 ? "before" : "after", column, condition, std::max(n, 1), compared);
+                const double mean = sql.execAndGet(query).getDouble();
+                // Sums in another order differ in the last digits; six are shown.
+                const std::string text = row(figure, name);
+                const std::string shown = fmt::format("<td>{:.6g}", mean);
+                // Times before removal were measured in every configuration; the page has those of the first.
+                if (figure == "figure-4-runtime" && n == 0) continue;
+                EXPECT_NE(text.find(shown), std::string::npos)
+                    << figure << " " << name << " " << n << ": " << shown << " is not in " << text;
+                ++numbers;
+            }
+        }
+    }
+    EXPECT_EQ(numbers, 44);
+}
+
+TEST_F(Report, IsOnePageAndTheFiguresAsPictures) {
+    const std::string page = file("index.html");
+    for (const char* figure : {"figure-3-nodes", "figure-4-runtime", "figure-4b-whole-mission", "figure-5-lengths",
+                               "figure-6-flowtime", "figure-7-makespan"}) {
+        EXPECT_TRUE(file(std::string(figure) + ".png").starts_with("\x89PNG")) << figure;
+        EXPECT_NE(page.find(file(std::string(figure) + ".svg")), std::string::npos) << "the page holds " << figure;
+    }
+    EXPECT_EQ(files.size(), 13U) << "one set has no conjecture";
+    for (const char* foreign : {"src=", "<link", "<script", "url("}) EXPECT_EQ(page.find(foreign), std::string::npos);
+    EXPECT_NE(page.find("6 missions; every mean is over the 4 of them, on 2 maps"), std::string::npos);
+    EXPECT_NE(page.find("3 to 4 removed obstacles are best"), std::string::npos);
+}
+
+TEST_F(Report, ComparesSetsOfMissions) {
+    std::filesystem::copy(path("cities.scen"), path("mazes.scen"));
+    const std::string text = spec;
+    put("two.toml", "name = '<b>&'\nmissions = ['cities.scen', 'mazes.scen']\n" + text.substr(text.find("[[run]]")));
+    experiment = read_experiment(path("two.toml"));
+    run_into("two.db");
+    Results results(path("two.db"));
+    files = report(summarise(results));
+    EXPECT_NE(section("conjecture").find("<th>cities</th><th>mazes</th>"), std::string::npos);
+    EXPECT_NE(file("index.html").find("<h1>&lt;b&gt;&amp;</h1>"), std::string::npos);
+}
+
+TEST_F(Report, OfNothingIsStillAPage) {
+    experiment.missions.resize(5);
+    experiment.missions.erase(experiment.missions.begin(), experiment.missions.begin() + 4);  // ends in a wall
+    experiment.digest = "one";
+    run_into("one.db");
+    Results results(path("one.db"));
+    files = report(summarise(results));
+    EXPECT_NE(file("index.html").find("1 missions; every mean is over the 0 of them"), std::string::npos);
+    EXPECT_EQ(file("index.html").find("nan"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace waybreaker::experiment
