@@ -191,6 +191,7 @@ void Ray::meet(const Hit& hit) {
         if (stopped_ && hit.at >= stopped_at_) return;
         mark.hit = std::uint32_t(hits_.size());
         hits_.push_back(hit);
+        if (solid(hit.obstacle)) stop(hit.at);
         return;
     }
     if (stopped_ && hit.at >= stopped_at_) return;

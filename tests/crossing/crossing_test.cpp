@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -148,6 +149,44 @@ TEST(Crossing, HasNoPathFromOrToAPlaceThatIsClosed) {
     const CrossingResult result = searcher.find(map, {0, 0}, {3, 0}, {.removed = removed});
     EXPECT_EQ(result.status, SearchStatus::found);
     EXPECT_DOUBLE_EQ(result.best.length, 3);
+}
+
+// A ray that squeezes along an obstacle can meet it again in its way.
+TEST(Crossing, NeverPassesAProtectedObstacle) {
+    const std::string_view picture = R"(
+        G..
+        bba
+        Saa
+        .ca
+        ...)";
+    const Map map = map_from_ascii(picture);
+    const std::vector<ObstacleId> protect{map.obstacle_at(mark_in_ascii(picture, 'a'))};
+    const CrossingOptions options{.body = Body::point, .crossings = 1, .protect = protect};
+    CrossingSearcher().enumerate(map, {0, 2}, {0, 0}, options, [&](const CrossingPath& path) {
+        EXPECT_EQ(std::ranges::count(path.crossed, protect[0]), 0);
+        return true;
+    });
+}
+
+RC_GTEST_PROP(Crossing, OfSomeObstaclesOnlyIsThatWithAllOthersProtected, ()) {
+    CrossingCase problem = *any_case(8);
+    std::vector<ObstacleId> only;
+    std::vector<ObstacleId> others = problem.protect;
+    for (const Obstacle& obstacle : problem.map.obstacles()) {
+        (*number(0, 1) == 0 ? only : others).push_back(obstacle.id);
+    }
+    RC_PRE(!only.empty());
+    CrossingOptions some = problem.options();
+    some.only = only;
+    CrossingOptions rest = problem.options();
+    rest.protect = others;
+    CrossingSearcher searcher;
+    const CrossingResult a = searcher.find(problem.map, problem.start, problem.goal, some);
+    const CrossingResult b = searcher.find(problem.map, problem.start, problem.goal, rest);
+    RC_LOG() << problem;
+    RC_ASSERT(a.status == b.status);
+    RC_ASSERT(a.best.path == b.best.path);
+    RC_ASSERT(a.best.crossed == b.best.crossed);
 }
 
 TEST(Crossing, ListsObstaclesInTheOrderOfThePath) {
