@@ -5,7 +5,8 @@
 namespace waybreaker {
 
 bool Dominance::operator()(const Label& better, const Label& worse) const {
-    if (better.at == goal ? better.estimate > worse.estimate
+    constexpr double rounding = 1e-12;  // relative: one way to the goal in other pieces is told of once
+    if (better.at == goal ? better.estimate > worse.estimate * (1 + rounding)
                           : better.length > worse.length || better.least > worse.least) {
         return false;
     }
