@@ -70,7 +70,7 @@ class MissionPlanner {
   public:
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
     // and puts both agents in time. With timing enforced no plan is worse than to remove nothing, and more removals
-    // never cost more. Keeps its memory between calls; not for two threads at once.
+    // never cost more (unless a limit ended the choice). Keeps its memory between calls; not for two threads at once.
     Plan plan(const Map& map, const Mission& mission, const MissionOptions& options = {});
 
     // What each further removal gains: the plans for 0, 1, 2, ... removals, up to options.removals, as long as the

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mission/hits.hpp"
+#include "mission/shortcuts.hpp"
 #include "waybreaker/flight.hpp"
 
 namespace waybreaker {
@@ -143,7 +144,9 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
     const CrossingResult first = crossing.find(task.map, task.driver.start, task.driver.goal, options);
     if (!first.best.path.empty() && beats_best(first.best)) try_out(first.best, first);
     if (first.status == SearchStatus::limit_reached) {
-        if (drafts.empty()) try_within(chosen_by_hits(task, search_counting_hits(task, searcher).hits));
+        const std::vector<Point>& closed = nothing.candidate.ground.path;
+        try_within(closed.empty() ? chosen_by_hits(task, search_counting_hits(task, searcher).hits)
+                                  : chosen_by_shortcuts(task, closed));
     }
     if (first.status != SearchStatus::found || !beats_best(first.best)) return drafts;
 
