@@ -244,12 +244,11 @@ Hit Ray::edge_entry(const Frame& f, int x, int row, int across) const {
     return hit;
 }
 
-// A ray can squeeze past an obstacle in one place and face it in another: each such place is a hit of its own.
-void Ray::meet_beside(const Frame& f, const Hit& hit) {
-    const bool faces = (f.steep ? hit.side.y : hit.side.x) != 0;
+// A ray can squeeze past an obstacle in several places: where each begins is a hit of its own.
+void Ray::meet_beside(const Hit& hit, bool begins) {
     if (!met(hit.obstacle)) {
         meet(hit);
-    } else if (faces) {
+    } else if (begins) {
         hits_.push_back(hit);
     }
 }
@@ -269,13 +268,17 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
         return;
     }
     squeezes_.push_back({one.obstacle, other.obstacle, one.at});
+    const int back = x - sign(f.dx);
+    const bool begins = outside(f, back, upper) || outside(f, back, upper + 1) ||
+                        label(f, back, upper) != label(f, x, upper) ||
+                        label(f, back, upper + 1) != label(f, x, upper + 1);
     one.surely = other.surely = false;
     const bool counted = met(one.obstacle) || met(other.obstacle);
     const int crossings = crossings_left_ - (counted ? 0 : 1);
     const double weight_left = weight_left_ - (counted ? 0 : std::min(weight(one.obstacle), weight(other.obstacle)));
-    meet_beside(f, one);
+    meet_beside(one, begins);
     stopped_ = false;  // both are hit, whichever stops the ray
-    meet_beside(f, other);
+    meet_beside(other, begins);
     crossings_left_ = crossings;
     weight_left_ = weight_left;
     stopped_ = crossings_left_ < 0 || weight_left_ < 0 || (solid(one.obstacle) && solid(other.obstacle));

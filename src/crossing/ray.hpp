@@ -78,7 +78,7 @@ class Ray {
     void visit_cell(const Frame& frame, int x, int row);
     void visit_pair(const Frame& frame, int x, int upper);
     void meet(const Hit& hit);
-    void meet_beside(const Frame& frame, const Hit& hit);
+    void meet_beside(const Hit& hit, bool begins);
     void stop(double at);
     static bool outside(const Frame& frame, int x, int row);
     std::uint32_t label(const Frame& frame, int x, int row) const;
