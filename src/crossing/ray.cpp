@@ -86,14 +86,15 @@ void Ray::walk_line(const Frame& f) {
     Stairs high((f.x + reach_) * dy + high_y * f.dx - 1, 2 * std::int64_t(f.dx), 2 * dy);
     const std::uint64_t* words = f.grid->row(int(down * first_row));
     const std::ptrdiff_t next_row = down * std::ptrdiff_t(f.grid->words_per_row());
+    bool stopped = stopped_;
     for (std::int64_t row = first_row; row <= last_row; ++row, low.next(), high.next(), words += next_row) {
         const std::int64_t from = std::max(first, low.value() + 1);
         const std::int64_t to = std::min(last, high.value());
-        const bool stopped_before = stopped_;
-        if (stopped_ || (from <= to && any_bit(words, unsigned(from + 1), unsigned(to + 1))))
-            visit_run(f, int(down * row), from, to);
+        if (!stopped && (from > to || !any_bit(words, unsigned(from + 1), unsigned(to + 1)))) continue;
+        visit_run(f, int(down * row), from, to);
         // Boxes of the next row can begin before the end of this row's: one row more settles what was entered first.
-        if (stopped_ && (stopped_before || reach_ == 1)) return;
+        if (stopped_ && (stopped || reach_ == 1)) return;
+        stopped = stopped_;
     }
 }
 
