@@ -19,11 +19,13 @@ bool drives_itself(const Task& task) {
     return task.options.search.planner == Planner::optimal;
 }
 
-// Sets to try after the first. A search for each takes long, and so do schedules of many obstacles.
+// Sets to try after the first, and expansions to look for them. A search for each takes long, and so do schedules of
+// many obstacles; where breaching takes time, there are very many sets that could be better and hardly one that is.
 int patience(const Task& task) {
     if (!drives_itself(task)) return 8;
     return task.options.removals <= 3 ? 256 : 16;
 }
+constexpr std::uint64_t patient_expansions = 10'000;
 
 Body body_of(const Task& task) {
     return drives_itself(task) && task.radius() > 0 ? Body::square : Body::point;
@@ -115,7 +117,7 @@ Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searche
 std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
                                    const Draft& nothing, const Bound& bound, const Deadline& deadline) {
     if (task.options.removals == 0) return {};
-    const Stopwatch watch;
+    Stopwatch searching;  // since the last draft
     std::vector<Draft> drafts;
     double best = cost(task, nothing);
     const auto beats_best = [&](const CrossingPath& path) {
@@ -125,10 +127,11 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
         if (path.crossed.empty()) return;
         CrossingResult found = search;
         found.best = path;
-        Candidate candidate = drives_itself(task) ? candidate_of(path.crossed, found, watch.seconds())
+        Candidate candidate = drives_itself(task) ? candidate_of(path.crossed, found, searching.seconds())
                                                   : ground_candidate(task, crossing, searcher, path.crossed);
         drafts.push_back(draft_of(task, std::move(candidate)));
         best = std::min(best, cost(task, drafts.back()));
+        searching = {};
     };
 
     const auto try_within = [&](std::span<const ObstacleId> likely) {
@@ -152,18 +155,20 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
 
     options.length_limit = longest_path(task, best);
     options.time_limit = deadline.left();
+    options.expansion_limit = std::min(options.expansion_limit, patient_expansions);
     CrossingSearcher others;
     int tried = 0;
     bool gave_up = false;
-    others.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
+    const auto try_next = [&](const CrossingPath& path) {
         if (!beats_best(path)) return false;
         gave_up = tried == patience(task);
         if (gave_up) return false;
         ++tried;
         if (path.crossed != first.best.crossed) try_out(path, first);
         return !deadline.passed();
-    });
-    if (gave_up) {  // what fewer removals reach, more must reach as well
+    };
+    const CrossingResult rest = others.enumerate(task.map, task.driver.start, task.driver.goal, options, try_next);
+    if (gave_up || rest.status == SearchStatus::limit_reached) {  // what fewer removals reach, more must reach as well
         MissionOptions fewer = task.options;
         --fewer.removals;
         const Task less{task.map, task.driver, task.flyer, fewer};
