@@ -1,5 +1,8 @@
-// `waybreaker import`: a city map from building footprints.
+// `waybreaker import`: a city map from map data, or a folder of them.
 #include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
 
 #include "commands.hpp"
 #include "geo/city_import.hpp"
@@ -8,6 +11,7 @@
 #include "map_summary.hpp"
 #include "option.hpp"
 #include "progress.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -15,6 +19,8 @@ namespace {
 struct ImportOptions {
     std::string source;
     std::string output;
+    bool center = false;  // given
+    std::optional<double> tile;
     geo::ImportOptions window;
 };
 
@@ -23,14 +29,122 @@ geo::ImportReport import_with_progress(const ImportOptions& options) {
     return geo::import_city(options.source, options.window);
 }
 
-void run(const ImportOptions& options) {
+std::string summary_line(const std::string& file, const geo::ImportReport& report, const char* things) {
+    const Map& map = report.tiff.map;
+    return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}, {} obstacles, {:.1f} % blocked\n", file, map.width(),
+                       map.height(), report.tiff.cell_size, report.buildings, things, map.obstacles().size(),
+                       100 * summarise(map).density);
+}
+
+const char* things_of(const ImportOptions& options) {
+    return options.window.choice.obstacles.empty() ? "buildings" : "features";
+}
+
+void import_one(const ImportOptions& options) {
     const geo::ImportReport report = import_with_progress(options);
     io::write_whole(options.output, geo::label_tiff_bytes(report.tiff));
-    if (options.output == "-") return;
-    const Map& map = report.tiff.map;
-    io::write_whole("-", fmt::format("{}: {} x {} cells of {:.6g} m, {} buildings, {} obstacles, {:.1f} % blocked\n",
-                                     options.output, map.width(), map.height(), report.tiff.cell_size, report.buildings,
-                                     map.obstacles().size(), 100 * summarise(map).density));
+    if (options.output != "-") io::write_whole("-", summary_line(options.output, report, things_of(options)));
+}
+
+// Files ROW_COLUMN.tif in a folder.
+void import_folder(const ImportOptions& options) {
+    namespace fs = std::filesystem;
+    std::error_code failure;
+    fs::create_directories(options.output, failure);
+    if (failure || !fs::is_directory(options.output)) {
+        throw InputError(fmt::format("cannot make the folder {}: {}", options.output, failure.message()));
+    }
+    std::string lines;
+    std::size_t count = 0;
+    const auto write = [&](const geo::ImportTile& tile) {
+        const std::string name = fmt::format("{:02}_{:02}.tif", tile.row, tile.column);
+        io::write_whole((fs::path(options.output) / name).string(), geo::label_tiff_bytes(tile.report.tiff));
+        lines += summary_line(name, tile.report, things_of(options));
+        ++count;
+    };
+    std::size_t all = 0;
+    {
+        const Progress progress("reading " + options.source);
+        all = geo::import_tiles(options.source, options.window, *options.tile, write);
+    }
+    io::write_whole("-", lines + fmt::format("{}: {} maps; {} of {} tiles have no obstacle\n", options.output, count,
+                                             all - count, all));
+}
+
+void run(const ImportOptions& options) {
+    if (options.center == options.window.box.has_value()) {
+        throw InputError("give the window either by --center (and --size) or by --bbox");
+    }
+    if (!options.tile) return import_one(options);
+    if (options.output == "-") throw InputError("--tile writes a folder: give its name as --output");
+    import_folder(options);
+}
+
+void add_filters(CLI::App& command, const std::string& name, std::vector<geo::TagFilter>& filters,
+                 const std::string& text) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, &filters](const std::string& given) {
+                try {
+                    filters.push_back(geo::parse_tag_filter(given));
+                } catch (const InputError& error) {
+                    throw CLI::ValidationError(name, error.what());
+                }
+            },
+            text)
+        ->type_name("TAG")
+        ->trigger_on_parse();
+}
+
+void add_quantity(CLI::App& command, const std::string& name, geo::Quantity& quantity, const std::string& text) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, &quantity](const std::string& given) {
+                try {
+                    quantity = geo::parse_quantity(given);
+                } catch (const InputError& error) {
+                    throw CLI::ValidationError(name, error.what());
+                }
+            },
+            text)
+        ->type_name("WHAT");
+}
+
+void add_window_options(CLI::App& command, const std::shared_ptr<ImportOptions>& options) {
+    geo::ImportOptions& window = options->window;
+    add_lon_lat(command, "--center", window.longitude, window.latitude,
+                "Centre of the window, in degrees east and north")
+        ->each([options](const std::string&) { options->center = true; });
+    add_number(
+        command, "--size", [options](double size) { options->window.size = size; }, 0, "METRES",
+        fmt::format("Side of the window around the centre (default: {})", window.size));
+    add_box(command, "--bbox", window.box, "The window by its edges, in degrees, in place of centre and size");
+    add_number(
+        command, "--cell", [options](double cell) { options->window.cell = cell; }, 0, "METRES",
+        fmt::format("Side of a cell (default: {})", window.cell));
+    add_number(
+        command, "--tile", [options](double side) { options->tile = side; }, 0, "METRES",
+        "Cut the window into squares of that side, and write a folder with a map of each, ROW_COLUMN.tif");
+}
+
+void add_choice_options(CLI::App& command, geo::ObstacleChoice& choice) {
+    add_filters(command, "--obstacles", choice.obstacles,
+                "What is an obstacle: a tag, building or natural=water or barrier=wall,fence, or * for everything; can "
+                "be given several times (default: building)");
+    add_number(
+        command, "--wall-width", [&choice](double width) { choice.wall_width = width; }, 0, "METRES",
+        "Width of obstacles that are lines in the source, such as walls (default, and least: a cell)");
+    add_filters(command, "--destructible", choice.destructible,
+                "Only obstacles with this tag can be destroyed; can be given several times");
+    add_filters(command, "--protected", choice.protect,
+                "Obstacles with this tag cannot be destroyed; can be given several times");
+    add_quantity(command, "--obstacle-weight", choice.weight,
+                 "What each obstacle weighs against a budget: area (square metres), or the number that a tag says, "
+                 "building:levels for one; with *FACTOR if it is to be scaled (default: 1 each)");
+    add_quantity(command, "--obstacle-breach-time", choice.breach_time,
+                 "How long the breach of each obstacle takes, as above (default: 0)");
 }
 
 }  // namespace
@@ -41,25 +155,23 @@ void setup_import(CLI::App& root, Run& run_chosen) {
                                             "Make a map from the buildings of a city\n\n"
                                             "Reads building footprints from any vector source GDAL knows "
                                             "(OpenStreetMap .osm.pbf, .osm, .osm.gz, shapefile, "
-                                            "GeoJSON), projects them to the local UTM zone and writes a square window "
+                                            "GeoJSON), projects them to the local UTM zone and writes a window "
                                             "as a GeoTIFF label map. Every building "
                                             "is an obstacle and keeps its OpenStreetMap id.");
     add_file(*command, "SOURCE", options->source, "File with building footprints")->required();
-    add_lon_lat(*command, "--center", options->window.longitude, options->window.latitude,
-                "Centre of the window, in degrees east and north")
-        ->required();
-    add_number(
-        *command, "--size", [window = &options->window](double size) { window->size = size; }, 0, "METRES",
-        fmt::format("Side of the window (default: {})", options->window.size));
-    add_number(
-        *command, "--cell", [window = &options->window](double cell) { window->cell = cell; }, 0, "METRES",
-        fmt::format("Side of a cell (default: {})", options->window.cell));
+    add_window_options(*command, options);
+    add_choice_options(*command, options->window.choice);
     command->add_flag("--merge-touching", options->window.merge_touching,
                       "Buildings that touch are one obstacle, as in the paper");
-    add_file(*command, "-o,--output", options->output, "The map to write")->required();
-    set_examples(*command, {"waybreaker import turin_buildings.shp --center 7.674,45.069 -o turin.tif",
-                            "waybreaker import berlin-mitte.osm.gz --center 13.383,52.5213 --size 600 --cell 1.2 "
-                            "--merge-touching -o berlin.tif"});
+    add_file(*command, "-o,--output", options->output, "The map to write; with --tile the folder")->required();
+    set_examples(*command,
+                 {"waybreaker import turin_buildings.shp --center 7.674,45.069 -o turin.tif",
+                  "waybreaker import berlin-mitte.osm.gz --center 13.383,52.5213 --size 600 --cell 1.2 "
+                  "--merge-touching -o berlin.tif",
+                  "waybreaker import monaco.osm.pbf --bbox 7.41,43.725,7.43,43.74 --obstacles building "
+                  "--obstacles barrier=wall --obstacles natural=water --protected natural=water "
+                  "--obstacle-weight area -o monaco.tif",
+                  "waybreaker import kyoto.osm.gz --center 135.765,34.96 --size 3607.2 --tile 1202.4 -o kyoto"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }
 

@@ -40,7 +40,8 @@ void setup_map_convert(CLI::App& map, Run& run_chosen) {
     CLI::App* command = map.add_subcommand(
         "convert",
         "Write a map in another format\n\n"
-        "The end of OUT's name says which: .map (MovingAI), .xml (the authors' task file), .tif (labels), .yaml (ROS, "
+        "The end of OUT's name says which: .map (MovingAI), .xml (the authors' task file), .tif (labels), .geojson, "
+        ".yaml (ROS, "
         "with a .pgm beside it), .png, .pgm. What the format cannot hold of the map is told on standard error. A ROS "
         "map comes back as it was, to the byte.");
     add_file(*command, "IN", options->in, "A map of any format that is read")->required();

@@ -69,6 +69,27 @@ CLI::Option* add_lon_lat(CLI::App& app, const std::string& name, double& lon, do
     return add(app, name, read, "LON,LAT", text);
 }
 
+CLI::Option* add_box(CLI::App& app, const std::string& name, std::optional<std::array<double, 4>>& value,
+                     const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        std::array<double, 4> box{};
+        const std::vector<std::string> edges = CLI::detail::split(given + ",", ',');
+        bool good = edges.size() == box.size();
+        for (std::size_t i = 0; good && i < box.size(); ++i) {
+            const auto edge = number<double>(edges[i]);
+            good = edge && std::abs(*edge) <= 180;
+            box[i] = edge.value_or(0);
+        }
+        if (!good) {
+            throw CLI::ValidationError(
+                name, fmt::format("'{}' is no box: W,S,E,N are its edges in degrees, such as 13.37,52.51,13.41,52.53",
+                                  given));
+        }
+        value = box;
+    };
+    return add(app, name, read, "W,S,E,N", text);
+}
+
 CLI::Option* add_count(CLI::App& app, const std::string& name, const std::function<void(std::int64_t)>& assign,
                        std::int64_t least, std::int64_t most, const std::string& text) {
     const auto read = [name, assign, least, most](const std::string& given) {

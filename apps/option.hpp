@@ -5,6 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -23,6 +24,10 @@ CLI::Option* add_cell(CLI::App& app, const std::string& name, std::optional<Cell
 
 // "13.41,52.52"
 CLI::Option* add_lon_lat(CLI::App& app, const std::string& name, double& lon, double& lat, const std::string& text);
+
+// "13.37,52.51,13.41,52.53": west, south, east, north
+CLI::Option* add_box(CLI::App& app, const std::string& name, std::optional<std::array<double, 4>>& value,
+                     const std::string& text);
 
 // A whole number from `least` to `most`.
 CLI::Option* add_count(CLI::App& app, const std::string& name, const std::function<void(std::int64_t)>& assign,

@@ -55,7 +55,7 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
         command, "--air-speed", [&options](double speed) { options.air_speed = speed; }, 0, "SPEED",
         "Cells per unit of time that the air agent flies (default: 1)");
     add_duration(command, "--breach-time", options.breach_time.per_obstacle,
-                 "How long the air agent stays to breach an obstacle (default: 0)");
+                 "How long the air agent stays to breach an obstacle, beside what the map says of each (default: 0)");
     add_duration(command, "--breach-time-per-cell", options.breach_time.per_cell,
                  "How much longer for each cell of the obstacle (default: 0)");
     add_obstacles(command, "--protect", options.protect, "Obstacles that must stay");
@@ -76,7 +76,8 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
                "(default: exact)");
     add_number(
         command, "--budget", [&options](double budget) { options.budget = budget; }, 0, "WEIGHT",
-        "What the removed obstacles may weigh together, each 1 unless --weights says otherwise; alone it stands in "
+        "What the removed obstacles may weigh together, each 1 unless the map or --weights says otherwise; alone it "
+        "stands in "
         "place of a count");
     add_file(command, "--weights", options.weights,
              "Weights of obstacles: a file with lines \"ID WEIGHT\", or the word cells for each obstacle's number of "
@@ -135,13 +136,13 @@ bool needs_search(const PlanOptions& options) {
     return options.heuristic || options.weight || options.tie_break || !options.trace.empty();
 }
 
+// As the map says, unless something else is asked for.
 std::vector<double> weights_of(const std::string& source, const Map& map) {
-    if (source == "cells") {
-        std::vector<double> weights{0};
-        for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
-        return weights;
-    }
-    return source.empty() ? std::vector<double>(map.obstacles().size() + 1, 1) : io::read_weights(source, map);
+    if (!source.empty() && source != "cells") return io::read_weights(source, map);
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles())
+        weights.push_back(source.empty() ? obstacle.weight : obstacle.cells);
+    return weights;
 }
 
 std::string word_for(Planner planner) {

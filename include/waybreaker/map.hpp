@@ -22,12 +22,16 @@ struct Obstacle {
     Box bounds;
     bool destructible = true;
     std::int64_t source_id = 0;  // who it is in the source, e.g. its OpenStreetMap id; 0 = unknown
+    double weight = 1;           // what its removal counts for against a budget, > 0
+    double breach_time = 0;      // how long its breach takes, beside what the mission says for all; >= 0
 };
 
 // What a label layer knows of one of its labels; index it by label, entry 0 is not used.
 struct ObstacleAttributes {
     bool destructible = true;
     std::int64_t source_id = 0;
+    double weight = 1;
+    double breach_time = 0;
 };
 
 class Map {

@@ -15,11 +15,14 @@ enum class Objective { makespan, flowtime };
 // `enforce`: an obstacle is solid until it has been breached; `ignore`: removed obstacles never were there (the paper).
 enum class Timing { enforce, ignore };
 
-// How long the air agent stays at a breach point until the obstacle is gone, in units of time.
+// How long the air agent stays at a breach point until the obstacle is gone, in units of time: what the map says of the
+// obstacle, and this.
 struct BreachTime {
     double per_obstacle = 0;
     double per_cell = 0;
-    double of(const Obstacle& obstacle) const { return per_obstacle + per_cell * obstacle.cells; }
+    double of(const Obstacle& obstacle) const {
+        return obstacle.breach_time + per_obstacle + per_cell * obstacle.cells;
+    }
 };
 
 // A point of an agent's path: cell units and the time it is there. Two in a row at one place are a wait.

@@ -8,89 +8,34 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <unordered_map>
+#include <map>
+#include <span>
+#include <utility>
 
-#include "geo/buildings.hpp"
+#include "geo/footprints.hpp"
 #include "geo/gdal_scope.hpp"
+#include "geo/import_window.hpp"
 #include "map/label.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
 namespace {
 
-struct CellWindow {
-    Window window;
-    int cells = 0;  // on each side
-    Georeference georeference;
+// A footprint as a window sees it.
+struct Seen {
+    const Footprint* footprint;
+    double area;  // inside the window
 };
 
-// UTM without the exceptions around Norway: they change names, not lengths to speak of.
-OGRSpatialReference utm_at(double longitude, double latitude) {
-    OGRSpatialReference system;
-    system.SetWellKnownGeogCS("WGS84");
-    const int zone = std::min(int(std::floor((longitude + 180) / 6)) + 1, 60);
-    system.importFromEPSG((latitude >= 0 ? 32600 : 32700) + zone);
-    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return system;
-}
-
-int checked_cells(const ImportOptions& options) {
-    if (!(std::abs(options.longitude) <= 180) || !(std::abs(options.latitude) <= 80)) {
-        throw InputError(
-            fmt::format("--center {},{}: expected LON,LAT in degrees, longitude within 180 of 0 and "
-                        "latitude within 80 (there are no UTM zones beyond)",
-                        options.longitude, options.latitude));
-    }
-    if (!(options.cell >= 0.01 && options.cell <= 1000)) {
-        throw InputError(fmt::format("--cell {}: expected a cell size from 0.01 to 1000 metres", options.cell));
-    }
-    const int limit = int(std::sqrt(double(max_cells)));
-    const double cells = std::round(options.size / options.cell);
-    if (!(cells >= 1 && cells <= limit)) {
-        throw InputError(fmt::format("--size {}: with cells of {} m a window can be {} to {} m wide", options.size,
-                                     options.cell, options.cell, options.cell * limit));
-    }
-    if (!(options.size <= 100000)) {
-        throw InputError(fmt::format("--size {}: a window of one UTM zone can be up to 100000 m wide", options.size));
-    }
-    return int(cells);
-}
-
-CellWindow window_around(const ImportOptions& options) {
-    const int cells = checked_cells(options);
-    const GdalScope gdal;
-    OGRSpatialReference wgs84;
-    wgs84.SetWellKnownGeogCS("WGS84");
-    wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const OGRSpatialReference utm = utm_at(options.longitude, options.latitude);
-    const std::unique_ptr<OGRCoordinateTransformation> to_utm(OGRCreateCoordinateTransformation(&wgs84, &utm));
-    double east = options.longitude;
-    double north = options.latitude;
-    if (!to_utm || !to_utm->Transform(1, &east, &north)) {
-        throw InputError("cannot project to UTM (is the package proj-data installed?): " + gdal.failure());
-    }
-    const double half = cells * options.cell / 2;
-    CellWindow result{{utm, {}}, cells, {}};
-    result.window.bounds.MinX = east - half;
-    result.window.bounds.MaxX = east + half;
-    result.window.bounds.MinY = north - half;
-    result.window.bounds.MaxY = north + half;
-    char* text = nullptr;
-    utm.exportToWkt(&text);
-    result.georeference = {text ? text : "", {east - half, options.cell, 0, north + half, 0, -options.cell}};
-    CPLFree(text);
-    return result;
-}
-
-// For each cell the number, from 1, of the building that covers its centre, 0 for none.
-std::vector<std::uint32_t> rasterise(const std::vector<Building>& buildings, const CellWindow& window) {
+// For each cell the number, from 1, of the footprint that covers its centre, 0 for none.
+std::vector<std::uint32_t> rasterise(const std::vector<Seen>& seen, const CellWindow& window) {
     const GdalScope gdal;
     GDALRegister_MEM();
-    std::vector<std::uint32_t> labels(std::size_t(window.cells) * std::size_t(window.cells), 0);
+    std::vector<std::uint32_t> labels(std::size_t(window.width) * std::size_t(window.height), 0);
     CPLStringList band;
     band.SetNameValue("DATAPOINTER", fmt::format("{}", fmt::ptr(labels.data())).c_str());
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
-    const GDALDatasetUniquePtr raster(driver->Create("", window.cells, window.cells, 0, GDT_UInt32, nullptr));
+    const GDALDatasetUniquePtr raster(driver->Create("", window.width, window.height, 0, GDT_UInt32, nullptr));
     raster->AddBand(GDT_UInt32, band.List());
     std::array<double, 6> transform = window.georeference.transform;
     raster->SetGeoTransform(transform.data());
@@ -98,8 +43,8 @@ std::vector<std::uint32_t> rasterise(const std::vector<Building>& buildings, con
     // GDAL lets the last one win.
     std::vector<OGRGeometryH> shapes;
     std::vector<double> numbers;
-    for (std::size_t i = buildings.size(); i-- > 0;) {
-        shapes.push_back(OGRGeometry::ToHandle(buildings[i].shape.get()));
+    for (std::size_t i = seen.size(); i-- > 0;) {
+        shapes.push_back(OGRGeometry::ToHandle(seen[i].footprint->shape.get()));
         numbers.push_back(double(i + 1));
     }
     const int only_band = 1;
@@ -110,65 +55,119 @@ std::vector<std::uint32_t> rasterise(const std::vector<Building>& buildings, con
     return labels;
 }
 
-// Joins touching buildings (4-connected, as the paper does): each takes the source id of the building that owns most of
-// its cells, of the first one among equals.
-Map merged(const std::vector<std::uint32_t>& labels, int cells, std::span<const ObstacleAttributes> buildings) {
-    Grid grid(cells, cells);
-    for (int y = 0; y < cells; ++y) {
-        for (int x = 0; x < cells; ++x) {
-            if (labels[std::size_t(y) * std::size_t(cells) + std::size_t(x)] != 0) grid.set_blocked({x, y}, true);
-        }
+// Joins touching footprints (4-connected, as the paper does): each takes the source id of the one that owns most of its
+// cells, of the first one among equals. What one of them forbids holds for all; what they cost, where it is known,
+// adds up.
+Map merged(const std::vector<std::uint32_t>& labels, int width, int height,
+           std::span<const ObstacleAttributes> footprints, bool weighed) {
+    Grid grid(width, height);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (labels[i] != 0) grid.set_blocked({int(i % std::size_t(width)), int(i / std::size_t(width))}, true);
     }
     std::vector<std::uint32_t> components = label_components(grid, Connectivity::four);
-    std::unordered_map<std::uint64_t, std::uint32_t> shares;  // cells by component and building
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shares;  // cells by component and footprint
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        if (labels[i] != 0) ++shares[std::uint64_t{components[i]} << 32 | labels[i]];
+        if (labels[i] != 0) ++shares[{components[i], labels[i]}];
     }
-    struct Owner {
-        std::uint32_t cells = 0;
-        std::uint32_t building = 0;
-    };
-    std::vector<Owner> owners;
-    for (const auto& [key, count] : shares) {
-        const auto component = std::size_t(key >> 32);
-        const auto building = std::uint32_t(key);
-        if (owners.size() <= component) owners.resize(component + 1);
-        Owner& owner = owners[component];
-        if (count > owner.cells || (count == owner.cells && building < owner.building)) owner = {count, building};
+    std::vector<ObstacleAttributes> attributes(1);
+    std::uint32_t most = 0;
+    for (const auto& [key, cells] : shares) {
+        const ObstacleAttributes& part = footprints[key.second];
+        if (key.first == attributes.size()) {
+            attributes.push_back(part);
+            most = cells;
+            continue;
+        }
+        ObstacleAttributes& whole = attributes.back();
+        whole.destructible = whole.destructible && part.destructible;
+        if (weighed) whole.weight += part.weight;
+        whole.breach_time += part.breach_time;
+        if (cells > most) {
+            most = cells;
+            whole.source_id = part.source_id;
+        }
     }
-    std::vector<ObstacleAttributes> attributes;
-    for (const Owner& owner : owners) attributes.push_back(buildings[owner.building]);
-    return Map::from_labels(cells, cells, std::move(components), attributes);
+    return Map::from_labels(width, height, std::move(components), attributes);
 }
 
-std::string title_of(const std::string& source, const ImportOptions& options, int cells) {
+std::string title_of(const std::string& source, const CellWindow& window, double cell) {
     std::string name = std::filesystem::path(source).filename().string();
     name.resize(std::min(name.find('.'), name.size()));
-    return fmt::format("{}, {:.0f} m around {:.4f}, {:.4f}", name, cells * options.cell, options.longitude,
-                       options.latitude);
+    const std::string size = window.width == window.height
+                                 ? fmt::format("{:.0f} m", window.width * cell)
+                                 : fmt::format("{:.0f} x {:.0f} m", window.width * cell, window.height * cell);
+    return fmt::format("{}, {} around {:.4f}, {:.4f}", name, size, window.center[0], window.center[1]);
+}
+
+ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice) {
+    ObstacleAttributes attributes = seen.footprint->attributes;
+    if (choice.weight.of == "area") attributes.weight = seen.area * choice.weight.factor;
+    if (choice.breach_time.of == "area") attributes.breach_time = seen.area * choice.breach_time.factor;
+    return attributes;
+}
+
+ImportReport report_of(const std::vector<Seen>& seen, const CellWindow& window, const std::string& source,
+                       const ImportOptions& options, bool from_osm) {
+    std::vector<ObstacleAttributes> attributes(1);
+    double area = 0;
+    for (const Seen& one : seen) {
+        attributes.push_back(attributes_of(one, options.choice));
+        area += one.area;
+    }
+    std::vector<std::uint32_t> labels = rasterise(seen, window);
+    return {
+        .tiff = {.map = options.merge_touching
+                            ? merged(labels, window.width, window.height, attributes, !options.choice.weight.of.empty())
+                            : Map::from_labels(window.width, window.height, std::move(labels), attributes),
+                 .cell_size = options.cell,
+                 .georeference = window.georeference,
+                 .attribution = from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
+                 .title = title_of(source, window, options.cell)},
+        .buildings = seen.size(),
+        .area = area};
+}
+
+std::vector<Seen> seen_in(const Footprints& footprints, const OGREnvelope& bounds) {
+    const GdalScope gdal;
+    std::vector<Seen> seen;
+    for (const Footprint& footprint : footprints.list) {
+        const double area = area_inside(*footprint.shape, bounds);
+        if (area > 0) seen.push_back({&footprint, area});
+    }
+    return seen;
 }
 
 }  // namespace
 
 ImportReport import_city(const std::string& source, const ImportOptions& options) {
-    const CellWindow window = window_around(options);
-    const Buildings found = read_buildings(source, window.window);
-    std::vector<ObstacleAttributes> attributes(1);
-    double area = 0;
-    for (const Building& building : found.buildings) {
-        attributes.push_back({.source_id = building.source_id});
-        area += building.area;
+    const CellWindow window = import_window(options);
+    const Footprints found = read_footprints(source, window.window, options.choice, options.cell);
+    std::vector<Seen> seen;
+    for (const Footprint& footprint : found.list) seen.push_back({&footprint, footprint.area});
+    return report_of(seen, window, source, options, found.from_osm);
+}
+
+std::size_t import_tiles(const std::string& source, const ImportOptions& options, double side,
+                         const std::function<void(const ImportTile&)>& visit) {
+    const CellWindow window = import_window(options);
+    const double cells = std::round(side / options.cell);
+    const int least = std::min(window.width, window.height);
+    if (!(cells >= 1 && cells <= least)) {
+        throw InputError(fmt::format("--tile {}: the window has {} x {} m, and cells have {} m: no such tile fits",
+                                     side, window.width * options.cell, window.height * options.cell, options.cell));
     }
-    std::vector<std::uint32_t> labels = rasterise(found.buildings, window);
-    const int cells = window.cells;
-    return {.tiff = {.map = options.merge_touching ? merged(labels, cells, attributes)
-                                                   : Map::from_labels(cells, cells, std::move(labels), attributes),
-                     .cell_size = options.cell,
-                     .georeference = window.georeference,
-                     .attribution = found.from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
-                     .title = title_of(source, options, cells)},
-            .buildings = found.buildings.size(),
-            .area = area};
+    const Footprints found = read_footprints(source, window.window, options.choice, options.cell);
+    const int tile = int(cells);
+    for (int row = 0; row < window.height / tile; ++row) {
+        for (int column = 0; column < window.width / tile; ++column) {
+            const CellWindow part = part_of(window, column * tile, row * tile, tile, tile);
+            const std::vector<Seen> seen = seen_in(found, part.window.bounds);
+            if (seen.empty()) continue;
+            const ImportReport report = report_of(seen, part, source, options, found.from_osm);
+            if (!report.tiff.map.obstacles().empty()) visit({column, row, report});
+        }
+    }
+    return std::size_t(window.width / tile) * std::size_t(window.height / tile);
 }
 
 }  // namespace waybreaker::geo

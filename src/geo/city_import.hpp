@@ -1,10 +1,14 @@
-// Import: building polygons of any vector source GDAL knows, rasterised into a label map.
+// Import: footprints of any vector source GDAL knows, rasterised into label maps.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "geo/label_tiff.hpp"
+#include "geo/obstacle_choice.hpp"
 
 namespace waybreaker::geo {
 
@@ -14,6 +18,9 @@ struct ImportOptions {
     double size = 1202.4;         // side of the square window, in metres, rounded to whole cells: 501, as in the paper
     double cell = 2.4;            // side of a cell, in metres
     bool merge_touching = false;  // obstacles are 4-connected components (the paper) instead of one per building
+    // West, south, east, north in degrees: then the window is what holds these, in place of centre and size.
+    std::optional<std::array<double, 4>> box = {};
+    ObstacleChoice choice = {};
 };
 
 struct ImportReport {
@@ -22,9 +29,22 @@ struct ImportReport {
     double area = 0;            // of their parts inside the window, in square metres; overlaps count twice
 };
 
-// Buildings become obstacles, one each unless merged, with their source ids (OSM ways positive, relations negative);
-// projected to the local UTM zone. A cell belongs to the building that covers its centre; the first in the source's
-// order where several do. Throws InputError (source and remedy) if there is nothing to import.
+// Buildings, or what else is chosen, become obstacles, one each unless merged, with their source ids (OSM ways
+// positive, relations negative); projected to the local UTM zone. A cell belongs to the building that covers its
+// centre; the first in the source's order where several do. Throws InputError (source and remedy) if there is nothing
+// to import.
 ImportReport import_city(const std::string& source, const ImportOptions& options);
+
+struct ImportTile {
+    int column = 0;  // from the west
+    int row = 0;     // from the north
+    ImportReport report;
+};
+
+// The window cut into squares of `side` metres, rounded to whole cells, from its north-western corner; what is left in
+// the east and south is no whole tile. Visits those that have an obstacle, row by row; gives the number of all. The
+// source is read once. Throws as import_city, also if the window has no whole tile.
+std::size_t import_tiles(const std::string& source, const ImportOptions& options, double side,
+                         const std::function<void(const ImportTile&)>& visit);
 
 }  // namespace waybreaker::geo

@@ -5,11 +5,11 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "geo/gdal_scope.hpp"
+#include "geo/obstacle_metadata.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -17,7 +17,6 @@ namespace {
 
 constexpr const char* title_item = "TIFFTAG_IMAGEDESCRIPTION";
 constexpr const char* attribution_item = "TIFFTAG_COPYRIGHT";
-constexpr const char* obstacles_item = "WAYBREAKER_OBSTACLES";
 
 // No compression worth the name packs more cells into a byte of the file; even the table of a file's empty blocks takes
 // more room. A few bytes cannot claim a gigabyte.
@@ -33,40 +32,6 @@ InputError refusal(const std::string& name, const std::string& message) {
 std::string metadata(GDALDataset& file, const char* item) {
     const char* text = file.GetMetadataItem(item);
     return text ? text : "";
-}
-
-// One entry per obstacle, in id order, between commas: its source id, with a `!` before it if it cannot be destroyed.
-std::string obstacles_text(const Map& map) {
-    std::string text;
-    // A single obstacle must not be taken for a mask.
-    bool worth_writing = map.obstacles().size() == 1;
-    for (const Obstacle& obstacle : map.obstacles()) {
-        if (!text.empty()) text += ',';
-        text += fmt::format("{}{}", obstacle.destructible ? "" : "!", obstacle.source_id);
-        worth_writing = worth_writing || !obstacle.destructible || obstacle.source_id != 0;
-    }
-    return worth_writing ? text : "";
-}
-
-std::vector<ObstacleAttributes> parse_obstacles(std::string_view text, const std::string& name) {
-    std::vector<ObstacleAttributes> attributes(1);
-    while (!text.empty()) {
-        ObstacleAttributes& obstacle = attributes.emplace_back();
-        if (text.front() == '!') {
-            obstacle.destructible = false;
-            text.remove_prefix(1);
-        }
-        const char* end = text.data() + text.size();
-        const auto [rest, error] = std::from_chars(text.data(), end, obstacle.source_id);
-        const bool separated = rest != end && *rest == ',' && rest + 1 != end;
-        if (error != std::errc() || (rest != end && !separated)) {
-            throw refusal(name, fmt::format("entry {} of its metadata item {} is no source id; drop the item with "
-                                            "'gdal_edit.py -unsetmd' or import the map anew",
-                                            attributes.size() - 1, obstacles_item));
-        }
-        text.remove_prefix(std::size_t(rest - text.data()) + (separated ? 1 : 0));
-    }
-    return attributes;
 }
 
 // Looks at the header alone, so that nothing large is allocated for a map that is refused.
@@ -218,12 +183,11 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     if (!file) throw refusal(name, "is no GeoTIFF map: " + memory.nameless(gdal.failure()));
     check_layout(*file, bytes.size(), name);
     Place place = read_place(*file, name);
-    const std::string obstacles = metadata(*file, obstacles_item);
-    const std::vector<ObstacleAttributes> attributes = parse_obstacles(obstacles, name);
+    const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);
     const int width = file->GetRasterXSize();
     const int height = file->GetRasterYSize();
     std::vector<std::uint32_t> labels = read_labels(*file, memory, name);
-    const bool mask = obstacles.empty() && has_one_value(labels);
+    const bool mask = attributes.size() == 1 && has_one_value(labels);
     return {.map = mask ? Map(grid_of(width, height, labels), connectivity)
                         : Map::from_labels(width, height, std::move(labels), attributes),
             .cell_size = place.cell_size,
@@ -262,8 +226,7 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     file->SetMetadataItem("TIFFTAG_SOFTWARE", "waybreaker");
     if (!tiff.title.empty()) file->SetMetadataItem(title_item, tiff.title.c_str());
     if (!tiff.attribution.empty()) file->SetMetadataItem(attribution_item, tiff.attribution.c_str());
-    const std::string obstacles = obstacles_text(tiff.map);
-    if (!obstacles.empty()) file->SetMetadataItem(obstacles_item, obstacles.c_str());
+    for (const auto& [item, text] : obstacle_metadata(tiff.map)) file->SetMetadataItem(item, text.c_str());
 
     auto* labels = const_cast<std::uint32_t*>(tiff.map.labels().data());  // GDAL only reads it
     const CPLErr outcome = file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, width, height, labels, width, height,

@@ -1,8 +1,8 @@
 // GeoTIFF label maps: obstacle id per cell, 0 = free, with coordinate system. The format `waybreaker import` writes.
 //
 // What GDAL's tools keep is kept in its own places: coordinate system and cell size, the title as TIFF image
-// description, the attribution as TIFF copyright. What they have no place for, who each obstacle is, stands in one
-// metadata item, WAYBREAKER_OBSTACLES, which gdal_translate copies too: see docs/data.md.
+// description, the attribution as TIFF copyright. What they have no place for, who each obstacle is, stands in
+// metadata items (obstacle_metadata.hpp), which gdal_translate copies too: see docs/data.md.
 #pragma once
 
 #include <optional>

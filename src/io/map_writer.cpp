@@ -7,6 +7,7 @@
 
 #include "io/authors_xml_writer.hpp"
 #include "io/map_frame.hpp"
+#include "io/map_geojson.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
@@ -31,11 +32,12 @@ struct Format {
     bool attribution;
 };
 
-constexpr std::array<Format, 8> formats{{
+constexpr std::array<Format, 9> formats{{
     {".map", "MovingAI map", false, false, false, false, false, false},
     {".xml", "XML task file", false, false, true, true, true, false},
     {".tif", "GeoTIFF", true, true, true, false, true, true},
     {".tiff", "GeoTIFF", true, true, true, false, true, true},
+    {".geojson", "GeoJSON", true, true, false, false, true, true},
     {".yaml", "ROS map", false, false, true, false, false, false},
     {".yml", "ROS map", false, false, true, false, false, false},
     {".png", "PNG", false, false, false, false, false, false},
@@ -62,6 +64,9 @@ std::string lost_obstacles(const Map& map) {
     const auto any = [&](auto holds) { return std::any_of(map.obstacles().begin(), map.obstacles().end(), holds); };
     if (any([](const Obstacle& o) { return o.source_id != 0; }))
         loss += (loss.empty() ? "" : ", ") + std::string("source ids");
+    if (any([](const Obstacle& o) { return o.weight != 1 || o.breach_time != 0; })) {
+        loss += (loss.empty() ? "" : ", ") + std::string("what their removal costs");
+    }
     if (any([](const Obstacle& o) { return !o.destructible; })) {
         loss += (loss.empty() ? "" : ", ") + std::string("which obstacles cannot be destroyed");
     }
@@ -106,7 +111,8 @@ std::vector<std::uint8_t> grey(const Grid& grid, std::uint8_t of_free) {
 
 // Files that were read go out as they came in; others as nav2's map saver writes them.
 std::vector<OutputFile> ros_files(const MapFile& map, const std::string& path) {
-    const fs::path extension = map.ros ? fs::path(map.ros->yaml.image).extension() : fs::path(".pgm");
+    fs::path extension = map.ros ? fs::path(map.ros->yaml.image).extension() : fs::path(".pgm");
+    if (extension == fs::path(path).extension()) extension = ".pgm";  // not over the YAML itself
     const fs::path image = fs::path(path).replace_extension(extension);
     const std::string name = image.filename().string();
     if (map.ros) return {{image.string(), map.ros->image}, {path, with_image(map.ros->text, name, path)}};
@@ -127,6 +133,7 @@ XmlTask task_of(const MapFile& map) {
 std::string bytes_of(const MapFile& map, std::string_view extension) {
     const Grid& grid = map.map.grid();
     if (extension == ".map") return movingai_bytes(grid);
+    if (extension == ".geojson") return map_geojson(map);
     if (extension == ".xml") return authors_xml_text(grid, task_of(map));
     if (extension == ".png") return png_bytes(grid.width(), grid.height(), grey(grid, white));
     if (extension == ".pgm") return pgm_bytes(grid.width(), grid.height(), grey(grid, white));

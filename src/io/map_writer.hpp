@@ -19,8 +19,8 @@ struct WrittenMap {
 };
 
 // The map in the format that the extension of `path` stands for: .map (MovingAI), .xml (the authors'), .tif (labels),
-// .yaml (ROS, with a PGM of the same name beside it), .png, .pgm. A ROS map becomes a ROS map to the byte, but for the
-// image's name. Throws InputError, naming the extensions there are.
+// .geojson, .yaml (ROS, with a PGM of the same name beside it), .png, .pgm. A ROS map becomes a ROS map to the byte,
+// but for the image's name. Throws InputError, naming the extensions there are.
 WrittenMap write_map(const MapFile& map, const std::string& path);
 
 }  // namespace waybreaker::io

@@ -72,6 +72,8 @@ Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
         if (source_label >= attributes.size()) continue;
         obstacle.destructible = attributes[source_label].destructible;
         obstacle.source_id = attributes[source_label].source_id;
+        obstacle.weight = attributes[source_label].weight;
+        obstacle.breach_time = attributes[source_label].breach_time;
     }
     return map;
 }

@@ -1,0 +1,79 @@
+#include "geo/feature_tags.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace waybreaker::geo {
+
+std::optional<std::string> hstore_value(std::string_view pairs, std::string_view key) {
+    const std::string start = fmt::format("\"{}\"=>\"", key);
+    for (std::size_t at = pairs.find(start); at != std::string_view::npos; at = pairs.find(start, at + 1)) {
+        if (at > 0 && pairs[at - 1] != ',') continue;  // within a value
+        std::string value;
+        for (std::size_t i = at + start.size(); i < pairs.size() && pairs[i] != '"'; ++i) {
+            if (pairs[i] == '\\' && i + 1 < pairs.size()) ++i;
+            value += pairs[i];
+        }
+        return value;
+    }
+    return std::nullopt;
+}
+
+FeatureTags::FeatureTags(OGRLayer& layer)
+    : definition_(*layer.GetLayerDefn()),
+      way_(definition_.GetFieldIndex("osm_way_id")),
+      osm_(definition_.GetFieldIndex("osm_id")),
+      other_(definition_.GetFieldIndex("other_tags")) {}
+
+bool FeatureTags::can_have(const std::string& key) const {
+    return other_ >= 0 || definition_.GetFieldIndex(key.c_str()) >= 0;
+}
+
+std::string FeatureTags::condition(const std::vector<TagFilter>& filters) const {
+    std::string text;
+    for (const TagFilter& filter : filters) {
+        if (filter.key == "*") return "";
+        if (!can_have(filter.key)) continue;
+        if (!text.empty()) text += " OR ";
+        const bool own = definition_.GetFieldIndex(filter.key.c_str()) >= 0;
+        text += own ? fmt::format("\"{}\" IS NOT NULL", filter.key)
+                    : fmt::format("other_tags LIKE '%\"{}\"=>%'", filter.key);
+    }
+    return text;
+}
+
+std::optional<std::string> FeatureTags::value(const OGRFeature& feature, const std::string& key) const {
+    const int own = definition_.GetFieldIndex(key.c_str());
+    if (own >= 0 && feature.IsFieldSetAndNotNull(own)) return feature.GetFieldAsString(own);
+    if (own >= 0 || other_ < 0 || !feature.IsFieldSetAndNotNull(other_)) return std::nullopt;
+    return hstore_value(feature.GetFieldAsString(other_), key);
+}
+
+bool FeatureTags::matches_any(const OGRFeature& feature, const std::vector<TagFilter>& filters) const {
+    return std::any_of(filters.begin(), filters.end(), [&](const TagFilter& filter) {
+        if (filter.key == "*") return true;
+        const std::optional<std::string> text = value(feature, filter.key);
+        return text && filter.accepts(*text);
+    });
+}
+
+std::optional<double> FeatureTags::number(const OGRFeature& feature, const std::string& key) const {
+    const std::optional<std::string> text = value(feature, key);
+    if (!text) return std::nullopt;
+    double result = 0;
+    const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), result);
+    return error == std::errc() && std::isfinite(result) ? std::optional(result) : std::nullopt;
+}
+
+// GDAL's OSM driver gives ways and relations a field each; elsewhere osm_id is what it is. Lines have ways alone.
+std::int64_t FeatureTags::source_id(const OGRFeature& feature) const {
+    if (way_ >= 0 && feature.IsFieldSetAndNotNull(way_)) return feature.GetFieldAsInteger64(way_);
+    if (osm_ < 0 || !feature.IsFieldSetAndNotNull(osm_)) return 0;
+    const std::int64_t id = feature.GetFieldAsInteger64(osm_);
+    return way_ >= 0 ? -id : id;
+}
+
+}  // namespace waybreaker::geo

@@ -1,0 +1,39 @@
+// Footprints: the buildings, walls, waters ... of a vector source that stand in a window, in the window's coordinates.
+#pragma once
+
+#include <ogr_geometry.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geo/obstacle_choice.hpp"
+#include "waybreaker/map.hpp"
+
+namespace waybreaker::geo {
+
+// A rectangle on the ground, its sides parallel to the axes of a projected coordinate system.
+struct Window {
+    OGRSpatialReference system;
+    OGREnvelope bounds;
+};
+
+struct Footprint {
+    std::unique_ptr<OGRGeometry> shape;  // in the window's system, not clipped; lines as strips
+    double area = 0;                     // of its part inside the window, in square metres, > 0
+    ObstacleAttributes attributes = {};  // of its source; quantities that go by area are not in here
+};
+
+struct Footprints {
+    std::vector<Footprint> list;  // in the source's order, areas before lines
+    bool from_osm = false;        // the source is made of OpenStreetMap data
+};
+
+// One scan of the source, and another for lines if they are wanted; `cell` is the least width of lines. Throws
+// InputError if it cannot be read, holds nothing of that kind, or nothing in the window: then says where its data lies.
+Footprints read_footprints(const std::string& source, const Window& window, const ObstacleChoice& choice, double cell);
+
+// Of a shape's part within a rectangle.
+double area_inside(const OGRGeometry& shape, const OGREnvelope& bounds);
+
+}  // namespace waybreaker::geo

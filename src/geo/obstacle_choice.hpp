@@ -1,0 +1,43 @@
+// Which features of map data are obstacles, which of them may go, and what that costs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace waybreaker::geo {
+
+// Features by a tag: `building` is every building, `barrier=wall,fence` some barriers, `*` everything. A tag that says
+// `no` does not count.
+struct TagFilter {
+    std::string key;
+    std::vector<std::string> values = {};  // any, if empty
+    bool accepts(const std::string& value) const;
+};
+
+// Throws InputError unless the text is KEY or KEY=VALUE,...
+TagFilter parse_tag_filter(const std::string& text);
+
+// A number of each obstacle: its area in the window, in square metres, or what a tag says, times a factor.
+struct Quantity {
+    std::string of;  // "area", or a tag; empty: not asked for
+    double factor = 1;
+};
+
+// Throws InputError unless the text is NAME or NAME*FACTOR.
+Quantity parse_quantity(const std::string& text);
+
+struct ObstacleChoice {
+    std::vector<TagFilter> obstacles = {};     // empty: buildings, and all polygons where nothing says what is one
+    std::vector<TagFilter> destructible = {};  // empty: all
+    std::vector<TagFilter> protect = {};       // cannot be destroyed in any case
+    Quantity weight = {};                      // 1 where the tag says no number above 0
+    Quantity breach_time = {};                 // 0 where the tag says no number
+    double wall_width = 0;                     // of features that are lines, in metres; at least a cell
+
+    // Whether lines can be obstacles; buildings are areas.
+    bool wants_lines() const;
+};
+
+}  // namespace waybreaker::geo

@@ -1,0 +1,42 @@
+#include "io/map_geojson.hpp"
+
+#include "io/lon_lat_json.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json properties_of(const Obstacle& obstacle) {
+    Json properties{{"obstacle", obstacle.id.value}};
+    if (obstacle.source_id != 0) properties["osm_id"] = obstacle.source_id;
+    properties["cells"] = obstacle.cells;
+    properties["protected"] = obstacle.destructible ? "no" : "yes";
+    properties["weight"] = obstacle.weight;
+    properties["breach_time"] = obstacle.breach_time;
+    return properties;
+}
+
+}  // namespace
+
+std::string map_geojson(const MapFile& map) {
+    if (!map.georeference) {
+        throw InputError(map.source +
+                         ": GeoJSON needs longitude and latitude, but the map does not say where it lies on earth");
+    }
+    const geo::ToLonLat to_lon_lat(*map.georeference);
+    const std::vector<std::vector<geo::Polygon>> outlines = geo::outlines(map.map);
+    std::vector<Json> features;
+    for (const Obstacle& obstacle : map.map.obstacles()) {
+        features.push_back({{"type", "Feature"},
+                            {"properties", properties_of(obstacle)},
+                            {"geometry", polygons_json(to_lon_lat, outlines[obstacle.id.value])}});
+    }
+    Json head = Json::object();
+    if (!map.title.empty()) head["title"] = map.title;
+    if (!map.attribution.empty()) head["attribution"] = map.attribution;
+    return collection_text(head, features);
+}
+
+}  // namespace waybreaker::io
