@@ -40,7 +40,7 @@ std::span<const Reached> Fan::look(const Viewpoint& from, bool alternatives) {
 }
 
 void Fan::begin_look() {
-    ++look_;
+    look_began_ = scan_;
     done_.clear();
 }
 
@@ -142,19 +142,27 @@ void Fan::scan_from(Front front, Step direction, int only) {
     }
 }
 
-// Follows an outline as seen from the viewpoint, away from the ray that hit it to the side of `turn`, and notes the
-// corners it could be passed at: up to the first one that ends the visible front, the sector or the ellipse. True if
-// the first bend is such a corner.
+// Follows an outline as seen from the viewpoint, away from the ray that hit it to the side of `turn`, up to the corner
+// that ends the visible front, which it notes, or to the border of the sector or the ellipse. Corners on the way lead
+// into pockets of the front alone, from which no shortest path comes out again: they matter if the goal can be there.
+// True if the first bend is a corner.
 bool Fan::scan(const Outline& outline, const Side& side, int turn) {
+    ++scan_;
     Bends& bends = *bends_;
+    Bounds front;  // of the outline so far and the ways to it
+    front.add(from_.at);
+    front.add(centre(side.cell));
+    const bool can_hide_goal = may_hide_goal(outline.obstacle());
     const std::uint32_t first = bends.ahead(outline, side);
     std::uint32_t at = first;
     do {
         Bend& bend = bends[at];
         const Step arriving = bend.at - from_.at;
+        front.add(bend.at);
         if (arriving != Step{}) {
-            if (!sector_.holds(arriving) || !ellipse_.holds(bend.at) || bend.seen == look_) break;
-            bend.seen = look_;
+            if (!sector_.holds(arriving) || !ellipse_.holds(bend.at)) break;
+            if (bend.seen == scan_ || (bend.seen > look_began_ && !can_hide_goal)) break;
+            bend.seen = scan_;
             if (bend.quadrant != Step{}) {
                 const int bending = sign(cross(arriving, sliding(arriving, bend.quadrant)));
                 if (bending == -turn) {
@@ -166,7 +174,7 @@ bool Fan::scan(const Outline& outline, const Side& side, int turn) {
                     at = *back;
                     continue;
                 }
-                if (bending != 0) note(bend.at, -turn);
+                if (bending != 0 && can_hide_goal && front.hold(goal_)) note(bend.at, -turn);
             }
         }
         at = bends.next(outline, at);
@@ -174,25 +182,33 @@ bool Fan::scan(const Outline& outline, const Side& side, int turn) {
     return bends[first].quadrant != Step{};
 }
 
+// Whether the goal can lie between the viewpoint and the obstacle, or in the obstacle's reach.
+bool Fan::may_hide_goal(std::uint32_t obstacle) const {
+    const Box& box = map_->obstacle(ObstacleId{obstacle}).bounds;
+    Bounds bounds;
+    bounds.add(from_.at);
+    bounds.add(centre(box.min));
+    bounds.add(centre(box.max));
+    return bounds.hold(goal_);
+}
+
 // A corner that the outline hides in a notch of its own as soon as it is passed: what bends around it gets nowhere. The
 // bend where the outline comes back into view, if it does so soon.
 std::optional<std::uint32_t> Fan::behind_notch(const Outline& outline, std::uint32_t corner, int turn) {
     constexpr int longest = 8;  // bends
-    const Step passing = (*bends_)[corner].at - from_.at;
-    Step min = passing;
-    Step max = passing;
+    const Vertex start = (*bends_)[corner].at;
+    const Step passing = start - from_.at;
+    Bounds notch;
+    notch.add(start);
     std::uint32_t at = corner;
     for (int bends = 0; bends < longest; ++bends) {
         at = bends_->next(outline, at);
-        const Step bend = (*bends_)[at].at - from_.at;
-        const Step beyond = bend + -passing;
+        const Vertex end = (*bends_)[at].at;
+        const Step beyond = end - start;
         if (std::int64_t(beyond.x) * passing.x + std::int64_t(beyond.y) * passing.y < 0) return std::nullopt;
-        min = {std::min(min.x, bend.x), std::min(min.y, bend.y)};
-        max = {std::max(max.x, bend.x), std::max(max.y, bend.y)};
-        if (bends > 0 && sign(cross(passing, bend)) * turn >= 0) {
-            const Step goal = goal_ - from_.at;
-            const bool holds_goal = goal.x >= min.x && goal.x <= max.x && goal.y >= min.y && goal.y <= max.y;
-            if (holds_goal || !clear(from_.at + passing, from_.at + bend)) return std::nullopt;
+        notch.add(end);
+        if (bends > 0 && sign(cross(passing, end - from_.at)) * turn >= 0) {
+            if (notch.hold(goal_) || !clear(start, end)) return std::nullopt;
             return at;
         }
     }

@@ -5,7 +5,9 @@
 // centres; 1 for the point, where boxes are the cells themselves.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <climits>
 #include <cmath>
 #include <cstdint>
 
@@ -74,6 +76,20 @@ constexpr Step sliding(Step arriving, Step quadrant) {
     if (y >= 0 && x < 0) return {0, quadrant.y};
     return {0, 0};
 }
+
+// The least box that holds some vertices, grown by the reach of their cells.
+class Bounds {
+  public:
+    void add(Vertex v) {
+        min_ = {std::min(min_.x, v.x - 2), std::min(min_.y, v.y - 2)};
+        max_ = {std::max(max_.x, v.x + 2), std::max(max_.y, v.y + 2)};
+    }
+    bool hold(Vertex v) const { return v.x >= min_.x && v.x <= max_.x && v.y >= min_.y && v.y <= max_.y; }
+
+  private:
+    Vertex min_{INT_MAX, INT_MAX};
+    Vertex max_{INT_MIN, INT_MIN};
+};
 
 inline constexpr std::array<Step, 4> quadrants{Step{1, 1}, Step{-1, 1}, Step{-1, -1}, Step{1, -1}};
 
