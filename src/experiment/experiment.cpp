@@ -7,6 +7,7 @@
 
 #include "experiment/spec.hpp"
 #include "io/digest.hpp"
+#include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
@@ -51,8 +52,8 @@ class MissionReader {
         const std::string path = (fs::path(scenario_file).parent_path() / scenario.map).lexically_normal().string();
         const auto [entry, is_new] = known_.try_emplace(path, std::uint32_t(experiment_.maps.size()));
         if (is_new) {
-            experiment_.maps.push_back({fs::path(path).filename().string(), path,
-                                        io::sha256_digest(io::read_whole(path)), scenario.width, scenario.height});
+            experiment_.maps.push_back({fs::path(path).filename().string(), path, io::read_map_file(path).digest,
+                                        scenario.width, scenario.height});
         }
         const ExperimentMap& map = experiment_.maps[entry->second];
         if (scenario.width != map.width || scenario.height != map.height) {

@@ -36,7 +36,7 @@ struct Configuration {
 struct ExperimentMap {
     std::string name;  // without folders
     std::string path;
-    std::string digest;  // "sha256:..." of the file's bytes
+    std::string digest;  // "sha256:..." as io::MapFile has it
     int width = 0;
     int height = 0;
 };

@@ -208,6 +208,16 @@ TEST_F(RunExperiment, RecordsAJobThatTakesTheProgramDownTwice) {
     EXPECT_FALSE(std::filesystem::exists(path("r.db.crashes")));
 }
 
+TEST_F(RunExperiment, TakesMapsOfSeveralFiles) {
+    put("floor.pgm", "P5 3 1 255\n" + std::string("\xfe\xfe\xfe"));
+    put("floor.yaml",
+        "image: floor.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: "
+        "0.196\n");
+    put("cities.scen", "0\tfloor.yaml\t3\t1\t0\t0\t2\t0\t2\n");
+    experiment = read_experiment(path("small.toml"));
+    EXPECT_EQ(run_into("r.db").unsolved, 0U);
+}
+
 TEST_F(RunExperiment, StopsAtAMapThatIsNotWhatItWas) {
     put("yard.map", "type octile\nheight 1\nwidth 1\nmap\n.\n");
     EXPECT_EQ(input_error([&] { run_into("r.db"); }), path("yard.map") + ": has changed since the run began");
