@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/shortest_text.hpp"
@@ -13,6 +14,14 @@ namespace {
 
 constexpr std::size_t most_bytes = 1 << 16;
 
+// What yaml-cpp has to say, without what it quotes of the file that a terminal would obey.
+std::string reason(const YAML::Exception& problem) {
+    std::string text = "not well-formed YAML: " + problem.msg;
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return text;
+}
+
 // The document and its name in errors.
 class Document {
   public:
@@ -21,7 +30,7 @@ class Document {
         try {
             root_ = YAML::Load(std::string(bytes));
         } catch (const YAML::Exception& problem) {
-            throw error(problem.mark, "not well-formed YAML: " + problem.msg);
+            throw error(problem.mark, reason(problem));
         }
         if (!root_.IsMap()) throw InputError(name, 0, "is no YAML of a ROS map: 'key: value' lines are expected");
     }
@@ -93,11 +102,19 @@ bool names_image(const std::string& text, const std::string& image) {
     }
 }
 
+std::string as_yaml(const std::string& text) {
+    YAML::Emitter emitter;
+    emitter << text;
+    return emitter.c_str();
+}
+
 std::string image_of(const Document& document) {
     const YAML::Node node = document.get("image");
     const std::string image = node.IsScalar() ? node.Scalar() : "";
-    const bool printable = image.find_first_of(std::string_view("\0\n\r", 3)) == std::string::npos;
-    if (image.empty() || !printable) throw document.error(node.Mark(), "image must be the name of a file");
+    const bool one_line = image.find_first_of(std::string_view("\0\n\r", 3)) == std::string::npos;
+    // What is no text in UTF-8 would not be written as it was read.
+    const bool text = YAML::Load(as_yaml(image)).Scalar() == image;
+    if (image.empty() || !one_line || !text) throw document.error(node.Mark(), "image must be the name of a file");
     return image;
 }
 
@@ -125,7 +142,7 @@ RosYaml parse_ros_yaml(std::string_view bytes, const std::string& name) try {
     }
     return yaml;
 } catch (const YAML::Exception& problem) {
-    throw InputError(name, 0, "not well-formed YAML: " + problem.msg);
+    throw InputError(name, 0, reason(problem));
 }
 
 std::optional<int> occupancy(GreyImage::Pixel pixel, bool transparency, const RosYaml& yaml) {
@@ -164,12 +181,9 @@ RosGrid ros_grid(const GreyImage& image, const RosYaml& yaml, double threshold, 
 
 std::string ros_yaml_text(const RosYaml& yaml) {
     const char* const mode = yaml.mode == RosMode::trinary ? "trinary" : yaml.mode == RosMode::scale ? "scale" : "raw";
-    YAML::Emitter image;
-    image << yaml.image;
-    return std::string("image: ") + image.c_str() + "\nmode: " + mode +
-           "\nresolution: " + shortest_text(yaml.resolution) + "\norigin: [" + shortest_text(yaml.origin[0]) + ", " +
-           shortest_text(yaml.origin[1]) + ", 0]\nnegate: " + (yaml.negate ? "1" : "0") +
-           "\noccupied_thresh: " + shortest_text(yaml.occupied_thresh) +
+    return "image: " + as_yaml(yaml.image) + "\nmode: " + mode + "\nresolution: " + shortest_text(yaml.resolution) +
+           "\norigin: [" + shortest_text(yaml.origin[0]) + ", " + shortest_text(yaml.origin[1]) +
+           ", 0]\nnegate: " + (yaml.negate ? "1" : "0") + "\noccupied_thresh: " + shortest_text(yaml.occupied_thresh) +
            "\nfree_thresh: " + shortest_text(yaml.free_thresh) + "\n";
 }
 

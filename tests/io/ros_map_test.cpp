@@ -149,6 +149,7 @@ TEST(RosMaps, YamlThatIsNoneIsRefused) {
         {"", "y: is no YAML of a ROS map"},
         {"- image: a", "is no YAML of a ROS map"},
         {"image: [", "not well-formed YAML"},
+        {"image: \"\\\1\"", "not well-formed YAML: unknown escape character: ?"},
         {"image: a.pgm\nresolution: 1\n", "origin is missing"},
         {"image: a.pgm\norigin: [0, 0, 0]\n", "resolution is missing"},
         {"resolution: 1\norigin: [0, 0, 0]\n", "image is missing"},
