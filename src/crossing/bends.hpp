@@ -16,7 +16,7 @@ struct Bend {
     Vertex at;
     Step quadrant;           // if convex: where the obstacle is; else (0, 0)
     std::uint32_t next = 0;  // the bend after it; 0: not known yet
-    std::uint64_t seen = 0;  // the last scan that came by
+    std::uint64_t seen = 0;  // the last look that came by
 };
 
 class Bends {

@@ -40,7 +40,7 @@ std::span<const Reached> Fan::look(const Viewpoint& from, bool alternatives) {
 }
 
 void Fan::begin_look() {
-    look_began_ = scan_;
+    ++look_;
     done_.clear();
 }
 
@@ -143,53 +143,31 @@ void Fan::scan_from(Front front, Step direction, int only) {
 }
 
 // Follows an outline as seen from the viewpoint, away from the ray that hit it to the side of `turn`, up to the corner
-// that ends the visible front, which it notes, or to the border of the sector or the ellipse. Corners on the way lead
-// into pockets of the front alone, from which no shortest path comes out again: they matter if the goal can be there.
-// True if the first bend is a corner.
+// that ends the visible front, which it notes, or to the border of the sector or the ellipse. Convex corners on the way
+// lead into pockets of the front, from which no shortest path comes out again. True if the first bend is a corner.
 bool Fan::scan(const Outline& outline, const Side& side, int turn) {
-    ++scan_;
     Bends& bends = *bends_;
-    Bounds front;  // of the outline so far and the ways to it
-    front.add(from_.at);
-    front.add(centre(side.cell));
-    const bool can_hide_goal = may_hide_goal(outline.obstacle());
     const std::uint32_t first = bends.ahead(outline, side);
     std::uint32_t at = first;
     do {
         Bend& bend = bends[at];
         const Step arriving = bend.at - from_.at;
-        front.add(bend.at);
         if (arriving != Step{}) {
-            if (!sector_.holds(arriving) || !ellipse_.holds(bend.at)) break;
-            if (bend.seen == scan_ || (bend.seen > look_began_ && !can_hide_goal)) break;
-            bend.seen = scan_;
-            if (bend.quadrant != Step{}) {
-                const int bending = sign(cross(arriving, sliding(arriving, bend.quadrant)));
-                if (bending == -turn) {
-                    const std::optional<std::uint32_t> back = behind_notch(outline, at, turn);
-                    if (!back) {
-                        note(bends[at].at, turn);
-                        break;
-                    }
-                    at = *back;
-                    continue;
+            if (!sector_.holds(arriving) || !ellipse_.holds(bend.at) || bend.seen == look_) break;
+            bend.seen = look_;
+            if (bend.quadrant != Step{} && sign(cross(arriving, sliding(arriving, bend.quadrant))) == -turn) {
+                const std::optional<std::uint32_t> back = behind_notch(outline, at, turn);
+                if (!back) {
+                    note(bends[at].at, turn);
+                    break;
                 }
-                if (bending != 0 && can_hide_goal && front.hold(goal_)) note(bend.at, -turn);
+                at = *back;
+                continue;
             }
         }
         at = bends.next(outline, at);
     } while (at != first);
     return bends[first].quadrant != Step{};
-}
-
-// Whether the goal can lie between the viewpoint and the obstacle, or in the obstacle's reach.
-bool Fan::may_hide_goal(std::uint32_t obstacle) const {
-    const Box& box = map_->obstacle(ObstacleId{obstacle}).bounds;
-    Bounds bounds;
-    bounds.add(from_.at);
-    bounds.add(centre(box.min));
-    bounds.add(centre(box.max));
-    return bounds.hold(goal_);
 }
 
 // A corner that the outline hides in a notch of its own as soon as it is passed: what bends around it gets nowhere. The

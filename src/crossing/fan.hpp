@@ -94,7 +94,6 @@ class Fan {
     void keep_ahead(double share);
     bool scan(const Outline& outline, const Side& side, int turn);
     std::optional<std::uint32_t> behind_notch(const Outline& outline, std::uint32_t corner, int turn);
-    bool may_hide_goal(std::uint32_t obstacle) const;
     bool clear(Vertex a, Vertex b) const;
     void note(Vertex corner, int open);
     std::optional<Corner> corner_at(Vertex v, Step quadrant) const;
@@ -109,8 +108,7 @@ class Fan {
     std::array<Bends, 2> bends_of_;  // by body
     Bends* bends_ = nullptr;
     Done done_;
-    std::uint64_t scan_ = 0;        // numbers the scans
-    std::uint64_t look_began_ = 0;  // the last scan before this look
+    std::uint64_t look_ = 0;  // numbers the sectors looked into
     Viewpoint from_;
     Ellipse ellipse_{{}, {}, 0};
     Sector sector_;

@@ -19,8 +19,6 @@ class Outline {
     Outline(const Map& map, Body body, std::uint32_t obstacle)
         : map_(&map), obstacle_(obstacle), reach_(reach_of(body)) {}
 
-    std::uint32_t obstacle() const { return obstacle_; }
-
     // Bits first: they are few enough to stay near the processor.
     bool owns(Cell c) const {
         return map_->grid().blocked(c) && map_->grid().contains(c) && map_->obstacle_at(c).value == obstacle_;
