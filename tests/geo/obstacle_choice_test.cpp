@@ -17,7 +17,7 @@ namespace waybreaker::geo {
 namespace {
 
 constexpr double cell = 10;
-constexpr ImportOptions window{.longitude = 9, .latitude = 50, .size = 120, .cell = cell};
+const ImportOptions window{.longitude = 9, .latitude = 50, .size = 120, .cell = cell};
 
 struct Corner {
     double column;  // in cells, from the window's upper-left corner
