@@ -121,12 +121,14 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
                    .weight = weight_capacity_,
                    .range = limit_ - label.length};
     if (label.parent != no_label) from.arriving = label.at - labels_[label.parent].at;
-    if (label.fronts_begin != 0)
-        from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
     for (const std::uint32_t obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
     for (bool alternatives = accept_ != nullptr;; alternatives = true) {
         bool dear = false;  // the straight way to the goal costs more than its length: a detour can cost less
+        // What is pushed moves them.
         from.open = sets_[label.set];
+        if (label.fronts_begin != 0) {
+            from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
+        }
         for (const Reached& reached : fan_.look(from, alternatives)) {
             push(index, reached);
             if (reached.at == goal_)
