@@ -216,7 +216,7 @@ bool Fan::clear(Vertex a, Vertex b) const {
 }
 
 void Fan::note(Vertex corner, int open) {
-    if (!done_.before(corner, open > 0 ? 16 : 17)) aims_.push_back({corner, open});
+    if (!done_.before(corner, open > 0 ? 1 : 0)) aims_.push_back({corner, open});
 }
 
 // The corner of a standing obstacle that fills that quadrant of the vertex, if there is one to bend around.

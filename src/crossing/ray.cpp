@@ -101,8 +101,7 @@ void Ray::walk_line(const Frame& f) {
 // The blocked cells among first..last of a row, in the direction of travel; of cells that are known to belong together
 // the first alone.
 void Ray::visit_run(const Frame& f, int row, std::int64_t first, std::int64_t last) {
-    if (first > last || first > f.grid->width() || last < -1 || row < -1 || row > f.grid->height())
-        return;  // behind the map's edge
+    if (first > last || row < -1 || row > f.grid->height()) return;  // nothing, or behind the map's edge
     const bool leaves = first < 0 || last >= f.grid->width();
     first = std::max<std::int64_t>(first, 0);
     last = std::min<std::int64_t>(last, f.grid->width() - 1);
