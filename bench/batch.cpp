@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -16,6 +15,7 @@
 #include "io/plan_json.hpp"
 #include "maps.hpp"
 #include "missions_of_paper.hpp"
+#include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
@@ -129,11 +129,7 @@ void run(const Arguments& arguments) {
 }  // namespace waybreaker::bench
 
 int main(int argc, char** argv) {
-    try {
+    return waybreaker::bench::program("bench_batch", [&] {
         waybreaker::bench::run(waybreaker::bench::parse({argv, std::size_t(argc)}));
-        return 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_batch: %s\n", error.what());
-        return 1;
-    }
+    });
 }

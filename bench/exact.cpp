@@ -5,10 +5,10 @@
 //
 // FILE.csv: another program's times for n = 3, as of bench_missions.
 #include <cstdio>
-#include <exception>
 
 #include "maps.hpp"
 #include "missions_of_paper.hpp"
+#include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
@@ -132,11 +132,7 @@ void run(const Arguments& arguments) {
 }  // namespace waybreaker::bench
 
 int main(int argc, char** argv) {
-    try {
+    return waybreaker::bench::program("bench_exact", [&] {
         waybreaker::bench::run(waybreaker::bench::parse({argv, std::size_t(argc)}));
-        return 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_exact: %s\n", error.what());
-        return 1;
-    }
+    });
 }

@@ -5,11 +5,11 @@
 #include <sys/resource.h>
 
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <optional>
 
 #include "maps.hpp"
+#include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
@@ -86,11 +86,5 @@ void run(std::span<char*> words) {
 }  // namespace waybreaker::bench
 
 int main(int argc, char** argv) {
-    try {
-        waybreaker::bench::run({argv, std::size_t(argc)});
-        return 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_large_map: %s\n", error.what());
-        return 1;
-    }
+    return waybreaker::bench::program("bench_large_map", [&] { waybreaker::bench::run({argv, std::size_t(argc)}); });
 }

@@ -7,11 +7,11 @@
 // a file of another optimal planner, taken on the same machine and core, and compares lengths and times.
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 
 #include "maps.hpp"
 #include "missions_of_paper.hpp"
+#include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/crossing.hpp"
 #include "waybreaker/error.hpp"
@@ -132,11 +132,7 @@ void run(const Arguments& arguments) {
 }  // namespace waybreaker::bench
 
 int main(int argc, char** argv) {
-    try {
+    return waybreaker::bench::program("bench_longest", [&] {
         waybreaker::bench::run(waybreaker::bench::parse({argv, std::size_t(argc)}));
-        return 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_longest: %s\n", error.what());
-        return 1;
-    }
+    });
 }

@@ -6,11 +6,11 @@
 // start_y, goal_x, goal_y, time_stage1_seconds (its first search) and time_both_seconds (both searches). Pin both
 // programs to the same core.
 #include <cstdio>
-#include <exception>
 #include <stdexcept>
 
 #include "maps.hpp"
 #include "missions_of_paper.hpp"
+#include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
@@ -119,11 +119,7 @@ void run(const Arguments& arguments) {
 }  // namespace waybreaker::bench
 
 int main(int argc, char** argv) {
-    try {
+    return waybreaker::bench::program("bench_missions", [&] {
         waybreaker::bench::run(waybreaker::bench::parse({argv, std::size_t(argc)}));
-        return 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_missions: %s\n", error.what());
-        return 1;
-    }
+    });
 }

@@ -5,11 +5,11 @@
 //     bench_scaling obstacles        from few large to many small obstacles on 512 x 512, a quarter of it blocked
 //     bench_scaling removals         the missions of the paper, 0 to 8 crossings
 #include <cstdio>
-#include <exception>
 #include <random>
 
 #include "maps.hpp"
 #include "missions_of_paper.hpp"
+#include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/crossing.hpp"
 #include "waybreaker/error.hpp"
@@ -137,11 +137,5 @@ void run(std::span<char*> words) {
 }  // namespace waybreaker::bench
 
 int main(int argc, char** argv) {
-    try {
-        waybreaker::bench::run({argv, std::size_t(argc)});
-        return 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_scaling: %s\n", error.what());
-        return 1;
-    }
+    return waybreaker::bench::program("bench_scaling", [&] { waybreaker::bench::run({argv, std::size_t(argc)}); });
 }
