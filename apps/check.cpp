@@ -1,10 +1,9 @@
 // `waybreaker check`: whether a plan file holds what it promises, from the map alone.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "commands.hpp"
 #include "help.hpp"
+#include "io/check_report.hpp"
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
@@ -22,49 +21,8 @@ struct CheckOptions {
     bool ignore_digest = false;
 };
 
-using Violations = std::vector<Violation>;
-
-// That the plan was made for this map. On one of another size there is nothing else to say.
-Violations judge_size(const io::PlanFile& plan, const Map& map) {
-    if (plan.width == map.width() && plan.height == map.height()) return {};
-    return {{Rule::map, fmt::format("the plan is for a map of {} x {} cells, this one has {} x {}", plan.width,
-                                    plan.height, map.width(), map.height())}};
-}
-
-Violations judge_digest(const io::PlanFile& plan, const io::MapFile& map) {
-    if (plan.digest == map.digest) return {};
-    return {{Rule::map, "the plan was made for another map file: the digests differ (see --ignore-digest)"}};
-}
-
-Violations judge(const CheckOptions& options, const io::PlanFile& plan, const io::MapFile& map) {
-    Violations violations = judge_size(plan, map.map);
-    if (!violations.empty()) return violations;
-    if (!options.ignore_digest) violations = judge_digest(plan, map);
-    CheckRules rules = plan.rules;
-    rules.tolerance = options.tolerance;
-    const Violations of_plan = check(map.map, plan.plan, rules);
-    violations.insert(violations.end(), of_plan.begin(), of_plan.end());
-    return violations;
-}
-
-std::string as_json(const Violations& violations) {
-    using Json = nlohmann::ordered_json;
-    Json list = Json::array();
-    for (const Violation& violation : violations) {
-        const std::optional<Point>& place = violation.place;
-        list.push_back({{"rule", name(violation.rule)},
-                        {"message", violation.message},
-                        {"agent", violation.agent.empty() ? Json() : Json(violation.agent)},
-                        {"obstacle", violation.obstacle ? Json(violation.obstacle.value) : Json()},
-                        {"place", place ? Json::array({place->x, place->y}) : Json()},
-                        {"time", violation.time ? Json(*violation.time) : Json()}});
-    }
-    const Json report{{"format", "waybreaker-check/1"}, {"valid", violations.empty()}, {"violations", list}};
-    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 // For a person: the first few, with time and place.
-std::string as_text(const Violations& violations, const std::string& plan) {
+std::string as_text(const std::vector<Violation>& violations, const std::string& plan) {
     if (violations.empty()) return plan + " is valid\n";
     constexpr std::size_t most = 10;
     std::string text = fmt::format("{:>10}  {:>15}  {}\n", "time", "place", "violation");
@@ -85,8 +43,9 @@ void run(const CheckOptions& options) {
         const Progress progress("reading " + options.map);
         return io::read_map_file(options.map, plan.connectivity, plan.image);
     }();
-    const Violations violations = judge(options, plan, map);
-    if (!options.json.empty()) io::write_whole(options.json, as_json(violations));
+    const std::vector<Violation> violations =
+        io::judge(plan, map, {.tolerance = options.tolerance, .ignore_digest = options.ignore_digest});
+    if (!options.json.empty()) io::write_whole(options.json, io::check_json(violations));
     if (options.json != "-") io::write_whole("-", as_text(violations, options.plan));
     if (violations.empty()) return;
     throw InvalidPlan(fmt::format("{} is not valid: {} {}", options.plan, violations.size(),

@@ -7,8 +7,8 @@
 #include "commands.hpp"
 #include "geo/city_import.hpp"
 #include "help.hpp"
+#include "io/map_info.hpp"
 #include "io/output_file.hpp"
-#include "map_summary.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 #include "waybreaker/error.hpp"
@@ -33,7 +33,7 @@ std::string summary_line(const std::string& file, const geo::ImportReport& repor
     const Map& map = report.tiff.map;
     return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}, {} obstacles, {:.1f} % blocked\n", file, map.width(),
                        map.height(), report.tiff.cell_size, report.buildings, things, map.obstacles().size(),
-                       100 * summarise(map).density);
+                       100 * io::summarise(map).density);
 }
 
 const char* things_of(const ImportOptions& options) {

@@ -4,9 +4,9 @@
 #include "commands.hpp"
 #include "experiment/terrain.hpp"
 #include "help.hpp"
+#include "io/map_info.hpp"
 #include "io/map_writer.hpp"
 #include "io/output_file.hpp"
-#include "map_summary.hpp"
 #include "option.hpp"
 
 namespace waybreaker::apps {
@@ -36,7 +36,7 @@ void run(const MapGenerateOptions& options) {
     if (options.output == "-") return;
     io::write_whole("-",
                     fmt::format("{}: {} x {} cells, {} obstacles, {:.1f} % blocked\n", options.output, file.map.width(),
-                                file.map.height(), file.map.obstacles().size(), 100 * summarise(file.map).density));
+                                file.map.height(), file.map.obstacles().size(), 100 * io::summarise(file.map).density));
 }
 
 }  // namespace

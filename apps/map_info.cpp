@@ -1,14 +1,12 @@
 // `waybreaker map info`: what a map file holds.
-#include <fmt/format.h>
+#include "io/map_info.hpp"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
 
 #include "commands.hpp"
 #include "help.hpp"
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
-#include "map_summary.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 
@@ -22,38 +20,7 @@ struct MapInfoOptions {
     bool json = false;
 };
 
-// Longitude and latitude of the middle of the map.
-std::array<double, 2> center(const Map& map, const geo::Georeference& georeference) {
-    return georeference.lon_lat((map.width() - 1) / 2.0, (map.height() - 1) / 2.0);
-}
-
-std::string as_json(const io::MapFile& file, const MapSummary& summary) {
-    using Json = nlohmann::ordered_json;
-    const auto cell = [](const std::optional<Cell>& c) { return c ? Json::array({c->x, c->y}) : Json(); };
-    Json json{{"source", file.source},       {"format", file.format},       {"width", file.map.width()},
-              {"height", file.map.height()}, {"cell_size", file.cell_size}, {"blocked", summary.blocked},
-              {"density", summary.density}};
-    json["obstacles"] = {{"count", file.map.obstacles().size()}, {"largest", nullptr}};
-    if (const Obstacle* largest = summary.largest) {
-        json["obstacles"]["largest"] = {
-            {"id", largest->id.value}, {"source_id", largest->source_id}, {"cells", largest->cells}};
-    }
-    json["unknown"] = file.unknown;
-    json["origin"] = file.ros ? Json(file.ros->yaml.origin) : Json();
-    json["georeference"] = nullptr;
-    if (file.georeference)
-        json["georeference"] = {{"crs", file.georeference->crs_name()},
-                                {"center", center(file.map, *file.georeference)}};
-    json["start"] = file.task ? cell(file.task->start) : Json();
-    json["goal"] = file.task ? cell(file.task->goal) : Json();
-    json["title"] = file.title;
-    json["attribution"] = file.attribution;
-    json["notes"] = file.notes;
-    json["digest"] = file.digest;
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string as_text(const io::MapFile& file, const MapSummary& summary) {
+std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
     const Map& map = file.map;
     const auto line = [](const std::string& name, const std::string& value) {
         return value.empty() ? std::string() : fmt::format("{:<13}{}\n", name, value);
@@ -72,7 +39,7 @@ std::string as_text(const io::MapFile& file, const MapSummary& summary) {
         text += line("largest", fmt::format("obstacle {}{}, {} cells", largest->id.value, source, largest->cells));
     }
     if (file.georeference) {
-        const auto [longitude, latitude] = center(map, *file.georeference);
+        const auto [longitude, latitude] = io::center(file);
         text += line("projection", file.georeference->crs_name());
         text += line("centre", fmt::format("longitude {:.6f}, latitude {:.6f}", longitude, latitude));
     }
@@ -95,8 +62,8 @@ io::MapFile read_map(const MapInfoOptions& options) {
 
 void run(const MapInfoOptions& options) {
     const io::MapFile file = read_map(options);
-    const MapSummary summary = summarise(file.map);
-    io::write_whole("-", options.json ? as_json(file, summary) : as_text(file, summary));
+    const io::MapSummary summary = io::summarise(file.map);
+    io::write_whole("-", options.json ? io::map_info_json(file) : as_text(file, summary));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "io/option_words.hpp"
 #include "io/weights.hpp"
 #include "option.hpp"
 #include "waybreaker/error.hpp"
@@ -12,21 +13,6 @@
 namespace waybreaker::apps {
 namespace {
 
-const Choices<Selection> selections{{"exact", Selection::exact}, {"hits", Selection::hits}};
-const Choices<FlightRule> flights{{"optimal", FlightRule::optimal}, {"nearest", FlightRule::nearest}};
-const Choices<Timing> timings{{"enforce", Timing::enforce}, {"ignore", Timing::ignore}};
-const Choices<Objective> objectives{{"makespan", Objective::makespan}, {"flowtime", Objective::flowtime}};
-const Choices<Planner> planners{{"theta", Planner::theta},       {"lazy-theta", Planner::lazy_theta},
-                                {"astar", Planner::astar},       {"jps", Planner::jps},
-                                {"dijkstra", Planner::dijkstra}, {"bfs", Planner::bfs},
-                                {"optimal", Planner::optimal}};
-const Choices<Heuristic> heuristics{{"euclidean", Heuristic::euclidean},
-                                    {"octile", Heuristic::octile},
-                                    {"chebyshev", Heuristic::chebyshev},
-                                    {"manhattan", Heuristic::manhattan},
-                                    {"zero", Heuristic::zero}};
-const Choices<TieBreak> tie_breaks{{"g-max", TieBreak::g_max}, {"g-min", TieBreak::g_min}};
-const Choices<Corners> corner_rules{{"none", Corners::none}, {"cut", Corners::cut}, {"squeeze", Corners::squeeze}};
 const Choices<bool> move_counts{{"8", true}, {"4", false}};
 
 constexpr int most_auto_removals = 32;
@@ -71,7 +57,7 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
                      "The paper's method: --select hits --flight nearest --timing ignore --planner theta; for -n 1 its "
                      "exact flight past one obstacle");
     add_removals(command, options);
-    add_choice(command, "--select", selections, options.select,
+    add_choice(command, "--select", io::selection_words, options.select,
                "Obstacles whose removal is proven best, or those that the search ran into most often, as in the paper "
                "(default: exact)");
     add_number(
@@ -88,29 +74,29 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
     command.add_flag("--bound", options.bound, "Prove a limit that no plan can beat also where the method proves none");
     command.add_flag("--explain", options.explain,
                      "Say what each removal saves, and which obstacle one removal more would take");
-    add_choice(command, "--flight", flights, options.flight,
+    add_choice(command, "--flight", io::flight_words, options.flight,
                "Shortest flight that touches every removed obstacle, or the paper's: past the cells nearest to the "
                "straight line (default: optimal)");
-    add_choice(command, "--timing", timings, options.timing,
+    add_choice(command, "--timing", io::timing_words, options.timing,
                "An obstacle is solid until it has been breached, so that the ground agent waits or drives around; or, "
                "as in the paper, removed obstacles are taken as never there (default: enforce)");
-    add_choice(command, "--objective", objectives, options.objective,
+    add_choice(command, "--objective", io::objective_words, options.objective,
                "When the last agent arrives, or the sum of all arrival times (default: makespan)");
 }
 
 void add_search_options(CLI::App& command, PlanOptions& options) {
     add_choice(
-        command, "--planner", planners, options.planner,
+        command, "--planner", io::planner_words, options.planner,
         "Search of the ground agent (default: optimal; theta where the way to select, the agent or its moves need it)");
-    add_choice(command, "--heuristic", heuristics, options.heuristic,
+    add_choice(command, "--heuristic", io::heuristic_words, options.heuristic,
                "Estimate of the way to go (default: euclidean for theta and lazy-theta, octile for astar and jps)");
     add_number(
         command, "--weight", [&options](double weight) { options.weight = weight; }, 1, "W",
         "Weight of the heuristic, at least 1 (default: 1)");
     add_choice(
-        command, "--tie-break", tie_breaks, options.tie_break,
+        command, "--tie-break", io::tie_break_words, options.tie_break,
         "Of two equally promising nodes take the one farther from (g-max) or nearer to the start (default: g-max)");
-    add_choice(command, "--corners", corner_rules, options.corners,
+    add_choice(command, "--corners", io::corner_words, options.corners,
                "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
     add_length(command, "--radius", options.radius,
                "Radius of the ground agent; 0 for a point, which --planner optimal drives (default: 0.5)");
@@ -145,13 +131,6 @@ std::vector<double> weights_of(const std::string& source, const Map& map) {
     return weights;
 }
 
-std::string word_for(Planner planner) {
-    for (const auto& [word, value] : planners) {
-        if (value == planner) return word;
-    }
-    return "";
-}
-
 }  // namespace
 
 void add_plan_options(CLI::App& command, PlanOptions& options) {
@@ -175,7 +154,7 @@ void validate(const PlanOptions& options) {
     if (options.paper && options.planner && *options.planner != Planner::theta) {
         throw InputError(
             fmt::format("--paper stands for --planner theta, which --planner {} contradicts; drop one of them",
-                        word_for(*options.planner)));
+                        io::word_of(io::planner_words, *options.planner)));
     }
     if (options.paper && options.select == Selection::exact) {
         throw InputError("--paper stands for --select hits, which --select exact contradicts; drop one of them");

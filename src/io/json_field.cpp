@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 Json parse_json(std::string_view bytes, const std::string& file, int max_depth) {
     const auto not_too_deep = [&](int depth, Json::parse_event_t, Json&) {
-        if (depth > max_depth) throw InputError(file, 0, "its values are nested too deep to be a plan");
+        if (depth > max_depth) throw InputError(file, 0, "its values are nested too deep");
         return true;
     };
     try {
@@ -36,6 +36,21 @@ std::optional<JsonField> JsonField::find(const char* key) const {
     const auto member = json_->find(key);
     if (member == json_->end() || member->is_null()) return std::nullopt;
     return (*this)[key];
+}
+
+void JsonField::allow(std::initializer_list<std::string_view> names) const {
+    if (!json_->is_object()) fail("is not an object");
+    for (const auto& [key, value] : json_->items()) {
+        if (std::find(names.begin(), names.end(), key) != names.end()) continue;
+        std::string known;
+        for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
+        fail("has a member that is none of " + known);
+    }
+}
+
+bool JsonField::truth() const {
+    if (!json_->is_boolean()) fail("is neither true nor false");
+    return json_->get<bool>();
 }
 
 std::vector<JsonField> JsonField::items() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -25,6 +26,12 @@ class JsonField {
     JsonField operator[](const char* key) const;
     std::optional<JsonField> find(const char* key) const;
 
+    // Throws InputError if the object has a member of another name: a typing error, most likely.
+    void allow(std::initializer_list<std::string_view> names) const;
+
+    // What it is, for choices between forms.
+    const nlohmann::json& json() const { return *json_; }
+
     // The values of an array.
     std::vector<JsonField> items() const;
 
@@ -34,6 +41,8 @@ class JsonField {
     std::string text() const;  // of printable characters
     template <class Value>
     Value one_of(const std::vector<std::pair<std::string, Value>>& choices) const;
+
+    bool truth() const;
 
     std::optional<double> number_or_null() const;
 

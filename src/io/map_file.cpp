@@ -114,4 +114,16 @@ MapFile read_map_file(const std::string& path, Connectivity connectivity, const 
     return file;
 }
 
+MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity, const ImageReading& image) {
+    const bool one_file = is_tiff(bytes) || is_png(bytes) || is_netpbm(bytes) || is_xml(bytes);
+    if (!one_file && is_ros_yaml(bytes)) {
+        throw InputError(name, 0, "a ROS map is two files; give its image, or convert it with waybreaker map convert");
+    }
+    std::string digest = sha256_digest(bytes);
+    MapFile file = read(bytes, name, connectivity, image);
+    file.source = name;
+    file.digest = std::move(digest);
+    return file;
+}
+
 }  // namespace waybreaker::io

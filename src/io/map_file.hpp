@@ -48,4 +48,9 @@ struct MapFile {
 MapFile read_map_file(const std::string& path, Connectivity connectivity = Connectivity::four,
                       const ImageReading& image = {});
 
+// A map whose bytes are all there is of it: no other file is opened, so that a ROS map, whose image lies beside it, is
+// refused. `name` is what errors call it.
+MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity = Connectivity::four,
+                  const ImageReading& image = {});
+
 }  // namespace waybreaker::io

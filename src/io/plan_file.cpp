@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/json_field.hpp"
+#include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "waybreaker/error.hpp"
 
@@ -35,8 +36,7 @@ double not_negative(const JsonField& field) {
 
 Motion motion(const JsonField& options) {
     Motion result;
-    result.corners = options["corners"].one_of<Corners>(
-        {{"none", Corners::none}, {"cut", Corners::cut}, {"squeeze", Corners::squeeze}});
+    result.corners = options["corners"].one_of(corner_words);
     result.radius = options["radius"].number();
     if (result.radius < 0 || result.radius > 32) options["radius"].fail("is not between 0 and 32");
     return result;
@@ -45,9 +45,8 @@ Motion motion(const JsonField& options) {
 CheckRules rules(const JsonField& options) {
     CheckRules result;
     result.motion = motion(options);
-    result.timing = options["timing"].one_of<Timing>({{"enforce", Timing::enforce}, {"ignore", Timing::ignore}});
-    result.objective =
-        options["objective"].one_of<Objective>({{"makespan", Objective::makespan}, {"flowtime", Objective::flowtime}});
+    result.timing = options["timing"].one_of(timing_words);
+    result.objective = options["objective"].one_of(objective_words);
     // Without a number there is no limit but the budget.
     const auto removals = options.find("removals");
     result.removals = removals ? int(removals->whole_number(0, INT_MAX)) : INT_MAX;
@@ -64,24 +63,14 @@ SearchOptions search(const JsonField& options) {
     SearchOptions result;
     result.motion = motion(options);
     if (const auto planner = options.find("planner")) {
-        result.planner = planner->one_of<Planner>({{"theta", Planner::theta},
-                                                   {"lazy-theta", Planner::lazy_theta},
-                                                   {"astar", Planner::astar},
-                                                   {"jps", Planner::jps},
-                                                   {"dijkstra", Planner::dijkstra},
-                                                   {"bfs", Planner::bfs},
-                                                   {"optimal", Planner::optimal}});
+        result.planner = planner->one_of(planner_words);
     }
     if (const auto heuristic = options.find("heuristic")) {
-        result.heuristic = heuristic->one_of<Heuristic>({{"euclidean", Heuristic::euclidean},
-                                                         {"octile", Heuristic::octile},
-                                                         {"chebyshev", Heuristic::chebyshev},
-                                                         {"manhattan", Heuristic::manhattan},
-                                                         {"zero", Heuristic::zero}});
+        result.heuristic = heuristic->one_of(heuristic_words);
     }
     if (const auto weight = options.find("weight")) result.weight = not_negative(*weight);
     if (const auto rule = options.find("tie_break")) {
-        result.tie_break = rule->one_of<TieBreak>({{"g-max", TieBreak::g_max}, {"g-min", TieBreak::g_min}});
+        result.tie_break = rule->one_of(tie_break_words);
     }
     return result;
 }
@@ -133,7 +122,7 @@ Cell end_of(const JsonField& agent, const char* key, const Waypoint& point) {
 AgentPlan agent(const JsonField& field) {
     AgentPlan result;
     result.id = field["id"].text();
-    result.kind = field["kind"].one_of<AgentKind>({{"ground", AgentKind::ground}, {"air", AgentKind::air}});
+    result.kind = field["kind"].one_of(agent_words);
     result.speed = field["speed"].number();
     for (const JsonField& point : field["path"].items()) {
         const std::vector<JsonField> parts = point.items();
@@ -153,10 +142,7 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     const JsonField root(document, name);
     if (root["format"].text() != "waybreaker-plan/1") root["format"].fail("is not waybreaker-plan/1");
     PlanFile file;
-    file.plan.status = root["status"].one_of<PlanStatus>({{"solved", PlanStatus::solved},
-                                                          {"no_plan", PlanStatus::no_plan},
-                                                          {"limit_reached", PlanStatus::limit_reached},
-                                                          {"stopped", PlanStatus::stopped}});
+    file.plan.status = root["status"].one_of(status_words);
     file.width = int(root["map"]["width"].whole_number(1, max_side));
     file.height = int(root["map"]["height"].whole_number(1, max_side));
     file.digest = root["map"]["digest"].text();

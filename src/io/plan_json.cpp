@@ -3,96 +3,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/option_words.hpp"
+
 namespace waybreaker::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string_view name(Planner planner) {
-    switch (planner) {
-        case Planner::theta:
-            return "theta";
-        case Planner::lazy_theta:
-            return "lazy-theta";
-        case Planner::astar:
-            return "astar";
-        case Planner::jps:
-            return "jps";
-        case Planner::dijkstra:
-            return "dijkstra";
-        case Planner::optimal:
-            return "optimal";
-        case Planner::bfs:
-            break;
-    }
-    return "bfs";
-}
-
-std::string_view name(Heuristic heuristic) {
-    switch (heuristic) {
-        case Heuristic::euclidean:
-            return "euclidean";
-        case Heuristic::octile:
-            return "octile";
-        case Heuristic::chebyshev:
-            return "chebyshev";
-        case Heuristic::manhattan:
-            return "manhattan";
-        case Heuristic::zero:
-            break;
-    }
-    return "zero";
-}
-
-std::string_view name(TieBreak rule) {
-    return rule == TieBreak::g_max ? "g-max" : "g-min";
-}
-
-std::string_view name(Corners corners) {
-    switch (corners) {
-        case Corners::none:
-            return "none";
-        case Corners::cut:
-            return "cut";
-        case Corners::squeeze:
-            break;
-    }
-    return "squeeze";
-}
-
-std::string_view name(PlanStatus status) {
-    switch (status) {
-        case PlanStatus::solved:
-            return "solved";
-        case PlanStatus::no_plan:
-            return "no_plan";
-        case PlanStatus::limit_reached:
-            return "limit_reached";
-        case PlanStatus::stopped:
-            break;
-    }
-    return "stopped";
-}
-
-std::string_view name(Selection selection) {
-    return selection == Selection::exact ? "exact" : "hits";
-}
-
-std::string_view name(Timing timing) {
-    return timing == Timing::enforce ? "enforce" : "ignore";
-}
-
-std::string_view name(FlightRule rule) {
-    return rule == FlightRule::optimal ? "optimal" : "nearest";
-}
-
-std::string_view name(Objective objective) {
-    return objective == Objective::makespan ? "makespan" : "flowtime";
-}
-
-std::string_view name(AgentKind kind) {
-    return kind == AgentKind::ground ? "ground" : "air";
-}
 
 Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
@@ -121,19 +37,19 @@ Json map_json(const MapFile& map, const ImageReading& image) {
 Json options_json(const PlanContext& context) {
     const MissionOptions& options = context.options;
     const Motion& motion = options.search.motion;
-    Json json{{"planner", name(options.search.planner)},
-              {"heuristic", name(heuristic_of(options.search))},
+    Json json{{"planner", word_of(planner_words, options.search.planner)},
+              {"heuristic", word_of(heuristic_words, heuristic_of(options.search))},
               {"weight", number(options.search.weight)},
-              {"tie_break", name(options.search.tie_break)},
-              {"select", name(options.select)},
-              {"flight", name(options.flight)},
-              {"timing", name(options.timing)},
-              {"objective", name(options.objective)},
+              {"tie_break", word_of(tie_break_words, options.search.tie_break)},
+              {"select", word_of(selection_words, options.select)},
+              {"flight", word_of(flight_words, options.flight)},
+              {"timing", word_of(timing_words, options.timing)},
+              {"objective", word_of(objective_words, options.objective)},
               {"removals", options.removals},
               {"breach_time", number(options.breach_time.per_obstacle)},
               {"breach_time_per_cell", number(options.breach_time.per_cell)},
               {"connectivity", context.connectivity == Connectivity::four ? 4 : 8},
-              {"corners", name(motion.corners)},
+              {"corners", word_of(corner_words, motion.corners)},
               {"radius", number(motion.radius)}};
     for (const ObstacleId id : options.protect) json["protect"].push_back(id.value);
     if (std::isfinite(options.budget)) json["budget"] = number(options.budget);
@@ -154,7 +70,7 @@ Json outcome_json(const Outcome& outcome, bool timing_fields) {
 Json bound_json(const Plan& plan, Objective objective) {
     if (!plan.bound) return nullptr;
     const std::optional<double> reached = objective == Objective::makespan ? plan.after.makespan : plan.after.flowtime;
-    Json bound{{name(objective), number(plan.bound)}, {"gap", nullptr}};
+    Json bound{{word_of(objective_words, objective), number(plan.bound)}, {"gap", nullptr}};
     if (reached) bound["gap"] = number(*plan.bound > 0 ? *reached / *plan.bound - 1 : 0);
     return bound;
 }
@@ -183,7 +99,7 @@ Json agent_json(const AgentPlan& agent) {
         path.push_back(Json::array({coordinate(point.x), coordinate(point.y), number(point.t)}));
     }
     return {{"id", agent.id},
-            {"kind", name(agent.kind)},
+            {"kind", word_of(agent_words, agent.kind)},
             {"speed", number(agent.speed)},
             {"start", place(agent.start)},
             {"goal", place(agent.goal)},
@@ -227,7 +143,7 @@ std::string pretty(const Json& json, const std::string& indent = "") {
 
 std::string plan_json(const Plan& plan, const PlanContext& context) {
     Json json{{"format", "waybreaker-plan/1"},
-              {"status", name(plan.status)},
+              {"status", word_of(status_words, plan.status)},
               {"map", map_json(context.map, context.image)},
               {"options", options_json(context)},
               {"before", outcome_json(plan.before, context.timing_fields)},

@@ -181,7 +181,7 @@ TEST(PlanFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(refusal("[1e999]"), "p.json: it holds a number that is too large");
     EXPECT_EQ(refusal("[]"), "p.json: the document is not an object");
     EXPECT_EQ(refusal("{}"), "p.json: the document has no member format");
-    EXPECT_EQ(refusal(std::string(1000, '[')), "p.json: its values are nested too deep to be a plan");
+    EXPECT_EQ(refusal(std::string(1000, '[')), "p.json: its values are nested too deep");
     EXPECT_EQ(refusal(with("/format", "waybreaker-plan/2")), "p.json: format is not waybreaker-plan/1");
     EXPECT_EQ(refusal(with("/status", "well")), "p.json: status is none of solved, no_plan, limit_reached, stopped");
     EXPECT_EQ(refusal(with("/map/width", 1e9)), "p.json: map.width is not between 1 and 32768");

@@ -1,0 +1,53 @@
+#include "io/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace waybreaker::io {
+namespace {
+
+using Violations = std::vector<Violation>;
+
+// That the plan was made for this map. On one of another size there is nothing else to say.
+Violations judge_size(const PlanFile& plan, const Map& map) {
+    if (plan.width == map.width() && plan.height == map.height()) return {};
+    return {{Rule::map, fmt::format("the plan is for a map of {} x {} cells, this one has {} x {}", plan.width,
+                                    plan.height, map.width(), map.height())}};
+}
+
+Violations judge_digest(const PlanFile& plan, const MapFile& map) {
+    if (plan.digest == map.digest) return {};
+    return {{Rule::map, "the plan was made for another map file: the digests differ (see --ignore-digest)"}};
+}
+
+}  // namespace
+
+Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options) {
+    Violations violations = judge_size(plan, map.map);
+    if (!violations.empty()) return violations;
+    if (!options.ignore_digest) violations = judge_digest(plan, map);
+    CheckRules rules = plan.rules;
+    rules.tolerance = options.tolerance;
+    const Violations of_plan = check(map.map, plan.plan, rules);
+    violations.insert(violations.end(), of_plan.begin(), of_plan.end());
+    return violations;
+}
+
+std::string check_json(const Violations& violations) {
+    using Json = nlohmann::ordered_json;
+    Json list = Json::array();
+    for (const Violation& violation : violations) {
+        const std::optional<Point>& place = violation.place;
+        list.push_back({{"rule", name(violation.rule)},
+                        {"message", violation.message},
+                        {"agent", violation.agent.empty() ? Json() : Json(violation.agent)},
+                        {"obstacle", violation.obstacle ? Json(violation.obstacle.value) : Json()},
+                        {"place", place ? Json::array({place->x, place->y}) : Json()},
+                        {"time", violation.time ? Json(*violation.time) : Json()}});
+    }
+    const Json report{{"format", "waybreaker-check/1"}, {"valid", violations.empty()}, {"violations", list}};
+    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace waybreaker::io

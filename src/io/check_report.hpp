@@ -1,0 +1,23 @@
+// Whether a plan file holds what it promises on a map file, and the report of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/map_file.hpp"
+#include "io/plan_file.hpp"
+
+namespace waybreaker::io {
+
+struct JudgeOptions {
+    double tolerance = CheckRules().tolerance;
+    bool ignore_digest = false;  // another map file will do, if only the plan holds on it
+};
+
+// What is wrong with the plan, that it was made for another map included.
+std::vector<Violation> judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options = {});
+
+// The document "waybreaker-check/1", as `waybreaker check --json` writes it.
+std::string check_json(const std::vector<Violation>& violations);
+
+}  // namespace waybreaker::io

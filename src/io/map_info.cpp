@@ -1,0 +1,46 @@
+#include "io/map_info.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace waybreaker::io {
+
+MapSummary summarise(const Map& map) {
+    MapSummary summary;
+    for (const Obstacle& obstacle : map.obstacles()) {
+        summary.blocked += obstacle.cells;
+        if (summary.largest == nullptr || obstacle.cells > summary.largest->cells) summary.largest = &obstacle;
+    }
+    summary.density = double(summary.blocked) / double(map.grid().cell_count());
+    return summary;
+}
+
+std::array<double, 2> center(const MapFile& file) {
+    return file.georeference.value().lon_lat((file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0);
+}
+
+std::string map_info_json(const MapFile& file) {
+    const MapSummary summary = summarise(file.map);
+    using Json = nlohmann::ordered_json;
+    const auto cell = [](const std::optional<Cell>& c) { return c ? Json::array({c->x, c->y}) : Json(); };
+    Json json{{"source", file.source},       {"format", file.format},       {"width", file.map.width()},
+              {"height", file.map.height()}, {"cell_size", file.cell_size}, {"blocked", summary.blocked},
+              {"density", summary.density}};
+    json["obstacles"] = {{"count", file.map.obstacles().size()}, {"largest", nullptr}};
+    if (const Obstacle* largest = summary.largest) {
+        json["obstacles"]["largest"] = {
+            {"id", largest->id.value}, {"source_id", largest->source_id}, {"cells", largest->cells}};
+    }
+    json["unknown"] = file.unknown;
+    json["origin"] = file.ros ? Json(file.ros->yaml.origin) : Json();
+    json["georeference"] = nullptr;
+    if (file.georeference) json["georeference"] = {{"crs", file.georeference->crs_name()}, {"center", center(file)}};
+    json["start"] = file.task ? cell(file.task->start) : Json();
+    json["goal"] = file.task ? cell(file.task->goal) : Json();
+    json["title"] = file.title;
+    json["attribution"] = file.attribution;
+    json["notes"] = file.notes;
+    json["digest"] = file.digest;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace waybreaker::io
