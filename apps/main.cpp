@@ -40,6 +40,7 @@ void setup(CLI::App& root, Run& run) {
     setup_map(root, run);
     setup_missions_generate(root, run);
     setup_experiment(root, run);
+    setup_serve(root, run);
     setup_completion(root, run);
     setup_manual(root, run);
     set_examples(root, {"waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55 --svg plan.svg",

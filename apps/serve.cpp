@@ -1,0 +1,102 @@
+// `waybreaker serve`: the service over HTTP, until it is told to end.
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+#include <thread>
+
+#include "commands.hpp"
+#include "help.hpp"
+#include "option.hpp"
+#include "server/service.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+// SIGTERM and SIGINT are waited for by one thread, and told to no other. To be made before other threads are.
+class EndSignals {
+  public:
+    EndSignals() {
+        sigemptyset(&signals_);
+        sigaddset(&signals_, SIGTERM);
+        sigaddset(&signals_, SIGINT);
+        pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    }
+
+    void wait() const {
+        int signal = 0;
+        sigwait(&signals_, &signal);
+    }
+
+  private:
+    sigset_t signals_{};
+};
+
+void log(const std::string& line) {
+    std::fputs(line.c_str(), stderr);
+}
+
+void run(server::ServiceOptions options) {
+    const EndSignals signals;
+    options.log = log;
+    server::Service service(std::move(options));
+    std::thread([&] {
+        signals.wait();
+        service.stop();
+    }).detach();
+    service.run();
+}
+
+void add_limits(CLI::App& command, server::Limits& limits) {
+    constexpr std::int64_t most = 1'000'000;
+    constexpr std::size_t megabyte = std::size_t{1} << 20;
+    add_count(
+        command, "--max-upload", [&limits](std::int64_t n) { limits.upload_bytes = std::size_t(n) * megabyte; }, 1,
+        2048, "Largest body of a request, in MiB (default: 32)");
+    add_count(
+        command, "--max-cells", [&limits](std::int64_t n) { limits.map_cells = std::size_t(n); }, 1,
+        std::int64_t(max_cells), "Largest uploaded map, in cells (default: 16777216)");
+    add_count(
+        command, "--max-maps", [&limits](std::int64_t n) { limits.maps = std::size_t(n); }, 1, most,
+        "Maps held in memory; of more, the one not used for longest goes (default: 32)");
+    add_number(
+        command, "--time-limit", [&limits](double seconds) { limits.seconds = seconds; }, 0, "SECONDS",
+        "Longest time for a plan (default: 30)");
+    add_count(
+        command, "--workers", [&limits](std::int64_t n) { limits.workers = unsigned(n); }, 1, 1024,
+        "Plans at a time (default: 2)");
+    add_count(
+        command, "--queue", [&limits](std::int64_t n) { limits.queue = std::size_t(n); }, 0, most,
+        "Plans that may wait; more are answered with 503 (default: 16)");
+    add_count(
+        command, "--connections", [&limits](std::int64_t n) { limits.connections = std::size_t(n); }, 1, most,
+        "Connections at a time (default: 256)");
+}
+
+}  // namespace
+
+void setup_serve(CLI::App& root, Run& run_chosen) {
+    auto options = std::make_shared<server::ServiceOptions>();
+    options->port = 8080;
+    CLI::App* command = root.add_subcommand(
+        "serve",
+        "Serve maps and plans over HTTP\n\n"
+        "Answers programs of this machine only, unless told otherwise; GET /api/v1/openapi.json describes what can be "
+        "asked. Logs a line of JSON for each request to standard error. SIGTERM or Ctrl-C end it: what has begun is "
+        "finished.");
+    add_file(*command, "--maps", options->maps, "A folder of maps to serve; no other file is read");
+    add_file(*command, "--host", options->host, "Address to listen on (default: 127.0.0.1)");
+    constexpr int last_port = 65535;
+    add_count(
+        *command, "--port", [options](std::int64_t n) { options->port = int(n); }, 0, last_port,
+        "Port to listen on; 0 takes one that is free, which the log tells (default: 8080)");
+    command->option_defaults()->group("Safety");
+    add_file(*command, "--token", options->token, "What clients must send: Authorization: Bearer TOKEN");
+    command->add_flag("--insecure", options->insecure, "Let other machines ask without a token");
+    add_limits(*command, options->limits);
+    set_examples(*command, {"waybreaker serve --maps data",
+                            "waybreaker serve --maps data --host 0.0.0.0 --token \"$(openssl rand -hex 16)\""});
+    command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
+}
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,50 @@
+// The documents that answer requests, made by the library and the writers of src/io and src/render.
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "server/map_shelf.hpp"
+#include "server/plan_request.hpp"
+
+namespace waybreaker::server {
+
+// A body and its media type.
+struct Document {
+    std::string type;
+    std::string body;
+};
+
+// JSON says its charset for the sake of one thing: httplib leaves such answers uncompressed, and its compression takes
+// longer than most plans.
+inline constexpr auto json_type = "application/json; charset=utf-8";
+
+std::string maps_json(const std::vector<MapShelf::Entry>& entries);
+// As `waybreaker map info --json`, with id and connectivity.
+std::string map_json(const std::string& id, const ShelvedMap& map);
+// Obstacles, and the labels of all cells as runs [label, length, label, length, ...], row after row; 0 is free.
+std::string obstacles_json(const Map& map);
+
+// What a worker plans with.
+struct Task {
+    SharedMap map;
+    PlanRequest request;
+    double seconds = 30;  // at most
+};
+
+// Each throws Problem if the mission does not fit the map.
+std::string plan_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop);
+std::string front_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop);
+std::string compare_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop);
+
+// `plan` is the text of a plan file. Both throw Problem if it cannot be read; export if it is not valid for the map
+// too.
+std::string check_answer(const ShelvedMap& map, const std::string& plan);
+Document export_answer(const ShelvedMap& map, const std::string& plan, const std::string& format);
+
+// Whether export_answer knows it.
+bool is_export_format(const std::string& format);
+std::string media_type_of(const std::string& format);
+
+}  // namespace waybreaker::server

@@ -1,0 +1,111 @@
+#include "server/desk.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "server/problem.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::server {
+namespace {
+
+using std::chrono::milliseconds;
+constexpr milliseconds between_events(250);
+constexpr double grace = 1;  // seconds that a planner has to keep its own time limit
+
+// An event of several lines, as the HTML standard writes it.
+std::string event(const std::string& name, const std::string& data) {
+    std::string text = "event: " + name + "\n";
+    for (std::size_t begin = 0; begin < data.size();) {
+        const std::size_t end = std::min(data.find('\n', begin), data.size());
+        text += "data: " + data.substr(begin, end - begin) + "\n";
+        begin = end + 1;
+    }
+    return text + "\n";
+}
+
+std::string progress(const Job& job) {
+    const nlohmann::ordered_json json{{"state", job.state() == Job::State::queued ? "queued" : "planning"},
+                                      {"seconds", job.seconds()}};
+    return event("progress", json.dump());
+}
+
+}  // namespace
+
+Failure current_failure() {
+    try {
+        throw;
+    } catch (const Problem& problem) {
+        return {problem.status(), problem.what()};
+    } catch (const InputError& error) {
+        return {unprocessable, error.what()};
+    } catch (const std::bad_alloc&) {
+        return {unavailable, "out of memory"};
+    } catch (...) {
+        return {internal_error, "this is our fault; the log says more"};
+    }
+}
+
+Desk::Desk(const Limits& limits, Metrics& metrics)
+    : limits_(limits), metrics_(metrics), queue_(limits.workers, limits.queue) {}
+
+std::shared_ptr<Job> Desk::submit(Work work) {
+    auto job = queue_.submit([this, work = std::move(work)](MissionPlanner& planner, const std::stop_token& stop) {
+        const auto began = std::chrono::steady_clock::now();
+        std::string result = work(planner, stop);
+        metrics_.count_plan(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+        return result;
+    });
+    if (!job) {
+        metrics_.count_refused();
+        throw Problem(unavailable, "too many plans are waiting; ask again in a moment");
+    }
+    return job;
+}
+
+// Whether the job is done by then; one that takes too long is stopped.
+bool Desk::finish_in_time(Job& job, milliseconds time) {
+    if (job.wait(time)) return true;
+    if (job.seconds() > limits_.seconds + grace && job.stop()) metrics_.count_stopped();
+    return false;
+}
+
+std::string Desk::wait_for(Work work) {
+    const std::shared_ptr<Job> job = submit(std::move(work));
+    while (!finish_in_time(*job, between_events)) continue;
+    return job->result();
+}
+
+void Desk::stream(Work work, httplib::Response& response, std::function<void(int)> ended) {
+    const std::shared_ptr<Job> job = submit(std::move(work));
+    const auto finished = std::make_shared<bool>(false);
+    const auto tell = [this, job, ended, finished](std::size_t, httplib::DataSink& sink) {
+        const auto send = [&sink](const std::string& text) {
+            return sink.is_writable() && sink.write(text.data(), text.size());
+        };
+        bool there = send(progress(*job));
+        while (there && !finish_in_time(*job, between_events)) there = send(progress(*job));
+        if (!there) return false;
+        int status = ok;
+        try {
+            send(event("plan", job->result()));
+        } catch (...) {
+            const Failure failure = current_failure();
+            status = failure.status;
+            send(event("problem", problem_json(failure.status, failure.detail)));
+        }
+        *finished = true;
+        ended(status);
+        sink.done();
+        return true;
+    };
+    const auto left = [this, job, ended, finished](bool) {
+        if (*finished) return;
+        if (job->stop()) metrics_.count_stopped();
+        constexpr int client_closed_request = 499;  // as other servers log it; nobody receives it
+        ended(client_closed_request);
+    };
+    response.set_chunked_content_provider("text/event-stream", tell, left);
+}
+
+}  // namespace waybreaker::server

@@ -1,0 +1,46 @@
+// Desk: runs the plans that clients ask for, and waits for them on the client's behalf.
+#pragma once
+
+#include <httplib.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "server/job_queue.hpp"
+#include "server/limits.hpp"
+#include "server/metrics.hpp"
+
+namespace waybreaker::server {
+
+class Desk {
+  public:
+    Desk(const Limits& limits, Metrics& metrics);
+
+    // The work's result. Throws Problem if too many wait, and what the work throws.
+    std::string wait_for(Work work);
+
+    // The same as server-sent events: `progress` from time to time, then `plan` or `problem`. If the client goes away,
+    // the work is stopped. `ended` is told once, with what has become of it. Throws Problem if too many wait.
+    void stream(Work work, httplib::Response& response, std::function<void(int status)> ended);
+
+    std::size_t waiting() const { return queue_.waiting(); }
+    std::size_t running() const { return queue_.running(); }
+
+  private:
+    std::shared_ptr<Job> submit(Work work);
+    bool finish_in_time(Job& job, std::chrono::milliseconds time);
+
+    Limits limits_;
+    Metrics& metrics_;
+    JobQueue queue_;
+};
+
+// What an exception that is in flight means to a client.
+struct Failure {
+    int status;
+    std::string detail;
+};
+Failure current_failure();
+
+}  // namespace waybreaker::server

@@ -1,0 +1,43 @@
+#include "server/guard.hpp"
+
+#include <algorithm>
+
+namespace waybreaker::server {
+namespace {
+
+// "localhost:8080" and "[::1]:8080" without the port.
+std::string_view without_port(std::string_view host) {
+    if (host.starts_with('[')) return host.substr(0, std::min(host.find(']') + 1, host.size()));
+    return host.substr(0, host.find(':'));
+}
+
+}  // namespace
+
+bool is_loopback(const std::string& address) {
+    return address == "localhost" || address == "::1" || address == "127.0.0.1";
+}
+
+bool names_loopback(std::string_view host) {
+    const std::string_view name = without_port(host);
+    return name == "localhost" || name == "127.0.0.1" || name == "[::1]";
+}
+
+bool same_site(std::string_view origin, std::string_view host) {
+    const std::size_t slashes = origin.find("://");
+    return slashes != std::string_view::npos && origin.substr(slashes + 3) == host;
+}
+
+bool brings_token(std::string_view authorization, std::string_view token) {
+    constexpr std::string_view scheme = "Bearer ";
+    if (!authorization.starts_with(scheme)) return false;
+    const std::string_view given = authorization.substr(scheme.size());
+    // Every character of what was given is looked at, whether or not the first ones fit.
+    unsigned difference = given.size() == token.size() ? 0 : 1;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const char wanted = token.empty() ? '\0' : token[i % token.size()];
+        difference |= unsigned(given[i] != wanted);
+    }
+    return difference == 0 && !token.empty();
+}
+
+}  // namespace waybreaker::server

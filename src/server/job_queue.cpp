@@ -1,0 +1,111 @@
+#include "server/job_queue.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace waybreaker::server {
+
+Job::State Job::state() const {
+    const std::scoped_lock lock(mutex_);
+    return state_;
+}
+
+double Job::seconds() const {
+    const std::scoped_lock lock(mutex_);
+    if (state_ == State::queued) return 0;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
+
+bool Job::wait(std::chrono::milliseconds time) const {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, time, [this] { return state_ == State::done; });
+}
+
+std::string Job::result() {
+    const std::scoped_lock lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+    return std::move(result_);
+}
+
+void Job::run(MissionPlanner& planner) {
+    {
+        const std::scoped_lock lock(mutex_);
+        state_ = State::running;
+        began_ = std::chrono::steady_clock::now();
+    }
+    std::string result;
+    std::exception_ptr failure;
+    try {
+        if (!stop_.stop_requested()) result = work_(planner, stop_.get_token());
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    work_ = nullptr;  // lets go of its map
+    {
+        const std::scoped_lock lock(mutex_);
+        result_ = std::move(result);
+        failure_ = failure;
+        state_ = State::done;
+    }
+    changed_.notify_all();
+}
+
+JobQueue::JobQueue(unsigned workers, std::size_t waiting_limit) : waiting_limit_(waiting_limit) {
+    for (unsigned i = 0; i < std::max(workers, 1U); ++i) {
+        workers_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
+    }
+}
+
+JobQueue::~JobQueue() {
+    for (std::jthread& worker : workers_) worker.request_stop();
+    {
+        const std::scoped_lock lock(mutex_);
+        for (const auto& job : line_) job->stop();
+        for (const auto& job : running_) job->stop();
+    }
+    workers_.clear();  // joins, while the rest still lives
+}
+
+std::shared_ptr<Job> JobQueue::submit(Work work) {
+    auto job = std::make_shared<Job>(std::move(work));
+    {
+        const std::scoped_lock lock(mutex_);
+        // Those who gave up take no place; those for whom a worker is free do not wait.
+        const auto waits = [](const auto& other) { return !other->stop_.stop_requested(); };
+        const auto waiting = std::size_t(std::count_if(line_.begin(), line_.end(), waits));
+        const std::size_t idle = workers_.size() - std::min(workers_.size(), running_.size());
+        if (waiting >= waiting_limit_ + idle) return nullptr;
+        line_.push_back(job);
+    }
+    ready_.notify_one();
+    return job;
+}
+
+std::size_t JobQueue::waiting() const {
+    const std::scoped_lock lock(mutex_);
+    return line_.size();
+}
+
+std::size_t JobQueue::running() const {
+    const std::scoped_lock lock(mutex_);
+    return running_.size();
+}
+
+void JobQueue::serve(const std::stop_token& stop) {
+    MissionPlanner planner;
+    while (true) {
+        std::shared_ptr<Job> job;
+        {
+            std::unique_lock lock(mutex_);
+            if (!ready_.wait(lock, stop, [this] { return !line_.empty(); })) return;
+            job = std::move(line_.front());
+            line_.pop_front();
+            running_.push_back(job);
+        }
+        job->run(planner);
+        const std::scoped_lock lock(mutex_);
+        std::erase(running_, job);
+    }
+}
+
+}  // namespace waybreaker::server

@@ -1,0 +1,80 @@
+// Job queue: a few workers, each with a planner that keeps its memory, and a short line in front of them.
+//
+//     JobQueue queue(2, 16);
+//     const auto job = queue.submit([&](MissionPlanner& planner, std::stop_token stop) { return ...; });
+//     if (!job) ...;                            // the line is full
+//     while (!job->wait(250ms)) ...;            // or job->stop()
+//     answer(job->result());
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker::server {
+
+using Work = std::function<std::string(MissionPlanner&, std::stop_token)>;
+
+class Job {
+  public:
+    enum class State { queued, running, done };
+
+    explicit Job(Work work) : work_(std::move(work)) {}
+
+    State state() const;
+    double seconds() const;  // since it began
+    // Whether the job is done by then.
+    bool wait(std::chrono::milliseconds time) const;
+    // Work that has not begun never does; the rest is asked to end.
+    // Whether this is the first time.
+    bool stop() { return stop_.request_stop(); }
+    // What the work gave back, or throws what it threw. Precondition: done.
+    std::string result();
+
+  private:
+    friend class JobQueue;
+    void run(MissionPlanner& planner);
+
+    Work work_;
+    std::stop_source stop_;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable changed_;
+    State state_ = State::queued;
+    std::chrono::steady_clock::time_point began_;
+    std::string result_;
+    std::exception_ptr failure_;
+};
+
+class JobQueue {
+  public:
+    JobQueue(unsigned workers, std::size_t waiting_limit);
+    // Stops what runs and waits for it.
+    ~JobQueue();
+
+    // Empty if no more may wait.
+    std::shared_ptr<Job> submit(Work work);
+    std::size_t waiting() const;
+    std::size_t running() const;
+
+  private:
+    void serve(const std::stop_token& stop);
+
+    std::size_t waiting_limit_;
+    mutable std::mutex mutex_;
+    std::condition_variable_any ready_;
+    std::deque<std::shared_ptr<Job>> line_;
+    std::vector<std::shared_ptr<Job>> running_;
+    std::vector<std::jthread> workers_;
+};
+
+}  // namespace waybreaker::server

@@ -1,0 +1,18 @@
+// What one client, or all of them, may ask of the server.
+#pragma once
+
+#include <cstddef>
+
+namespace waybreaker::server {
+
+struct Limits {
+    std::size_t upload_bytes = std::size_t{32} << 20;  // of a request's body
+    std::size_t map_cells = std::size_t{4096} * 4096;  // of an uploaded map
+    std::size_t maps = 32;                             // held in memory; the one not used for longest goes first
+    double seconds = 30;                               // of one plan
+    unsigned workers = 2;                              // plans at a time
+    std::size_t queue = 16;                            // plans that wait
+    std::size_t connections = 256;                     // at a time; more wait to be accepted
+};
+
+}  // namespace waybreaker::server

@@ -1,0 +1,166 @@
+#include "server/map_shelf.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "io/digest.hpp"
+#include "io/output_file.hpp"
+#include "io/ros_map.hpp"
+#include "server/problem.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::set<std::string> extensions{".map", ".xml", ".tif", ".tiff", ".yaml", ".png", ".pgm", ".pbm", ".ppm"};
+
+// Whether a path, links followed, lies in a folder that has no links in it.
+bool lies_in(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path real = fs::canonical(path, error);
+    if (error) return false;
+    return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first == folder.end();
+}
+
+// A ROS map names its image, which must not lead anywhere else.
+void require_image_inside(const fs::path& path, const fs::path& folder) {
+    if (path.extension() != ".yaml") return;
+    const std::string text = io::read_whole(path.string(), std::size_t{1} << 20);
+    if (!io::is_ros_yaml(text)) return;
+    const fs::path image = path.parent_path() / io::parse_ros_yaml(text, path.filename().string()).image;
+    if (!lies_in(image, folder)) throw InputError(path.filename().string(), 0, "its image is not in the maps folder");
+}
+
+std::optional<MapShelf::Entry> entry_of(const fs::directory_entry& file, const fs::path& folder) {
+    const std::string name = file.path().filename().string();
+    if (!MapShelf::is_id(name) || !extensions.contains(file.path().extension().string())) return std::nullopt;
+    std::error_code error;
+    if (!file.is_regular_file(error) || !lies_in(file.path(), folder)) return std::nullopt;
+    return MapShelf::Entry{.id = name};
+}
+
+constexpr std::size_t digest_characters = 16;
+
+std::string upload_id(const std::string& bytes, Connectivity connectivity) {
+    const std::string digest = io::sha256_digest(bytes);
+    const std::string hex = digest.substr(digest.find(':') + 1, digest_characters);
+    return "upload-" + hex + (connectivity == Connectivity::eight ? "-8" : "");
+}
+
+}  // namespace
+
+bool MapShelf::is_id(const std::string& text) {
+    constexpr std::size_t most = 100;
+    constexpr auto letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
+    return !text.empty() && text.size() <= most && text.front() != '.' &&
+           text.find_first_not_of(letters) == std::string::npos;
+}
+
+MapShelf::MapShelf(const std::string& folder, const Limits& limits) : limits_(limits) {
+    if (folder.empty()) return;
+    std::error_code error;
+    const fs::path real = fs::canonical(folder, error);
+    if (error || !fs::is_directory(real)) throw InputError(folder, 0, "is not a folder; --maps names one with maps");
+    folder_ = real.string();
+}
+
+std::string MapShelf::path_of(const std::string& id) const {
+    if (folder_.empty() || !is_id(id)) return "";
+    const fs::directory_entry file(fs::path(folder_) / id);
+    return entry_of(file, folder_) ? file.path().string() : "";
+}
+
+std::vector<MapShelf::Entry> MapShelf::list() const {
+    std::map<std::string, Entry> entries;
+    std::error_code error;
+    if (!folder_.empty()) {
+        for (const fs::directory_entry& file : fs::directory_iterator(folder_, error)) {
+            if (const auto entry = entry_of(file, folder_)) entries[entry->id] = *entry;
+        }
+    }
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [id, place] : places_) {
+        if (place->map && (place->uploaded || entries.contains(id))) entries[id] = {id, place->uploaded, true};
+    }
+    std::vector<Entry> list;
+    for (auto& [id, entry] : entries) list.push_back(std::move(entry));
+    return list;
+}
+
+std::shared_ptr<MapShelf::Place> MapShelf::place_of(const std::string& id) {
+    const std::scoped_lock lock(mutex_);
+    const auto known = places_.find(id);
+    if (known != places_.end()) return known->second;
+    if (path_of(id).empty()) {
+        throw Problem(not_found, "there is no map of that name; GET /api/v1/maps lists those there are");
+    }
+    return places_[id] = std::make_shared<Place>();
+}
+
+SharedMap MapShelf::held(Place& place) {
+    const std::scoped_lock lock(mutex_);
+    place.used = ++uses_;
+    return place.map;
+}
+
+void MapShelf::hold(Place& place, SharedMap map) {
+    const std::scoped_lock lock(mutex_);
+    place.map = std::move(map);
+    place.used = ++uses_;
+    std::vector<std::pair<std::uint64_t, std::string>> by_use;
+    for (const auto& [id, other] : places_) {
+        if (other->map) by_use.emplace_back(other->used, id);
+    }
+    std::sort(by_use.begin(), by_use.end());
+    const std::size_t surplus = by_use.size() - std::min(by_use.size(), limits_.maps);
+    for (std::size_t i = 0; i < surplus; ++i) places_.erase(by_use[i].second);
+}
+
+SharedMap MapShelf::take(const std::string& id) {
+    const std::shared_ptr<Place> place = place_of(id);
+    const std::scoped_lock reading(place->reading);
+    SharedMap map = held(*place);
+    if (map) return map;
+    try {
+        require_image_inside(fs::path(folder_) / id, folder_);
+        map = std::make_shared<const ShelvedMap>(ShelvedMap{io::read_map_file((fs::path(folder_) / id).string())});
+    } catch (const InputError&) {
+        throw Problem(unprocessable, id + " is not a map that can be read");  // the reason would name our folders
+    }
+    hold(*place, map);
+    return map;
+}
+
+MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
+    const std::string id = upload_id(bytes, connectivity);
+    const std::scoped_lock adding(adding_);
+    {
+        const std::scoped_lock lock(mutex_);
+        if (places_.contains(id)) return {id, false};
+    }
+    SharedMap map;
+    try {
+        map = std::make_shared<const ShelvedMap>(
+            ShelvedMap{io::parse_map(std::move(bytes), "the map", connectivity), connectivity});
+    } catch (const InputError& error) {
+        throw Problem(unprocessable, error.what());
+    }
+    if (map->file.map.grid().cell_count() > limits_.map_cells) {
+        throw Problem(too_large, "the map has more than " + std::to_string(limits_.map_cells) + " cells");
+    }
+    const auto place = std::make_shared<Place>();
+    place->uploaded = true;
+    {
+        const std::scoped_lock lock(mutex_);
+        places_[id] = place;
+    }
+    hold(*place, std::move(map));
+    return {id, true};
+}
+
+}  // namespace waybreaker::server

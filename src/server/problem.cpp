@@ -1,0 +1,31 @@
+#include "server/problem.hpp"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace waybreaker::server {
+
+std::string title_of(int status) {
+    static const std::map<int, std::string> titles{{bad_request, "Bad Request"},
+                                                   {unauthorized, "Unauthorized"},
+                                                   {forbidden, "Forbidden"},
+                                                   {not_found, "Not Found"},
+                                                   {method_not_allowed, "Method Not Allowed"},
+                                                   {not_acceptable, "Not Acceptable"},
+                                                   {too_large, "Content Too Large"},
+                                                   {unsupported_type, "Unsupported Media Type"},
+                                                   {misdirected, "Misdirected Request"},
+                                                   {unprocessable, "Unprocessable Content"},
+                                                   {internal_error, "Internal Server Error"},
+                                                   {unavailable, "Service Unavailable"}};
+    const auto title = titles.find(status);
+    return title == titles.end() ? "Error" : title->second;
+}
+
+std::string problem_json(int status, const std::string& detail) {
+    using Json = nlohmann::ordered_json;
+    const Json json{{"type", "about:blank"}, {"title", title_of(status)}, {"status", status}, {"detail", detail}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace waybreaker::server

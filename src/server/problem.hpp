@@ -1,0 +1,43 @@
+// Problem: why a request is not answered with what it asks for, as a problem document (RFC 9457).
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace waybreaker::server {
+
+// HTTP status codes the server gives.
+enum Status : int {
+    ok = 200,
+    created = 201,
+    bad_request = 400,
+    unauthorized = 401,
+    forbidden = 403,
+    not_found = 404,
+    method_not_allowed = 405,
+    not_acceptable = 406,
+    too_large = 413,
+    unsupported_type = 415,
+    misdirected = 421,
+    unprocessable = 422,
+    internal_error = 500,
+    unavailable = 503,
+};
+
+// Thrown by what answers requests; what() is one line for a person.
+class Problem : public std::runtime_error {
+  public:
+    Problem(Status status, const std::string& detail) : std::runtime_error(detail), status_(status) {}
+    Status status() const { return status_; }
+
+  private:
+    Status status_;
+};
+
+// The name of a status, "Not Found".
+std::string title_of(int status);
+
+// The document: {"type": "about:blank", "title": "Not Found", "status": 404, "detail": "..."}.
+std::string problem_json(int status, const std::string& detail);
+
+}  // namespace waybreaker::server

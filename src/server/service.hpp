@@ -1,0 +1,46 @@
+// The service: waybreaker over HTTP (docs/server.md, openapi.json).
+//
+//     Service service({.maps = "data", .log = [](const std::string& line) { std::cerr << line; }});
+//     std::cout << service.port();
+//     service.run();    // until service.stop(), from any thread; then what has begun is finished
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "server/limits.hpp"
+
+namespace waybreaker::server {
+
+struct ServiceOptions {
+    std::string maps;  // a folder; empty: uploaded maps only
+    std::string host = "127.0.0.1";
+    int port = 0;  // 0: any that is free
+    std::string token;
+    bool insecure = false;  // other machines may ask without a token
+    Limits limits;
+    std::function<void(const std::string&)> log = [](const std::string&) {};  // of a JSON object, a line; any thread
+};
+
+class Service {
+  public:
+    // Binds. Throws InputError if that fails, or if it would be open to other machines by mistake.
+    explicit Service(ServiceOptions options);
+    ~Service();
+    Service(const Service&) = delete;
+    Service& operator=(const Service&) = delete;
+
+    int port() const;
+    void run();
+    void stop();
+
+  private:
+    class House;
+    std::unique_ptr<House> house_;
+};
+
+// The served description of the service, OpenAPI 3.1.
+std::string openapi_json();
+
+}  // namespace waybreaker::server

@@ -1,0 +1,73 @@
+#include "server/job_queue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+namespace waybreaker::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Work that lasts until it is stopped, or `end` is set.
+Work endless(std::atomic<bool>& end) {
+    return [&end](MissionPlanner&, const std::stop_token& stop) -> std::string {
+        while (!stop.stop_requested() && !end) std::this_thread::sleep_for(1ms);
+        return stop.stop_requested() ? "stopped" : "ended";
+    };
+}
+
+Work quick(const std::string& answer) {
+    return [answer](MissionPlanner&, const std::stop_token&) { return answer; };
+}
+
+void wait_for_state(const Job& job, Job::State state) {
+    while (job.state() != state) std::this_thread::sleep_for(1ms);
+}
+
+TEST(JobQueue, GivesResultsAndFailures) {
+    JobQueue queue(2, 4);
+    const auto good = queue.submit(quick("done"));
+    const auto bad =
+        queue.submit([](MissionPlanner&, const std::stop_token&) -> std::string { throw std::runtime_error("no"); });
+    while (!good->wait(10ms) || !bad->wait(10ms)) continue;
+    EXPECT_EQ(good->result(), "done");
+    EXPECT_THROW(bad->result(), std::runtime_error);
+}
+
+TEST(JobQueue, LetsSoManyWaitAndNoMore) {
+    std::atomic<bool> end = false;
+    JobQueue queue(1, 2);
+    const auto first = queue.submit(endless(end));
+    wait_for_state(*first, Job::State::running);
+    const auto second = queue.submit(quick("second"));
+    const auto third = queue.submit(quick("third"));
+    ASSERT_TRUE(second && third);
+    EXPECT_EQ(queue.waiting(), 2U);
+    EXPECT_EQ(queue.submit(quick("fourth")), nullptr);
+    // Who gave up makes room.
+    EXPECT_TRUE(second->stop());
+    EXPECT_FALSE(second->stop());
+    EXPECT_NE(queue.submit(quick("fourth")), nullptr);
+    end = true;
+    while (!third->wait(10ms)) continue;
+    EXPECT_EQ(third->result(), "third");
+    EXPECT_EQ(first->result(), "ended");
+    EXPECT_EQ(second->result(), "");
+}
+
+TEST(JobQueue, EndsWithWorkersAtWork) {
+    std::atomic<bool> never = false;
+    std::shared_ptr<Job> running;
+    {
+        JobQueue queue(1, 1);
+        running = queue.submit(endless(never));
+        wait_for_state(*running, Job::State::running);
+        queue.submit(quick("waits"));
+    }
+    EXPECT_EQ(running->result(), "stopped");
+}
+
+}  // namespace
+}  // namespace waybreaker::server

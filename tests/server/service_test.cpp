@@ -1,0 +1,167 @@
+// The routes: what they answer, and that they answer nothing that the description does not say.
+#include <algorithm>
+
+#include "live_server.hpp"
+
+namespace waybreaker::server {
+namespace {
+
+class ServiceTest : public LiveServer {};
+
+const std::string maps = "/api/v1/maps";
+const std::string house = maps + "/house.map";
+const std::string bytes = "application/octet-stream";
+
+TEST_F(ServiceTest, ListsAndDescribesTheMapsOfItsFolder) {
+    begin();
+    EXPECT_EQ(get_json(maps), Json::parse(R"({"maps": [{"id": "house.map", "uploaded": false, "loaded": false},
+                                                       {"id": "wall.map", "uploaded": false, "loaded": false}]})"));
+    const Json map = get_json(house);
+    EXPECT_EQ(map["width"], 11);
+    EXPECT_EQ(map["height"], 7);
+    EXPECT_EQ(map["obstacles"]["count"], 1);
+    EXPECT_TRUE(get_json(maps)["maps"][0]["loaded"]);
+    get_json(maps + "/nowhere.map", 404);
+}
+
+TEST_F(ServiceTest, ObstaclesAreRunsOfLabels) {
+    begin();
+    const Json obstacles = get_json(maps + "/wall.map/obstacles");
+    EXPECT_EQ(obstacles["runs"], Json::parse("[0,1,1,1,0,1]"));
+    EXPECT_EQ(obstacles["obstacles"][0]["bounds"], Json::parse("[1,0,1,0]"));
+    const Json of_house = get_json(house + "/obstacles");
+    int cells = 0;
+    for (std::size_t i = 1; i < of_house["runs"].size(); i += 2) cells += of_house["runs"][i].get<int>();
+    EXPECT_EQ(cells, 77);
+    get_json(maps + "/nowhere.map/obstacles", 404);
+}
+
+TEST_F(ServiceTest, PlansAndThePlanHolds) {
+    begin();
+    const Json plan = post_json(house + "/plan", house_mission);
+    EXPECT_EQ(plan["status"], "solved");
+    EXPECT_EQ(plan["removed"][0]["obstacle"], 1);
+    EXPECT_LT(plan["after"]["makespan"], plan["before"]["makespan"]);
+    EXPECT_EQ(post_json(house + "/check", plan)["valid"], true);
+    Json wrong = plan;
+    wrong["after"]["makespan"] = 1;
+    EXPECT_EQ(post_json(house + "/check", wrong)["valid"], false);
+    EXPECT_EQ(post_json(maps + "/wall.map/check", plan)["valid"], false);
+}
+
+TEST_F(ServiceTest, ExplainsOptionsAndMethods) {
+    begin();
+    Json request = house_mission;
+    request["options"].update({{"explain", true}, {"objective", "flowtime"}, {"weights", "cells"}, {"budget", 10}});
+    request["no_timing"] = true;
+    const Json plan = post_json(house + "/plan", request);
+    EXPECT_TRUE(plan["removed"][0].contains("saves"));
+    EXPECT_EQ(plan["removed"][0]["weight"], 6);
+    EXPECT_FALSE(plan.contains("seconds"));
+    request["options"]["budget"] = 5;
+    EXPECT_TRUE(post_json(house + "/plan", request)["removed"].empty());
+    request = house_mission;
+    request["options"]["protect"] = {1};
+    EXPECT_TRUE(post_json(house + "/plan", request)["removed"].empty());
+
+    const Json usual = post_json(house + "/compare", house_mission);
+    ASSERT_EQ(usual["plans"].size(), 3U);
+    EXPECT_EQ(usual["plans"][0]["plan"]["removed"].size(), 0U);
+    EXPECT_EQ(usual["plans"][1]["plan"]["options"]["planner"], "theta");
+    EXPECT_EQ(usual["plans"][2]["plan"]["options"]["select"], "exact");
+    request = house_mission;
+    request["methods"] = Json::parse(R"([{"name": "jumps", "options": {"planner": "jps", "select": "hits"}}])");
+    EXPECT_EQ(post_json(house + "/compare", request)["plans"][0]["plan"]["options"]["planner"], "jps");
+
+    const Json front = post_json(house + "/front", house_mission)["front"];
+    ASSERT_EQ(front.size(), 2U);
+    EXPECT_LT(front[1]["makespan"], front[0]["makespan"]);
+}
+
+TEST_F(ServiceTest, NoPlanIsAnAnswer) {
+    begin();
+    const Json request = Json::parse(R"({"mission": {"start": [0, 0], "goal": [2, 0]}, "options": {"removals": 0}})");
+    EXPECT_EQ(post_json(maps + "/wall.map/plan", request)["status"], "no_plan");
+}
+
+TEST_F(ServiceTest, ExportsWhatIsValid) {
+    begin();
+    const Json plan = post_json(house + "/plan", house_mission);
+    for (const std::string format : {"json", "csv", "ros-path", "xml", "svg", "png"}) {
+        const auto answer = post(house + "/export?format=" + format, plan.dump());
+        EXPECT_EQ(answer.status, 200) << format << answer.body;
+        EXPECT_FALSE(answer.body.empty());
+    }
+    // The map does not say where on earth it lies.
+    post_json(house + "/export?format=geojson", plan, 422);
+    post_json(house + "/export?format=exe", plan, 400);
+    Json wrong = plan;
+    wrong["after"]["makespan"] = 1;
+    post_json(house + "/export?format=csv", wrong, 422);
+}
+
+TEST_F(ServiceTest, KeepsUploadsInMemory) {
+    options_.limits.maps = 2;
+    begin();
+    const std::string wall = "type octile\nheight 1\nwidth 4\nmap\n.@..\n";
+    const auto first = post(maps, wall, bytes);
+    EXPECT_EQ(first.status, 201);
+    const std::string place = first.get_header_value("Location");
+    EXPECT_EQ(get_json(place)["width"], 4);
+    EXPECT_EQ(post(maps, wall, bytes).status, 200);
+    EXPECT_EQ(post(maps + "?connectivity=8", wall, bytes).status, 201);
+    EXPECT_EQ(post(maps + "?connectivity=6", wall, bytes).status, 400);
+    // The one not used for longest goes.
+    EXPECT_EQ(post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", bytes).status, 201);
+    get_json(place, 404);
+    EXPECT_EQ(file_count(), 1);  // the maps folder: nothing was written
+}
+
+TEST_F(ServiceTest, TellsHowItFares) {
+    begin();
+    EXPECT_EQ(get_json("/healthz"), Json::parse(R"({"status": "ok"})"));
+    EXPECT_EQ(get_json("/api/v1/openapi.json"), Json::parse(openapi_json()));
+    post_json(house + "/plan", house_mission);
+    const std::string text = get("/metrics").body;
+    EXPECT_NE(
+        text.find("waybreaker_requests_total{method=\"POST\",route=\"/api/v1/maps/{id}/plan\",status=\"200\"} 1\n"),
+        std::string::npos);
+    EXPECT_NE(text.find("waybreaker_plan_seconds_count 1\n"), std::string::npos);
+    EXPECT_NE(text.find("waybreaker_maps_loaded 1\n"), std::string::npos);
+    const std::vector<Json> lines = log();
+    const auto of_plan = std::find_if(lines.begin(), lines.end(),
+                                      [](const Json& line) { return line.value("path", "") == house + "/plan"; });
+    ASSERT_NE(of_plan, lines.end());
+    EXPECT_EQ((*of_plan)["status"], 200);
+    EXPECT_EQ((*of_plan)["client"], "127.0.0.1");
+}
+
+TEST_F(ServiceTest, SaysWhatIsWrongWithARequest) {
+    begin();
+    for (const std::string route : {"plan", "front", "compare"}) {
+        const std::string path = house + "/" + route;
+        post_json(path, "not an object", 400);
+        post_json(path, Json::parse(R"({"options": {"removal": 1}})"), 400);
+        post_json(path, Json::parse(R"({"mission": {"start": [1], "goal": [2, 2]}})"), 400);
+        EXPECT_NE(post_json(path, Json::object(), 422)["detail"].get<std::string>().find("mission.start is missing"),
+                  std::string::npos);
+        post_json(path, Json::parse(R"({"mission": {"start": [5, 0], "goal": [0, 0]}})"), 422);
+        post_json(maps + "/nowhere.map/" + route, house_mission, 404);
+        EXPECT_EQ(post(path, house_mission.dump(), "text/plain").status, 415);
+    }
+    post_json(house + "/check", Json::object(), 400);
+    EXPECT_EQ(post(house + "/check", "{}", "text/plain").status, 415);
+    post_json(maps + "/nowhere.map/check", Json::object(), 404);
+    post_json(house + "/export?format=csv", Json::object(), 400);
+    post_json(maps + "/nowhere.map/export?format=csv", Json::object(), 404);
+    EXPECT_EQ(post(house + "/export?format=csv", "{}", "text/plain").status, 415);
+    EXPECT_EQ(post(maps, "map", "text/plain").status, 415);
+    EXPECT_EQ(get("/api/v1/nothing").status, 404);
+    const auto wrong_method = client().Delete(house);
+    ASSERT_TRUE(wrong_method);
+    EXPECT_EQ(wrong_method->status, 405);
+    EXPECT_EQ(wrong_method->get_header_value("Allow"), "GET");
+}
+
+}  // namespace
+}  // namespace waybreaker::server

@@ -1,0 +1,87 @@
+// Long plans: what waits, what is told meanwhile, and what ends when nobody listens any more.
+#include <sys/socket.h>
+
+#include <chrono>
+
+#include "live_server.hpp"
+#include "occupation.hpp"
+
+namespace waybreaker::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::string maps = "/api/v1/maps";
+constexpr int side = 300;
+
+class StreamTest : public LiveServer {
+  protected:
+    void begin_busy(double seconds) {
+        put("maps/thicket.map", thicket(side));
+        options_.limits.workers = 1;
+        options_.limits.queue = 0;
+        options_.limits.seconds = seconds;
+        begin();
+    }
+    std::string metrics() const { return get("/metrics").body; }
+};
+
+TEST_F(StreamTest, ShortPlansStreamToo) {
+    begin();
+    const auto answer =
+        post(maps + "/house.map/plan", house_mission.dump(), "application/json", {{"Accept", "text/event-stream"}});
+    EXPECT_EQ(answer.status, 200);
+    EXPECT_TRUE(answer.body.starts_with("event: progress\n"));
+    const std::size_t plan = answer.body.find("event: plan\n");
+    ASSERT_NE(plan, std::string::npos);
+    std::string document;
+    std::istringstream lines(answer.body.substr(plan));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("data: ")) document += line.substr(6);
+    }
+    EXPECT_EQ(Json::parse(document)["status"], "solved");
+    const auto refused = post(maps + "/house.map/plan", R"({"mission": {"start": [5, 0], "goal": [0, 0]}})",
+                              "application/json", {{"Accept", "text/event-stream"}});
+    EXPECT_NE(refused.body.find("event: problem\n"), std::string::npos);
+}
+
+TEST_F(StreamTest, WhenAllIsTakenOthersAreToldToComeAgain) {
+    begin_busy(60);
+    Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
+    post_json(maps + "/house.map/plan", house_mission, 503);
+    EXPECT_EQ(get("/healthz").status, 200);
+    EXPECT_NE(metrics().find("waybreaker_refused_total 1\n"), std::string::npos);
+    EXPECT_FALSE(occupation.done());
+}
+
+TEST_F(StreamTest, ThePlannerStopsWhenTheClientGoesAway) {
+    begin_busy(60);
+    Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
+    EXPECT_NE(metrics().find("waybreaker_plans_running 1\n"), std::string::npos);
+    occupation.leave();
+    const auto deadline = std::chrono::steady_clock::now() + 15s;
+    while (metrics().find("waybreaker_plans_running 0\n") == std::string::npos) {
+        ASSERT_LT(std::chrono::steady_clock::now(), deadline);
+        std::this_thread::sleep_for(50ms);
+    }
+    EXPECT_NE(metrics().find("waybreaker_stopped_total 1\n"), std::string::npos);
+    post_json(maps + "/house.map/plan", house_mission);
+}
+
+TEST_F(StreamTest, TimeIsUpForAll) {
+    begin_busy(0.5);
+    const auto began = std::chrono::steady_clock::now();
+    const Json plan = post_json(maps + "/thicket.map/plan", long_mission(side));
+    EXPECT_LT(std::chrono::steady_clock::now() - began, 20s);
+    EXPECT_TRUE(plan["bound"].is_null() || plan["bound"]["gap"] != 0) << "the mission is not long enough for this test";
+}
+
+TEST_F(StreamTest, EndingFinishesWhatHasBegun) {
+    begin_busy(2);
+    Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
+    end();
+    EXPECT_NE(occupation.events().find("event: plan\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace waybreaker::server
