@@ -88,7 +88,8 @@ Service::House::House(ServiceOptions options)
       shelf_(options_.maps, options_.limits),
       desk_(options_.limits, metrics_),
       routes_(routes(shelf_, desk_, metrics_, options_.limits)),
-      listener_({.bytes = options_.limits.upload_bytes + (std::size_t{1} << 16)}) {
+      listener_({.reading = std::chrono::milliseconds(std::int64_t(options_.limits.patience * 1000)),
+                 .bytes = options_.limits.upload_bytes + (std::size_t{1} << 16)}) {
     require_safe(options_);
     listener_.new_task_queue = [this] { return new Connections(options_.limits.connections); };
     listener_.set_payload_max_length(options_.limits.upload_bytes);

@@ -1,0 +1,20 @@
+#include "server/plan_request.hpp"
+
+#include "laws.hpp"
+
+// What is read can be put on a map, or is refused there in one line.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace waybreaker;
+    static const io::MapFile map = io::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map");
+    read_or_refuse(data, size, [](std::string_view bytes) {
+        const server::PlanRequest request = server::parse_plan_request(bytes, "input");
+        law(request.methods.size() <= bytes.size() && request.options.options.protect.size() <= bytes.size());
+        try {
+            const Mission mission = server::mission_of(request.mission, map);
+            validate(map.map, mission, server::options_of(request.options, map));
+        } catch (const InputError& error) {
+            for (const char c : std::string_view(error.what())) law(static_cast<unsigned char>(c) >= ' ');
+        }
+    });
+    return 0;
+}
