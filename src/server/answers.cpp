@@ -52,11 +52,12 @@ struct Posed {
     MissionOptions options;
 };
 
-Posed pose(const Task& task, const OptionsRequest& wanted, const std::stop_token& stop) try {
+// `plans`: between how many the time is shared out.
+Posed pose(const Task& task, const OptionsRequest& wanted, const std::stop_token& stop, std::size_t plans) try {
     const io::MapFile& file = task.map->file;
     Posed posed{mission_of(task.request.mission, file), options_of(wanted, file)};
     posed.options.search.stop = stop;
-    posed.options.time_limit = std::min(posed.options.time_limit, task.seconds);
+    posed.options.time_limit = std::min(posed.options.time_limit, task.seconds / double(plans));
     validate(file.map, posed.mission, posed.options);
     return posed;
 } catch (const InputError& error) {
@@ -73,8 +74,8 @@ io::PlanContext context_of(const Task& task, const Posed& posed, std::span<const
 }
 
 std::string plan_text(const Task& task, const OptionsRequest& wanted, MissionPlanner& planner,
-                      const std::stop_token& stop) {
-    const Posed posed = pose(task, wanted, stop);
+                      const std::stop_token& stop, std::size_t plans = 1) {
+    const Posed posed = pose(task, wanted, stop, plans);
     const Plan plan = planner.plan(task.map->file.map, posed.mission, posed.options);
     return io::plan_json(plan, context_of(task, posed));
 }
@@ -182,7 +183,7 @@ std::string plan_answer(const Task& task, MissionPlanner& planner, const std::st
 }
 
 std::string front_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop) {
-    Posed posed = pose(task, task.request.options, stop);
+    Posed posed = pose(task, task.request.options, stop, std::size_t(task.request.options.options.removals) + 1);
     const std::vector<Plan> plans = planner.front(task.map->file.map, posed.mission, posed.options);
     posed.options.removals = int(plans.size()) - 1;
     return io::plan_json(plans.back(), context_of(task, posed, plans));
@@ -195,7 +196,7 @@ std::string compare_answer(const Task& task, MissionPlanner& planner, const std:
     for (const Method& method : methods) {
         if (!text.empty()) text += ",\n";
         text += "{\"name\": " + Json(method.name).dump() +
-                ", \"plan\": " + plan_text(task, method.options, planner, stop) + "}";
+                ", \"plan\": " + plan_text(task, method.options, planner, stop, methods.size()) + "}";
     }
     return "{\"format\": \"waybreaker-compare/1\", \"plans\": [\n" + text + "]}\n";
 }

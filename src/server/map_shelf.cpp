@@ -141,7 +141,8 @@ MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
     const std::scoped_lock adding(adding_);
     {
         const std::scoped_lock lock(mutex_);
-        if (places_.contains(id)) return {id, false};
+        const auto known = places_.find(id);
+        if (known != places_.end()) return {id, known->second->map, false};
     }
     SharedMap map;
     try {
@@ -155,12 +156,13 @@ MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
     }
     const auto place = std::make_shared<Place>();
     place->uploaded = true;
+    place->map = map;
     {
         const std::scoped_lock lock(mutex_);
         places_[id] = place;
     }
-    hold(*place, std::move(map));
-    return {id, true};
+    hold(*place, map);  // others may have to go
+    return {id, map, true};
 }
 
 }  // namespace waybreaker::server

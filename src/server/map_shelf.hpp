@@ -39,6 +39,7 @@ class MapShelf {
 
     struct Upload {
         std::string id;
+        SharedMap map;
         bool is_new = false;
     };
     // Keeps a map in memory. The same bytes get the same id. Throws Problem if they are no map, or too large a one.

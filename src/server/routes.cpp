@@ -56,7 +56,7 @@ Route planned(const std::string& name, Answer answer, MapShelf& shelf, Desk& des
 Route upload(MapShelf& shelf) {
     const auto handle = [&shelf](const Call& call, httplib::Response& response) {
         const MapShelf::Upload added = shelf.add(call.body, connectivity_of(call.request));
-        give(response, map_json(added.id, *shelf.take(added.id)));
+        give(response, map_json(added.id, *added.map));
         if (!added.is_new) return;
         response.status = created;
         response.set_header("Location", "/api/v1/maps/" + added.id);
