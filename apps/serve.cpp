@@ -91,7 +91,11 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         *command, "--port", [options](std::int64_t n) { options->port = int(n); }, 0, last_port,
         "Port to listen on; 0 takes one that is free, which the log tells (default: 8080)");
     command->option_defaults()->group("Safety");
-    add_file(*command, "--token", options->token, "What clients must send: Authorization: Bearer TOKEN");
+    add_file(*command, "--token", options->token,
+             "What clients must send: Authorization: Bearer TOKEN (default: WAYBREAKER_TOKEN of the environment, which "
+             "other "
+             "users of the machine do not see)")
+        ->envname("WAYBREAKER_TOKEN");
     command->add_flag("--insecure", options->insecure, "Let other machines ask without a token");
     add_limits(*command, options->limits);
     set_examples(*command, {"waybreaker serve --maps data",

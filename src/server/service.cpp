@@ -225,6 +225,7 @@ void Service::House::run() {
 }
 
 void Service::House::stop() {
+    options_.log(log_line("stopping", "what has begun is finished"));
     listener_.stop();
 }
 
