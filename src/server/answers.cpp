@@ -171,7 +171,9 @@ std::string obstacles_json(const Map& map) {
                         {"source_id", obstacle.source_id},
                         {"cells", obstacle.cells},
                         {"bounds", {box.min.x, box.min.y, box.max.x, box.max.y}},
-                        {"destructible", obstacle.destructible}};
+                        {"destructible", obstacle.destructible},
+                        {"weight", obstacle.weight},
+                        {"breach_time", obstacle.breach_time}};
         if (text.back() != '[') text += ',';
         text += json.dump();
     }

@@ -154,10 +154,11 @@ bool has_search_words(const SearchOptions& search) {
     return search.heuristic || search.weight != 1 || search.tie_break != TieBreak::g_max;
 }
 
+// As the map says, unless the request does.
 std::vector<double> weights_of(const OptionsRequest& request, const Map& map) {
-    std::vector<double> weights(map.obstacles().size() + 1, 1);
-    if (request.weights_of_cells) {
-        for (const Obstacle& obstacle : map.obstacles()) weights[obstacle.id.value] = obstacle.cells;
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles()) {
+        weights.push_back(request.weights_of_cells ? obstacle.cells : obstacle.weight);
     }
     for (const auto& [obstacle, weight] : request.weights) {
         if (obstacle.value >= weights.size()) {

@@ -37,7 +37,7 @@ struct OptionsRequest {
         ObstacleId obstacle;
         double weight = 1;
     };
-    std::vector<Weight> weights;    // of some obstacles, 1 of the others
+    std::vector<Weight> weights;    // of some obstacles; of the others as the map says
     bool weights_of_cells = false;  // each its number of cells
     bool budget_alone = false;      // stands in place of a count
 };

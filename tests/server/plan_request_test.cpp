@@ -51,7 +51,7 @@ TEST(PlanRequest, WeightsAndBudget) {
     const auto weights = [](const std::string& options) {
         return options_of(parse_plan_request(R"({"options": )" + options + "}").options, three_cells());
     };
-    EXPECT_EQ(weights(R"({"weights": [[2, 0.5]]})").weights, (std::vector<double>{1, 1, 0.5}));
+    EXPECT_EQ(weights(R"({"weights": [[2, 0.5]]})").weights, (std::vector<double>{0, 1, 0.5}));
     const MissionOptions by_cells = weights(R"({"weights": "cells", "budget": 2})");
     EXPECT_EQ(by_cells.weights[1], 1);
     EXPECT_EQ(by_cells.weights[2], 2);

@@ -29,6 +29,7 @@ TEST_F(ServiceTest, ObstaclesAreRunsOfLabels) {
     const Json obstacles = get_json(maps + "/wall.map/obstacles");
     EXPECT_EQ(obstacles["runs"], Json::parse("[0,1,1,1,0,1]"));
     EXPECT_EQ(obstacles["obstacles"][0]["bounds"], Json::parse("[1,0,1,0]"));
+    EXPECT_EQ(obstacles["obstacles"][0]["weight"], 1);
     const Json of_house = get_json(house + "/obstacles");
     int cells = 0;
     for (std::size_t i = 1; i < of_house["runs"].size(); i += 2) cells += of_house["runs"][i].get<int>();
