@@ -40,11 +40,13 @@ void run(server::ServiceOptions options) {
     const EndSignals signals;
     options.log = log;
     server::Service service(std::move(options));
-    std::thread([&] {
+    std::thread waiting([&] {
         signals.wait();
         service.stop();
-    }).detach();
+    });
     service.run();
+    pthread_kill(waiting.native_handle(), SIGTERM);  // should it have ended for another reason
+    waiting.join();
 }
 
 void add_limits(CLI::App& command, server::Limits& limits) {

@@ -2,7 +2,9 @@
 
 #include <sys/socket.h>
 
+#include <atomic>
 #include <chrono>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -81,6 +83,7 @@ class Service::House {
     std::vector<Route> routes_;
     Listener listener_;
     int port_ = 0;
+    std::atomic<bool> over_ = false;
 };
 
 Service::House::House(ServiceOptions options)
@@ -221,11 +224,14 @@ bool Service::House::refuse_unknown(const httplib::Request& request, httplib::Re
 void Service::House::run() {
     options_.log(log_line("listening", "http://" + options_.host + ":" + std::to_string(port_)));
     listener_.listen_after_bind();
+    over_ = true;
     options_.log(log_line("stopped", "all requests are answered"));
 }
 
 void Service::House::stop() {
     options_.log(log_line("stopping", "what has begun is finished"));
+    // httplib takes no notice of a stop that comes before it listens.
+    while (!listener_.is_running() && !over_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     listener_.stop();
 }
 

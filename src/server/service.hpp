@@ -32,6 +32,7 @@ class Service {
     Service& operator=(const Service&) = delete;
 
     int port() const;
+    // Once. Any thread can end it.
     void run();
     void stop();
 

@@ -90,7 +90,6 @@ void LiveServer::begin() {
     service_ = std::make_unique<Service>(options_);
     thread_ = std::thread([this] { service_->run(); });
     while (log().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
 void LiveServer::end() {

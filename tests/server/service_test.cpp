@@ -118,6 +118,14 @@ TEST_F(ServiceTest, KeepsUploadsInMemory) {
     EXPECT_EQ(file_count(), 1);  // the maps folder: nothing was written
 }
 
+TEST_F(ServiceTest, EndsHoweverSoonItIsToldTo) {
+    for (int i = 0; i < 5; ++i) {
+        begin();
+        end();
+    }
+    EXPECT_EQ(log().back()["event"], "stopped");
+}
+
 TEST_F(ServiceTest, TellsHowItFares) {
     begin();
     EXPECT_EQ(get_json("/healthz"), Json::parse(R"({"status": "ok"})"));
