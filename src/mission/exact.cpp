@@ -124,7 +124,8 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
         return task.objective(path.cost / task.driver.speed, straight_flight(task)) < best * (1 - rounding);
     };
     const auto try_out = [&](const CrossingPath& path, const CrossingResult& search) {
-        if (path.crossed.empty()) return;
+        const auto known = [&](const Draft& draft) { return draft.candidate.removed == path.crossed; };
+        if (path.crossed.empty() || std::ranges::any_of(drafts, known)) return;
         CrossingResult found = search;
         found.best = path;
         Candidate candidate = drives_itself(task) ? candidate_of(path.crossed, found, searching.seconds())
@@ -164,7 +165,7 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
         gave_up = tried == patience(task);
         if (gave_up) return false;
         ++tried;
-        if (path.crossed != first.best.crossed) try_out(path, first);
+        try_out(path, first);
         return !deadline.passed();
     };
     const CrossingResult rest = others.enumerate(task.map, task.driver.start, task.driver.goal, options, try_next);
