@@ -1,0 +1,78 @@
+// Which obstacle stands on which cell, as runs row by row: small enough for 4096² cells, and all that drawing and
+// pointing need.
+import type { Obstacle, Obstacles } from "../api/answers";
+import type { Run } from "./scene";
+
+export class CellMap {
+  readonly width: number;
+  readonly height: number;
+  readonly obstacles: readonly Obstacle[]; // obstacle n at n - 1
+  // Runs of blocked cells by row, from left to right: those of row y are rowStart[y] up to rowStart[y + 1].
+  readonly rowStart: Uint32Array;
+  readonly from: Uint32Array;
+  readonly length: Uint32Array;
+  readonly label: Uint32Array;
+
+  constructor(answer: Obstacles) {
+    this.width = answer.width;
+    this.height = answer.height;
+    this.obstacles = answer.obstacles;
+    this.rowStart = new Uint32Array(this.height + 1);
+    const runs: number[] = [];
+    let x = 0;
+    let y = 0;
+    for (let i = 0; i + 1 < answer.runs.length && y < this.height; i += 2) {
+      const label = answer.runs[i]!;
+      let left = answer.runs[i + 1]!;
+      while (left > 0 && y < this.height) {
+        const length = Math.min(left, this.width - x);
+        if (label !== 0) runs.push(x, length, label);
+        left -= length;
+        x += length;
+        if (x === this.width) {
+          x = 0;
+          this.rowStart[++y] = runs.length / 3;
+        }
+      }
+    }
+    this.rowStart.fill(runs.length / 3, y + 1);
+    const count = runs.length / 3;
+    this.from = new Uint32Array(count);
+    this.length = new Uint32Array(count);
+    this.label = new Uint32Array(count);
+    for (let i = 0; i < count; ++i) {
+      this.from[i] = runs[3 * i]!;
+      this.length[i] = runs[3 * i + 1]!;
+      this.label[i] = runs[3 * i + 2]!;
+    }
+  }
+
+  // The obstacle on a cell; 0 where it is free or off the map.
+  at(x: number, y: number): number {
+    if (x < 0 || y < 0 || x >= this.width || y >= this.height) return 0;
+    let low = this.rowStart[y]!;
+    let high = this.rowStart[y + 1]!;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.from[middle]! + this.length[middle]! <= x) low = middle + 1;
+      else high = middle;
+    }
+    return low < this.rowStart[y + 1]! && this.from[low]! <= x ? this.label[low]! : 0;
+  }
+
+  obstacle(id: number): Obstacle | undefined {
+    return this.obstacles[id - 1];
+  }
+
+  runsOf(id: number): Run[] {
+    const runs: Run[] = [];
+    const bounds = this.obstacle(id)?.bounds;
+    if (!bounds) return runs;
+    for (let y = bounds[1]; y <= bounds[3]; ++y) {
+      for (let i = this.rowStart[y]!; i < this.rowStart[y + 1]!; ++i) {
+        if (this.label[i] === id) runs.push([this.from[i]!, y, this.length[i]!]);
+      }
+    }
+    return runs;
+  }
+}

@@ -1,0 +1,51 @@
+// What the map shows, as a value, and what people do to it. The view (map_view.ts) draws scenes and knows no server,
+// no URL and no panel.
+import type { Background, Cell, MapDescription, Plan } from "../api/answers";
+import type { CellMap } from "./cell_map";
+
+// A way to end up at the goal: what the layers of the map are.
+export type LayerName = "before" | "after" | "paper";
+
+export interface Layer {
+  name: LayerName;
+  plan: Plan;
+}
+
+export type Mark = "protect" | "force" | "exclude";
+
+export type Handle = "start" | "goal" | "air_start" | "air_goal";
+
+// Markers to drag. An air marker that is absent stands where the ground agent's does.
+export interface Markers {
+  start: Cell;
+  goal: Cell;
+  air_start?: Cell;
+  air_goal?: Cell;
+}
+
+export type Tool = "move" | "wall" | "erase";
+
+export interface Scene {
+  map: MapDescription;
+  cells: CellMap;
+  background: Background;
+  markers: Markers;
+  layers: Layer[]; // those shown; the last is on top
+  marks: ReadonlyMap<number, Mark>; // by obstacle
+  highlighted: number | null; // obstacle pointed at in a table
+  selected: number | null; // obstacle whose card is open
+  time: number | null; // of playback; null shows whole paths
+  tool: Tool;
+  editable: boolean; // whether markers can be dragged
+}
+
+// Runs of cells to the right.
+export type Run = [x: number, y: number, length: number];
+
+export interface SceneEvents {
+  // While a marker is dragged, once for each cell it comes to; `done` when it is let go.
+  drag(handle: Handle, cell: Cell, done: boolean): void;
+  select(obstacle: number | null, at: Cell | null): void;
+  hover(obstacle: number | null): void;
+  draw(tool: "wall" | "erase", runs: Run[]): void; // one stroke, when it ends
+}

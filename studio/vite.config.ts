@@ -1,0 +1,16 @@
+import { defineConfig } from "vitest/config";
+
+// Three files with fixed names, which CMake builds into the command. `npm run dev` asks a running `waybreaker serve`.
+export default defineConfig({
+  esbuild: { jsx: "automatic", jsxImportSource: "preact" },
+  build: {
+    target: "es2022",
+    modulePreload: false,
+    assetsInlineLimit: Number.POSITIVE_INFINITY,
+    rollupOptions: {
+      output: { entryFileNames: "studio.js", assetFileNames: "studio.[ext]", inlineDynamicImports: true },
+    },
+  },
+  server: { proxy: { "/api": "http://127.0.0.1:8080" } },
+  test: { include: ["tests/**/*.test.ts", "tests/**/*.test.tsx"] },
+});
