@@ -1,3 +1,4 @@
 import { render } from "preact";
+import "./style.css";
 
 render(<main>waybreaker</main>, document.getElementById("app")!);
