@@ -37,6 +37,7 @@ export interface Scene {
   time: number | null; // of playback; null shows whole paths
   tool: Tool;
   editable: boolean; // whether markers can be dragged
+  formatTime?: (time: number) => string; // how long a wait is said to be; without it waits are shown, not told
 }
 
 // Runs of cells to the right.

@@ -1,0 +1,75 @@
+// Which part of the map is seen. Map points are as in plans: a whole point is the centre of a cell, y down; pixels are
+// CSS pixels from the upper-left corner of the view.
+import type { Point } from "../api/answers";
+
+export interface Camera {
+  x: number; // the map point in the middle of the view
+  y: number;
+  scale: number; // pixels per cell
+}
+
+export interface Size {
+  width: number;
+  height: number;
+}
+
+// Map points; a map of 3 cells reaches from -0.5 to 2.5.
+export interface Box {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+export const maxScale = 48;
+
+export function mapBox(map: Size): Box {
+  return { left: -0.5, top: -0.5, right: map.width - 0.5, bottom: map.height - 0.5 };
+}
+
+export function toScreen(camera: Camera, view: Size, [x, y]: Point): Point {
+  return [(x - camera.x) * camera.scale + view.width / 2, (y - camera.y) * camera.scale + view.height / 2];
+}
+
+export function toMap(camera: Camera, view: Size, [x, y]: Point): Point {
+  return [(x - view.width / 2) / camera.scale + camera.x, (y - view.height / 2) / camera.scale + camera.y];
+}
+
+export function visibleBox(camera: Camera, view: Size): Box {
+  const [left, top] = toMap(camera, view, [0, 0]);
+  const [right, bottom] = toMap(camera, view, [view.width, view.height]);
+  return { left, top, right, bottom };
+}
+
+export function fitted(box: Box, view: Size, padding: number): Camera {
+  const width = Math.max(1, view.width - 2 * padding);
+  const height = Math.max(1, view.height - 2 * padding);
+  return {
+    x: (box.left + box.right) / 2,
+    y: (box.top + box.bottom) / 2,
+    scale: Math.min(width / (box.right - box.left), height / (box.bottom - box.top), maxScale),
+  };
+}
+
+// The camera kept to what makes sense: not much smaller than the whole map, never off it.
+export function limited(camera: Camera, view: Size, map: Size): Camera {
+  const box = mapBox(map);
+  const smallest = Math.min(fitted(box, view, 0).scale * 0.7, maxScale);
+  return {
+    x: Math.min(Math.max(camera.x, box.left), box.right),
+    y: Math.min(Math.max(camera.y, box.top), box.bottom),
+    scale: Math.min(Math.max(camera.scale, smallest), maxScale),
+  };
+}
+
+export function panned(camera: Camera, dx: number, dy: number): Camera {
+  return { ...camera, x: camera.x - dx / camera.scale, y: camera.y - dy / camera.scale };
+}
+
+// Zoomed so that the map point under pixel `at` stays there, unless a limit keeps it from that.
+export function zoomed(camera: Camera, view: Size, map: Size, factor: number, at: Point): Camera {
+  const [x, y] = toMap(camera, view, at);
+  const scale = limited({ ...camera, scale: camera.scale * factor }, view, map).scale;
+  const pulled = camera.scale / scale;
+  return limited({ x: x + (camera.x - x) * pulled, y: y + (camera.y - y) * pulled, scale }, view, map);
+}

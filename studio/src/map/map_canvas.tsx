@@ -1,0 +1,123 @@
+// The map as part of the page: the canvas, and for the keyboard a button for each marker, moved with the arrow keys.
+import type { ReadonlySignal } from "@preact/signals";
+import { useSignalEffect } from "@preact/signals";
+import { useEffect, useId, useRef } from "preact/hooks";
+import type { Cell } from "../api/answers";
+import "./map.css";
+import { MapView } from "./map_view";
+import { cellOf, handles, isAir } from "./markers";
+import type { Handle, Scene, SceneEvents } from "./scene";
+import { nearestFree, onMap } from "./snap";
+
+export interface MapCanvasProps {
+  scene: ReadonlySignal<Scene | null>; // null: nothing to show yet
+  events: SceneEvents;
+  label?: string; // what the map shows, for those who do not see it
+  view?: (view: MapView | null) => void; // told of the view, for buttons that zoom, fit or centre
+}
+
+const names: Record<Handle, string> = {
+  start: "Ground start",
+  goal: "Ground goal",
+  air_start: "Air start",
+  air_goal: "Air goal",
+};
+
+export function MapCanvas({ scene, events, label = "Map", view: tell }: MapCanvasProps) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const view = useRef<MapView | null>(null);
+  const latest = useRef(events);
+  latest.current = events;
+  const help = useId();
+
+  useEffect(() => {
+    const made = new MapView(canvas.current!, {
+      drag: (handle, cell, done) => latest.current.drag(handle, cell, done),
+      select: (obstacle, at) => latest.current.select(obstacle, at),
+      hover: (obstacle) => latest.current.hover(obstacle),
+      draw: (tool, runs) => latest.current.draw(tool, runs),
+    });
+    view.current = made;
+    if (scene.peek()) made.show(scene.peek()!);
+    tell?.(made);
+    return () => {
+      tell?.(null);
+      view.current = null;
+      made.destroy();
+    };
+  }, []);
+  useSignalEffect(() => {
+    if (scene.value) view.current?.show(scene.value);
+  });
+
+  return (
+    <div class="map-view">
+      <canvas
+        ref={canvas}
+        class="map-canvas"
+        tabIndex={0}
+        role="application"
+        aria-roledescription="map"
+        aria-label={label}
+        aria-describedby={help}
+      />
+      <p id={help} class="map-help">
+        Arrow keys move the map, plus and minus zoom, 0 shows all of it, Escape closes what is selected. Tab leads to
+        the markers, which arrow keys move by a cell, with Shift by ten.
+      </p>
+      <MarkerButtons scene={scene} events={events} focus={(handle) => view.current?.focusMarker(handle)} />
+    </div>
+  );
+}
+
+interface MarkerButtonsProps {
+  scene: ReadonlySignal<Scene | null>;
+  events: SceneEvents;
+  focus: (handle: Handle | null) => void;
+}
+
+// Not to be seen: the view draws a ring around the marker whose button has the focus.
+function MarkerButtons({ scene, events, focus }: MarkerButtonsProps) {
+  if (!scene.value?.editable) return null;
+  const { markers } = scene.value;
+  return (
+    <div class="map-markers" role="group" aria-label="Markers">
+      {handles.map((handle) => {
+        const [x, y] = cellOf(markers, handle);
+        return (
+          <button
+            key={handle}
+            type="button"
+            aria-label={`${names[handle]}, column ${x}, row ${y}. Arrow keys move it.`}
+            onFocus={() => focus(handle)}
+            onBlur={() => focus(null)}
+            onKeyDown={(event) => {
+              const cell = scene.value && moved(scene.value, handle, event);
+              if (!cell) return;
+              event.preventDefault();
+              events.drag(handle, cell, true);
+            }}
+          />
+        );
+      })}
+    </div>
+  );
+}
+
+const steps: Record<string, Cell> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+// Where a key takes a marker; past obstacles for the ground agent, which cannot stand on them.
+function moved(scene: Scene, handle: Handle, event: KeyboardEvent): Cell | null {
+  const step = steps[event.key];
+  if (!step || event.ctrlKey || event.metaKey || event.altKey) return null;
+  const length = event.shiftKey ? 10 : 1;
+  const [x, y] = cellOf(scene.markers, handle);
+  const to: Cell = [x + length * step[0], y + length * step[1]];
+  if (isAir(handle)) return onMap(scene.cells, to);
+  const { cells } = scene;
+  while (cells.at(...to) !== 0) {
+    to[0] += step[0];
+    to[1] += step[1];
+  }
+  return nearestFree(cells, onMap(cells, to));
+}

@@ -1,0 +1,109 @@
+// What stands out among the obstacles: removed ones, those with a mark, the one pointed at, the one selected.
+import type { Plan } from "../api/answers";
+import type { CellMap } from "./cell_map";
+import { type Frame, inMapPoints } from "./frame";
+import { Hatching } from "./hatching";
+import { outline } from "./outline";
+import type { Layer, Mark, Scene } from "./scene";
+
+export class ObstacleLayer {
+  readonly #hatching = new Hatching();
+  #cells: CellMap | null = null;
+  #outlines = new Map<number, Path2D>();
+
+  draw(frame: Frame, scene: Scene, fadeSpan: number): void {
+    if (scene.cells !== this.#cells) {
+      this.#cells = scene.cells;
+      this.#outlines = new Map();
+    }
+    inMapPoints(frame, (pixel) => {
+      frame.context.lineJoin = "round";
+      for (const [obstacle, mark] of scene.marks) this.#drawMark(frame, obstacle, mark, pixel);
+      scene.layers.forEach((layer, i) => {
+        const time = i === scene.layers.length - 1 ? scene.time : null;
+        this.#drawRemoved(frame, layer, time, fadeSpan, pixel);
+      });
+      if (scene.selected !== null) this.#drawLine(frame, scene.selected, frame.theme.select, 3 * pixel, pixel);
+      if (scene.highlighted !== null) {
+        frame.context.globalAlpha = 0.25;
+        frame.context.fillStyle = frame.theme.select;
+        frame.context.fill(this.#outline(scene.highlighted), "evenodd");
+        frame.context.globalAlpha = 1;
+        this.#drawLine(frame, scene.highlighted, frame.theme.select, 2 * pixel, pixel);
+      }
+    });
+  }
+
+  #drawRemoved(frame: Frame, layer: Layer, time: number | null, fadeSpan: number, pixel: number): void {
+    const { context, theme, pixelRatio } = frame;
+    const paper = layer.name === "paper";
+    const ink = paper ? theme.paperGround : theme.removed;
+    const hatching = this.#hatching.of(
+      context,
+      ink,
+      paper ? null : theme.removedTint,
+      paper ? "falling" : "rising",
+      pixelRatio,
+      pixel,
+    );
+    for (const removed of (layer.plan satisfies Plan).removed) {
+      const path = this.#outline(removed.obstacle);
+      const gone = time === null ? 0 : Math.min(Math.max((time - removed.cleared_at) / fadeSpan, 0), 1);
+      if (gone > 0) {
+        context.globalAlpha = gone;
+        context.fillStyle = theme.paper;
+        context.fill(path, "evenodd");
+      }
+      context.globalAlpha = 1 - gone;
+      context.fillStyle = hatching;
+      if (gone < 1) context.fill(path, "evenodd");
+      context.globalAlpha = 1 - 0.65 * gone;
+      context.strokeStyle = ink;
+      context.lineWidth = 1.6 * pixel;
+      if (gone > 0) context.setLineDash([3 * pixel, 3 * pixel]);
+      context.stroke(path);
+      context.setLineDash([]);
+      context.globalAlpha = 1;
+    }
+  }
+
+  #drawMark(frame: Frame, obstacle: number, mark: Mark, pixel: number): void {
+    const { context, theme, pixelRatio } = frame;
+    const ink = { protect: theme.protect, force: theme.removed, exclude: theme.exclude }[mark];
+    const path = this.#outline(obstacle);
+    context.globalAlpha = 0.22;
+    context.fillStyle = ink;
+    context.fill(path, "evenodd");
+    context.globalAlpha = 1;
+    if (mark === "exclude") {
+      context.fillStyle = this.#hatching.of(context, ink, null, "falling", pixelRatio, pixel);
+      context.fill(path, "evenodd");
+    }
+    context.setLineDash(mark === "force" ? [6 * pixel, 3 * pixel] : []);
+    this.#drawLine(frame, obstacle, ink, 2.4 * pixel, pixel);
+    context.setLineDash([]);
+  }
+
+  #drawLine(frame: Frame, obstacle: number, colour: string, width: number, pixel: number): void {
+    const { context, theme } = frame;
+    const path = this.#outline(obstacle);
+    context.strokeStyle = theme.halo;
+    context.lineWidth = width + 2 * pixel;
+    context.stroke(path);
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.stroke(path);
+  }
+
+  #outline(obstacle: number): Path2D {
+    let path = this.#outlines.get(obstacle);
+    if (path) return path;
+    path = new Path2D();
+    for (const loop of outline(this.#cells!.runsOf(obstacle))) {
+      loop.forEach(([x, y], i) => (i === 0 ? path!.moveTo(x, y) : path!.lineTo(x, y)));
+      path.closePath();
+    }
+    this.#outlines.set(obstacle, path);
+    return path;
+  }
+}

@@ -1,0 +1,116 @@
+// Colours of the map, light and dark: Okabe and Ito's (2008), told apart by colour-blind readers too, over a quiet
+// ground. The light ones are those of `waybreaker plan --svg`.
+
+export interface Theme {
+  outside: string; // beyond the map
+  paper: string;
+  frame: string;
+  street: string;
+  streetEdge: string;
+  path: string; // for people on foot
+  rail: string;
+  water: string;
+  waterName: string;
+  green: string;
+  greenName: string;
+  obstacle: string;
+  obstacleEdge: string;
+  fixed: string; // cannot be removed
+  fixedEdge: string;
+  removed: string;
+  removedTint: string;
+  breach: string; // carries figures in `onBreach`
+  onBreach: string;
+  ground: string;
+  groundFaint: string;
+  air: string;
+  airEdge: string; // around orange: its contrast
+  airLine: string; // of thin lines
+  paperGround: string; // the paper's choice
+  paperAir: string;
+  onGround: string; // glyphs on a disc of colour `ground`
+  onAir: string;
+  protect: string;
+  exclude: string;
+  select: string;
+  ink: string;
+  fadedInk: string;
+  halo: string;
+  card: string; // under small texts
+}
+
+export const light: Theme = {
+  outside: "#efece6",
+  paper: "#faf8f4",
+  frame: "#cdc5b8",
+  street: "#ffffff",
+  streetEdge: "#e2dacd",
+  path: "#e8e0d2",
+  rail: "#b9b1a4",
+  water: "#cfe2ec",
+  waterName: "#3f6d86",
+  green: "#e2ecd6",
+  greenName: "#4f6b3c",
+  obstacle: "#ddd6ca",
+  obstacleEdge: "#aba191",
+  fixed: "#b5ab9c",
+  fixedEdge: "#7d7467",
+  removed: "#d55e00",
+  removedTint: "#fbe3d1",
+  breach: "#b84a00",
+  onBreach: "#ffffff",
+  ground: "#0072b2",
+  groundFaint: "#7db4d6",
+  air: "#e69f00",
+  airEdge: "#6b4300",
+  airLine: "#6b4300",
+  paperGround: "#a3457f",
+  paperAir: "#a3457f",
+  onGround: "#ffffff",
+  onAir: "#3b2500",
+  protect: "#00785a",
+  exclude: "#5b5750",
+  select: "#26231f",
+  ink: "#26231f",
+  fadedInk: "#6a635a",
+  halo: "#ffffff",
+  card: "#fffefbee",
+};
+
+export const dark: Theme = {
+  outside: "#101214",
+  paper: "#1c1f23",
+  frame: "#3a3f46",
+  street: "#2b3036",
+  streetEdge: "#15181b",
+  path: "#2a2e33",
+  rail: "#4a4f57",
+  water: "#16303f",
+  waterName: "#8fbdd6",
+  green: "#1f2d22",
+  greenName: "#a3c490",
+  obstacle: "#474d56",
+  obstacleEdge: "#6a727d",
+  fixed: "#767e89",
+  fixedEdge: "#a3abb5",
+  removed: "#f0772b",
+  removedTint: "#4a2c19",
+  breach: "#ff8a3d",
+  onBreach: "#231003",
+  ground: "#56b4e9",
+  groundFaint: "#33627d",
+  air: "#f0b429",
+  airEdge: "#241600",
+  airLine: "#f0b429",
+  paperGround: "#e093bf",
+  paperAir: "#e093bf",
+  onGround: "#04202f",
+  onAir: "#2b1b00",
+  protect: "#3ddcb0",
+  exclude: "#b9bec6",
+  select: "#ffffff",
+  ink: "#f1eee8",
+  fadedInk: "#b3afa7",
+  halo: "#15181b",
+  card: "#1c1f23ee",
+};

@@ -1,0 +1,98 @@
+// Tiles that have been painted, the least recently seen given up first. Painting is spread over frames; until a tile is
+// there, a coarser or an outdated one stands for it.
+import { type Camera, type Size, toScreen, visibleBox } from "./camera";
+import { boxOf, coarsestLevel, keyOf, levelFor, parentOf, partOf, type TileId, tileSize, tilesOver } from "./tiles";
+
+export interface Painter {
+  paint(tile: TileId): ImageBitmap;
+}
+
+interface Entry {
+  picture: ImageBitmap;
+  painter: Painter; // by whom: another map or theme is another painter
+}
+
+const memory = 128 << 20;
+const bytesPerTile = 4 * tileSize * tileSize;
+
+export class TileCache {
+  readonly #entries = new Map<string, Entry>(); // the least recently used first
+  readonly #capacity = Math.floor(memory / bytesPerTile);
+  #painter: Painter | null = null;
+  #missing: TileId[] = [];
+
+  // From now on tiles are made by this painter. Those of another map of the same size still serve until they are.
+  use(painter: Painter, keepOld: boolean): void {
+    this.#painter = painter;
+    if (keepOld) return;
+    for (const entry of this.#entries.values()) entry.picture.close();
+    this.#entries.clear();
+  }
+
+  draw(context: CanvasRenderingContext2D, camera: Camera, view: Size, pixelRatio: number, map: Size): void {
+    const coarsest = coarsestLevel(map);
+    const level = levelFor(camera.scale * pixelRatio, coarsest);
+    const tiles = tilesOver(visibleBox(camera, view), level, map);
+    this.#missing = [];
+    for (const root of tilesOver({ left: 0, top: 0, right: map.width, bottom: map.height }, coarsest, map)) {
+      if (!this.#isFresh(root)) this.#paint(root);
+    }
+    for (const tile of tiles) {
+      if (!this.#isFresh(tile)) this.#missing.push(tile);
+      this.#drawTile(context, tile, camera, view, pixelRatio, coarsest);
+    }
+  }
+
+  // Paints what the last drawing lacked, as far as the time goes; whether there is something new to draw.
+  paintMissing(milliseconds: number): boolean {
+    const end = performance.now() + milliseconds;
+    let painted = 0;
+    while (this.#missing.length > 0 && (painted === 0 || performance.now() < end)) {
+      this.#paint(this.#missing.shift()!);
+      ++painted;
+    }
+    return painted > 0;
+  }
+
+  #isFresh(tile: TileId): boolean {
+    return this.#entries.get(keyOf(tile))?.painter === this.#painter;
+  }
+
+  #paint(tile: TileId): void {
+    const key = keyOf(tile);
+    this.#entries.get(key)?.picture.close();
+    this.#entries.delete(key);
+    this.#entries.set(key, { picture: this.#painter!.paint(tile), painter: this.#painter! });
+    while (this.#entries.size > this.#capacity) {
+      const [oldest, entry] = this.#entries.entries().next().value!;
+      entry.picture.close();
+      this.#entries.delete(oldest);
+    }
+  }
+
+  #drawTile(
+    context: CanvasRenderingContext2D,
+    tile: TileId,
+    camera: Camera,
+    view: Size,
+    pixelRatio: number,
+    coarsest: number,
+  ): void {
+    const box = boxOf(tile);
+    const [left, top] = toScreen(camera, view, [box.left, box.top]);
+    const [right, bottom] = toScreen(camera, view, [box.right, box.bottom]);
+    const snap = (at: number): number => Math.round(at * pixelRatio) / pixelRatio; // no seams between tiles
+    const [x, y] = [snap(left), snap(top)];
+    const [width, height] = [snap(right) - x, snap(bottom) - y];
+    for (let stand = tile; stand.level >= coarsest; stand = parentOf(stand)) {
+      const key = keyOf(stand);
+      const entry = this.#entries.get(key);
+      if (!entry) continue;
+      this.#entries.delete(key);
+      this.#entries.set(key, entry);
+      const part = partOf(tile, stand);
+      context.drawImage(entry.picture, part.x, part.y, part.size, part.size, x, y, width, height);
+      return;
+    }
+  }
+}

@@ -1,0 +1,71 @@
+// Playback of a plan: play and pause, where in time, how fast, and lanes of what each agent does when.
+import { useEffect } from "preact/hooks";
+import type { Plan } from "../api/answers";
+import { activityAt } from "./activity";
+import { type Clock, speeds } from "./clock";
+import { Lanes } from "./lanes";
+import { duration } from "./motion";
+import "./timeline.css";
+
+export interface TimelineProps {
+  plan: Plan; // the one that is played
+  clock: Clock;
+  formatTime: (time: number) => string; // a time of the plan as people read it, with its unit
+}
+
+export function Timeline({ plan, clock, formatTime }: TimelineProps) {
+  const length = duration(plan);
+  useEffect(() => clock.load(length), [clock, length]);
+  const playing = clock.playing.value;
+  const time = clock.time.value ?? 0;
+  if (length <= 0) return null;
+  return (
+    <div class="timeline" role="group" aria-label="Playback">
+      <button
+        type="button"
+        class="timeline-play"
+        aria-label={playing ? "Pause" : "Play"}
+        onClick={() => clock.toggle()}
+      >
+        <svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true">
+          <path fill="currentColor" d={playing ? "M6 4.5h4.2v15H6zm7.8 0H18v15h-4.2z" : "M7 4.2v15.6L20 12z"} />
+        </svg>
+      </button>
+      <div class="timeline-middle">
+        <Lanes plan={plan} duration={length} time={clock.time.value} formatTime={formatTime} seek={(t) => clock.seek(t)} />
+        <input
+          class="timeline-scrubber"
+          type="range"
+          min={0}
+          max={length}
+          step={length / 1000}
+          value={time}
+          aria-label="Time of the mission"
+          aria-valuetext={`${formatTime(time)} of ${formatTime(length)}: ${activityAt(plan, time)}`}
+          onInput={(event) => clock.seek(Number(event.currentTarget.value))}
+        />
+      </div>
+      <div class="timeline-facts">
+        <output class="timeline-time" aria-live="off">
+          {formatTime(time)} <span>/ {formatTime(length)}</span>
+        </output>
+        <label class="timeline-speed">
+          <span>Speed</span>
+          <select
+            value={String(clock.speed.value)}
+            onChange={(event) => (clock.speed.value = Number(event.currentTarget.value))}
+          >
+            {speeds.map((speed) => (
+              <option key={speed} value={String(speed)}>
+                {`${speed}×`}
+              </option>
+            ))}
+          </select>
+        </label>
+        <button type="button" class="timeline-stop" disabled={clock.time.value === null} onClick={() => clock.stop()}>
+          Whole plan
+        </button>
+      </div>
+    </div>
+  );
+}
