@@ -4,7 +4,7 @@ import type { Agent, Plan, Point } from "../api/answers";
 import { agentOf, breachOrder, positionAt, waits } from "../play/motion";
 import { type Frame, place, typeface } from "./frame";
 import { glyphs } from "./glyphs";
-import { disc } from "./markers";
+import { disc } from "./marker_layer";
 import type { Layer, Scene } from "./scene";
 
 export function drawEvents(frame: Frame, scene: Scene, fadeSpan: number): void {

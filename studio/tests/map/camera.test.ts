@@ -1,0 +1,61 @@
+import { describe, expect, it } from "vitest";
+import { fitted, limited, mapBox, maxScale, panned, toMap, toScreen, visibleBox, zoomed } from "../../src/map/camera";
+import { draws } from "./picture";
+
+const view = { width: 800, height: 600 };
+const map = { width: 501, height: 301 };
+
+describe("the camera", () => {
+  it("leads from the map to the screen and back", () => {
+    const draw = draws(1);
+    for (let i = 0; i < 50; ++i) {
+      const camera = { x: draw() * 500, y: draw() * 300, scale: 0.1 + draw() * 40 };
+      const [x, y] = toMap(camera, view, toScreen(camera, view, [17, 4]));
+      expect(x).toBeCloseTo(17);
+      expect(y).toBeCloseTo(4);
+    }
+  });
+
+  it("shows the whole map when it is fitted, and touches two of its sides", () => {
+    const camera = fitted(mapBox(map), view, 20);
+    const [left, top] = toScreen(camera, view, [-0.5, -0.5]);
+    const [right, bottom] = toScreen(camera, view, [500.5, 300.5]);
+    expect([left, right]).toEqual([20, 780]);
+    expect(top).toBeGreaterThan(20);
+    expect(top + bottom).toBeCloseTo(600);
+  });
+
+  it("keeps the point under the pointer when it zooms", () => {
+    const draw = draws(2);
+    for (let i = 0; i < 50; ++i) {
+      const camera = { x: 250, y: 150, scale: 2 + draw() * 4 };
+      const at: [number, number] = [300 + 200 * draw(), 200 + 200 * draw()];
+      const before = toMap(camera, view, at);
+      const after = toMap(zoomed(camera, view, map, 0.8 + draw() * 2, at), view, at);
+      expect(after[0]).toBeCloseTo(before[0]);
+      expect(after[1]).toBeCloseTo(before[1]);
+    }
+  });
+
+  it("never leaves the map and its scales", () => {
+    const draw = draws(3);
+    let camera = fitted(mapBox(map), view, 0);
+    const smallest = camera.scale * 0.7;
+    for (let i = 0; i < 300; ++i) {
+      camera = panned(camera, 2000 * (draw() - 0.5), 2000 * (draw() - 0.5));
+      camera = zoomed(limited(camera, view, map), view, map, 4 ** (2 * draw() - 1), [800 * draw(), 600 * draw()]);
+      expect(camera.scale).toBeLessThanOrEqual(maxScale);
+      expect(camera.scale).toBeGreaterThanOrEqual(smallest - 1e-12);
+      expect(camera.x).toBeGreaterThanOrEqual(-0.5);
+      expect(camera.x).toBeLessThanOrEqual(500.5);
+      expect(camera.y).toBeGreaterThanOrEqual(-0.5);
+      expect(camera.y).toBeLessThanOrEqual(300.5);
+    }
+  });
+
+  it("pans by pixels", () => {
+    const camera = { x: 100, y: 100, scale: 4 };
+    expect(toScreen(panned(camera, 8, -12), view, [100, 100])).toEqual([408, 288]);
+    expect(visibleBox(camera, view)).toEqual({ left: 0, top: 25, right: 200, bottom: 175 });
+  });
+});

@@ -1,0 +1,38 @@
+import { describe, expect, it } from "vitest";
+import type { Point } from "../../src/api/answers";
+import { spotAt, spots } from "../../src/map/markers";
+import { lengthText, roundLength } from "../../src/map/scale_bar";
+
+const toPixels = ([x, y]: Point): Point => [10 * x, 10 * y];
+
+describe("markers", () => {
+  it("are met where they are drawn, the nearest first", () => {
+    const all = spots({ start: [10, 10], goal: [13, 10], air_start: [50, 50] }, toPixels);
+    expect(spotAt(all, [103, 99])?.handle).toBe("start");
+    expect(spotAt(all, [127, 104])?.handle).toBe("goal");
+    expect(spotAt(all, [505, 510])?.handle).toBe("air_start");
+    expect(spotAt(all, [300, 300])).toBeNull();
+  });
+
+  it("have a handle beside them for the air agent that starts there", () => {
+    const all = spots({ start: [10, 10], goal: [60, 60] }, toPixels);
+    const air = all.find(({ handle }) => handle === "air_start")!;
+    expect(air.attached).toBe(true);
+    expect(spotAt(all, air.at)?.handle).toBe("air_start");
+    expect(spotAt(all, [100, 100])?.handle).toBe("start");
+  });
+});
+
+describe("the scale bar", () => {
+  it("is a round number of metres, and as long as fits", () => {
+    for (let metresPerPixel = 0.001; metresPerPixel < 200; metresPerPixel *= 1.07) {
+      const metres = roundLength(metresPerPixel, 120);
+      expect(metres / metresPerPixel).toBeLessThanOrEqual(120 + 1e-9);
+      expect(metres / metresPerPixel).toBeGreaterThan(120 / 2.51);
+    }
+  });
+
+  it("is told as people tell lengths", () => {
+    expect([0.05, 5, 200, 2000].map(lengthText)).toEqual(["5 cm", "5 m", "200 m", "2 km"]);
+  });
+});
