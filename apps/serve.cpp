@@ -70,9 +70,10 @@ void add_limits(CLI::App& command, server::Limits& limits) {
     add_count(
         command, "--queue", [&limits](std::int64_t n) { limits.queue = std::size_t(n); }, 0, most,
         "Plans that may wait; more are answered with 503 (default: 16)");
+    constexpr std::int64_t most_connections = 1000;  // httplib serves no socket from number 1024 on
     add_count(
-        command, "--connections", [&limits](std::int64_t n) { limits.connections = std::size_t(n); }, 1, most,
-        "Connections at a time (default: 256)");
+        command, "--connections", [&limits](std::int64_t n) { limits.connections = std::size_t(n); }, 1,
+        most_connections, "Connections at a time (default: 256)");
 }
 
 }  // namespace
@@ -82,11 +83,12 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
     options->port = 8080;
     CLI::App* command = root.add_subcommand(
         "serve",
-        "Serve maps and plans over HTTP\n\n"
+        "Serve maps and plans over HTTP, and a page to plan in\n\n"
         "Answers programs of this machine only, unless told otherwise; GET /api/v1/openapi.json describes what can be "
         "asked. Logs a line of JSON for each request to standard error. SIGTERM or Ctrl-C end it: what has begun is "
         "finished.");
-    add_file(*command, "--maps", options->maps, "A folder of maps to serve; no other file is read");
+    add_file(*command, "--maps", options->maps,
+             "A folder of maps to serve, beside the one that is built in; no other file is read");
     add_file(*command, "--host", options->host, "Address to listen on (default: 127.0.0.1)");
     constexpr int last_port = 65535;
     add_count(

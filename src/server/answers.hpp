@@ -16,9 +16,7 @@ struct Document {
     std::string body;
 };
 
-// JSON says its charset for the sake of one thing: httplib leaves such answers uncompressed, and its compression takes
-// longer than most plans.
-inline constexpr auto json_type = "application/json; charset=utf-8";
+inline constexpr auto json_type = "application/json";
 
 std::string maps_json(const std::vector<MapShelf::Entry>& entries);
 // As `waybreaker map info --json`, with id and connectivity.

@@ -1,27 +1,56 @@
 #include "server/connections.hpp"
 
+#include <sys/socket.h>
+
 #include <thread>
 #include <utility>
 
 namespace waybreaker::server {
 
-void Connections::enqueue(std::function<void()> serve) {
+void Connections::open(std::function<void()> serve) {
     {
-        std::unique_lock lock(count_->mutex);
-        count_->changed.wait(lock, [this] { return count_->open < most_; });
-        ++count_->open;
+        std::unique_lock lock(mutex_);
+        if (open_ == most_ && !waiting_.empty()) send_away(*waiting_.begin());
+        crowded_ = open_ == most_;
+        changed_.wait(lock, [this] { return open_ < most_; });
+        crowded_ = false;
+        ++open_;
     }
-    std::thread([serve = std::move(serve), count = count_] {
+    std::thread([this, serve = std::move(serve)] {
         serve();
-        const std::scoped_lock lock(count->mutex);
-        --count->open;
-        count->changed.notify_all();
+        const std::scoped_lock lock(mutex_);
+        --open_;
+        changed_.notify_all();  // under the lock: afterwards all this may be gone
     }).detach();
 }
 
-void Connections::shutdown() {
-    std::unique_lock lock(count_->mutex);
-    count_->changed.wait(lock, [this] { return count_->open == 0; });
+void Connections::close() {
+    std::unique_lock lock(mutex_);
+    closing_ = true;
+    while (!waiting_.empty()) send_away(*waiting_.begin());
+    changed_.wait(lock, [this] { return open_ == 0; });
+}
+
+bool Connections::begin_waiting(int socket) {
+    const std::scoped_lock lock(mutex_);
+    if (crowded_ || closing_) return false;
+    waiting_.insert(socket);
+    return true;
+}
+
+bool Connections::end_waiting(int socket) {
+    const std::scoped_lock lock(mutex_);
+    return waiting_.erase(socket) > 0;
+}
+
+bool Connections::wants_places() const {
+    const std::scoped_lock lock(mutex_);
+    return crowded_ || closing_;
+}
+
+void Connections::send_away(int socket) {
+    waiting_.erase(socket);
+    ::shutdown(socket, SHUT_RD);
 }
 
 }  // namespace waybreaker::server

@@ -1,4 +1,4 @@
-// Connections: a thread for each, so many at most; who comes later waits until one is free.
+// Connections: a thread for each, so many at most. One that is between two requests gives its place to who comes.
 #pragma once
 
 #include <httplib.h>
@@ -6,28 +6,38 @@
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <mutex>
+#include <set>
 
 namespace waybreaker::server {
 
-class Connections : public httplib::TaskQueue {
+class Connections {
   public:
     explicit Connections(std::size_t most) : most_(most) {}
 
-    void enqueue(std::function<void()> serve) override;
-    // Waits until all are served.
-    void shutdown() override;
+    // Serves on a thread of its own; waits until there is place for one.
+    void open(std::function<void()> serve);
+    // Sends away who is between two requests, and waits until all are served.
+    void close();
+
+    // Whether a connection may wait for another request; while it does, it can be sent away: its socket then reads as
+    // ended by the client.
+    bool begin_waiting(int socket);
+    // Whether it may stay: nobody has sent it away.
+    bool end_waiting(int socket);
+    // Whether others wait for a place, or no request is to come any more.
+    bool wants_places() const;
 
   private:
-    // Outlives the last thread, which may still be leaving when shutdown() returns.
-    struct Count {
-        std::mutex mutex;
-        std::condition_variable changed;
-        std::size_t open = 0;
-    };
+    void send_away(int socket);
+
     std::size_t most_;
-    std::shared_ptr<Count> count_ = std::make_shared<Count>();
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    std::size_t open_ = 0;
+    std::set<int> waiting_;  // sockets
+    bool crowded_ = false;
+    bool closing_ = false;
 };
 
 }  // namespace waybreaker::server

@@ -70,9 +70,13 @@ bool Desk::finish_in_time(Job& job, milliseconds time) {
     return false;
 }
 
-std::string Desk::wait_for(Work work) {
+std::string Desk::wait_for(Work work, const std::function<bool()>& client_is_there) {
     const std::shared_ptr<Job> job = submit(std::move(work));
-    while (!finish_in_time(*job, between_events)) continue;
+    while (!finish_in_time(*job, between_events)) {
+        if (client_is_there()) continue;
+        if (job->stop()) metrics_.count_stopped();
+        throw Problem(client_gone, "the client went away");
+    }
     return job->result();
 }
 
@@ -102,8 +106,7 @@ void Desk::stream(Work work, httplib::Response& response, std::function<void(int
     const auto left = [this, job, ended, finished](bool) {
         if (*finished) return;
         if (job->stop()) metrics_.count_stopped();
-        constexpr int client_closed_request = 499;  // as other servers log it; nobody receives it
-        ended(client_closed_request);
+        ended(client_gone);
     };
     response.set_chunked_content_provider("text/event-stream", tell, left);
 }

@@ -17,8 +17,8 @@ class Desk {
   public:
     Desk(const Limits& limits, Metrics& metrics);
 
-    // The work's result. Throws Problem if too many wait, and what the work throws.
-    std::string wait_for(Work work);
+    // The work's result. Throws Problem if too many wait or the client goes away, and what the work throws.
+    std::string wait_for(Work work, const std::function<bool()>& client_is_there);
 
     // The same as server-sent events: `progress` from time to time, then `plan` or `problem`. If the client goes away,
     // the work is stopped. `ended` is told once, with what has become of it. Throws Problem if too many wait.

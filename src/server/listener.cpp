@@ -1,112 +1,56 @@
 #include "server/listener.hpp"
 
-#include <arpa/inet.h>
-#include <poll.h>
+#include <fmt/chrono.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
+#include "server/framing.hpp"
+#include "server/gzip.hpp"
 
 namespace waybreaker::server {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+// What is left of a body that nobody wanted is passed over if it is so short; else the connection ends.
+constexpr std::uint64_t most_skipped = 65536;
 
-bool ready(int socket, short event, std::chrono::milliseconds time) {
-    pollfd wanted{socket, event, 0};
-    return ::poll(&wanted, 1, int(std::max<std::int64_t>(time.count(), 0))) > 0 && (wanted.revents & event) != 0;
+// httplib compresses whatever it can for whoever takes it, which costs more than most plans do. It looks for the word
+// in lower case only.
+void leave_compression_to_us(httplib::Request& request) {
+    const bool taken = accepts_gzip(request.get_header_value("Accept-Encoding"));
+    request.headers.erase("Accept-Encoding");
+    if (taken) request.set_header("Accept-Encoding", "GZIP");
 }
 
-class Connection : public httplib::Stream {
-  public:
-    Connection(int socket, const Patience& patience)
-        : socket_(socket), patience_(patience), deadline_(Clock::now() + patience.reading) {}
-
-    bool is_readable() const override { return begin_ < end_ || ready(socket_, POLLIN, left()); }
-
-    // Whether the client is still there.
-    bool is_writable() const override {
-        char next = 0;
-        const ssize_t peeked = ::recv(socket_, &next, 1, MSG_PEEK | MSG_DONTWAIT);
-        const bool gone = peeked == 0 || (peeked < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
-        return !gone && ready(socket_, POLLOUT, patience_.writing);
-    }
-
-    ssize_t read(char* target, std::size_t size) override {
-        if (begin_ == end_ && !fill()) return -1;
-        const std::size_t count = std::min(size, end_ - begin_);
-        std::copy_n(buffer_.data() + begin_, count, target);
-        begin_ += count;
-        return ssize_t(count);
-    }
-
-    ssize_t write(const char* bytes, std::size_t size) override {
-        if (!ready(socket_, POLLOUT, patience_.writing)) return -1;
-        return ::send(socket_, bytes, size, MSG_NOSIGNAL);
-    }
-
-    void get_remote_ip_and_port(std::string& ip, int& port) const override { address(::getpeername, ip, port); }
-    void get_local_ip_and_port(std::string& ip, int& port) const override { address(::getsockname, ip, port); }
-    socket_t socket() const override { return socket_; }
-
-  private:
-    std::chrono::milliseconds left() const {
-        return std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now());
-    }
-
-    bool fill() {
-        if (total_ > patience_.bytes || !ready(socket_, POLLIN, left())) return false;
-        const ssize_t count = ::recv(socket_, buffer_.data(), buffer_.size(), 0);
-        if (count <= 0) return false;
-        begin_ = 0;
-        end_ = std::size_t(count);
-        total_ += end_;
-        return true;
-    }
-
-    template <class Ask>
-    void address(Ask ask, std::string& ip, int& port) const {
-        sockaddr_storage storage{};
-        socklen_t size = sizeof storage;
-        if (ask(socket_, reinterpret_cast<sockaddr*>(&storage), &size) != 0) return;
-        std::array<char, INET6_ADDRSTRLEN> text{};
-        if (storage.ss_family == AF_INET) {
-            const auto& v4 = reinterpret_cast<const sockaddr_in&>(storage);
-            ::inet_ntop(AF_INET, &v4.sin_addr, text.data(), text.size());
-            port = ntohs(v4.sin_port);
-        } else if (storage.ss_family == AF_INET6) {
-            const auto& v6 = reinterpret_cast<const sockaddr_in6&>(storage);
-            ::inet_ntop(AF_INET6, &v6.sin6_addr, text.data(), text.size());
-            port = ntohs(v6.sin6_port);
-        }
-        ip = text.data();
-    }
-
-    int socket_;
-    Patience patience_;
-    Clock::time_point deadline_;
-    std::array<char, 16384> buffer_{};
-    std::size_t begin_ = 0;
-    std::size_t end_ = 0;
-    std::size_t total_ = 0;
-};
-
-// A socket closed with bytes unread resets the connection, and the client may lose its answer: so those that are
-// already on their way are read first, for a moment.
-void close_gently(int socket) {
-    constexpr std::chrono::milliseconds moment(200);
-    constexpr int most_pieces = 64;
-    ::shutdown(socket, SHUT_WR);
-    std::array<char, 16384> rest{};
-    for (int i = 0; i < most_pieces; ++i) {
-        if (!ready(socket, POLLIN, moment) || ::recv(socket, rest.data(), rest.size(), MSG_DONTWAIT) <= 0) break;
-    }
-    ::close(socket);
+// Now, as HTTP writes it (RFC 9110, 5.6.7).
+std::string date() {
+    const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+    return fmt::format("{:%a, %d %b %Y %H:%M:%S} GMT", fmt::gmtime(now));
 }
 
 }  // namespace
+
+class Listener::Queue : public httplib::TaskQueue {
+  public:
+    explicit Queue(Connections& connections) : connections_(connections) {}
+    void enqueue(std::function<void()> serve) override { connections_.open(std::move(serve)); }
+    void shutdown() override { connections_.close(); }
+
+  private:
+    Connections& connections_;
+};
+
+Listener::Listener(Patience patience, std::size_t most_connections)
+    : patience_(patience), connections_(most_connections) {
+    new_task_queue = [this] { return new Queue(connections_); };
+    set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(patience_.idle).count());
+    constexpr std::size_t most_requests = 10000;
+    set_keep_alive_max_count(most_requests);  // both are told to clients
+    set_post_routing_handler([](const httplib::Request&, httplib::Response& response) {
+        response.set_header("Date", date());
+        if (response.has_header("Connection")) response.headers.erase("Keep-Alive");
+        // Answers without a body have no length either (RFC 9110, 8.6).
+        if (response.status == no_content || response.status == not_modified) response.headers.erase("Content-Length");
+    });
+}
 
 void Listener::lengthen_backlog() {
     constexpr int backlog = 1024;
@@ -114,12 +58,47 @@ void Listener::lengthen_backlog() {
 }
 
 bool Listener::process_and_close_socket(socket_t socket) {
-    Connection connection(socket, patience_);
-    bool closed = false;
-    // Parts of an answer are never given: with many overlapping ones a small request would ask for much.
-    const bool served = process_request(connection, true, closed, [](httplib::Request& r) { r.ranges.clear(); });
+    ClientStream client(socket, patience_);
+    bool waits = true;
+    for (std::size_t served = 1; waits && serve_request(client) && served < keep_alive_max_count_; ++served) {
+        waits = connections_.begin_waiting(socket) && client.wait_for_request();
+        // Whose request came as it was sent away is answered all the same.
+        if (!connections_.end_waiting(socket)) client.take_for_there();
+        client.begin_request();
+    }
     close_gently(socket);
-    return served;
+    return true;
+}
+
+// Whether another request can come.
+bool Listener::serve_request(ClientStream& client) {
+    bool last = true;
+    std::uint64_t headers = 0;
+    std::uint64_t body = 0;
+    const auto prepare = [&](httplib::Request& request) {
+        headers = client.taken();
+        body = body_length(request);
+        last = !may_be_followed(request) || body > most_skipped || connections_.wants_places();
+        if (last) {
+            request.headers.erase("Connection");
+            request.set_header("Connection", "close");  // so that the answer says it too
+        }
+        // httplib would read such a body to the connection's end.
+        if (!request.has_header("Content-Length") && !request.has_header("Transfer-Encoding")) {
+            request.set_header("Content-Length", "0");
+        }
+        leave_compression_to_us(request);
+        // Parts of an answer are never given: with many overlapping ones a small request would ask for much.
+        request.ranges.clear();
+        request.progress = [&client](std::uint64_t, std::uint64_t) { return client.is_there(); };
+    };
+    bool closed = false;
+    const bool answered = process_request(client, false, closed, prepare);
+    return answered && !last && client.skip(headers + body - client.taken());
+}
+
+bool client_is_there(const httplib::Request& request) {
+    return request.progress(0, 0);
 }
 
 }  // namespace waybreaker::server

@@ -1,31 +1,34 @@
-// Listener: httplib's server with a patience that ends. One request a connection; reading it is bounded in time and
-// bytes, headers included, so that neither slow nor endless clients hold a thread or fill the memory.
+// Listener: httplib's server, with connections that serve one request after the other, and with what it does not do by
+// itself: clients are given so much patience, requests end where their headers say, and answers are compressed by who
+// makes them.
 #pragma once
 
 #include <httplib.h>
 
-#include <chrono>
 #include <cstddef>
+
+#include "server/client_stream.hpp"
+#include "server/connections.hpp"
 
 namespace waybreaker::server {
 
-struct Patience {
-    std::chrono::milliseconds reading{10000};  // of the whole request
-    std::chrono::milliseconds writing{10000};  // of one piece of the answer
-    std::size_t bytes = std::size_t{1} << 25;  // of the whole request
-};
-
 class Listener : public httplib::Server {
   public:
-    explicit Listener(Patience patience) : patience_(patience) {}
+    Listener(Patience patience, std::size_t most_connections);
 
     // More clients may wait to be accepted than httplib lets. To be called when bound.
     void lengthen_backlog();
 
   private:
+    class Queue;
     bool process_and_close_socket(socket_t socket) override;
+    bool serve_request(ClientStream& client);
 
     Patience patience_;
+    Connections connections_;
 };
+
+// Whether the client of a request that is being answered is still there.
+bool client_is_there(const httplib::Request& request);
 
 }  // namespace waybreaker::server

@@ -9,6 +9,7 @@
 #include "io/digest.hpp"
 #include "io/output_file.hpp"
 #include "io/ros_map.hpp"
+#include "server/built_in_map.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
 
@@ -76,7 +77,8 @@ std::string MapShelf::path_of(const std::string& id) const {
 }
 
 std::vector<MapShelf::Entry> MapShelf::list() const {
-    std::map<std::string, Entry> entries;
+    const std::string built_in(built_in_name);
+    std::map<std::string, Entry> entries{{built_in, {.id = built_in}}};
     std::error_code error;
     if (!folder_.empty()) {
         for (const fs::directory_entry& file : fs::directory_iterator(folder_, error)) {
@@ -96,7 +98,7 @@ std::shared_ptr<MapShelf::Place> MapShelf::place_of(const std::string& id) {
     const std::scoped_lock lock(mutex_);
     const auto known = places_.find(id);
     if (known != places_.end()) return known->second;
-    if (path_of(id).empty()) {
+    if (path_of(id).empty() && id != built_in_name) {
         throw Problem(not_found, "there is no map of that name; GET /api/v1/maps lists those there are");
     }
     return places_[id] = std::make_shared<Place>();
@@ -121,14 +123,21 @@ void MapShelf::hold(Place& place, SharedMap map) {
     for (std::size_t i = 0; i < surplus; ++i) places_.erase(by_use[i].second);
 }
 
+io::MapFile MapShelf::read(const std::string& id) const {
+    const std::string path = path_of(id);
+    if (path.empty() && id == built_in_name)
+        return io::parse_map(std::string(built_in_map()), std::string(built_in_name));
+    require_image_inside(path, folder_);
+    return io::read_map_file(path);
+}
+
 SharedMap MapShelf::take(const std::string& id) {
     const std::shared_ptr<Place> place = place_of(id);
     const std::scoped_lock reading(place->reading);
     SharedMap map = held(*place);
     if (map) return map;
     try {
-        require_image_inside(fs::path(folder_) / id, folder_);
-        map = std::make_shared<const ShelvedMap>(ShelvedMap{io::read_map_file((fs::path(folder_) / id).string())});
+        map = std::make_shared<const ShelvedMap>(ShelvedMap{read(id)});
     } catch (const InputError&) {
         throw Problem(unprocessable, id + " is not a map that can be read");  // the reason would name our folders
     }

@@ -1,5 +1,5 @@
-// Map shelf: the maps a server knows, those of a folder and those sent to it. Each is read once and shared, read-only,
-// by all who plan on it.
+// Map shelf: the maps a server knows, those of a folder, the one built in and those sent to it. Each is read once and
+// shared, read-only, by all who plan on it.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ using SharedMap = std::shared_ptr<const ShelvedMap>;
 
 class MapShelf {
   public:
-    // `folder` may be empty: no maps but uploaded ones. Throws InputError if it is not a folder.
+    // `folder` may be empty. Throws InputError if it is not a folder.
     MapShelf(const std::string& folder, const Limits& limits);
 
     struct Entry {
@@ -31,7 +31,8 @@ class MapShelf {
         bool uploaded = false;
         bool loaded = false;  // a map of the folder is read when it is first asked for
     };
-    // By id. What is in the folder now; files with names that could not be ids, or that lead outside, are passed over.
+    // By id. What is in the folder now, where a file of its name stands in for the built-in map; files with names that
+    // could not be ids, or that lead outside, are passed over.
     std::vector<Entry> list() const;
 
     // Throws Problem: there is none of that name, or it cannot be read. Any thread may ask.
@@ -56,6 +57,7 @@ class MapShelf {
         std::uint64_t used = 0;
     };
     std::string path_of(const std::string& id) const;
+    io::MapFile read(const std::string& id) const;
     std::shared_ptr<Place> place_of(const std::string& id);
     SharedMap held(Place& place);
     void hold(Place& place, SharedMap map);

@@ -11,12 +11,14 @@ std::string title_of(int status) {
                                                    {forbidden, "Forbidden"},
                                                    {not_found, "Not Found"},
                                                    {method_not_allowed, "Method Not Allowed"},
-                                                   {not_acceptable, "Not Acceptable"},
+                                                   {conflict, "Conflict"},
                                                    {too_large, "Content Too Large"},
                                                    {unsupported_type, "Unsupported Media Type"},
                                                    {misdirected, "Misdirected Request"},
                                                    {unprocessable, "Unprocessable Content"},
+                                                   {client_gone, "Client Closed Request"},
                                                    {internal_error, "Internal Server Error"},
+                                                   {not_implemented, "Not Implemented"},
                                                    {unavailable, "Service Unavailable"}};
     const auto title = titles.find(status);
     return title == titles.end() ? "Error" : title->second;

@@ -10,17 +10,21 @@ namespace waybreaker::server {
 enum Status : int {
     ok = 200,
     created = 201,
+    no_content = 204,
+    not_modified = 304,
     bad_request = 400,
     unauthorized = 401,
     forbidden = 403,
     not_found = 404,
     method_not_allowed = 405,
-    not_acceptable = 406,
+    conflict = 409,
     too_large = 413,
     unsupported_type = 415,
     misdirected = 421,
     unprocessable = 422,
+    client_gone = 499,  // as other servers log it; nobody receives it
     internal_error = 500,
+    not_implemented = 501,
     unavailable = 503,
 };
 

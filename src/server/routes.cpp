@@ -48,7 +48,7 @@ Route planned(const std::string& name, Answer answer, MapShelf& shelf, Desk& des
             return answer(task, planner, stop);
         };
         if (wants_events(call.request)) return desk.stream(work, response, call.ended);
-        give(response, desk.wait_for(work));
+        give(response, desk.wait_for(work, call.client_is_there));
     };
     return {"POST", "/api/v1/maps/{id}/" + name, Route::Body::json, false, handle};
 }
@@ -66,10 +66,10 @@ Route upload(MapShelf& shelf) {
 
 Route check_route(MapShelf& shelf, Desk& desk) {
     const auto handle = [&](const Call& call, httplib::Response& response) {
-        const SharedMap map = shelf.take(call.map);
-        give(response, desk.wait_for([map, &call](MissionPlanner&, const std::stop_token&) {
-            return check_answer(*map, call.body);
-        }));
+        const Work work = [map = shelf.take(call.map), plan = call.body](MissionPlanner&, const std::stop_token&) {
+            return check_answer(*map, plan);
+        };
+        give(response, desk.wait_for(work, call.client_is_there));
     };
     return {"POST", "/api/v1/maps/{id}/check", Route::Body::json, false, handle};
 }
@@ -80,11 +80,11 @@ Route export_route(MapShelf& shelf, Desk& desk) {
         if (!is_export_format(format)) {
             throw Problem(bad_request, "format is none of json, geojson, csv, ros-path, xml, svg, png");
         }
-        const SharedMap map = shelf.take(call.map);
-        const std::string body = desk.wait_for([map, &call, &format](MissionPlanner&, const std::stop_token&) {
-            return export_answer(*map, call.body, format).body;
-        });
-        give(response, body, media_type_of(format));
+        const Work work = [map = shelf.take(call.map), plan = call.body, format](MissionPlanner&,
+                                                                                 const std::stop_token&) {
+            return export_answer(*map, plan, format).body;
+        };
+        give(response, desk.wait_for(work, call.client_is_there), media_type_of(format));
     };
     return {"POST", "/api/v1/maps/{id}/export", Route::Body::json, false, handle};
 }
@@ -101,25 +101,14 @@ std::string metrics_text(const MapShelf& shelf, const Desk& desk, const Metrics&
 
 }  // namespace
 
-std::string Route::pattern() const {
-    std::string text;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        if (path.compare(i, 4, "{id}") == 0) {
-            text += "([A-Za-z0-9._-]{1,100})";
-            i += 3;
-        } else {
-            text += path[i] == '.' ? "\\." : std::string(1, path[i]);
-        }
-    }
-    return text;
-}
-
-bool Route::fits(const std::string& text) const {
-    const std::size_t id = path.find("{id}");
-    if (id == std::string::npos) return text == path;
-    const std::string rest = path.substr(id + 4);
-    if (text.size() < id + rest.size() || !text.starts_with(path.substr(0, id)) || !text.ends_with(rest)) return false;
-    return MapShelf::is_id(text.substr(id, text.size() - id - rest.size()));
+std::optional<std::string> Route::id_in(const std::string& asked) const {
+    const std::size_t place = path.find("{id}");
+    if (place == std::string::npos) return asked == path ? std::optional(std::string()) : std::nullopt;
+    const std::string before = path.substr(0, place);
+    const std::string after = path.substr(place + 4);
+    if (asked.size() < path.size() - 4 || !asked.starts_with(before) || !asked.ends_with(after)) return std::nullopt;
+    const std::string id = asked.substr(place, asked.size() - (path.size() - 4));
+    return MapShelf::is_id(id) ? std::optional(id) : std::nullopt;
 }
 
 std::vector<Route> routes(MapShelf& shelf, Desk& desk, const Metrics& metrics, const Limits& limits) {

@@ -5,6 +5,7 @@
 #include <httplib.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Call {
     const httplib::Request& request;
     std::string body;
     std::string map;  // the {id} of the path; empty where it has none
+    std::function<bool()> client_is_there;
     // To be called when a streamed answer ends; others are counted when their handler returns.
     std::function<void(int status)> ended;
 };
@@ -31,9 +33,8 @@ struct Route {
     bool open = false;  // asked without a token
     std::function<void(const Call&, httplib::Response&)> answer;
 
-    // For httplib. Every repetition is bounded, and so is the depth of matching.
-    std::string pattern() const;
-    bool fits(const std::string& text) const;
+    // What a path has for {id} (empty where there is none to have), if it is this route's.
+    std::optional<std::string> id_in(const std::string& asked) const;
 };
 
 // The handlers keep the references.

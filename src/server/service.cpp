@@ -8,13 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "server/connections.hpp"
 #include "server/desk.hpp"
+#include "server/framing.hpp"
 #include "server/guard.hpp"
+#include "server/header_list.hpp"
 #include "server/listener.hpp"
 #include "server/log_line.hpp"
 #include "server/map_shelf.hpp"
 #include "server/metrics.hpp"
+#include "server/page.hpp"
 #include "server/problem.hpp"
 #include "server/routes.hpp"
 #include "waybreaker/error.hpp"
@@ -23,6 +25,19 @@ namespace waybreaker::server {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// What is asked for where there is nothing, or in a way that no route knows.
+constexpr auto other_route = "other";
+
+class WrongMethod : public Problem {
+  public:
+    explicit WrongMethod(const std::string& allowed)
+        : Problem(method_not_allowed, "this can only be asked with " + allowed), allowed_(allowed) {}
+    const std::string& allowed() const { return allowed_; }
+
+  private:
+    std::string allowed_;
+};
 
 const httplib::Headers safe_headers{
     {"Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
@@ -46,12 +61,25 @@ void set_problem(httplib::Response& response, int status, const std::string& det
     if (status == unauthorized) response.set_header("WWW-Authenticate", "Bearer");
 }
 
-// A type that pages of other sites cannot send here without being asked for leave first.
-void require_type(const Route& route, const httplib::Request& request) {
+// The type must be one that pages of other sites cannot send here without being asked for leave first.
+void require_body(const Route& route, const httplib::Request& request, std::size_t limit) {
     const std::string wanted = route.body == Route::Body::json ? "application/json" : "application/octet-stream";
     const std::string given = request.get_header_value("Content-Type");
-    if (route.body == Route::Body::none || given.substr(0, given.find(';')) == wanted) return;
-    throw Problem(unsupported_type, "the body must be sent as " + wanted);
+    if (route.body == Route::Body::none) return;
+    if (trimmed(given.substr(0, given.find(';'))) != wanted) {
+        throw Problem(unsupported_type, "the body must be sent as " + wanted);
+    }
+    if (body_length(request) > limit) {
+        throw Problem(too_large, "the body has more than " + std::to_string(limit) + " bytes");
+    }
+}
+
+std::chrono::milliseconds milliseconds(double seconds) {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(seconds));
+}
+
+httplib::Server::HandlerResponse unless(bool admitted) {
+    return admitted ? httplib::Server::HandlerResponse::Unhandled : httplib::Server::HandlerResponse::Handled;
 }
 
 }  // namespace
@@ -65,16 +93,18 @@ class Service::House {
     void stop();
 
   private:
-    void add(const Route& route);
+    void add_handlers();
     void bind();
+    // The route that is asked for. Throws Problem if there is none, or it must not be asked like this.
+    const Route& route_of(const httplib::Request& request) const;
     void guard(const Route& route, const httplib::Request& request) const;
-    std::string read_body(const Route& route, const httplib::Request& request,
-                          const httplib::ContentReader& reader) const;
-    void serve(const Route& route, const httplib::Request& request, httplib::Response& response,
-               const httplib::ContentReader& reader);
-    void finish(const Route& route, const httplib::Request& request, int status, Clock::time_point began,
+    // Whether the request may go on; else it is answered. Before anything of its body is read.
+    bool admit(const httplib::Request& request, httplib::Response& response);
+    void serve(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& reader);
+    std::string read_body(const Route& route, const httplib::ContentReader& reader) const;
+    // Counts and logs an answer.
+    void finish(const std::string& route, const httplib::Request& request, int status, Clock::time_point began,
                 const std::string& detail);
-    bool refuse_unknown(const httplib::Request& request, httplib::Response& response);
 
     ServiceOptions options_;
     Metrics metrics_;
@@ -91,10 +121,12 @@ Service::House::House(ServiceOptions options)
       shelf_(options_.maps, options_.limits),
       desk_(options_.limits, metrics_),
       routes_(routes(shelf_, desk_, metrics_, options_.limits)),
-      listener_({.reading = std::chrono::milliseconds(std::int64_t(options_.limits.patience * 1000)),
-                 .bytes = options_.limits.upload_bytes + (std::size_t{1} << 16)}) {
+      listener_({.reading = milliseconds(options_.limits.patience),
+                 .idle = milliseconds(options_.limits.idle),
+                 .bytes = options_.limits.upload_bytes + (std::size_t{1} << 16)},
+                options_.limits.connections) {
     require_safe(options_);
-    listener_.new_task_queue = [this] { return new Connections(options_.limits.connections); };
+    for (Route& route : page_routes()) routes_.push_back(std::move(route));
     listener_.set_payload_max_length(options_.limits.upload_bytes);
     listener_.set_default_headers(safe_headers);
     listener_.set_tcp_nodelay(true);
@@ -103,30 +135,32 @@ Service::House::House(ServiceOptions options)
         const int yes = 1;
         ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     });
-    listener_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-        return refuse_unknown(request, response) ? httplib::Server::HandlerResponse::Handled
-                                                 : httplib::Server::HandlerResponse::Unhandled;
-    });
-    // What httplib refuses by itself: requests that are no HTTP, or too large.
-    listener_.set_error_handler(httplib::Server::Handler([](const httplib::Request&, httplib::Response& response) {
-        if (response.body.empty()) set_problem(response, response.status, "the request cannot be taken as it is");
-    }));
-    for (const Route& route : routes_) add(route);
+    add_handlers();
     bind();
 }
 
-void Service::House::add(const Route& route) {
-    const auto answer = [this, &route](const httplib::Request& request, httplib::Response& response,
-                                       const httplib::ContentReader& reader) {
-        serve(route, request, response, reader);
-    };
-    if (route.method == "POST") {
-        listener_.Post(route.pattern(), answer);
-    } else {
-        listener_.Get(route.pattern(), [answer](const httplib::Request& request, httplib::Response& response) {
-            answer(request, response, {nullptr, nullptr});
-        });
-    }
+void Service::House::add_handlers() {
+    listener_.set_expect_100_continue_handler([this](const httplib::Request& request, httplib::Response& response) {
+        constexpr int go_on = 100;
+        return admit(request, response) ? go_on : response.status;
+    });
+    listener_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+        return unless(admit(request, response));
+    });
+    const auto answer = [this](const httplib::Request& request, httplib::Response& response,
+                               const httplib::ContentReader& reader) { serve(request, response, reader); };
+    // Which path is whose, we say: httplib would try one regular expression after the other.
+    listener_.Get(".*", [answer](const httplib::Request& request, httplib::Response& response) {
+        answer(request, response, {nullptr, nullptr});
+    });
+    listener_.Post(".*", answer);
+    listener_.Delete(".*", answer);
+    // What httplib refuses by itself: requests that are no HTTP.
+    listener_.set_error_handler(httplib::Server::Handler([](const httplib::Request&, httplib::Response& response) {
+        if (!response.body.empty()) return;
+        set_problem(response, response.status, "the request cannot be taken as it is");
+        response.set_header("Connection", "close");
+    }));
 }
 
 void Service::House::bind() {
@@ -154,10 +188,40 @@ void Service::House::guard(const Route& route, const httplib::Request& request) 
     }
 }
 
-std::string Service::House::read_body(const Route& route, const httplib::Request& request,
-                                      const httplib::ContentReader& reader) const {
+const Route& Service::House::route_of(const httplib::Request& request) const {
+    std::string methods;
+    for (const Route& route : routes_) {
+        if (!route.id_in(request.path)) continue;
+        if (route.method == request.method || (route.method == "GET" && request.method == "HEAD")) return route;
+        methods += (methods.empty() ? "" : ", ") + route.method;
+    }
+    if (methods.empty()) throw Problem(not_found, "there is nothing here; GET /api/v1/openapi.json describes it all");
+    throw WrongMethod(methods);
+}
+
+bool Service::House::admit(const httplib::Request& request, httplib::Response& response) {
+    const Clock::time_point began = Clock::now();
+    std::string name = other_route;
+    std::string detail;
+    try {
+        check_framing(request);
+        const Route& route = route_of(request);
+        name = route.path;
+        guard(route, request);
+        require_body(route, request, options_.limits.upload_bytes);
+        return true;
+    } catch (const WrongMethod& problem) {
+        response.set_header("Allow", problem.allowed());
+        set_problem(response, problem.status(), detail = problem.what());
+    } catch (const Problem& problem) {
+        set_problem(response, problem.status(), detail = problem.what());
+    }
+    finish(name, request, response.status, began, detail);
+    return false;
+}
+
+std::string Service::House::read_body(const Route& route, const httplib::ContentReader& reader) const {
     if (route.body == Route::Body::none) return "";
-    require_type(route, request);
     std::string body;
     const std::size_t limit = options_.limits.upload_bytes;
     const bool whole = reader([&body, limit](const char* bytes, std::size_t size) {
@@ -169,14 +233,12 @@ std::string Service::House::read_body(const Route& route, const httplib::Request
     return body;
 }
 
-void Service::House::serve(const Route& route, const httplib::Request& request, httplib::Response& response,
+void Service::House::serve(const httplib::Request& request, httplib::Response& response,
                            const httplib::ContentReader& reader) {
     const Clock::time_point began = Clock::now();
+    const Route& route = route_of(request);
     std::string detail;
     try {
-        guard(route, request);
-        Call call{request, read_body(route, request, reader),
-                  request.matches.size() > 1 ? request.matches[1].str() : "", nullptr};
         // What a streamed answer is counted by when it is over: the request itself is gone by then.
         const httplib::Request head = [&request] {
             httplib::Request copy;
@@ -185,7 +247,12 @@ void Service::House::serve(const Route& route, const httplib::Request& request, 
             copy.remote_addr = request.remote_addr;
             return copy;
         }();
-        call.ended = [this, &route, head, began](int status) { finish(route, head, status, began, ""); };
+        const Call call{
+            .request = request,
+            .body = read_body(route, reader),
+            .map = route.id_in(request.path).value_or(""),
+            .client_is_there = [&request] { return client_is_there(request); },
+            .ended = [this, name = route.path, head, began](int status) { finish(name, head, status, began, ""); }};
         route.answer(call, response);
         if (response.content_provider_) return;
     } catch (...) {
@@ -193,32 +260,15 @@ void Service::House::serve(const Route& route, const httplib::Request& request, 
         detail = failure.detail;
         set_problem(response, failure.status, failure.detail);
     }
-    finish(route, request, response.status, began, detail);
+    finish(route.path, request, response.status, began, detail);
 }
 
-void Service::House::finish(const Route& route, const httplib::Request& request, int status, Clock::time_point began,
-                            const std::string& detail) {
+void Service::House::finish(const std::string& route, const httplib::Request& request, int status,
+                            Clock::time_point began, const std::string& detail) {
     const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
-    metrics_.count_request(route.method, route.path, status, seconds);
+    const bool known = route != other_route;
+    metrics_.count_request(known ? request.method : other_route, route, status, seconds);
     options_.log(log_line({request.remote_addr, request.method, request.path, status, seconds, detail}));
-}
-
-// Before anything of the body is read.
-bool Service::House::refuse_unknown(const httplib::Request& request, httplib::Response& response) {
-    std::string methods;
-    for (const Route& route : routes_) {
-        if (!route.fits(request.path)) continue;
-        if (route.method == request.method || (route.method == "GET" && request.method == "HEAD")) return false;
-        methods += (methods.empty() ? "" : ", ") + route.method;
-    }
-    const Status status = methods.empty() ? not_found : method_not_allowed;
-    set_problem(response, status,
-                methods.empty() ? "there is nothing here; GET /api/v1/openapi.json describes the service"
-                                : "this can only be asked with " + methods);
-    if (!methods.empty()) response.set_header("Allow", methods);
-    metrics_.count_request("other", "other", status, 0);
-    options_.log(log_line({request.remote_addr, request.method, request.path, status}));
-    return true;
 }
 
 void Service::House::run() {

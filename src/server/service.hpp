@@ -14,7 +14,7 @@
 namespace waybreaker::server {
 
 struct ServiceOptions {
-    std::string maps;  // a folder; empty: uploaded maps only
+    std::string maps;  // a folder; empty: the built-in map and uploaded ones
     std::string host = "127.0.0.1";
     int port = 0;  // 0: any that is free
     std::string token;

@@ -32,6 +32,7 @@ std::string described_path(const std::string& path) {
 
 void hold_against_description(const std::string& method, const std::string& path, const httplib::Response& answer) {
     EXPECT_EQ(answer.get_header_value("X-Content-Type-Options"), "nosniff");
+    EXPECT_TRUE(answer.get_header_value("Date").ends_with(" GMT"));
     EXPECT_NE(answer.get_header_value("Content-Security-Policy").find("default-src 'none'"), std::string::npos);
     const std::string name = described_path(path);
     const std::string type = answer.get_header_value("Content-Type");

@@ -1,50 +1,20 @@
 // Clients that do not speak HTTP, speak it slowly, without end, or hang up.
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <thread>
 
 #include "live_server.hpp"
+#include "wire.hpp"
 
 namespace waybreaker::server {
 namespace {
 
 using namespace std::chrono_literals;
 
-class Wire {
-  public:
-    explicit Wire(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_port = htons(std::uint16_t(port));
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-    }
-    ~Wire() { ::close(socket_); }
-    Wire(const Wire&) = delete;
-    Wire& operator=(const Wire&) = delete;
-
-    bool send(const std::string& text) const {
-        return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == ssize_t(text.size());
-    }
-    // All that comes until the server hangs up.
-    std::string rest() const {
-        std::string all;
-        char piece[4096];
-        for (ssize_t n = 0; (n = ::recv(socket_, piece, sizeof piece, 0)) > 0;) all.append(piece, std::size_t(n));
-        return all;
-    }
-
-  private:
-    int socket_;
-};
-
 class RudeClientTest : public LiveServer {
   protected:
     RudeClientTest() {
         options_.limits.patience = 0.5;
+        options_.limits.idle = 0.5;
         options_.limits.upload_bytes = 100000;
     }
 };

@@ -1,0 +1,16 @@
+// Headers whose value is a list (RFC 9110, 5.6.1): "gzip, br;q=0.5".
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace waybreaker::server {
+
+// Without the blanks around it.
+std::string_view trimmed(std::string_view text);
+
+// Its items, in lower case.
+std::vector<std::string> header_list(std::string_view value);
+
+}  // namespace waybreaker::server
