@@ -3,7 +3,11 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "waybreaker/cell.hpp"
 
 class OGRCoordinateTransformation;
 
@@ -34,5 +38,25 @@ class ToLonLat {
     std::array<double, 6> transform_;
     std::unique_ptr<OGRCoordinateTransformation> to_wgs84_;
 };
+
+// The way back. Not for two threads at once.
+class FromLonLat {
+  public:
+    explicit FromLonLat(const Georeference& place);
+    ~FromLonLat();
+    FromLonLat(const FromLonLat&) = delete;
+    FromLonLat& operator=(const FromLonLat&) = delete;
+
+    // Points in cell units of points in WGS84 degrees (x is the longitude); not finite where there are none.
+    std::vector<Point> operator()(std::vector<Point> lon_lats) const;
+
+  private:
+    std::array<double, 6> transform_;
+    std::unique_ptr<OGRCoordinateTransformation> from_wgs84_;
+};
+
+// For programs without projections: [a, b, c, d, e, f] so that a point x, y of a map, in cell units, has the longitude
+// a x + b y + c and the latitude d x + e y + f. Good to a cell everywhere on the map, or there is none.
+std::optional<std::array<double, 6>> affine_to_lon_lat(const Georeference& place, int width, int height);
 
 }  // namespace waybreaker::geo

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geo/background_item.hpp"
 #include "geo/gdal_scope.hpp"
 #include "geo/obstacle_metadata.hpp"
 #include "waybreaker/error.hpp"
@@ -167,6 +168,13 @@ Place read_place(GDALDataset& file, const std::string& name) {
     return place;
 }
 
+// A map that does not say where it lies cannot say what lies there.
+Background read_background(GDALDataset& file, const Place& place, int width, int height, const std::string& name) {
+    const std::string text = metadata(file, background_item);
+    return text.empty() || !place.georeference ? Background{}
+                                               : parse_background(text, *place.georeference, width, height, name);
+}
+
 GDALDriver& tiff_driver() {
     GDALRegister_GTiff();
     return *GetGDALDriverManager()->GetDriverByName("GTiff");
@@ -184,17 +192,24 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     check_layout(*file, bytes.size(), name);
     Place place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);
+    LabelNames label_names = read_names(*file, name);
     const int width = file->GetRasterXSize();
     const int height = file->GetRasterYSize();
+    Background background = read_background(*file, place, width, height, name);
     std::vector<std::uint32_t> labels = read_labels(*file, memory, name);
     const bool mask = attributes.size() == 1 && has_one_value(labels);
-    return {.map = mask ? Map(grid_of(width, height, labels), connectivity)
-                        : Map::from_labels(width, height, std::move(labels), attributes),
-            .cell_size = place.cell_size,
-            .georeference = std::move(place.georeference),
-            .attribution = metadata(*file, attribution_item),
-            .title = metadata(*file, title_item),
-            .mask = mask};
+    if (mask) label_names.clear();
+    std::vector<NamedCell> named = named_cells(std::move(label_names), labels);
+    LabelTiff tiff{.map = mask ? Map(grid_of(width, height, labels), connectivity)
+                               : Map::from_labels(width, height, std::move(labels), attributes),
+                   .cell_size = place.cell_size,
+                   .georeference = std::move(place.georeference),
+                   .attribution = metadata(*file, attribution_item),
+                   .title = metadata(*file, title_item),
+                   .background = std::move(background),
+                   .mask = mask};
+    tiff.names = obstacle_names(tiff.map, std::move(named));
+    return tiff;
 }
 
 std::string label_tiff_bytes(const LabelTiff& tiff) {
@@ -224,9 +239,14 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     }
     file->SetGeoTransform(transform.data());
     file->SetMetadataItem("TIFFTAG_SOFTWARE", "waybreaker");
-    if (!tiff.title.empty()) file->SetMetadataItem(title_item, tiff.title.c_str());
-    if (!tiff.attribution.empty()) file->SetMetadataItem(attribution_item, tiff.attribution.c_str());
-    for (const auto& [item, text] : obstacle_metadata(tiff.map)) file->SetMetadataItem(item, text.c_str());
+    const auto set = [&](const char* item, const std::string& text) {
+        if (!text.empty()) file->SetMetadataItem(item, text.c_str());
+    };
+    set(title_item, tiff.title);
+    set(attribution_item, tiff.attribution);
+    for (const auto& [item, text] : obstacle_metadata(tiff.map)) set(item, text);
+    set(names_item, names_text(tiff.names));
+    if (tiff.georeference) set(background_item, background_text(tiff.background, *tiff.georeference));
 
     auto* labels = const_cast<std::uint32_t*>(tiff.map.labels().data());  // GDAL only reads it
     const CPLErr outcome = file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, width, height, labels, width, height,

@@ -1,15 +1,18 @@
 // GeoTIFF label maps: obstacle id per cell, 0 = free, with coordinate system. The format `waybreaker import` writes.
 //
 // What GDAL's tools keep is kept in its own places: coordinate system and cell size, the title as TIFF image
-// description, the attribution as TIFF copyright. What they have no place for, who each obstacle is, stands in
-// metadata items (obstacle_metadata.hpp), which gdal_translate copies too: see docs/data.md.
+// description, the attribution as TIFF copyright. What they have no place for, who each obstacle is
+// (obstacle_metadata.hpp, obstacle_names.hpp) and what lies around them (background_item.hpp), stands in metadata
+// items, which gdal_translate copies too: see docs/data.md.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "geo/background.hpp"
 #include "geo/georeference.hpp"
+#include "geo/obstacle_names.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geo {
@@ -20,7 +23,9 @@ struct LabelTiff {
     std::optional<Georeference> georeference = {};
     std::string attribution = {};  // of the source data; may be empty
     std::string title = {};        // place and window, for captions; may be empty
-    bool mask = false;             // the file says which cells are blocked, not by what
+    ObstacleNames names = {};      // what people call the obstacles
+    Background background = {};
+    bool mask = false;  // the file says which cells are blocked, not by what
 };
 
 // The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. Where all that

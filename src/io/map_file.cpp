@@ -47,7 +47,9 @@ MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity 
             .cell_size = tiff.cell_size,
             .georeference = std::move(tiff.georeference),
             .attribution = std::move(tiff.attribution),
-            .title = std::move(tiff.title)};
+            .title = std::move(tiff.title),
+            .names = std::move(tiff.names),
+            .background = std::move(tiff.background)};
 }
 
 MapFile read_xml(std::string& bytes, const std::string& path, Connectivity connectivity) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geo/label_tiff.hpp"
@@ -38,10 +39,17 @@ struct MapFile {
     std::optional<geo::Georeference> georeference = {};
     std::string attribution = {};
     std::string title = {};
+    geo::ObstacleNames names = {};     // what people call the obstacles
+    geo::Background background = {};   // streets, water, ...
     std::optional<XmlTask> task = {};  // start, goal and options, where the file holds them
     std::optional<RosFiles> ros = {};
     std::uint64_t unknown = 0;            // cells of unknown occupancy
     std::vector<std::string> notes = {};  // what a person should know of the file, a line each
+
+    // Empty where it is unknown.
+    std::string_view name_of(ObstacleId id) const {
+        return id.value < names.size() ? names[id.value] : std::string_view();
+    }
 };
 
 // Throws InputError. `connectivity` applies to formats without a label layer.

@@ -141,7 +141,9 @@ std::string bytes_of(const MapFile& map, std::string_view extension) {
                                   .cell_size = map.cell_size,
                                   .georeference = map.georeference,
                                   .attribution = map.attribution,
-                                  .title = map.title});
+                                  .title = map.title,
+                                  .names = map.names,
+                                  .background = map.background});
 }
 
 }  // namespace

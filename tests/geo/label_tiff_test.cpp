@@ -75,7 +75,8 @@ LabelTiff small_map() {
                    .cell_size = 2.4,
                    .georeference = Georeference{text, {390000.25, 2.4, 0, 5820000.75, 0, -2.4}},
                    .attribution = "(c) somebody, some licence 1.0",
-                   .title = "Place, 12 m around Zürich"};
+                   .title = "Place, 12 m around Zürich",
+                   .names = {"", "Grand \"Hôtel\" & <Café>", "", "7"}};
     CPLFree(text);
     return tiff;
 }
@@ -99,6 +100,7 @@ TEST(LabelTiff, comes_back_whole) {
     EXPECT_EQ(read.cell_size, 2.4);
     EXPECT_EQ(read.attribution, written.attribution);
     EXPECT_EQ(read.title, written.title);
+    EXPECT_EQ(read.names, written.names);
     ASSERT_TRUE(read.georeference);
     EXPECT_EQ(read.georeference->transform, written.georeference->transform);
     EXPECT_EQ(read.georeference->crs_name(), "WGS 84 / UTM zone 33N");
@@ -171,18 +173,47 @@ TEST(LabelTiff, survives_gdal_translate) {
         expect_same_obstacles(original.map, read.map);
         EXPECT_EQ(read.attribution, original.attribution);
         EXPECT_EQ(read.title, original.title);
+        EXPECT_EQ(read.names, original.names);
         EXPECT_EQ(read.georeference->transform, original.georeference->transform);
     }
 }
 
 TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
     const std::string piece = translated(label_tiff_bytes(small_map()), {"-srcwin", "2", "0", "3", "3"});
-    const Map map = read_label_tiff(piece, "piece.tif").map;
+    const LabelTiff tiff = read_label_tiff(piece, "piece.tif");
+    const Map& map = tiff.map;
     ASSERT_EQ(map.obstacles().size(), 2U);
     EXPECT_EQ(map.obstacle(map.obstacle_at({0, 0})).source_id, -12345678901);
     EXPECT_FALSE(map.obstacle(map.obstacle_at({0, 0})).destructible);
     EXPECT_EQ(map.obstacle(map.obstacle_at({2, 2})).source_id, 0);
     EXPECT_TRUE(map.obstacle(map.obstacle_at({2, 2})).destructible);
+    EXPECT_EQ(tiff.names, (ObstacleNames{"", "", "7"}));
+}
+
+TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {
+    const auto named = [](const char* names) {
+        const std::string bytes = foreign_tiff(GDT_UInt32, 1, [names](GDALDataset& f) {
+            std::vector<std::int32_t> labels(32, 0);
+            labels[3] = 70000;
+            labels[4] = labels[9] = 5;
+            write_cells(f, labels);
+            f.SetMetadataItem("WAYBREAKER_NAMES", names);
+        });
+        return read_label_tiff(bytes, "city.tif").names;
+    };
+    EXPECT_EQ(named("5 Town hall\n6 Nobody\n70000  Café \t \x01"), (ObstacleNames{"", "Café", "Town hall"}));
+    EXPECT_EQ(named("5 First\n5 Second"), (ObstacleNames{"", "", "First"}));
+    EXPECT_EQ(named("6 Nobody\n5  "), ObstacleNames{});
+    EXPECT_EQ(named(""), ObstacleNames{});
+}
+
+TEST(CleanName, is_one_line_of_whole_characters) {
+    EXPECT_EQ(clean_name(" a\r\nb\x1b[31m\x7f"), "a  b [31m");
+    EXPECT_EQ(clean_name("Stra\xdf"
+                         "e"),
+              "Stra?e");
+    EXPECT_EQ(clean_name(std::string(249, 'x') + "ß"), std::string(249, 'x'));
+    EXPECT_EQ(clean_name(std::string(248, 'x') + "ß"), std::string(248, 'x') + "ß");
 }
 
 TEST(LabelTiff, takes_cells_without_data_for_free) {
@@ -282,6 +313,22 @@ TEST(LabelTiff, refuses_what_is_no_label_map_and_says_why) {
         {"ids end in a comma",
          foreign_tiff(GDT_Byte, 1, [](GDALDataset& f) { f.SetMetadataItem("WAYBREAKER_OBSTACLES", "12,"); }),
          "entry 1 of its metadata item"},
+        {"a name of nobody",
+         foreign_tiff(GDT_Byte, 1, [](GDALDataset& f) { f.SetMetadataItem("WAYBREAKER_NAMES", "3 Town hall\nCafé"); }),
+         "line 2 of its metadata item WAYBREAKER_NAMES is no obstacle's number and name"},
+        {"a name of free cells",
+         foreign_tiff(GDT_Byte, 1, [](GDALDataset& f) { f.SetMetadataItem("WAYBREAKER_NAMES", "0 Town"); }),
+         "line 1 of its metadata item WAYBREAKER_NAMES"},
+        {"a background that is none",
+         foreign_tiff(GDT_Byte, 1,
+                      [](GDALDataset& f) {
+                          OGRSpatialReference utm;
+                          utm.importFromEPSG(32633);
+                          f.SetSpatialRef(&utm);
+                          set_transform(f, {390000, 2, 0, 5820000, 0, -2});
+                          f.SetMetadataItem("WAYBREAKER_BACKGROUND", "{}");
+                      }),
+         "does not begin with WKT;kind;class;name"},
     };
     for (const Case& bad : cases) {
         SCOPED_TRACE(bad.what);

@@ -1,0 +1,22 @@
+// The lists of points that OGR's geometries are made of, without OGR.
+#pragma once
+
+#include <ogr_geometry.h>
+
+#include <optional>
+#include <vector>
+
+#include "geo/background.hpp"
+
+namespace waybreaker::geo {
+
+struct FeatureParts {
+    Background::Shape shape;
+    // As Background has them, in the geometry's own coordinates; outer rings turn left where y goes up.
+    std::vector<std::vector<Point>> parts;
+};
+
+// Empty unless it is a point, a line, a polygon, or several of one of these.
+std::optional<FeatureParts> parts_of(const OGRGeometry& shape);
+
+}  // namespace waybreaker::geo

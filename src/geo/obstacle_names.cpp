@@ -1,0 +1,97 @@
+#include "geo/obstacle_names.hpp"
+
+#include <cpl_string.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::geo {
+namespace {
+
+constexpr std::size_t longest_name = 250;  // bytes; OpenStreetMap's values have up to 255 characters
+
+bool is_control(char c) {
+    return static_cast<unsigned char>(c) < ' ' || c == 0x7F;
+}
+
+bool continues_character(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+}  // namespace
+
+std::string clean_name(std::string_view text) {
+    std::string name(text);
+    std::replace_if(name.begin(), name.end(), is_control, ' ');
+    if (!CPLIsUTF8(name.c_str(), int(name.size()))) {
+        std::replace_if(
+            name.begin(), name.end(), [](unsigned char c) { return c >= 0x80U; }, '?');
+    }
+    name = trimmed(name);
+    std::size_t end = std::min(name.size(), longest_name);
+    while (end < name.size() && end > 0 && continues_character(name[end])) --end;
+    return std::string(trimmed(std::string_view(name).substr(0, end)));
+}
+
+std::string names_text(const ObstacleNames& names) {
+    std::string text;
+    for (std::size_t id = 1; id < names.size(); ++id) {
+        const std::string name = clean_name(names[id]);
+        if (!name.empty()) text += fmt::format("{}{} {}", text.empty() ? "" : "\n", id, name);
+    }
+    return text;
+}
+
+LabelNames read_names(GDALDataset& file, const std::string& name) {
+    const char* const item = file.GetMetadataItem(names_item);
+    std::string_view text = item ? item : "";
+    LabelNames names;
+    for (std::size_t line = 1; !text.empty(); ++line) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::uint32_t label = 0;
+        const auto [rest, error] = std::from_chars(text.data(), text.data() + end, label);
+        if (error != std::errc() || label == 0 || rest == text.data() + end || *rest != ' ') {
+            throw InputError(
+                fmt::format("{}: line {} of its metadata item {} is no obstacle's number and name; drop the item with "
+                            "'gdal_edit.py -mo {}=' or import the map anew",
+                            name, line, names_item, names_item));
+        }
+        std::string clean = clean_name({rest, std::size_t(text.data() + end - rest)});
+        if (!clean.empty()) names.emplace(label, std::move(clean));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return names;
+}
+
+std::vector<NamedCell> named_cells(LabelNames names, std::span<const std::uint32_t> labels) {
+    std::vector<NamedCell> cells;
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < labels.size() && !names.empty(); ++i) {
+        if (labels[i] == last) continue;
+        last = labels[i];
+        const auto found = names.find(last);
+        if (found == names.end()) continue;
+        cells.push_back({i, std::move(found->second)});
+        names.erase(found);
+    }
+    return cells;
+}
+
+ObstacleNames obstacle_names(const Map& map, std::vector<NamedCell> cells) {
+    if (cells.empty()) return {};
+    ObstacleNames names(map.obstacles().size() + 1);
+    for (NamedCell& named : cells) names[map.labels()[named.cell]] = std::move(named.name);
+    return names;
+}
+
+}  // namespace waybreaker::geo

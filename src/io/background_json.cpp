@@ -1,0 +1,39 @@
+#include "io/background_json.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace waybreaker::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, 3> shapes{"line", "area", "point"};
+
+Json points_json(const std::vector<Point>& part) {
+    const auto rounded = [](double value) { return std::round(value * 100) / 100 + 0.0; };  // no -0
+    Json points = Json::array();
+    for (const Point& point : part) points.push_back({rounded(point.x), rounded(point.y)});
+    return points;
+}
+
+Json feature_json(const geo::Background::Feature& feature) {
+    Json points = Json::array();
+    for (const std::vector<Point>& part : feature.parts) points.push_back(points_json(part));
+    return {{"kind", geo::background_kinds[std::size_t(feature.kind)]},
+            {"class", feature.type},
+            {"name", feature.name},
+            {"shape", shapes[std::size_t(feature.shape)]},
+            {"points", std::move(points)}};
+}
+
+}  // namespace
+
+std::string background_json(const geo::Background& background) {
+    Json features = Json::array();
+    for (const geo::Background::Feature& feature : background.features) features.push_back(feature_json(feature));
+    return Json{{"features", std::move(features)}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace waybreaker::io
