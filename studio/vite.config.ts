@@ -1,6 +1,9 @@
 import { defineConfig } from "vitest/config";
 
-// Three files with fixed names, which CMake builds into the command. `npm run dev` asks a running `waybreaker serve`.
+// Three files with fixed names, which CMake builds into the command. `npm run dev` asks a running `waybreaker serve`, as
+// though the page came from there: other sites' pages are refused.
+const service = { target: "http://127.0.0.1:8080", changeOrigin: false };
+
 export default defineConfig({
   esbuild: { jsx: "automatic", jsxImportSource: "preact" },
   build: {
@@ -11,6 +14,6 @@ export default defineConfig({
       output: { entryFileNames: "studio.js", assetFileNames: "studio.[ext]", inlineDynamicImports: true },
     },
   },
-  server: { proxy: { "/api": "http://127.0.0.1:8080" } },
+  server: { proxy: { "/api": service } },
   test: { include: ["tests/**/*.test.ts", "tests/**/*.test.tsx"] },
 });

@@ -1,0 +1,217 @@
+// Asks the service. Every failure is a ServiceError with a sentence for people; a server that is busy is asked again.
+import type {
+  Background,
+  Comparison,
+  MapDescription,
+  MapEntry,
+  Obstacles,
+  Plan,
+  PlanRequest,
+  ProblemDocument,
+} from "./answers";
+import { readEvents } from "./events";
+import type { Run } from "../map/scene";
+
+export type Trouble =
+  | "refused" // the service says why not
+  | "missing" // there is no such map (any more)
+  | "gone" // nobody answers
+  | "stopped"; // the page itself gave up
+
+export class ServiceError extends Error {
+  constructor(
+    readonly trouble: Trouble,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+export interface CheckReport {
+  valid: boolean;
+  violations: { rule: string; message: string }[];
+}
+
+export interface Edits {
+  block: Run[];
+  free: Run[];
+}
+
+export interface Progress {
+  state: "queued" | "planning";
+  seconds: number;
+}
+
+export type ExportFormat = "json" | "geojson" | "csv" | "svg";
+
+interface Ask {
+  method?: "GET" | "POST" | "DELETE";
+  json?: unknown;
+  bytes?: Blob;
+  accept?: string;
+  signal?: AbortSignal | undefined;
+}
+
+// Where a token comes from; `ask` asks the person, who may have been asked already.
+export interface TokenSource {
+  current(): string;
+  ask(): Promise<string>;
+}
+
+const mostTries = 6;
+const longestWait = 5; // seconds
+
+export class Client {
+  constructor(
+    private readonly token: TokenSource,
+    private readonly base = "/api/v1",
+  ) {}
+
+  async maps(signal?: AbortSignal): Promise<MapEntry[]> {
+    return (await this.json<{ maps: MapEntry[] }>("/maps", { signal })).maps;
+  }
+
+  map(id: string, signal?: AbortSignal): Promise<MapDescription> {
+    return this.json(mapPath(id), { signal });
+  }
+
+  obstacles(id: string, signal?: AbortSignal): Promise<Obstacles> {
+    return this.json(mapPath(id, "obstacles"), { signal });
+  }
+
+  background(id: string, signal?: AbortSignal): Promise<Background> {
+    return this.json(mapPath(id, "background"), { signal });
+  }
+
+  upload(file: Blob, signal?: AbortSignal): Promise<MapDescription> {
+    return this.json("/maps", { method: "POST", bytes: file, signal });
+  }
+
+  edit(id: string, edits: Edits, signal?: AbortSignal): Promise<MapDescription> {
+    return this.json(mapPath(id, "edits"), { method: "POST", json: edits, signal });
+  }
+
+  plan(id: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan> {
+    return this.stream(mapPath(id, "plan"), request, signal, tell);
+  }
+
+  front(id: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan> {
+    return this.stream(mapPath(id, "front"), request, signal, tell);
+  }
+
+  compare(id: string, request: PlanRequest, signal?: AbortSignal): Promise<Comparison> {
+    return this.stream(mapPath(id, "compare"), request, signal);
+  }
+
+  check(id: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport> {
+    return this.json(mapPath(id, "check"), { method: "POST", json: plan, signal });
+  }
+
+  async exported(id: string, plan: Plan, format: ExportFormat): Promise<Blob> {
+    const answer = await this.ask(`${mapPath(id, "export")}?format=${format}`, { method: "POST", json: plan });
+    return answer.blob();
+  }
+
+  async file(id: string): Promise<Blob> {
+    return (await this.ask(mapPath(id, "file"), {})).blob();
+  }
+
+  private async json<T>(path: string, ask: Ask): Promise<T> {
+    const answer = await this.ask(path, ask);
+    try {
+      return (await answer.json()) as T;
+    } catch (error) {
+      throw understood(error);
+    }
+  }
+
+  // The planner stops when the page hangs up, so all plans come as streams.
+  private async stream<T>(
+    path: string,
+    json: unknown,
+    signal?: AbortSignal,
+    tell?: (progress: Progress) => void,
+  ): Promise<T> {
+    const answer = await this.ask(path, { method: "POST", json, signal, accept: "text/event-stream" });
+    try {
+      for await (const { name, data } of readEvents(answer)) {
+        if (name === "progress") tell?.(JSON.parse(data) as Progress);
+        if (name === "plan") return JSON.parse(data) as T;
+        if (name === "problem") throw refusal(JSON.parse(data) as ProblemDocument);
+      }
+    } catch (error) {
+      throw understood(error);
+    }
+    throw new ServiceError("gone", "The server hung up before the plan was ready.");
+  }
+
+  private async ask(path: string, ask: Ask): Promise<Response> {
+    for (let tries = 1; ; ++tries) {
+      const answer = await this.send(path, ask);
+      if (answer.ok) return answer;
+      if (answer.status === 401) {
+        await this.token.ask();
+        continue;
+      }
+      if (answer.status !== 503 || tries === mostTries) throw await failure(answer);
+      const seconds = Number(answer.headers.get("Retry-After")) || 1;
+      await pause(1000 * Math.min(seconds, longestWait), ask.signal);
+    }
+  }
+
+  private async send(path: string, { method = "GET", json, bytes, accept, signal }: Ask): Promise<Response> {
+    const headers = new Headers({ Accept: accept ?? "application/json" });
+    const token = this.token.current();
+    if (token) headers.set("Authorization", `Bearer ${token}`);
+    if (json !== undefined) headers.set("Content-Type", "application/json");
+    if (bytes) headers.set("Content-Type", "application/octet-stream");
+    const body = bytes ?? (json === undefined ? null : JSON.stringify(json));
+    try {
+      return await fetch(this.base + path, { method, headers, body, signal: signal ?? null });
+    } catch (error) {
+      throw understood(error);
+    }
+  }
+}
+
+function mapPath(id: string, what = ""): string {
+  return `/maps/${encodeURIComponent(id)}${what && `/${what}`}`;
+}
+
+function refusal(problem: ProblemDocument): ServiceError {
+  return new ServiceError(problem.status === 404 ? "missing" : "refused", sentence(problem.detail || problem.title));
+}
+
+// What answers without a problem document is not the service, but a proxy that does not find it.
+async function failure(answer: Response): Promise<ServiceError> {
+  const type = answer.headers.get("Content-Type") ?? "";
+  if (type.includes("problem+json")) return refusal((await answer.json()) as ProblemDocument);
+  if (answer.status >= 500) return new ServiceError("gone", "The server does not answer.");
+  return new ServiceError(answer.status === 404 ? "missing" : "refused", `The server answers with error ${answer.status}.`);
+}
+
+function understood(error: unknown): ServiceError {
+  if (error instanceof ServiceError) return error;
+  if (error instanceof DOMException && error.name === "AbortError") return new ServiceError("stopped", "Stopped.");
+  return new ServiceError("gone", "The server does not answer.");
+}
+
+function sentence(text: string): string {
+  const full = text.charAt(0).toUpperCase() + text.slice(1);
+  return /[.!?]$/.test(full) ? full : `${full}.`;
+}
+
+export function pause(milliseconds: number, signal?: AbortSignal): Promise<void> {
+  return new Promise((done, fail) => {
+    const stopped = () => {
+      clearTimeout(timer);
+      fail(new ServiceError("stopped", "Stopped."));
+    };
+    const timer = setTimeout(() => {
+      signal?.removeEventListener("abort", stopped);
+      done();
+    }, milliseconds);
+    if (signal?.aborted) stopped();
+    else signal?.addEventListener("abort", stopped, { once: true });
+  });
+}

@@ -1,0 +1,82 @@
+// Where start and goal stand on a map that does not say: at opposite corners of its largest open region, so that
+// there is a way between them.
+import type { Cell, MapDescription } from "../api/answers";
+import type { CellMap } from "../map/cell_map";
+import type { Markers } from "../map/scene";
+import { freshMission, type Mission } from "./mission";
+
+// The bundled map is shown with a mission that removals help.
+const ready: Record<string, Markers> = { "berlin-mitte.tif": { start: [256, 434], goal: [118, 55] } };
+
+export function defaultMission(map: MapDescription, cells: CellMap): Mission {
+  const said = map.start && map.goal ? { start: map.start, goal: map.goal } : null;
+  const known = ready[map.id];
+  const fits = known && free(cells, known.start) && free(cells, known.goal) ? known : null;
+  return freshMission(map.id, said ?? fits ?? farApart(cells));
+}
+
+function free(cells: CellMap, [x, y]: Cell): boolean {
+  return x < cells.width && y < cells.height && cells.at(x, y) === 0;
+}
+
+interface FreeRun {
+  y: number;
+  from: number;
+  end: number;
+}
+
+export function farApart(cells: CellMap): Markers {
+  const region = largestRegion(cells);
+  const inset = 0.08;
+  const [right, bottom] = [cells.width - 1, cells.height - 1];
+  const near = (x: number, y: number) => nearestIn(region, Math.round(x * right), Math.round(y * bottom));
+  return { start: near(inset, 1 - inset), goal: near(1 - inset, inset) };
+}
+
+function freeRuns(cells: CellMap, y: number): FreeRun[] {
+  const runs: FreeRun[] = [];
+  let x = 0;
+  for (let i = cells.rowStart[y]!; i < cells.rowStart[y + 1]!; ++i) {
+    if (cells.from[i]! > x) runs.push({ y, from: x, end: cells.from[i]! });
+    x = cells.from[i]! + cells.length[i]!;
+  }
+  if (x < cells.width) runs.push({ y, from: x, end: cells.width });
+  return runs;
+}
+
+// Free cells that hang together by sides, as runs: joined row by row (union-find).
+function largestRegion(cells: CellMap): FreeRun[] {
+  const runs: FreeRun[] = [];
+  const parent: number[] = [];
+  const root = (i: number): number => {
+    while (parent[i] !== i) i = parent[i] = parent[parent[i]!]!;
+    return i;
+  };
+  let above = 0; // first run of the row before
+  for (let y = 0; y < cells.height; ++y) {
+    const first = runs.length;
+    let other = above;
+    for (const run of freeRuns(cells, y)) {
+      const index = runs.push(run) - 1;
+      parent.push(index);
+      while (other < first && runs[other]!.end <= run.from) ++other;
+      for (let i = other; i < first && runs[i]!.from < run.end; ++i) parent[root(i)] = root(index);
+    }
+    above = first;
+  }
+  const sizes = new Map<number, number>();
+  runs.forEach((run, i) => sizes.set(root(i), (sizes.get(root(i)) ?? 0) + run.end - run.from));
+  const largest = [...sizes].reduce((a, b) => (b[1] > a[1] ? b : a), [-1, 0])[0];
+  return runs.filter((_, i) => root(i) === largest);
+}
+
+function nearestIn(region: FreeRun[], x: number, y: number): Cell {
+  let best: Cell = [x, y];
+  let distance = Infinity;
+  for (const run of region) {
+    const x2 = Math.min(Math.max(x, run.from), run.end - 1);
+    const far = (x2 - x) ** 2 + (run.y - y) ** 2;
+    if (far < distance) [best, distance] = [[x2, run.y], far];
+  }
+  return best;
+}

@@ -1,0 +1,34 @@
+// What the service is told to change about a map.
+import type { Edits } from "../api/client";
+import type { CellMap } from "../map/cell_map";
+import type { Run } from "../map/scene";
+import { marked, type Mission } from "./mission";
+import type { ShownMap } from "./page_state";
+import { clipped, difference, union } from "./run_set";
+
+// First the free cells hold, then the blocked ones: what is drawn over something erased stands.
+export function editsOf(mission: Mission, base: CellMap): Edits {
+  const excluded = marked(mission, "exclude").flatMap((id) => base.runsOf(id));
+  return { block: [...mission.walls], free: union(mission.erased, excluded) };
+}
+
+// The mission after a stroke. Walls go where nothing stands; the eraser takes drawn walls as well.
+export function drawn(mission: Mission, tool: "wall" | "erase", runs: readonly Run[], { base, map }: ShownMap): Mission {
+  const stroke = clipped(runs, map.cells.width, map.cells.height);
+  if (tool === "wall") {
+    return { ...mission, walls: union(mission.walls, difference(stroke, blockedOf(map.cells, stroke))) };
+  }
+  return {
+    ...mission,
+    walls: difference(mission.walls, stroke),
+    erased: union(mission.erased, blockedOf(base.cells, stroke)),
+  };
+}
+
+function blockedOf(cells: CellMap, stroke: readonly Run[]): Run[] {
+  const blocked: Run[] = [];
+  for (const [x, y, length] of stroke) {
+    for (let i = x; i < x + length; ++i) if (cells.at(i, y) !== 0) blocked.push([i, y, 1]);
+  }
+  return union(blocked, []);
+}

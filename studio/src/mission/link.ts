@@ -1,0 +1,143 @@
+// A mission as the query of an address, and back: whoever has the link has the mission. What is as usual is left out.
+import type { Cell } from "../api/answers";
+import type { LayerName, Mark, Markers, Run } from "../map/scene";
+import { defaults, freshMission, mostRemovals, wallCell, wallKey, type Mission } from "./mission";
+import { decodeRuns, encodeRuns } from "./run_code";
+import { clipped } from "./run_set";
+
+const marks: Mark[] = ["protect", "force", "exclude"];
+const layerNames: LayerName[] = ["before", "after", "paper"];
+
+// Numbers that are written as they are, and the least and greatest that make sense.
+const numbers = [
+  ["ground_speed", "groundSpeed", 1e-3, 1e4],
+  ["air_speed", "airSpeed", 1e-3, 1e4],
+  ["breach_time", "breachTime", 0, 1e6],
+  ["breach_time_per_cell", "breachTimePerCell", 0, 1e6],
+  ["radius", "radius", 0, 100],
+] as const;
+
+export function encodeLink(mission: Mission, width: number): string {
+  const query: [string, string][] = [["map", mission.map]];
+  const cells: [string, Cell | undefined][] = [
+    ["start", mission.markers.start],
+    ["goal", mission.markers.goal],
+    ["air_start", mission.markers.air_start],
+    ["air_goal", mission.markers.air_goal],
+  ];
+  for (const [name, cell] of cells) if (cell) query.push([name, cell.join()]);
+  query.push(["removals", String(mission.removals)]);
+  if (mission.method !== defaults.method) query.push(["method", mission.method]);
+  if (mission.objective !== defaults.objective) query.push(["objective", mission.objective]);
+  for (const [name, member] of numbers) {
+    if (mission[member] !== defaults[member]) query.push([name, String(mission[member])]);
+  }
+  for (const mark of marks) {
+    const keys = [...mission.marks].filter(([, has]) => has === mark).map(([key]) => key);
+    if (keys.length > 0) query.push([mark, keys.map((key) => markText(key, width)).join()]);
+  }
+  if (mission.walls.length > 0) query.push(["walls", encodeRuns(mission.walls)]);
+  if (mission.erased.length > 0) query.push(["erased", encodeRuns(mission.erased)]);
+  if (mission.layers.join() !== defaults.layers.join()) query.push(["show", mission.layers.join()]);
+  if (mission.time !== null) query.push(["time", String(Math.round(mission.time * 100) / 100)]);
+  // Commas need no escape in a query, and are easier to read without.
+  return query.map(([name, value]) => `${name}=${encodeURIComponent(value).replaceAll("%2C", ",")}`).join("&");
+}
+
+export interface Decoded {
+  mission: Mission;
+  complaints: string[]; // what the link says that cannot be, in words
+}
+
+export function mapOfLink(query: string): string | null {
+  return new URLSearchParams(query).get("map");
+}
+
+// What the link does not say, or says wrongly, is as usual; `markers` stand where it names no place.
+export function decodeLink(query: string, map: string, markers: Markers, width: number, height: number): Decoded {
+  const given = new URLSearchParams(query);
+  const complaints: string[] = [];
+  const mission = freshMission(map, markers);
+  const take = <T>(name: string, read: (text: string) => T | null, keep: (value: T) => void) => {
+    const text = given.get(name);
+    if (text === null) return;
+    const value = attempt(() => read(text));
+    if (value === null) complaints.push(`“${name}=${shortened(text)}” in the link cannot be read`);
+    else keep(value);
+  };
+
+  mission.markers = { ...markers };
+  for (const handle of ["start", "goal", "air_start", "air_goal"] as const) {
+    take(handle, (text) => cellOf(text, width, height), (cell) => (mission.markers[handle] = cell));
+  }
+  take("removals", removalsOf, (value) => (mission.removals = value));
+  take("method", (text) => oneOf(["exact", "paper"] as const, text), (value) => (mission.method = value));
+  take("objective", (text) => oneOf(["makespan", "flowtime"] as const, text), (value) => (mission.objective = value));
+  for (const [name, member, least, most] of numbers) {
+    take(name, (text) => numberOf(text, least, most), (value) => (mission[member] = value));
+  }
+  const has = new Map<number, Mark>();
+  for (const mark of marks) {
+    take(mark, (text) => keysOf(text, width, height), (keys) => keys.forEach((key) => has.set(key, mark)));
+  }
+  mission.marks = has;
+  for (const name of ["walls", "erased"] as const) {
+    take(name, (text): Run[] => clipped(decodeRuns(text), width, height), (runs) => (mission[name] = runs));
+  }
+  take("show", layersOf, (layers) => (mission.layers = layers));
+  take("time", (text) => numberOf(text, 0, 1e9), (time) => (mission.time = time));
+  return { mission, complaints };
+}
+
+function attempt<T>(read: () => T | null): T | null {
+  try {
+    return read();
+  } catch {
+    return null;
+  }
+}
+
+function shortened(text: string): string {
+  return text.length > 30 ? `${text.slice(0, 30)}…` : text;
+}
+
+function markText(key: number, width: number): string {
+  return key < 0 ? `wall.${wallCell(key, width).join(".")}` : String(key);
+}
+
+function keysOf(text: string, width: number, height: number): number[] | null {
+  const keys = text.split(",").map((part) => {
+    const wall = /^wall\.(\d{1,6})\.(\d{1,6})$/.exec(part);
+    const cell = wall && cellOf(`${wall[1]},${wall[2]}`, width, height);
+    if (cell) return wallKey(cell, width);
+    return /^[1-9]\d{0,8}$/.test(part) ? Number(part) : null;
+  });
+  return keys.includes(null) ? null : (keys as number[]);
+}
+
+function cellOf(text: string, width: number, height: number): Cell | null {
+  const parts = /^(\d{1,6}),(\d{1,6})$/.exec(text);
+  if (!parts) return null;
+  const cell: Cell = [Number(parts[1]), Number(parts[2])];
+  return cell[0] < width && cell[1] < height ? cell : null;
+}
+
+function removalsOf(text: string): number | "auto" | null {
+  if (text === "auto") return "auto";
+  return /^\d$/.test(text) && Number(text) <= mostRemovals ? Number(text) : null;
+}
+
+function numberOf(text: string, least: number, most: number): number | null {
+  const value = Number(text);
+  return text.trim() !== "" && value >= least && value <= most ? value : null;
+}
+
+function oneOf<T extends string>(words: readonly T[], text: string): T | null {
+  return words.find((word) => word === text) ?? null;
+}
+
+function layersOf(text: string): LayerName[] | null {
+  if (text === "") return [];
+  const named = text.split(",").map((word) => oneOf(layerNames, word));
+  return named.includes(null) ? null : layerNames.filter((layer) => named.includes(layer));
+}

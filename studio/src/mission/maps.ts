@@ -1,0 +1,50 @@
+// Maps as the page holds them: the one that was chosen, and it as drawn on.
+import type { Background, MapDescription } from "../api/answers";
+import { ServiceError, type Client, type Edits } from "../api/client";
+import { CellMap } from "../map/cell_map";
+
+export interface HeldMap {
+  description: MapDescription;
+  cells: CellMap;
+  background: Background;
+}
+
+export class Maps {
+  #edited: { key: string; map: HeldMap } | null = null;
+
+  constructor(private readonly client: Client) {}
+
+  async load(id: string, signal?: AbortSignal): Promise<HeldMap> {
+    const [description, obstacles, background] = await Promise.all([
+      this.client.map(id, signal),
+      this.client.obstacles(id, signal),
+      this.background(id, signal),
+    ]);
+    return { description, cells: new CellMap(obstacles), background };
+  }
+
+  async edited(base: HeldMap, edits: Edits, signal?: AbortSignal): Promise<HeldMap> {
+    const key = `${base.description.id} ${JSON.stringify(edits)}`;
+    if (this.#edited?.key === key) return this.#edited.map;
+    const description = await this.client.edit(base.description.id, edits, signal);
+    const obstacles = await this.client.obstacles(description.id, signal);
+    const map = { description, cells: new CellMap(obstacles), background: base.background };
+    this.#edited = { key, map };
+    return map;
+  }
+
+  // The service keeps only so many maps that nobody asks for.
+  forget(): void {
+    this.#edited = null;
+  }
+
+  // A picture below the obstacles is not worth a failure.
+  private async background(id: string, signal?: AbortSignal): Promise<Background> {
+    try {
+      return await this.client.background(id, signal);
+    } catch (error) {
+      if (error instanceof ServiceError && error.trouble !== "missing" && error.trouble !== "refused") throw error;
+      return { features: [] };
+    }
+  }
+}

@@ -1,0 +1,72 @@
+// What is asked, as one immutable value: undo keeps old ones, a link holds one.
+import type { Cell, Objective } from "../api/answers";
+import type { LayerName, Mark, Markers, Run } from "../map/scene";
+
+export type Method = "exact" | "paper";
+
+export const mostRemovals = 8;
+
+// Speeds and times as people say them: metres and seconds, or cells and steps where the map has no scale.
+export interface Mission {
+  map: string; // the map as it was before anything is drawn; obstacle ids are those of this map
+  markers: Markers;
+  removals: number | "auto";
+  method: Method;
+  objective: Objective;
+  groundSpeed: number;
+  airSpeed: number;
+  breachTime: number;
+  breachTimePerCell: number;
+  radius: number; // of the ground agent, in cells
+  marks: ReadonlyMap<number, Mark>; // by obstacle, or by key of a drawn wall
+  walls: readonly Run[]; // drawn
+  erased: readonly Run[];
+  layers: readonly LayerName[];
+  time: number | null; // where playback stands
+}
+
+export const defaults = {
+  removals: 2,
+  method: "exact",
+  objective: "makespan",
+  groundSpeed: 1,
+  airSpeed: 1,
+  breachTime: 0,
+  breachTimePerCell: 0,
+  radius: 0.5,
+  marks: new Map<number, Mark>() as ReadonlyMap<number, Mark>,
+  walls: [] as readonly Run[],
+  erased: [] as readonly Run[],
+  layers: ["before", "after"] as readonly LayerName[],
+  time: null,
+} satisfies Omit<Mission, "map" | "markers">;
+
+export function freshMission(map: string, markers: Markers): Mission {
+  return { ...defaults, map, markers };
+}
+
+// A drawn wall has no id that lasts: it is called by one of its cells, as a number below 0.
+export function wallKey([x, y]: Cell, width: number): number {
+  return -(y * width + x) - 1;
+}
+
+export function wallCell(key: number, width: number): Cell {
+  const index = -key - 1;
+  return [index % width, Math.floor(index / width)];
+}
+
+export function withMark(mission: Mission, key: number, mark: Mark | null): Mission {
+  const marks = new Map(mission.marks);
+  if (mark) marks.set(key, mark);
+  else marks.delete(key);
+  return { ...mission, marks };
+}
+
+export function marked(mission: Mission, mark: Mark): number[] {
+  return [...mission.marks].filter(([, has]) => has === mark).map(([key]) => key);
+}
+
+// Whether the map has to be changed before it is planned on.
+export function hasEdits(mission: Mission): boolean {
+  return mission.walls.length > 0 || mission.erased.length > 0 || [...mission.marks.values()].includes("exclude");
+}

@@ -1,0 +1,213 @@
+// Keeps the plans shown up with the mission. The latest question wins: one is asked at a time, those in between are
+// dropped. When nothing changes for a moment, the rest is asked: whether the plans hold, what each removal saves, what
+// other numbers of removals reach, what the paper would do.
+import { signal, type Signal } from "@preact/signals";
+import type { FrontPoint, Plan, PlanRequest } from "../api/answers";
+import { pause, ServiceError, type CheckReport, type Progress } from "../api/client";
+import type { LayerName } from "../map/scene";
+import { beforeRequest, frontRequest, keyOf, paperRequest, planRequest, type Question } from "./request";
+
+export interface PlanService {
+  plan(map: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan>;
+  front(map: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan>;
+  check(map: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport>;
+}
+
+// What the independent check says of a plan: null while it is not known.
+export type Verdict = { valid: true } | { valid: false; reason: string } | null;
+
+export interface Judged {
+  plan: Plan;
+  verdict: Verdict;
+}
+
+export interface Front {
+  points: FrontPoint[];
+  key: string;
+}
+
+export interface Pace {
+  calm: number; // ms without change after which the rest is asked
+  patience: number; // ms that a plan may take while a newer question waits
+}
+
+// What is known about a mission.
+export interface Results {
+  plans: Signal<Readonly<Partial<Record<LayerName, Judged>>>>;
+  front: Signal<Front | null>;
+  answered: Signal<Question | null>; // what the plans answer
+  progress: Signal<Progress | null>;
+  failure: Signal<ServiceError | null>;
+}
+
+export class Planner implements Results {
+  readonly plans = signal<Readonly<Partial<Record<LayerName, Judged>>>>({});
+  readonly front = signal<Front | null>(null);
+  readonly answered = signal<Question | null>(null);
+  readonly progress = signal<Progress | null>(null);
+  readonly failure = signal<ServiceError | null>(null);
+
+  #wanted: Question | null = null;
+  #working: { control: AbortController; began: number } | null = null;
+  #resting: AbortController | null = null;
+
+  constructor(
+    private readonly service: PlanService,
+    private readonly pace: Pace = { calm: 150, patience: 600 },
+  ) {}
+
+  ask(question: Question): void {
+    this.#wanted = question;
+    this.#resting?.abort();
+    if (this.#working) return this.#hurry(this.#working);
+    if (this.#isAnswered(question)) {
+      this.#wanted = null;
+      void this.#rest(question);
+    } else {
+      void this.#work();
+    }
+  }
+
+  // The plan under way is given up; what was shown before stays.
+  stop(): void {
+    this.#wanted = null;
+    this.#resting?.abort();
+    this.#working?.control.abort();
+  }
+
+  // Another map: nothing of the old plans fits.
+  clear(): void {
+    this.stop();
+    this.plans.value = {};
+    this.front.value = null;
+    this.answered.value = null;
+    this.failure.value = null;
+  }
+
+  #isAnswered(question: Question): boolean {
+    const last = this.answered.value;
+    return last !== null && this.failure.value === null && keyOf.plan(last) === keyOf.plan(question);
+  }
+
+  // A plan that takes long is dropped for a newer question, but not so soon that none ever ends.
+  #hurry(working: { control: AbortController; began: number }): void {
+    const left = working.began + this.pace.patience - performance.now();
+    setTimeout(() => this.#wanted && working.control.abort(), Math.max(0, left));
+  }
+
+  async #work(): Promise<void> {
+    let done: Question | null = null;
+    while (this.#wanted) {
+      const question = this.#wanted;
+      this.#wanted = null;
+      const control = new AbortController();
+      this.#working = { control, began: performance.now() };
+      done = null;
+      try {
+        await this.#first(question, control.signal);
+        this.failure.value = null;
+        done = question;
+      } catch (error) {
+        const trouble = asServiceError(error);
+        const dropped = trouble.trouble === "stopped" && this.#wanted !== null;
+        if (!dropped) this.failure.value = trouble;
+      }
+    }
+    this.#working = null;
+    this.progress.value = null;
+    if (done) void this.#rest(done);
+  }
+
+  // What has to follow the mouse.
+  async #first(question: Question, stop: AbortSignal): Promise<void> {
+    const tell = (progress: Progress) => (this.progress.value = progress);
+    const last = this.answered.value;
+    const sameBefore = last !== null && keyOf.before(last) === keyOf.before(question);
+    const auto = question.removals === "auto";
+    const [after, before] = await Promise.all([
+      auto
+        ? this.service.front(question.map, frontRequest(question), stop, tell)
+        : this.service.plan(question.map, planRequest(question, Number(question.removals)), stop, tell),
+      sameBefore || !question.withBefore
+        ? null
+        : this.service.plan(question.map, beforeRequest(question), stop),
+    ]);
+    if (stop.aborted) throw new ServiceError("stopped", "Stopped.");
+    const kept = sameBefore ? this.plans.value.before : undefined;
+    const beside = before ? { plan: before, verdict: null } : kept;
+    this.answered.value = question;
+    this.plans.value = { after: { plan: after, verdict: null }, ...(beside && { before: beside }) };
+    if (auto && after.front) this.front.value = { points: after.front, key: keyOf.front(question) };
+    this.progress.value = null;
+  }
+
+  async #rest(question: Question): Promise<void> {
+    const control = (this.#resting = new AbortController());
+    const stop = control.signal;
+    try {
+      await pause(this.pace.calm, stop);
+      await this.#judge("after", question, stop);
+      await this.#fetchFront(question, stop);
+      await this.#explain(question, stop);
+      if (!this.plans.value.before) {
+        this.#show("before", await this.service.plan(question.map, beforeRequest(question), stop), stop);
+      }
+      await this.#judge("before", question, stop);
+      await this.#fetchPaper(question, stop);
+    } catch (error) {
+      // What is beside the plan may be missing; but that nobody answers has to be said.
+      const trouble = asServiceError(error);
+      if (trouble.trouble === "gone" || trouble.trouble === "missing") this.failure.value = trouble;
+    }
+  }
+
+  async #fetchFront(question: Question, stop: AbortSignal): Promise<void> {
+    const key = keyOf.front(question);
+    if (this.front.value?.key === key) return;
+    const plan = await this.service.front(question.map, frontRequest(question), stop);
+    if (!stop.aborted && plan.front) this.front.value = { points: plan.front, key };
+  }
+
+  // The same plan again, with what the mission would lose without each removal.
+  async #explain(question: Question, stop: AbortSignal): Promise<void> {
+    const shown = this.plans.value.after?.plan;
+    if (!shown || shown.removed.length === 0) return;
+    const removals = question.removals === "auto" ? shown.removed.length : question.removals;
+    const plan = await this.service.plan(question.map, planRequest(question, removals, true), stop);
+    if (!isSame(plan, shown)) return;
+    this.#show("after", plan, stop, this.plans.value.after?.verdict ?? null);
+    await this.#judge("after", question, stop);
+  }
+
+  async #fetchPaper(question: Question, stop: AbortSignal): Promise<void> {
+    const shown = this.plans.value.after?.plan;
+    if (!shown) return;
+    const removals = question.removals === "auto" ? shown.removed.length : question.removals;
+    const paper =
+      question.method === "paper" ? shown : await this.service.plan(question.map, paperRequest(question, removals), stop);
+    this.#show("paper", paper, stop);
+    await this.#judge("paper", question, stop);
+  }
+
+  async #judge(layer: LayerName, question: Question, stop: AbortSignal): Promise<void> {
+    const judged = this.plans.value[layer];
+    if (!judged) return;
+    const report = await this.service.check(question.map, judged.plan, stop);
+    const reason = report.violations.map((violation) => violation.message).join("; ");
+    const verdict: Verdict = report.valid ? { valid: true } : { valid: false, reason };
+    if (this.plans.value[layer]?.plan === judged.plan) this.#show(layer, judged.plan, stop, verdict);
+  }
+
+  #show(layer: LayerName, plan: Plan, stop: AbortSignal, verdict: Verdict = null): void {
+    if (!stop.aborted) this.plans.value = { ...this.plans.value, [layer]: { plan, verdict } };
+  }
+}
+
+function isSame(a: Plan, b: Plan): boolean {
+  const ids = (plan: Plan) => plan.removed.map((one) => one.obstacle).join();
+  return ids(a) === ids(b) && JSON.stringify(a.agents) === JSON.stringify(b.agents);
+}
+
+function asServiceError(error: unknown): ServiceError {
+  return error instanceof ServiceError ? error : new ServiceError("refused", `The page failed: ${String(error)}.`);
+}

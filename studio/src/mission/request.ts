@@ -1,0 +1,70 @@
+// A mission as the service is asked about it.
+import type { PlanOptions, PlanRequest } from "../api/answers";
+import { marked, mostRemovals, type Method, type Mission } from "./mission";
+import { cellsPerUnit, type Units } from "./units";
+
+// What a plan is asked for with. Obstacles are those of the map that is planned on.
+export interface Question {
+  map: string;
+  mission: PlanRequest["mission"];
+  options: PlanOptions; // but for method and removals
+  method: Method;
+  removals: number | "auto";
+  withBefore: boolean; // whether the way without removals is on the map, and has to follow at once
+}
+
+export function questionOf(mission: Mission, units: Units, map: string, toShown: (key: number) => number): Question {
+  const ids = (mark: "protect" | "force") =>
+    [...new Set(marked(mission, mark).map(toShown))].filter((id) => id !== 0).sort((a, b) => a - b);
+  const options: PlanOptions = {
+    objective: mission.objective,
+    breach_time: mission.breachTime,
+    breach_time_per_cell: mission.breachTimePerCell,
+    radius: mission.radius,
+  };
+  const [protect, force] = [ids("protect"), ids("force")];
+  if (protect.length > 0) options.protect = protect;
+  if (force.length > 0) options.force = force;
+  return {
+    map,
+    mission: {
+      ...mission.markers,
+      ground_speed: cellsPerUnit(mission.groundSpeed, units),
+      air_speed: cellsPerUnit(mission.airSpeed, units),
+    },
+    options,
+    method: mission.method,
+    removals: mission.removals,
+    withBefore: mission.layers.includes("before"),
+  };
+}
+
+function request(question: Question, method: Method, options: PlanOptions): PlanRequest {
+  const how: PlanOptions = method === "paper" ? { paper: true } : { select: "exact" };
+  return { mission: question.mission, options: { ...how, ...question.options, ...options } };
+}
+
+export function planRequest(question: Question, removals: number, explain = false): PlanRequest {
+  return request(question, question.method, explain ? { removals, explain } : { removals });
+}
+
+export function frontRequest(question: Question): PlanRequest {
+  return request(question, question.method, { removals: mostRemovals });
+}
+
+// The way with nothing removed; what has to go or stay is no matter then.
+export function beforeRequest(question: Question): PlanRequest {
+  const { protect, force, ...options } = question.options;
+  return { mission: question.mission, options: { select: "exact", ...options, removals: 0 } };
+}
+
+export function paperRequest(question: Question, removals: number): PlanRequest {
+  return request(question, "paper", { removals });
+}
+
+// Which questions have the same answer.
+export const keyOf = {
+  plan: (q: Question) => JSON.stringify([q.map, q.mission, q.options, q.method, q.removals]),
+  front: (q: Question) => JSON.stringify([q.map, q.mission, q.options, q.method]),
+  before: (q: Question) => JSON.stringify([q.map, beforeRequest(q)]),
+};

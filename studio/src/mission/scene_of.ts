@@ -1,0 +1,37 @@
+// What the map is given to draw.
+import type { Layer, Mark, Scene } from "../map/scene";
+import type { PageState } from "./page_state";
+import type { Studio } from "./studio";
+import { duration } from "./units";
+
+export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
+  const shown = page.shown.value;
+  const mission = page.mission.value;
+  if (!shown || !mission) return null;
+  const plans = page.results.plans.value;
+  const units = page.units.value;
+  // The plan itself is drawn last, on top, and is what is played.
+  const layers = (["before", "paper", "after"] as const).flatMap((name): Layer[] => {
+    const judged = plans[name];
+    return judged && mission.layers.includes(name) ? [{ name, plan: judged.plan }] : [];
+  });
+  const marks = new Map<number, Mark>();
+  for (const [key, mark] of mission.marks) {
+    const id = shown.ids.toShown(key);
+    if (id !== 0) marks.set(id, mark);
+  }
+  return {
+    map: shown.map.description,
+    cells: shown.map.cells,
+    background: shown.map.background,
+    markers: mission.markers,
+    layers,
+    marks,
+    highlighted: page.highlighted.value,
+    selected: page.selected.value,
+    time: page.clock.time.value,
+    tool: studio?.tool.value ?? "move",
+    editable: studio !== null,
+    formatTime: (time) => duration(time, units),
+  };
+}

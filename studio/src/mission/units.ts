@@ -1,0 +1,88 @@
+// Between people, who say metres and seconds, and the service, which says cells and cells per unit of time. A map that
+// does not say how large its cells are is told about in cells and steps.
+import type { MapDescription } from "../api/answers";
+
+export type TimeUnit = "seconds" | "steps" | "metres";
+
+export interface Units {
+  metric: boolean;
+  cell: number; // metres, or 1
+  // What a unit of plans' time is. Metres: both agents move a cell in a unit of time, as in the paper.
+  time: TimeUnit;
+}
+
+export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">): Units {
+  const metric = map.georeference !== null || map.cell_size !== 1;
+  return { metric, cell: metric ? map.cell_size : 1, time: metric ? "seconds" : "steps" };
+}
+
+export function cellsPerUnit(speed: number, units: Units): number {
+  return speed / units.cell;
+}
+
+const space = "\u00a0"; // between a number and its unit, where no line may break
+
+// 16 min 15 s.
+export function duration(time: number, units: Units): string {
+  if (units.time === "metres") return metres(time * units.cell);
+  if (units.time === "steps") return `${decimals(time)}${space}steps`;
+  if (time < 59.95) return `${time < 9.995 ? trimmed(time, 2) : trimmed(time, 1)}${space}s`;
+  const whole = Math.round(time);
+  const [hours, minutes, seconds] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
+  if (hours > 0) return `${hours}${space}h ${minutes}${space}min`;
+  return seconds === 0 ? `${minutes}${space}min` : `${minutes}${space}min ${seconds}${space}s`;
+}
+
+// 16:15, for where there is little room.
+export function clockTime(time: number, units: Units): string {
+  if (units.time === "metres") return String(Math.round(time * units.cell));
+  if (units.time === "steps") return decimals(time);
+  if (time < 59.95) return `${trimmed(time, 1)}${space}s`;
+  const whole = Math.round(time);
+  const [hours, minutes, seconds] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
+  const two = (n: number) => String(n).padStart(2, "0");
+  return hours > 0 ? `${hours}:${two(minutes)}:${two(seconds)}` : `${minutes}:${two(seconds)}`;
+}
+
+export function area(cells: number, units: Units): string {
+  if (!units.metric) return `${grouped(cells)}${space}${cells === 1 ? "cell" : "cells"}`;
+  const size = cells * units.cell * units.cell;
+  return `${size < 10 ? trimmed(size, 1) : grouped(Math.round(size))}${space}m²`;
+}
+
+export function length(cells: number, units: Units): string {
+  return units.metric ? metres(cells * units.cell) : `${decimals(cells)}${space}cells`;
+}
+
+// A share as people say it: 22 %, 0.15 %.
+export function percent(share: number): string {
+  const value = 100 * share;
+  if (value >= 9.95) return `${Math.round(value)}${space}%`;
+  if (value >= 0.995) return `${trimmed(value, 1)}${space}%`;
+  return value < 0.005 ? `${value > 0 ? "less than 0.01" : "0"}${space}%` : `${trimmed(value, 2)}${space}%`;
+}
+
+// For “within”: never less than the share itself.
+export function percentUp(share: number): string {
+  const value = 100 * share;
+  const unit = value >= 9.95 ? 1 : value >= 0.995 ? 0.1 : 0.01;
+  return `${trimmed(Math.ceil(value / unit - 1e-9) * unit, 2)}${space}%`;
+}
+
+function metres(value: number): string {
+  return value < 10_000 ? `${grouped(Math.round(value))}${space}m` : `${trimmed(value / 1000, 1)}${space}km`;
+}
+
+function decimals(value: number): string {
+  return value < 99.95 ? trimmed(value, 2) : grouped(Math.round(value * 10) / 10);
+}
+
+function trimmed(value: number, digits: number): string {
+  return String(Number(value.toFixed(digits)));
+}
+
+function grouped(value: number): string {
+  const [whole, rest] = String(value).split(".");
+  const text = value >= 10_000 ? whole!.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole!;
+  return rest ? `${text}.${rest}` : text;
+}

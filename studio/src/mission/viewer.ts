@@ -1,0 +1,71 @@
+// The page of a single plan: everything is in the document, nobody is asked.
+import { signal } from "@preact/signals";
+import type { Background, FrontPoint, MapDescription, Obstacles, Plan } from "../api/answers";
+import { CellMap } from "../map/cell_map";
+import type { LayerName } from "../map/scene";
+import { begin } from "./history";
+import { defaults, type Mission } from "./mission";
+import { PageState } from "./page_state";
+import type { Judged, Results } from "./planner";
+import { Translation } from "./translate";
+import { unitsOf, type Units } from "./units";
+
+export interface PlanDocument {
+  map: MapDescription;
+  obstacles: Obstacles;
+  background: Background;
+  plans: { name: "plan" | "before" | "paper"; plan: Plan }[];
+  front?: FrontPoint[];
+}
+
+export function viewerOf(document: PlanDocument): PageState {
+  const plans: Partial<Record<LayerName, Judged>> = {};
+  for (const { name, plan } of document.plans) plans[name === "plan" ? "after" : name] = { plan, verdict: null };
+  const plan = plans.after?.plan;
+  const front = document.front ?? plan?.front ?? [];
+  const results: Results = {
+    plans: signal(plans),
+    front: signal(front.length > 0 ? { points: front, key: "" } : null),
+    answered: signal(null),
+    progress: signal(null),
+    failure: signal(null),
+  };
+  const page = new Viewer(results, unitsOfPlan(document.map, plan));
+  const cells = new CellMap(document.obstacles);
+  const map = { description: document.map, cells, background: document.background };
+  page.shown.value = { base: map, map, ids: new Translation(cells, cells, []) };
+  page.history.value = begin(missionOf(document.map.id, plan, Object.keys(plans) as LayerName[]));
+  page.loading.value = false;
+  return page;
+}
+
+class Viewer extends PageState {
+  override readonly units;
+
+  constructor(results: Results, units: Units) {
+    super(results);
+    this.units = signal(units);
+  }
+}
+
+// With both speeds 1, as in the paper, times are lengths.
+function unitsOfPlan(map: MapDescription, plan: Plan | undefined): Units {
+  const units = unitsOf(map);
+  const lengths = plan?.agents.every((agent) => agent.speed === 1) ?? false;
+  return units.metric && lengths ? { ...units, time: "metres" } : units;
+}
+
+function missionOf(map: string, plan: Plan | undefined, layers: LayerName[]): Mission {
+  const ground = plan?.agents.find((agent) => agent.kind === "ground");
+  const air = plan?.agents.find((agent) => agent.kind === "air");
+  const start = ground?.start ?? [0, 0];
+  const goal = ground?.goal ?? [0, 0];
+  return {
+    ...defaults,
+    map,
+    markers: { start, goal, ...(air && { air_start: air.start, air_goal: air.goal }) },
+    removals: Math.min(plan?.options.removals ?? 0, 8),
+    objective: plan?.options.objective ?? "makespan",
+    layers: (["before", "after", "paper"] as const).filter((name) => layers.includes(name) && name !== "paper"),
+  };
+}

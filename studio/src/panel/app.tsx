@@ -1,0 +1,82 @@
+// The page: map, timeline over it, and the panel beside it (below it on a narrow screen).
+import { useComputed } from "@preact/signals";
+import { useMemo } from "preact/hooks";
+import type { TabToken } from "../api/token";
+import { MapCanvas } from "../map/map_canvas";
+import type { Scene, SceneEvents } from "../map/scene";
+import type { PageState } from "../mission/page_state";
+import { sceneOf } from "../mission/scene_of";
+import { Studio } from "../mission/studio";
+import { duration } from "../mission/units";
+import { Timeline } from "../play/timeline";
+import { Choices } from "./choices";
+import { TokenDialog } from "./dialogs";
+import { DropTarget } from "./drop_target";
+import { Header } from "./header";
+import { HeadlineSection } from "./headline";
+import { Layers } from "./layers";
+import { MapChoice } from "./map_choice";
+import { Attribution, Gone, Invitation, NoticeBar } from "./messages";
+import { ObstacleCard } from "./obstacle_card";
+import { Removals } from "./removals";
+import { RemovedTable } from "./removed_table";
+import { Settings } from "./settings";
+import { TakeAlong } from "./take_along";
+import { Tools } from "./tools";
+
+export function App({ page, token = null }: { page: PageState; token?: TabToken | null }) {
+  const studio = page instanceof Studio ? page : null;
+  return (
+    <div class={`page ${studio ? "" : "viewer"}`}>
+      <MapArea page={page} studio={studio} />
+      <main class="panel">
+        <Header studio={studio} />
+        {studio ? <MapChoice studio={studio} /> : <p class="map-title">{page.shown.value?.base.description.title}</p>}
+        <HeadlineSection page={page} />
+        <Removals page={page} />
+        <RemovedTable page={page} />
+        {studio && <Choices studio={studio} />}
+        <Layers page={page} />
+        {studio && <Settings studio={studio} />}
+        {studio && <TakeAlong studio={studio} />}
+      </main>
+      <NoticeBar page={page} />
+      {studio && <DropTarget studio={studio} />}
+      {token && <TokenDialog token={token} />}
+    </div>
+  );
+}
+
+function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
+  const scene = useComputed<Scene | null>(() => sceneOf(page, studio));
+  const events = useMemo<SceneEvents>(
+    () => ({
+      drag: (handle, cell, done) => studio?.drag(handle, cell, done),
+      select: (obstacle) => (page.selected.value = obstacle),
+      hover: (obstacle) => (page.highlighted.value = obstacle),
+      draw: (tool, runs) => studio?.draw(tool, runs),
+    }),
+    [page, studio],
+  );
+  const plan = page.results.plans.value.after?.plan;
+  const title = page.shown.value?.base.description.title;
+  return (
+    <section class="map-area" aria-label="Map">
+      <div class="map-box">
+        <MapCanvas scene={scene} events={events} label={title ? `Map of ${title}` : "Map"} />
+        {studio && <Gone studio={studio} />}
+        {studio && <Tools studio={studio} />}
+        <ObstacleCard page={page} />
+        <div class="map-foot">
+          {studio && <Invitation />}
+          <Attribution page={page} />
+        </div>
+      </div>
+      {plan && plan.agents.length > 0 && (
+        <div class="timeline-box">
+          <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value)} />
+        </div>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,84 @@
+// All that was said about obstacles, and what was drawn, each to be taken back.
+import type { Mark } from "../map/scene";
+import type { Studio } from "../mission/studio";
+import { cellCount } from "../mission/run_set";
+import { area } from "../mission/units";
+import { Section } from "./controls";
+import { Icon, type IconName } from "./icons";
+import { nameOf } from "./obstacle_words";
+
+const words: Record<Mark, string> = { protect: "Protected", force: "Forced", exclude: "Excluded" };
+
+export function Choices({ studio }: { studio: Studio }) {
+  const mission = studio.mission.value;
+  const shown = studio.shown.value;
+  if (!mission || !shown) return null;
+  const { marks, walls, erased } = mission;
+  if (marks.size === 0 && walls.length === 0 && erased.length === 0) return null;
+  const units = studio.units.value;
+  return (
+    <Section title="Your choices">
+      <ul class="choices">
+        {[...marks].map(([key, mark]) => {
+          const id = shown.ids.toShown(key);
+          const name = key < 0 ? "a drawn wall" : nameOf(shown.base, key).text;
+          return (
+            <Choice
+              key={key}
+              icon={mark}
+              text={`${words[mark]}: ${name}`}
+              onUndo={() => studio.markKey(key, null)}
+              onPoint={(on) => (studio.highlighted.value = on && id !== 0 ? id : null)}
+            />
+          );
+        })}
+        {walls.length > 0 && (
+          <Choice
+            icon="wall"
+            text={`Drawn: ${area(cellCount(walls), units)} of walls`}
+            onUndo={() => studio.change((old) => ({ ...old, walls: [] }))}
+          />
+        )}
+        {erased.length > 0 && (
+          <Choice
+            icon="erase"
+            text={`Erased: ${area(cellCount(erased), units)}`}
+            onUndo={() => studio.change((old) => ({ ...old, erased: [] }))}
+          />
+        )}
+      </ul>
+    </Section>
+  );
+}
+
+interface ChoiceProps {
+  icon: IconName;
+  text: string;
+  onUndo: () => void;
+  onPoint?: (on: boolean) => void;
+}
+
+function Choice({ icon, text, onUndo, onPoint }: ChoiceProps) {
+  return (
+    <li
+      class="choice"
+      onPointerEnter={() => onPoint?.(true)}
+      onPointerLeave={() => onPoint?.(false)}
+    >
+      <Icon name={icon} />
+      <span>{text}</span>
+      <button
+        type="button"
+        class="icon-button small"
+        aria-label={`Take back: ${text}`}
+        title="Take back"
+        onClick={() => {
+          onPoint?.(false);
+          onUndo();
+        }}
+      >
+        <Icon name="close" />
+      </button>
+    </li>
+  );
+}

@@ -1,0 +1,126 @@
+// What each number of removals reaches (the Pareto front of removals and time), with the bound below as a faint line. Its
+// columns stand under the slider's ticks.
+import { useEffect, useRef, useState } from "preact/hooks";
+import type { FrontPoint, Objective } from "../api/answers";
+import { mostRemovals } from "../mission/mission";
+import type { PageState } from "../mission/page_state";
+import { keyOf } from "../mission/request";
+import { clockTime, duration, type Units } from "../mission/units";
+
+const thumb = 22; // width of the slider's knob: its middle is what the columns are aligned with
+
+interface Column {
+  n: number;
+  value: number | null; // null: no way with so few
+  bound: number | null;
+  further: boolean; // beyond where removals gain
+}
+
+function columnsOf(points: FrontPoint[], objective: Objective): Column[] {
+  const last = points.length - 1;
+  return Array.from({ length: mostRemovals + 1 }, (_, n) => {
+    const point = points[Math.min(n, last)];
+    return {
+      n,
+      value: point?.[objective] ?? null,
+      bound: point?.bound?.[objective] ?? null,
+      further: n > last,
+    };
+  });
+}
+
+interface ChartProps {
+  page: PageState;
+  count: number;
+  onChoose: ((n: number) => void) | null; // null: only to look at
+}
+
+const height = 92;
+const top = 26; // room for the figures over the points
+const bottom = 10;
+
+export function FrontChart({ page, count, onChoose }: ChartProps) {
+  const [width, setWidth] = useState(340);
+  const box = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const watch = new ResizeObserver(([entry]) => entry && setWidth(entry.contentRect.width));
+    if (box.current) watch.observe(box.current);
+    return () => watch.disconnect();
+  }, []);
+
+  const front = page.results.front.value;
+  const question = page.results.answered.value;
+  const mission = page.mission.value;
+  if (!front || !mission) return <div ref={box} class="front-chart empty" aria-hidden="true" />;
+  const stale = question !== null && front.key !== keyOf.front(question);
+  const units = page.units.value;
+  const columns = columnsOf(front.points, mission.objective);
+  const place = placer(columns, width);
+  const line = (of: "value" | "bound", part: (column: Column) => boolean) => pathOf(columns.filter(part), of, place);
+  const gains = front.points.length - 1;
+  return (
+    <div ref={box} class={`front-chart ${stale ? "stale" : ""}`} role="group" aria-label="What each number of removals reaches">
+      <svg width={width} height={height} aria-hidden="true">
+        <path class="front-bound" d={line("bound", () => true)} />
+        <path class="front-flat" d={line("value", (column) => column.n >= gains)} />
+        <path class="front-line" d={line("value", (column) => column.n <= gains)} />
+        {columns.map(({ n, value, further }) =>
+          value === null ? null : (
+            <circle
+              key={n}
+              class={`front-point ${further ? "further" : ""} ${n === count ? "chosen" : ""}`}
+              cx={place.x(n)}
+              cy={place.y(value)}
+              r={n === count ? 6 : further ? 2.5 : 4}
+            />
+          ),
+        )}
+      </svg>
+      {columns.map((column) => (
+        <button
+          key={column.n}
+          type="button"
+          tabIndex={-1}
+          class={`front-column ${column.n === count ? "chosen" : ""}`}
+          style={{ left: `${place.x(column.n)}px`, width: `${place.step}px` }}
+          aria-label={columnLabel(column, units)}
+          disabled={!onChoose}
+          onClick={() => onChoose?.(column.n)}
+        >
+          <span class="front-value" style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}>
+            {column.value === null ? "no way" : clockTime(column.value, units)}
+          </span>
+          <span class="front-tick">{column.n}</span>
+        </button>
+      ))}
+    </div>
+  );
+}
+
+function columnLabel({ n, value }: Column, units: Units): string {
+  const what = n === 1 ? "1 removal" : `${n} removals`;
+  return value === null ? `${what}: no way` : `${what}: ${duration(value, units)}`;
+}
+
+interface Placer {
+  step: number;
+  x: (n: number) => number;
+  y: (value: number) => number;
+}
+
+function placer(columns: Column[], width: number): Placer {
+  const values = columns.flatMap(({ value, bound }) => [value, bound]).filter((value) => value !== null);
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  const spread = most - least || 1;
+  const step = (width - thumb) / mostRemovals;
+  return {
+    step,
+    x: (n) => thumb / 2 + n * step,
+    y: (value) => top + ((most - value) / spread) * (height - top - bottom),
+  };
+}
+
+function pathOf(columns: Column[], of: "value" | "bound", place: Placer): string {
+  const points = columns.flatMap((column) => (column[of] === null ? [] : [[place.x(column.n), place.y(column[of])]]));
+  return points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x!.toFixed(1)} ${y!.toFixed(1)}`).join("");
+}

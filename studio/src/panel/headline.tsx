@@ -1,0 +1,135 @@
+// What the plan achieves, in one sentence, and how sure that is.
+import { useEffect, useRef, useState } from "preact/hooks";
+import type { Judged } from "../mission/planner";
+import type { PageState } from "../mission/page_state";
+import { Studio } from "../mission/studio";
+import { duration } from "../mission/units";
+import { figuresText, headline, nounOf, proof, tooEarly } from "../mission/words";
+import { Icon } from "./icons";
+import { hasBuildings } from "./obstacle_words";
+
+export function HeadlineSection({ page }: { page: PageState }) {
+  const after = page.results.plans.value.after;
+  const failure = page.results.failure.value;
+  const shown = page.shown.value;
+  if (failure && failure.trouble === "refused") {
+    return (
+      <section class="headline bad" aria-label="Result">
+        <h2>This mission cannot be planned</h2>
+        <p>{failure.message}</p>
+      </section>
+    );
+  }
+  if (!after || !shown) {
+    return (
+      <section class="headline waiting" aria-label="Result">
+        <h2>{page.loading.value ? "Loading the map…" : shown ? "Planning…" : "Choose a map to begin"}</h2>
+        <Working page={page} />
+      </section>
+    );
+  }
+  const units = page.units.value;
+  const buildings = hasBuildings(shown.base);
+  const words = headline(after.plan, buildings);
+  const spoken = words.figures ? `${words.title}: ${figuresText(words.figures, units)}` : words.title;
+  return (
+    <section class={`headline ${words.tone}`} aria-label="Result">
+      <h2>
+        {words.title}
+        {words.figures && ":"}
+      </h2>
+      {words.figures && (
+        <p class="figures">
+          <data class="figure" value={words.figures.after}>
+            {duration(words.figures.after, units)}
+          </data>
+          {words.figures.before !== null && (
+            <span class="instead">
+              {" instead of "}
+              <data value={words.figures.before}>{duration(words.figures.before, units)}</data>
+            </span>
+          )}
+        </p>
+      )}
+      {words.remedies.length > 0 && (
+        <ul class="remedies">
+          {words.remedies.map((remedy) => (
+            <li key={remedy}>{remedy}</li>
+          ))}
+        </ul>
+      )}
+      <Sureness judged={after} buildings={buildings} />
+      <Working page={page} />
+      <Spoken text={spoken} />
+    </section>
+  );
+}
+
+function Sureness({ judged, buildings }: { judged: Judged; buildings: boolean }) {
+  const sure = proof(judged.plan);
+  if (!sure) return null;
+  const early = tooEarly(judged.plan);
+  const { verdict } = judged;
+  return (
+    <div class="sureness">
+      <p class={sure.proven ? "sure" : "unsure"}>
+        <Icon name={sure.proven ? "check" : "warning"} />
+        {sure.text}
+      </p>
+      {early > 0 && (
+        <p class="unsure">
+          <Icon name="warning" />
+          Drives into {early === judged.plan.removed.length && early > 1 ? "all" : early} {nounOf(early, buildings)} before{" "}
+          {early === 1 ? "it is" : "they are"} open: the paper’s rules do not mind
+        </p>
+      )}
+      {verdict?.valid === false ? (
+        <p class="alarm" role="alert">
+          <Icon name="warning" />
+          <span>
+            <strong>Do not use this plan.</strong> The independent check found: {verdict.reason}
+          </span>
+        </p>
+      ) : (
+        <p class={verdict ? "sure" : "pending"}>
+          <Icon name="check" />
+          {verdict ? "Checked independently" : "Being checked…"}
+        </p>
+      )}
+    </div>
+  );
+}
+
+// Only for plans one has to wait for.
+function Working({ page }: { page: PageState }) {
+  const progress = page.results.progress.value;
+  if (!progress || progress.seconds < 0.4) return null;
+  return (
+    <div class="working">
+      <progress aria-label="Planning" />
+      <span>
+        {progress.state === "queued" ? "Waiting for the planner" : "Planning"}: {Math.round(progress.seconds)} s
+      </span>
+      {page instanceof Studio && (
+        <button type="button" class="button" onClick={() => page.planner.stop()}>
+          <Icon name="stop" /> Stop
+        </button>
+      )}
+    </div>
+  );
+}
+
+// Screen readers hear the result when it has settled, not at every step of a drag.
+function Spoken({ text }: { text: string }) {
+  const [settled, setSettled] = useState("");
+  const timer = useRef(0);
+  useEffect(() => {
+    timer.current = window.setTimeout(() => setSettled(text), 700);
+    return () => clearTimeout(timer.current);
+  }, [text]);
+  return (
+    <p class="spoken" aria-live="polite">
+      {settled}
+    </p>
+  );
+}

@@ -1,0 +1,91 @@
+// Which ways the map shows, what their lines look like, and what each reaches.
+import type { LayerName } from "../map/scene";
+import type { PageState } from "../mission/page_state";
+import { duration } from "../mission/units";
+import { counted, valueOf } from "../mission/words";
+import { Section } from "./controls";
+import { hasBuildings } from "./obstacle_words";
+
+const layers: { name: LayerName; title: string }[] = [
+  { name: "after", title: "After" },
+  { name: "before", title: "Before" },
+  { name: "paper", title: "Paper’s choice" },
+];
+
+export function Layers({ page }: { page: PageState }) {
+  const mission = page.mission.value;
+  const shown = page.shown.value;
+  if (!mission || !shown) return null;
+  const plans = page.results.plans.value;
+  const units = page.units.value;
+  const what = (name: LayerName) => {
+    const plan = plans[name]?.plan;
+    if (name === "before") return "nothing removed";
+    return plan ? `${counted(plan.removed.length, hasBuildings(shown.base))} removed` : "…";
+  };
+  const value = (name: LayerName) => {
+    // The plan itself says what would be without removals, before that way has been fetched.
+    const outcome = plans[name]?.plan.after ?? (name === "before" ? plans.after?.plan.before : undefined);
+    return outcome ? valueOf(outcome, mission.objective) : undefined;
+  };
+  return (
+    <Section title="On the map" kind="layers">
+      <ul class="layer-list">
+        {layers.map(({ name, title }) => {
+          const reached = value(name);
+          return (
+            <li key={name}>
+              <label class="layer">
+                <input
+                  type="checkbox"
+                  checked={mission.layers.includes(name)}
+                  onChange={() => page.toggleLayer(name)}
+                />
+                <LineSample name={name} />
+                <span class="layer-name">
+                  {title} <span class="layer-what">{what(name)}</span>
+                </span>
+                {reached === undefined ? null : reached === null ? (
+                  <span class="layer-value">no way</span>
+                ) : (
+                  <data class="layer-value" value={reached}>
+                    {duration(reached, units)}
+                  </data>
+                )}
+              </label>
+            </li>
+          );
+        })}
+      </ul>
+      <p class="legend">
+        <span>
+          <svg width="26" height="10" aria-hidden="true">
+            <line class="sample-ground" x1="1" x2="25" y1="5" y2="5" />
+          </svg>
+          ground robot
+        </span>
+        <span>
+          <svg width="26" height="10" aria-hidden="true">
+            <line class="sample-air" x1="1" x2="25" y1="5" y2="5" />
+          </svg>
+          aircraft
+        </span>
+        <span>
+          <svg width="16" height="14" aria-hidden="true">
+            <rect class="sample-removed" x="1" y="1" width="14" height="12" />
+          </svg>
+          removed
+        </span>
+      </p>
+    </Section>
+  );
+}
+
+function LineSample({ name }: { name: LayerName }) {
+  return (
+    <svg class={`sample sample-${name}`} width="34" height="14" aria-hidden="true">
+      <line x1="2" x2="32" y1="5" y2="5" />
+      {name !== "before" && <line class="sample-flight" x1="2" x2="32" y1="10" y2="10" />}
+    </svg>
+  );
+}

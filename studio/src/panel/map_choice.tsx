@@ -1,0 +1,52 @@
+// Which map: one of the server's, or a file of one's own.
+import { useRef } from "preact/hooks";
+import type { Studio } from "../mission/studio";
+import { Icon } from "./icons";
+
+export function MapChoice({ studio }: { studio: Studio }) {
+  const input = useRef<HTMLInputElement>(null);
+  const current = studio.mission.value?.map ?? "";
+  const known = studio.mapList.value;
+  const listed = known.some((entry) => entry.id === current) || current === "";
+  return (
+    <div class="map-choice">
+      <label class="spoken" for="map-choice">
+        Map
+      </label>
+      <select
+        id="map-choice"
+        value={current}
+        onChange={(event) => void studio.open(event.currentTarget.value)}
+      >
+        {current === "" && <option value="">No map</option>}
+        {!listed && <option value={current}>{current}</option>}
+        {known.map(({ id, uploaded }) => (
+          <option key={id} value={id}>
+            {uploaded ? `Your map ${id}` : titled(id)}
+          </option>
+        ))}
+      </select>
+      <button type="button" class="button" onClick={() => input.current?.click()}>
+        <Icon name="open" /> Open file…
+      </button>
+      <input
+        ref={input}
+        class="spoken"
+        type="file"
+        tabIndex={-1}
+        aria-label="Map file"
+        onChange={(event) => {
+          const file = event.currentTarget.files?.[0];
+          event.currentTarget.value = "";
+          if (file) void studio.upload(file);
+        }}
+      />
+    </div>
+  );
+}
+
+// berlin-mitte.tif reads better as Berlin mitte.
+function titled(id: string): string {
+  const words = id.replace(/\.[a-z]+$/i, "").replaceAll(/[-_]+/g, " ");
+  return words.replaceAll(/\b[a-z]/g, (letter) => letter.toUpperCase());
+}

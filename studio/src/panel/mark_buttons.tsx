@@ -1,0 +1,41 @@
+// What a person may say about an obstacle.
+import type { Mark } from "../map/scene";
+import type { PageState } from "../mission/page_state";
+import { Studio } from "../mission/studio";
+import { Icon, type IconName } from "./icons";
+
+const marks: { mark: Mark; verb: string; icon: IconName; hint: string }[] = [
+  { mark: "protect", verb: "Protect", icon: "protect", hint: "never remove it" },
+  { mark: "force", verb: "Force", icon: "force", hint: "always remove it" },
+  { mark: "exclude", verb: "Exclude", icon: "exclude", hint: "plan as if it were not there" },
+];
+
+interface Props {
+  page: PageState;
+  id: number;
+  name: string;
+  large?: boolean;
+}
+
+export function MarkButtons({ page, id, name, large = false }: Props) {
+  if (!(page instanceof Studio)) return null;
+  const has = page.markOf(id);
+  return (
+    <span class={`mark-buttons ${large ? "large" : ""}`} role="group" aria-label={`Your choice for ${name}`}>
+      {marks.map(({ mark, verb, icon, hint }) => (
+        <button
+          key={mark}
+          type="button"
+          class={`mark-button ${mark}`}
+          aria-pressed={has === mark}
+          aria-label={`${verb} ${name}`}
+          title={`${verb}: ${hint}`}
+          onClick={() => page.mark(id, has === mark ? null : mark)}
+        >
+          <Icon name={icon} />
+          <span>{verb}</span>
+        </button>
+      ))}
+    </span>
+  );
+}

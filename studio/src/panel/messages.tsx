@@ -1,0 +1,68 @@
+// What the page says by itself: the server is gone, something went wrong, where to begin, whose data this is.
+import { useEffect, useState } from "preact/hooks";
+import type { PageState } from "../mission/page_state";
+import type { Studio } from "../mission/studio";
+import { IconButton } from "./controls";
+import { Icon } from "./icons";
+
+export function Gone({ studio }: { studio: Studio }) {
+  return (
+    <div class="gone-place" role="status">
+      {studio.gone.value && (
+        <p class="gone">
+          <Icon name="warning" />
+          <span>
+            <strong>The server does not answer.</strong> What you see stays; the page goes on by itself when it is back.
+          </span>
+        </p>
+      )}
+    </div>
+  );
+}
+
+const showInfo = 6000; // ms
+
+export function NoticeBar({ page }: { page: PageState }) {
+  const notice = page.notice.value;
+  useEffect(() => {
+    if (notice?.tone !== "info") return;
+    const timer = setTimeout(() => (page.notice.value = null), showInfo);
+    return () => clearTimeout(timer);
+  }, [notice]);
+  return (
+    <div class="notice-place" role={notice?.tone === "bad" ? "alert" : "status"}>
+      {notice && (
+        <p class={`notice ${notice.tone}`}>
+          <Icon name={notice.tone === "bad" ? "warning" : "check"} />
+          <span>{notice.text}</span>
+          <IconButton icon="close" label="Dismiss" onClick={() => (page.notice.value = null)} />
+        </p>
+      )}
+    </div>
+  );
+}
+
+const seen = "waybreaker-invited";
+
+export function Invitation() {
+  const [open, setOpen] = useState(() => localStorage.getItem(seen) === null);
+  if (!open) return null;
+  return (
+    <p class="invitation">
+      <span>Drag the blue start or the goal, and the plan follows. Then press play.</span>
+      <IconButton
+        icon="close"
+        label="Dismiss the hint"
+        onClick={() => {
+          localStorage.setItem(seen, "yes");
+          setOpen(false);
+        }}
+      />
+    </p>
+  );
+}
+
+export function Attribution({ page }: { page: PageState }) {
+  const text = page.shown.value?.base.description.attribution;
+  return text ? <p class="attribution">{text.replace(/^\(c\)/i, "©")}</p> : null;
+}

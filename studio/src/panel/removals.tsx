@@ -1,0 +1,54 @@
+// How many obstacles may go: a slider, and under it what each number reaches.
+import { mostRemovals } from "../mission/mission";
+import type { PageState } from "../mission/page_state";
+import { Studio } from "../mission/studio";
+import { nounOf } from "../mission/words";
+import { FrontChart } from "./front_chart";
+import { hasBuildings } from "./obstacle_words";
+
+export function Removals({ page }: { page: PageState }) {
+  const mission = page.mission.value;
+  const shown = page.shown.value;
+  if (!mission || !shown) return null;
+  const studio = page instanceof Studio ? page : null;
+  const auto = mission.removals === "auto";
+  const count = mission.removals === "auto" ? (page.results.plans.value.after?.plan.removed.length ?? 0) : mission.removals;
+  const set = (removals: number | "auto") => studio?.change((old) => ({ ...old, removals }), "removals");
+  const setAtOnce = (removals: number | "auto") => {
+    set(removals);
+    studio?.endGesture();
+  };
+  return (
+    <section class="section removals" aria-labelledby="removals-title">
+      <div class="removals-head">
+        <h2 id="removals-title">{studio ? <label for="removals">Removals</label> : "Removals"}</h2>
+        <output class="removals-count">{auto ? `${count}, as many as pay off` : `up to ${count}`}</output>
+        {studio && (
+          <label class="switch" title="As many removals as pay off">
+            <input
+              type="checkbox"
+              checked={auto}
+              onChange={(event) => setAtOnce(event.currentTarget.checked ? "auto" : count)}
+            />
+            <span>Auto</span>
+          </label>
+        )}
+      </div>
+      {studio && (
+        <input
+          id="removals"
+          class="slider"
+          type="range"
+          min={0}
+          max={mostRemovals}
+          step={1}
+          value={count}
+          aria-valuetext={`${count} ${nounOf(count, hasBuildings(shown.base))} may be removed`}
+          onInput={(event) => set(event.currentTarget.valueAsNumber)}
+          onChange={() => studio.endGesture()}
+        />
+      )}
+      <FrontChart page={page} count={count} onChoose={studio ? setAtOnce : null} />
+    </section>
+  );
+}

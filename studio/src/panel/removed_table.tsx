@@ -1,0 +1,130 @@
+// What is removed, in the order in which the aircraft opens it. Rows and map point at each other.
+import type { Removed } from "../api/answers";
+import type { PageState } from "../mission/page_state";
+import { area, clockTime, duration } from "../mission/units";
+import { nounOf } from "../mission/words";
+import { MarkButtons } from "./mark_buttons";
+import { hasBuildings, nameOf } from "./obstacle_words";
+import { Section } from "./controls";
+
+export function RemovedTable({ page }: { page: PageState }) {
+  const plan = page.results.plans.value.after?.plan;
+  const shown = page.shown.value;
+  if (!plan || !shown || plan.removed.length === 0) return null;
+  const buildings = hasBuildings(shown.base);
+  const noun = nounOf(2, buildings);
+  const ordered = [...plan.removed].sort((a, b) => a.cleared_at - b.cleared_at);
+  const title = `Removed ${noun}`;
+  return (
+    <Section title={title}>
+      <table class="removed-table">
+        <caption class="spoken">{title}, in the order in which the aircraft opens them</caption>
+        <thead>
+          <tr>
+            <th scope="col">
+              <span class="spoken">Order</span>
+            </th>
+            <th scope="col">{buildings ? "Building" : "Obstacle"}</th>
+            <th scope="col">Opened</th>
+            <th scope="col">Entered</th>
+            <th scope="col">Saves</th>
+          </tr>
+        </thead>
+        <tbody>
+          {ordered.map((removed, i) => (
+            <Row key={removed.obstacle} page={page} removed={removed} order={i + 1} />
+          ))}
+        </tbody>
+      </table>
+      <Next page={page} />
+    </Section>
+  );
+}
+
+function Row({ page, removed, order }: { page: PageState; removed: Removed; order: number }) {
+  const { map } = page.shown.value!;
+  const units = page.units.value;
+  const id = removed.obstacle;
+  const name = nameOf(map, id);
+  const lit = page.highlighted.value === id || page.selected.value === id;
+  const point = (at: number | null) => () => (page.highlighted.value = at);
+  const early = removed.entered_at !== null && removed.entered_at < removed.cleared_at - 1e-9;
+  return (
+    <tr
+      class={lit ? "lit" : ""}
+      onPointerEnter={point(id)}
+      onPointerLeave={point(null)}
+      onFocusCapture={point(id)}
+      onBlurCapture={point(null)}
+    >
+      <td>
+        <span class="badge">{order}</span>
+      </td>
+      <th scope="row">
+        <button type="button" class="obstacle-name" onClick={() => (page.selected.value = id)}>
+          {name.text}
+        </button>
+        <span class="obstacle-facts">
+          {area(removed.cells, units)}
+          {name.osm && (
+            <>
+              {" · "}
+              <a href={name.osm.href} target="_blank" rel="noreferrer">
+                {name.osm.text}
+              </a>
+            </>
+          )}
+        </span>
+        <MarkButtons page={page} id={id} name={name.text} />
+      </th>
+      <td>
+        <data value={removed.cleared_at}>{clockTime(removed.cleared_at, units)}</data>
+      </td>
+      <td class={early ? "early" : ""}>
+        {removed.entered_at === null ? (
+          "never"
+        ) : (
+          <data value={removed.entered_at}>{clockTime(removed.entered_at, units)}</data>
+        )}
+      </td>
+      <td>
+        {removed.saves === undefined ? (
+          <span class="pending">…</span>
+        ) : removed.saves === null ? (
+          "the way"
+        ) : (
+          <data value={removed.saves}>{clockTime(removed.saves, units)}</data>
+        )}
+      </td>
+    </tr>
+  );
+}
+
+// What one removal more would take.
+function Next({ page }: { page: PageState }) {
+  const plan = page.results.plans.value.after?.plan;
+  const shown = page.shown.value;
+  const next = plan?.next?.filter((one) => one.saves !== null && one.saves > 0) ?? [];
+  if (!shown || next.length === 0) return null;
+  const gain = next[0]!.saves!;
+  return (
+    <p class="next">
+      One removal more would take{" "}
+      {next.map(({ obstacle }, i) => (
+        <>
+          {i > 0 && ", "}
+          <button
+            type="button"
+            class="obstacle-name inline"
+            onClick={() => (page.selected.value = obstacle)}
+            onPointerEnter={() => (page.highlighted.value = obstacle)}
+            onPointerLeave={() => (page.highlighted.value = null)}
+          >
+            {nameOf(shown.map, obstacle).text}
+          </button>
+        </>
+      ))}{" "}
+      and save {duration(gain, page.units.value)}.
+    </p>
+  );
+}

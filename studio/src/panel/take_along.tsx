@@ -1,0 +1,54 @@
+// The plan and the map as files, and the mission as a link.
+import type { ExportFormat } from "../api/client";
+import type { Studio } from "../mission/studio";
+import { Section } from "./controls";
+import { Icon } from "./icons";
+
+const formats: { format: ExportFormat; label: string; ending: string }[] = [
+  { format: "json", label: "Plan (JSON)", ending: "json" },
+  { format: "geojson", label: "GeoJSON", ending: "geojson" },
+  { format: "svg", label: "SVG", ending: "svg" },
+  { format: "csv", label: "CSV", ending: "csv" },
+];
+
+export function TakeAlong({ studio }: { studio: Studio }) {
+  const plan = studio.results.plans.value.after?.plan;
+  const shown = studio.shown.value;
+  if (!plan || !shown) return null;
+  const solved = plan.agents.length > 0;
+  const placed = shown.map.description.georeference !== null;
+  return (
+    <Section title="Take it along">
+      <div class="downloads">
+        <button type="button" class="button" onClick={() => void copyLink(studio)}>
+          <Icon name="link" /> Copy link
+        </button>
+        {formats.map(({ format, label, ending }) => (
+          <button
+            key={format}
+            type="button"
+            class="button"
+            disabled={!solved || (format === "geojson" && !placed)}
+            title={format === "geojson" && !placed ? "The map does not say where on earth it lies" : undefined}
+            onClick={() => void studio.download(format, ending)}
+          >
+            <Icon name="download" /> {label}
+          </button>
+        ))}
+        <button type="button" class="button" onClick={() => void studio.downloadMap()}>
+          <Icon name="download" /> Map file
+        </button>
+      </div>
+    </Section>
+  );
+}
+
+export async function copyLink(studio: Studio): Promise<void> {
+  const address = location.origin + location.pathname + studio.link();
+  try {
+    await navigator.clipboard.writeText(address);
+    studio.tell("info", "The link to this mission is in the clipboard.");
+  } catch {
+    studio.tell("info", `The link to this mission: ${address}`);
+  }
+}
