@@ -45,6 +45,7 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_duration(command, "--breach-time-per-cell", options.breach_time.per_cell,
                  "How much longer for each cell of the obstacle (default: 0)");
     add_obstacles(command, "--protect", options.protect, "Obstacles that must stay");
+    add_obstacles(command, "--force", options.force, "Obstacles that must go; they count among the removals");
     add_connectivity(command, options.connectivity);
     add_image_reading(command, options.image);
     add_number(
@@ -210,6 +211,7 @@ MissionOptions mission_options_of(const PlanOptions& options, const io::MapFile&
     result.timing = options.timing.value_or(result.timing);
     result.breach_time = options.breach_time;
     result.protect = options.protect;
+    result.force = options.force;
     result.objective = options.objective;
     SearchOptions& search = result.search;
     if (options.heuristic) search.heuristic = options.heuristic;

@@ -37,6 +37,7 @@ struct PlanOptions {
     double air_speed = 1;
     BreachTime breach_time;
     std::vector<ObstacleId> protect;
+    std::vector<ObstacleId> force;
     Objective objective = Objective::makespan;
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;

@@ -24,6 +24,7 @@ inline CheckRules rules_of(const MissionOptions& options, const Plan& plan) {
                      .objective = options.objective,
                      .removals = options.removals,
                      .protect = options.protect,
+                     .force = options.force,
                      .weights = {},
                      .budget = options.budget,
                      .gap = {}};

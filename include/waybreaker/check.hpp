@@ -29,6 +29,7 @@ struct CheckRules {
     Objective objective = Objective::makespan;
     int removals = 3;                      // at most so many
     std::vector<ObstacleId> protect = {};  // never removed
+    std::vector<ObstacleId> force = {};    // removed in any case
     // weights[i] of plan.removed[i] (empty: 1 each); their sum is at most `budget`.
     std::vector<double> weights = {};
     double budget = std::numeric_limits<double>::infinity();
@@ -49,7 +50,7 @@ enum class Rule {
     collision,   // the ground agent meets nothing that stands at that moment
     obstacle,    // what is removed exists and may be removed
     repetition,  // ... once
-    removals,    // ... and so many at most
+    removals,    // ... and so many at most, with all that must be
     budget,      // ... or so heavy
     cells,       // and is what the plan says it is
     boundary,    // it is breached from its boundary

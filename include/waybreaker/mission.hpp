@@ -44,6 +44,7 @@ struct MissionOptions {
     Objective objective = Objective::makespan;
     BreachTime breach_time = {};
     std::vector<ObstacleId> protect = {};  // never removed
+    std::vector<ObstacleId> force = {};    // removed in any case; they count among the removals, and in the budget
     // weights[id], > 0, of every obstacle (empty: 1 each); the removed ones may weigh at most `budget` together.
     std::vector<double> weights = {};
     double budget = std::numeric_limits<double>::infinity();

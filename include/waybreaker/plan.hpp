@@ -51,7 +51,8 @@ struct Removal {
     Cell at;                 // where the air agent breaches it
     double cleared_at = 0;
     std::optional<double> entered_at;  // when the ground agent first touches a cell of it
-    std::optional<double> saves = {};  // what the objective would lose if this one had to stay; if asked for
+    std::optional<double> saves =
+        {};  // what the objective would lose if this one had to stay; if asked for (below 0: it gains)
 };
 
 // The obstacle that one removal more would take, and what the objective would gain.

@@ -130,6 +130,10 @@ Violations judge_removals(const Map& map, const Plan& plan, const CheckRules& ru
         if (names_obstacle(map, obstacle)) append(found, judge_description(map, removal));
     }
     append(found, judge_amount(plan, rules));
+    for (const ObstacleId id : rules.force) {
+        if (seen.contains(id) || plan.agents.empty()) continue;
+        found.push_back({Rule::removals, text(id) + " is not removed, though it must be", "", id});
+    }
     for (const NextRemoval& next : plan.next) {
         auto reason = objection(map, next.obstacle, protect);
         if (!reason && seen.contains(next.obstacle)) reason = text(next.obstacle) + " is removed already";

@@ -56,6 +56,9 @@ CheckRules rules(const JsonField& options) {
     if (const auto protect = options.find("protect")) {
         for (const JsonField& id : protect->items()) result.protect.push_back(obstacle(id));
     }
+    if (const auto force = options.find("force")) {
+        for (const JsonField& id : force->items()) result.force.push_back(obstacle(id));
+    }
     return result;
 }
 

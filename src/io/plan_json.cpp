@@ -52,6 +52,7 @@ Json options_json(const PlanContext& context) {
               {"corners", word_of(corner_words, motion.corners)},
               {"radius", number(motion.radius)}};
     for (const ObstacleId id : options.protect) json["protect"].push_back(id.value);
+    for (const ObstacleId id : options.force) json["force"].push_back(id.value);
     if (std::isfinite(options.budget)) json["budget"] = number(options.budget);
     return json;
 }

@@ -1,6 +1,7 @@
 #include "mission/candidate.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "mission/stopwatch.hpp"
@@ -13,10 +14,21 @@ const Agent& agent_of(const Mission& mission, AgentKind kind) {
     return *std::ranges::find(mission.agents, kind, &Agent::kind);
 }
 
+double least_flight(const Map& map, const Agent& flyer, const MissionOptions& options) {
+    double time = fly_optimal(map, flyer.start, flyer.goal, options.force).length / flyer.speed;
+    for (const ObstacleId id : options.force) time += options.breach_time.of(map.obstacle(id));
+    return time;
+}
+
 }  // namespace
 
 Task task_of(const Map& map, const Mission& mission, const MissionOptions& options) {
-    return {map, agent_of(mission, AgentKind::ground), agent_of(mission, AgentKind::air), options};
+    const Agent& flyer = agent_of(mission, AgentKind::air);
+    return {map, agent_of(mission, AgentKind::ground), flyer, options, least_flight(map, flyer, options)};
+}
+
+Task task_of(const Task& task, const MissionOptions& options) {
+    return {task.map, task.driver, task.flyer, options, least_flight(task.map, task.flyer, options)};
 }
 
 double Task::radius() const {
@@ -26,6 +38,13 @@ double Task::radius() const {
 
 double Task::objective(double ground_time, double air_time) const {
     return options.objective == Objective::makespan ? std::max(ground_time, air_time) : ground_time + air_time;
+}
+
+std::vector<ObstacleId> Task::with_forced(std::span<const ObstacleId> others) const {
+    std::vector<ObstacleId> all = options.force;
+    std::ranges::copy_if(others, std::back_inserter(all),
+                         [&](ObstacleId id) { return std::ranges::find(options.force, id) == options.force.end(); });
+    return all;
 }
 
 Candidate candidate_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "waybreaker/mission.hpp"
@@ -15,15 +16,23 @@ struct Task {
     const Agent& driver;
     const Agent& flyer;
     const MissionOptions& options;
+    // When the air agent ends at the earliest: straight, or past what is removed in any case.
+    double least_flight;
 
     // Of the ground agent; 0 for a point.
     double radius() const;
     // When a ground path and a flight end, as the objective counts it.
     double objective(double ground_time, double air_time) const;
+    // How many obstacles may be removed beside those that are in any case.
+    int spare_removals() const { return options.removals - int(options.force.size()); }
+    // What is removed in any case, and others.
+    std::vector<ObstacleId> with_forced(std::span<const ObstacleId> others) const;
 };
 
 // The task of a valid mission.
 Task task_of(const Map& map, const Mission& mission, const MissionOptions& options);
+// The same mission under other options.
+Task task_of(const Task& task, const MissionOptions& options);
 
 struct Candidate {
     std::vector<ObstacleId> removed;  // each once

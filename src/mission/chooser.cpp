@@ -17,20 +17,27 @@ Draft Chooser::nothing() {
     return draft_of(task_, candidate_of({}, search, watch.seconds()));
 }
 
-std::vector<Draft> Chooser::drafts(const Draft& nothing) {
-    return drafts(task_.options, nothing);
+Draft Chooser::least(const MissionOptions& options, const Draft& nothing) {
+    if (options.force.empty()) return nothing;
+    const Task task = task_of(task_, options);
+    Draft opened = draft_of(task, ground_candidate(task, crossing_, searcher_, options.force));
+    // An obstacle that falls late may better be driven around.
+    Candidate around = nothing.candidate;
+    around.removed = options.force;
+    Draft other = draft_of(task, std::move(around));
+    return cost(task, other) < cost(task, opened) ? other : opened;
 }
 
-std::vector<Draft> Chooser::drafts(const MissionOptions& options, const Draft& nothing) {
-    const Task task{task_.map, task_.driver, task_.flyer, options};
+std::vector<Draft> Chooser::drafts(const MissionOptions& options, const Draft& least) {
+    const Task task = task_of(task_, options);
     bound_.reset();
     if (options.select == Selection::exact) {
         const Deadline deadline(options.time_limit);
-        const Bound bound = bound_of(task, crossing_, cost(task, nothing), deadline);
+        const Bound bound = bound_of(task, crossing_, cost(task, least), deadline);
         bound_ = bound.objective;
-        return drafts_by_proof(task, crossing_, searcher_, nothing, bound, deadline);
+        return drafts_by_proof(task, crossing_, searcher_, least, bound, deadline);
     }
-    return drafts_by_hits(task, searcher_, nothing, chosen_by_hits(task, hits_));
+    return drafts_by_hits(task, searcher_, least, chosen_by_hits(task, hits_));
 }
 
 }  // namespace waybreaker

@@ -18,10 +18,11 @@ class Chooser {
 
     // The mission without removal.
     Draft nothing();
-    // What the task's way of selecting leads to. Precondition: nothing() was called, for the paper's way counts there.
-    std::vector<Draft> drafts(const Draft& nothing);
-    // The same for other options.
-    std::vector<Draft> drafts(const MissionOptions& options, const Draft& nothing);
+    // What every choice starts from: the mission without removal, or with what the options remove in any case.
+    Draft least(const MissionOptions& options, const Draft& nothing);
+    // What the options' way of selecting leads to beyond that. Precondition: nothing() was called, for the paper's way
+    // counts there.
+    std::vector<Draft> drafts(const MissionOptions& options, const Draft& least);
     // Of the objective, over all plans the last drafts() could have made, if its way proves one.
     std::optional<double> bound() const { return bound_; }
     // By obstacle, for the paper's way; else empty.

@@ -31,10 +31,6 @@ Body body_of(const Task& task) {
     return drives_itself(task) && task.radius() > 0 ? Body::square : Body::point;
 }
 
-double straight_flight(const Task& task) {
-    return distance(task.flyer.start, task.flyer.goal) / task.flyer.speed;
-}
-
 double gap(Cell c, const Box& box) {
     const int x = std::max({box.min.x - c.x, c.x - box.max.x, 0});
     const int y = std::max({box.min.y - c.y, c.y - box.max.y, 0});
@@ -43,7 +39,7 @@ double gap(Cell c, const Box& box) {
 
 // The longest ground path, in cells, that could still lead to an objective.
 double longest_path(const Task& task, double objective) {
-    const double left = task.options.objective == Objective::makespan ? objective : objective - straight_flight(task);
+    const double left = task.options.objective == Objective::makespan ? objective : objective - task.least_flight;
     return left * task.driver.speed;
 }
 
@@ -60,10 +56,13 @@ CrossingOptions crossing_options(const Task& task, Body body, double longest, do
     const MissionOptions& options = task.options;
     CrossingOptions crossing;
     crossing.body = body;
-    crossing.crossings = options.removals;
+    crossing.crossings = task.spare_removals();
+    crossing.removed = options.force;
     crossing.protect = options.protect;
     crossing.weights = options.weights;
     crossing.budget = options.budget;
+    if (!options.weights.empty())
+        for (const ObstacleId id : options.force) crossing.budget -= options.weights[id.value];
     crossing.length_limit = longest;
     crossing.time_limit = seconds;
     crossing.expansion_limit = options.search.expansion_limit;
@@ -114,22 +113,23 @@ Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searche
     return candidate_of(std::move(removed), found, watch.seconds());
 }
 
-std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
-                                   const Draft& nothing, const Bound& bound, const Deadline& deadline) {
-    if (task.options.removals == 0) return {};
+std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher, const Draft& least,
+                                   const Bound& bound, const Deadline& deadline) {
+    if (task.spare_removals() == 0) return {};
     Stopwatch searching;  // since the last draft
     std::vector<Draft> drafts;
-    double best = cost(task, nothing);
+    double best = cost(task, least);
     const auto beats_best = [&](const CrossingPath& path) {
-        return task.objective(path.cost / task.driver.speed, straight_flight(task)) < best * (1 - rounding);
+        return task.objective(path.cost / task.driver.speed, task.least_flight) < best * (1 - rounding);
     };
     const auto try_out = [&](const CrossingPath& path, const CrossingResult& search) {
-        const auto known = [&](const Draft& draft) { return draft.candidate.removed == path.crossed; };
+        const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
+        const auto known = [&](const Draft& draft) { return draft.candidate.removed == removed; };
         if (path.crossed.empty() || std::ranges::any_of(drafts, known)) return;
         CrossingResult found = search;
         found.best = path;
-        Candidate candidate = drives_itself(task) ? candidate_of(path.crossed, found, searching.seconds())
-                                                  : ground_candidate(task, crossing, searcher, path.crossed);
+        Candidate candidate = drives_itself(task) ? candidate_of(removed, found, searching.seconds())
+                                                  : ground_candidate(task, crossing, searcher, removed);
         drafts.push_back(draft_of(task, std::move(candidate)));
         best = std::min(best, cost(task, drafts.back()));
         searching = {};
@@ -148,7 +148,7 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
     const CrossingResult first = crossing.find(task.map, task.driver.start, task.driver.goal, options);
     if (!first.best.path.empty() && beats_best(first.best)) try_out(first.best, first);
     if (first.status == SearchStatus::limit_reached) {
-        const std::vector<Point>& closed = nothing.candidate.ground.path;
+        const std::vector<Point>& closed = least.candidate.ground.path;
         try_within(closed.empty() ? chosen_by_hits(task, search_counting_hits(task, searcher).hits)
                                   : chosen_by_shortcuts(task, closed));
     }
@@ -172,8 +172,8 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
     if (gave_up || rest.status == SearchStatus::limit_reached) {  // what fewer removals reach, more must reach as well
         MissionOptions fewer = task.options;
         --fewer.removals;
-        const Task less{task.map, task.driver, task.flyer, fewer};
-        for (Draft& draft : drafts_by_proof(less, crossing, searcher, nothing, bound, deadline))
+        const Task less = task_of(task, fewer);
+        for (Draft& draft : drafts_by_proof(less, crossing, searcher, least, bound, deadline))
             drafts.push_back(std::move(draft));
     }
     return drafts;
@@ -184,24 +184,24 @@ Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, con
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
     if (task.options.objective == Objective::makespan) {
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
-        return {std::min(least(found.lower_bound, straight_flight(task)), reached), std::move(found.best.crossed)};
+        return {std::min(least(found.lower_bound, task.least_flight), reached), std::move(found.best.crossed)};
     }
     // The flight past the obstacles of a set counts as well.
     Bound best{infinity, {}};
     int tried = 0;
     const CrossingResult rest =
         crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
-            if (least(path.cost, straight_flight(task)) >= std::min(best.objective, reached) || tried == patience(task))
+            if (least(path.cost, task.least_flight) >= std::min(best.objective, reached) || tried == patience(task))
                 return false;
             ++tried;
-            double flight =
-                fly_optimal(task.map, task.flyer.start, task.flyer.goal, path.crossed).length / task.flyer.speed;
-            for (const ObstacleId id : path.crossed) flight += task.options.breach_time.of(task.map.obstacle(id));
+            const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
+            double flight = fly_optimal(task.map, task.flyer.start, task.flyer.goal, removed).length / task.flyer.speed;
+            for (const ObstacleId id : removed) flight += task.options.breach_time.of(task.map.obstacle(id));
             const double objective = least(path.cost, flight);
             if (objective < best.objective) best = {objective, path.crossed};
             return true;
         });
-    best.objective = std::min({best.objective, least(rest.lower_bound, straight_flight(task)), reached});
+    best.objective = std::min({best.objective, least(rest.lower_bound, task.least_flight), reached});
     return best;
 }
 

@@ -19,12 +19,13 @@ struct Bound {
 // that a limit ends is a bound as well.
 Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline);
 
-// The best draft there is for a set of at most options.removals obstacles, and what it had to beat on the way there.
+// The best draft there is for a set of at most options.removals obstacles, and what it had to beat on the way there;
+// `least` is the draft without any but those that are removed in any case.
 // Sets come in the order of what their shortest path proves they cost at least; they end where that is no better than
 // the best draft, or where time or patience does. Where a limit comes before the first set, sets that are likely to be
-// good take its place. Empty if nothing beats `nothing`.
-std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
-                                   const Draft& nothing, const Bound& bound, const Deadline& deadline);
+// good take its place. Empty if nothing beats `least`.
+std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher, const Draft& least,
+                                   const Bound& bound, const Deadline& deadline);
 
 // The shortest ground path of the planner the options name, on the map without some obstacles.
 Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searcher& searcher,

@@ -7,8 +7,9 @@ namespace {
 
 double best_cost(const Task& task, Chooser& chooser, const Draft& nothing, const MissionOptions& options,
                  std::vector<ObstacleId>* removed = nullptr) {
-    const std::vector<Draft> drafts = chooser.drafts(options, nothing);
-    const Draft& best = best_of(task, nothing, drafts);
+    const Draft least = chooser.least(options, nothing);
+    const std::vector<Draft> drafts = chooser.drafts(options, least);
+    const Draft& best = best_of(task, least, drafts);
     if (removed != nullptr) *removed = best.candidate.removed;
     return cost(task, best);
 }
@@ -20,6 +21,7 @@ void explain(const Task& task, Chooser& chooser, const Draft& nothing, const Dra
     for (Removal& removal : plan.removed) {
         MissionOptions without = task.options;
         without.protect.push_back(removal.obstacle);
+        std::erase(without.force, removal.obstacle);
         removal.saves = best_cost(task, chooser, nothing, without) - reached;
     }
     MissionOptions more = task.options;

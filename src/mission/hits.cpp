@@ -8,9 +8,9 @@
 namespace waybreaker {
 namespace {
 
-// Lets stand again what the ground path does without.
+// Lets stand again what the ground path does without, but for what is removed in any case, which comes first.
 void keep_needed(const Task& task, Candidate& candidate, std::span<const Cell> path) {
-    for (std::size_t i = candidate.removed.size(); i-- > 0;) {
+    for (std::size_t i = candidate.removed.size(); i-- > task.options.force.size();) {
         std::vector<ObstacleId> others = candidate.removed;
         others.erase(others.begin() + std::ptrdiff_t(i));
         const OpenedMap map(task.map, others);
@@ -41,7 +41,8 @@ std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::ui
     const MissionOptions& options = task.options;
     std::vector<std::uint32_t> countable(hits.begin(), hits.end());
     for (const ObstacleId id : options.protect) countable[id.value] = 0;
-    std::vector<ObstacleId> chosen = most_hit(task.map, countable, options.removals);
+    for (const ObstacleId id : options.force) countable[id.value] = 0;
+    std::vector<ObstacleId> chosen = task.with_forced(most_hit(task.map, countable, task.spare_removals()));
     double budget = options.budget;
     std::erase_if(chosen, [&](ObstacleId id) {
         const double weight = options.weights.empty() ? 1 : options.weights[id.value];
@@ -52,22 +53,22 @@ std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::ui
     return chosen;
 }
 
-std::vector<Draft> drafts_by_hits(const Task& task, Searcher& searcher, const Draft& nothing,
+std::vector<Draft> drafts_by_hits(const Task& task, Searcher& searcher, const Draft& least,
                                   std::span<const ObstacleId> chosen) {
-    if (chosen.empty() || nothing.candidate.status == SearchStatus::stopped) return {};
+    if (chosen.empty() || least.candidate.status == SearchStatus::stopped) return {};
     std::vector<Draft> drafts;
     if (task.options.timing == Timing::ignore) {
         drafts.push_back(draft_of(task, opened(task, searcher, chosen)));
         return drafts;
     }
     const Stopwatch watch;
-    const double floor = task.objective(distance(task.driver.start, task.driver.goal) / task.driver.speed,
-                                        distance(task.flyer.start, task.flyer.goal) / task.flyer.speed);
-    double least = cost(task, nothing);
-    for (std::size_t count = 1; count <= chosen.size(); ++count) {
-        if (least <= floor * (1 + 1e-9) || watch.seconds() > task.options.time_limit) break;
+    const double floor =
+        task.objective(distance(task.driver.start, task.driver.goal) / task.driver.speed, task.least_flight);
+    double best = cost(task, least);
+    for (std::size_t count = task.options.force.size() + 1; count <= chosen.size(); ++count) {
+        if (best <= floor * (1 + 1e-9) || watch.seconds() > task.options.time_limit) break;
         drafts.push_back(draft_of(task, opened(task, searcher, chosen.first(count))));
-        least = std::min(least, cost(task, drafts.back()));
+        best = std::min(best, cost(task, drafts.back()));
         if (drafts.back().candidate.status == SearchStatus::stopped) break;
     }
     return drafts;

@@ -71,10 +71,12 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
 
     // The ground path without removal; the paper counts on the way how often each obstacle is in it.
     const Draft nothing = chooser.nothing();
-    // Select the obstacles to remove, open the ground path, fly past them, and put both in time.
+    // Select the obstacles to remove (beyond those that are in any case), open the ground path, fly past them, and put
+    // both in time.
     const Stopwatch selecting;
-    const std::vector<Draft> drafts = chooser.drafts(nothing);
-    const Draft& best = best_of(task, nothing, drafts);
+    const Draft least = chooser.least(settled, nothing);
+    const std::vector<Draft> drafts = chooser.drafts(settled, least);
+    const Draft& best = best_of(task, least, drafts);
     const double selected = selecting.seconds();
 
     // Report both, without removal and with the best.
@@ -115,7 +117,7 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
     std::vector<Plan> plans;
     std::size_t worth = 1;  // plans that gained on what came before, and those between them
     MissionOptions step = options;
-    for (step.removals = 0; step.removals <= options.removals; ++step.removals) {
+    for (step.removals = int(options.force.size()); step.removals <= options.removals; ++step.removals) {
         plans.push_back(plan(map, mission, step));
         const double best = reached(plans[worth - 1]);
         const bool closed = !std::isfinite(best);

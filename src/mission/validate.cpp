@@ -1,4 +1,5 @@
 // Missions that can be put on a map, and the paper's way to set one up.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -52,17 +53,39 @@ void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std
                      (place ? "; a free cell near it is " + text(*place) : "; the map has no free cell"));
 }
 
+// Precondition: all ids are those of obstacles, and there are weights for all or none.
+void validate_forced(const Map& map, const MissionOptions& options) {
+    double weight = 0;
+    for (auto id = options.force.begin(); id != options.force.end(); ++id) {
+        const std::string who = "obstacle " + std::to_string(id->value) + " is to be removed in any case, but ";
+        if (std::find(options.force.begin(), id, *id) != id) throw InputError(who + "named twice");
+        if (!map.obstacle(*id).destructible) throw InputError(who + "cannot be destroyed");
+        if (std::ranges::count(options.protect, *id) > 0) throw InputError(who + "protected as well");
+        weight += options.weights.empty() ? 1 : options.weights[id->value];
+    }
+    if (options.force.size() > std::size_t(options.removals)) {
+        throw InputError("at most " + std::to_string(options.removals) + " obstacles may be removed, but " +
+                         std::to_string(options.force.size()) + " are to be in any case");
+    }
+    if (!options.force.empty() && weight > options.budget) {
+        throw InputError("the obstacles to be removed in any case weigh " + number(weight) +
+                         ", more than the budget of " + number(options.budget));
+    }
+}
+
 void validate(const Map& map, const MissionOptions& options) {
     if (options.removals < 0) throw InputError("the number of removals cannot be negative");
     for (const double time : {options.breach_time.per_obstacle, options.breach_time.per_cell}) {
         if (!(time >= 0) || !std::isfinite(time)) throw InputError("a breach cannot take a time of " + number(time));
     }
     const std::size_t obstacles = map.obstacles().size();
-    for (const ObstacleId id : options.protect) {
-        if (id && id.value <= obstacles) continue;
-        throw InputError("there is no obstacle " + std::to_string(id.value) + " to protect: the map has " +
+    const auto require_known = [&](ObstacleId id, const std::string& purpose) {
+        if (id && id.value <= obstacles) return;
+        throw InputError("there is no obstacle " + std::to_string(id.value) + " to " + purpose + ": the map has " +
                          std::to_string(obstacles));
-    }
+    };
+    for (const ObstacleId id : options.protect) require_known(id, "protect");
+    for (const ObstacleId id : options.force) require_known(id, "force");
     if (!options.weights.empty() && options.weights.size() != obstacles + 1) {
         throw InputError("weights are needed for all " + std::to_string(obstacles) + " obstacles, by id, not for " +
                          std::to_string(options.weights.size() - 1));
@@ -71,6 +94,7 @@ void validate(const Map& map, const MissionOptions& options) {
         if (options.weights[id] > 0 && std::isfinite(options.weights[id])) continue;
         throw InputError("the weight of obstacle " + std::to_string(id) + " must be a positive number");
     }
+    validate_forced(map, options);
     if (!(options.budget >= 0)) throw InputError("the budget cannot be " + number(options.budget));
     if (!(options.time_limit > 0)) throw InputError("the time limit must be above 0 seconds");
 }

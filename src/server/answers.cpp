@@ -84,6 +84,7 @@ std::string plan_text(const Task& task, const OptionsRequest& wanted, MissionPla
 std::vector<Method> usual_methods(const OptionsRequest& common) {
     Method none{"none", common};
     none.options.options.removals = 0;
+    none.options.options.force.clear();
     Method paper{"paper", common};
     const MissionOptions method = paper_options(common.options.removals);
     paper.options.options.select = method.select;

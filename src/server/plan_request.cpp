@@ -117,14 +117,18 @@ void set_choice(const JsonField& field, OptionsRequest& result) {
         options.protect.clear();
         for (const JsonField& id : protect->items()) options.protect.push_back(obstacle(id));
     }
+    if (const auto force = field.find("force")) {
+        options.force.clear();
+        for (const JsonField& id : force->items()) options.force.push_back(obstacle(id));
+    }
 }
 
 // What `field` says, over what was there.
 OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
     field.allow(
-        {"paper",   "removals",  "select",  "flight", "timing",  "objective",  "breach_time", "breach_time_per_cell",
-         "protect", "budget",    "weights", "bound",  "explain", "time_limit", "planner",     "heuristic",
-         "weight",  "tie_break", "corners", "radius", "moves"});
+        {"paper",     "removals", "select",    "flight",  "timing", "objective", "breach_time", "breach_time_per_cell",
+         "protect",   "force",    "budget",    "weights", "bound",  "explain",   "time_limit",  "planner",
+         "heuristic", "weight",   "tie_break", "corners", "radius", "moves"});
     set_choice(field, result);
     MissionOptions& options = result.options;
     set_word(field, "select", io::selection_words, options.select);

@@ -148,6 +148,12 @@ const std::vector<Mutation> mutations{
      [](Case& c) { return c.rules.removals = int(c.plan.removed.size()) - 1, true; }},
     {"removes what is too heavy", Rule::budget,
      [](Case& c) { return c.rules.budget = double(c.plan.removed.size()) - 0.5, true; }},
+    {"leaves what must go", Rule::removals,
+     [](Case& c) {
+         c.rules.force = {c.removal().obstacle};
+         c.plan.removed.erase(std::ranges::find(c.plan.removed, c.rules.force[0], &Removal::obstacle));
+         return true;
+     }},
     {"counts cells wrongly", Rule::cells, [](Case& c) { return c.removal().cells += 1, true; }},
     {"names the source wrongly", Rule::cells, [](Case& c) { return c.removal().source_id += 1, true; }},
     {"breaches off the boundary", Rule::boundary, off_the_boundary},

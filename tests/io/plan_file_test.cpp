@@ -63,6 +63,10 @@ MissionOptions any_options(const Map& map) {
     options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
     options.breach_time = {*rc::gen::element(0.0, 1.5), *rc::gen::element(0.0, 0.25)};
     options.protect = some_obstacles(map, 2);
+    for (const Obstacle& obstacle : map.obstacles()) {
+        const bool stays = std::ranges::count(options.protect, obstacle.id) > 0;
+        if (!stays && int(options.force.size()) < std::min(options.removals, 1)) options.force.push_back(obstacle.id);
+    }
     options.weights.assign(map.obstacles().size() + 1, 1.5);
     options.budget = *rc::gen::element(3.0, std::numeric_limits<double>::infinity());
     return options;
@@ -92,6 +96,7 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(read.rules.objective == rules.objective);
     RC_ASSERT(read.rules.removals == rules.removals);
     RC_ASSERT(read.rules.protect == rules.protect);
+    RC_ASSERT(read.rules.force == rules.force);
     RC_ASSERT(read.rules.weights == rules.weights);
     RC_ASSERT(read.rules.budget == rules.budget);
     RC_ASSERT(read.rules.gap.has_value() == plan.bound.has_value());

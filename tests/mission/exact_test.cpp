@@ -34,6 +34,10 @@ World any_world() {
         world.mission.agents[1].speed = *rc::gen::element(0.5, 1.0, 2.0);
         world.options.breach_time = {*rc::gen::element(0.0, 3.0), *rc::gen::element(0.0, 0.25)};
     }
+    for (const Obstacle& obstacle : world.map.obstacles()) {
+        if (int(world.options.force.size()) == world.options.removals) break;
+        if (*number(0, 7) == 0) world.options.force.push_back(obstacle.id);
+    }
     return world;
 }
 
@@ -58,7 +62,7 @@ double cost_of(const World& world, const std::vector<ObstacleId>& removed) {
     return world.options.objective == Objective::makespan ? schedule.makespan : schedule.flowtime;
 }
 
-// The least cost over all sets of at most options.removals obstacles.
+// The least cost over all sets of at most options.removals obstacles that hold those of options.force.
 double least_cost(const World& world) {
     double least = infinity;
     const std::size_t count = world.map.obstacles().size();
@@ -67,6 +71,7 @@ double least_cost(const World& world) {
         for (std::uint32_t i = 0; i < count; ++i) {
             if ((set >> i) & 1U) removed.push_back(ObstacleId{i + 1});
         }
+        if (!std::ranges::includes(removed, world.options.force)) continue;
         if (int(removed.size()) <= world.options.removals) least = std::min(least, cost_of(world, removed));
     }
     return least;
@@ -92,6 +97,7 @@ RC_GTEST_PROP(ExactChoice, EndsWithTheShortestCrossingPath, ()) {
     world.mission.agents[1] = {"air", AgentKind::air, world.mission.agents[0].start, world.mission.agents[0].goal, 1};
     world.options.breach_time = {};
     world.options.objective = Objective::makespan;
+    world.options.force = {};
     const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
     const Agent& driver = world.mission.agents[0];
     const CrossingResult path =
@@ -110,7 +116,7 @@ RC_GTEST_PROP(ExactChoice, MoreRemovalsNeverCostMoreAndTheFrontSaysSo, ()) {
         RC_ASSERT(objective(world, front[n]) <= objective(world, front[n - 1]) * (1 + 1e-9));
     }
     const double reached = objective(world, front.back());
-    world.options.removals = int(front.size()) - 1;
+    world.options.removals = int(front.size() + world.options.force.size()) - 1;
     RC_ASSERT(objective(world, MissionPlanner().plan(world.map, world.mission, world.options)) == reached);
 }
 
@@ -123,9 +129,11 @@ RC_GTEST_PROP(ExactChoice, ExplainsWhatEachRemovalSaves, ()) {
         World without = world;
         without.options.explain = false;
         without.options.protect.push_back(removal.obstacle);
+        std::erase(without.options.force, removal.obstacle);
         const double cost = objective(without, MissionPlanner().plan(world.map, world.mission, without.options));
         RC_ASSERT(removal.saves.has_value());
-        RC_ASSERT(*removal.saves >= -1e-9);
+        const bool forced = std::ranges::count(world.options.force, removal.obstacle) > 0;
+        RC_ASSERT(forced || *removal.saves >= -1e-9);
         RC_ASSERT(cost == infinity || std::abs(cost - objective(world, plan) - *removal.saves) < 1e-6);
     }
 }

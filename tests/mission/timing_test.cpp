@@ -93,6 +93,19 @@ RC_GTEST_PROP(Timing, WhatIsProtectedOrTooDearStays, ()) {
     }
 }
 
+RC_GTEST_PROP(Timing, WhatMustGoGoes, ()) {
+    World world = any_world();
+    std::vector<ObstacleId> force = some_obstacles(world.map, 2);
+    std::ranges::sort(force);
+    force.erase(std::unique(force.begin(), force.end()), force.end());
+    world.options.removals = std::max(world.options.removals, int(force.size()));
+    world.options.force = force;
+    const Plan plan = world.plan();
+    for (const ObstacleId id : force) {
+        RC_ASSERT(plan.agents.empty() || std::ranges::count(plan.removed, id, &Removal::obstacle) == 1);
+    }
+}
+
 constexpr std::string_view wall = R"(
     .............
     ......aa.....

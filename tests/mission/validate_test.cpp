@@ -100,6 +100,25 @@ TEST(ValidateMission, RefusesImpossibleRemovals) {
     expect_words(refusal(mission, options), {"time limit"});
 }
 
+TEST(ValidateMission, RefusesToForceWhatCannotBe) {
+    const Mission mission = ground_and_air({0, 0}, {3, 2});
+    MissionOptions options;
+    options.force = {{2}};
+    expect_words(refusal(mission, options), {"no obstacle 2 to force", "has 1"});
+    options.force = {{1}};
+    EXPECT_EQ(refusal(mission, options), "");
+    options.protect = {{1}};
+    expect_words(refusal(mission, options), {"obstacle 1", "protected"});
+    options.protect = {};
+    options.removals = 0;
+    expect_words(refusal(mission, options), {"at most 0 obstacles", "1 are"});
+    options.removals = 3;
+    options.budget = 0.5;
+    expect_words(refusal(mission, options), {"weigh 1", "budget of 0.5"});
+    options.force = {{1}, {1}};
+    expect_words(refusal(mission, options), {"obstacle 1", "twice"});
+}
+
 TEST(ValidateMission, RefusesImpossibleAgents) {
     for (const double speed : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
         Mission mission = ground_and_air({0, 0}, {3, 2});
