@@ -62,16 +62,14 @@ function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
   const title = page.shown.value?.base.description.title;
   return (
     <section class="map-area" aria-label="Map">
+      {studio && <Tools studio={studio} />}
       <div class="map-box">
         <MapCanvas scene={scene} events={events} label={title ? `Map of ${title}` : "Map"} />
         {studio && <Gone studio={studio} />}
-        {studio && <Tools studio={studio} />}
         <ObstacleCard page={page} />
-        <div class="map-foot">
-          {studio && <Invitation />}
-          <Attribution page={page} />
-        </div>
+        <Attribution page={page} />
       </div>
+      {studio && <Invitation />}
       {plan && plan.agents.length > 0 && (
         <div class="timeline-box">
           <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value)} />

@@ -87,9 +87,11 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
           disabled={!onChoose}
           onClick={() => onChoose?.(column.n)}
         >
-          <span class="front-value" style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}>
-            {column.value === null ? "no way" : clockTime(column.value, units)}
-          </span>
+          {(!column.further || column.n === count) && (
+            <span class="front-value" style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}>
+              {column.value === null ? "no way" : clockTime(column.value, units)}
+            </span>
+          )}
           <span class="front-tick">{column.n}</span>
         </button>
       ))}

@@ -2,7 +2,7 @@
 import type { LayerName } from "../map/scene";
 import type { PageState } from "../mission/page_state";
 import { duration } from "../mission/units";
-import { counted, valueOf } from "../mission/words";
+import { counted, tooEarly, valueOf } from "../mission/words";
 import { Section } from "./controls";
 import { hasBuildings } from "./obstacle_words";
 
@@ -21,7 +21,9 @@ export function Layers({ page }: { page: PageState }) {
   const what = (name: LayerName) => {
     const plan = plans[name]?.plan;
     if (name === "before") return "nothing removed";
-    return plan ? `${counted(plan.removed.length, hasBuildings(shown.base))} removed` : "…";
+    if (!plan) return "…";
+    const early = tooEarly(plan) > 0 ? ", driven into too early" : "";
+    return plan.agents.length > 0 ? `${counted(plan.removed.length, hasBuildings(shown.base))} removed${early}` : "no way";
   };
   const value = (name: LayerName) => {
     // The plan itself says what would be without removals, before that way has been fetched.
@@ -43,7 +45,8 @@ export function Layers({ page }: { page: PageState }) {
                 />
                 <LineSample name={name} />
                 <span class="layer-name">
-                  {title} <span class="layer-what">{what(name)}</span>
+                  {title}
+                  <span class="layer-what">{what(name)}</span>
                 </span>
                 {reached === undefined ? null : reached === null ? (
                   <span class="layer-value">no way</span>

@@ -20,6 +20,6 @@ export function nameOf(map: HeldMap, id: number): ObstacleName {
   const noun = nounOf(1, hasBuildings(map));
   return {
     text: obstacle.name || `${noun.charAt(0).toUpperCase()}${noun.slice(1)} ${id}`,
-    osm: { href: `https://www.openstreetmap.org/${kind}/${number}`, text: `OSM ${kind} ${number}` },
+    osm: { href: `https://www.openstreetmap.org/${kind}/${number}`, text: `OSM ${number}` },
   };
 }

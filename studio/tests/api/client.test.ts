@@ -1,0 +1,120 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { Client, ServiceError } from "../../src/api/client";
+import { parseEvent } from "../../src/api/events";
+
+const asked: { url: string; init: RequestInit }[] = [];
+let answers: (() => Response | Promise<Response>)[] = [];
+const token = { value: "", asks: 0, current: () => token.value, ask: async () => (token.asks++, (token.value = "secret")) };
+const json = (value: unknown, status = 200, headers = {}) => () =>
+  new Response(JSON.stringify(value), { status, headers: { "Content-Type": "application/json", ...headers } });
+const problem = (status: number, detail: string, headers = {}) =>
+  json({ type: "about:blank", title: "T", status, detail }, status, { "Content-Type": "application/problem+json", ...headers });
+const stream = (...parts: string[]) => () => {
+  const bytes = parts.map((part) => new TextEncoder().encode(part));
+  const body = new ReadableStream({
+    pull: (to) => {
+      const next = bytes.shift();
+      if (next) to.enqueue(next);
+      else to.close();
+    },
+  });
+  return new Response(body, { headers: { "Content-Type": "text/event-stream" } });
+};
+const trouble = async (asking: Promise<unknown>) => {
+  const error = await asking.then(
+    () => null,
+    (reason: unknown) => reason,
+  );
+  expect(error).toBeInstanceOf(ServiceError);
+  return error as ServiceError;
+};
+const request = { mission: { start: [0, 0] as [number, number], goal: [1, 1] as [number, number] } };
+
+beforeEach(() => {
+  asked.length = 0;
+  token.value = "";
+  token.asks = 0;
+  vi.stubGlobal("fetch", async (url: string, init: RequestInit) => {
+    asked.push({ url, init });
+    if (init.signal?.aborted) throw new DOMException("", "AbortError");
+    return answers.shift()!();
+  });
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.useRealTimers();
+});
+
+const client = new Client(token);
+
+it("says in words what the service refuses", async () => {
+  answers = [problem(422, "the start lies inside obstacle 1")];
+  const error = await trouble(client.map("a b"));
+  expect(asked[0]!.url).toBe("/api/v1/maps/a%20b");
+  expect([error.trouble, error.message]).toEqual(["refused", "The start lies inside obstacle 1."]);
+});
+
+it("knows a map that is not there, and a server that is gone", async () => {
+  answers = [problem(404, "no such map"), () => Promise.reject(new TypeError("fetch failed")), () => new Response("", { status: 502 })];
+  expect((await trouble(client.map("m"))).trouble).toBe("missing");
+  expect((await trouble(client.map("m"))).trouble).toBe("gone");
+  expect((await trouble(client.map("m"))).trouble).toBe("gone");
+});
+
+it("asks for a token and again with it", async () => {
+  answers = [problem(401, "a token is needed"), json({ maps: [] })];
+  expect(await client.maps()).toEqual([]);
+  expect(token.asks).toBe(1);
+  const sent = asked.map(({ init }) => (init.headers as Headers).get("Authorization"));
+  expect(sent).toEqual([null, "Bearer secret"]);
+});
+
+it("waits as long as a busy server says, then asks again, but not for ever", async () => {
+  vi.useFakeTimers();
+  answers = [problem(503, "too many", { "Retry-After": "2" }), json({ maps: [] })];
+  const maps = client.maps();
+  await vi.advanceTimersByTimeAsync(1900);
+  expect(asked).toHaveLength(1);
+  await vi.advanceTimersByTimeAsync(200);
+  expect(await maps).toEqual([]);
+
+  answers = Array.from({ length: 20 }, () => problem(503, "too many", { "Retry-After": "1" }));
+  const refused = trouble(client.maps());
+  await vi.advanceTimersByTimeAsync(60_000);
+  expect((await refused).trouble).toBe("refused");
+  expect(answers.length).toBeGreaterThan(10);
+});
+
+it("stops waiting when it is told to", async () => {
+  vi.useFakeTimers();
+  answers = [problem(503, "too many", { "Retry-After": "5" })];
+  const control = new AbortController();
+  const stopped = trouble(client.maps(control.signal));
+  await vi.advanceTimersByTimeAsync(100);
+  control.abort();
+  expect((await stopped).trouble).toBe("stopped");
+});
+
+it("reads a plan from a stream, however it is cut", async () => {
+  const text = 'event: progress\ndata: {"state":"planning","seconds":0.7}\n\nevent: plan\ndata: {"status":\ndata: "solved"}\n\n';
+  for (const cut of [1, 7, text.length]) {
+    answers = [stream(...(text.match(new RegExp(`[^]{1,${cut}}`, "g")) ?? []))];
+    const seen: number[] = [];
+    const plan = await client.plan("m", request, undefined, ({ seconds }) => seen.push(seconds));
+    expect(plan).toEqual({ status: "solved" });
+    expect(seen).toEqual([0.7]);
+  }
+});
+
+it("takes a problem at the end of a stream, or none, for what it is", async () => {
+  answers = [
+    stream('event: problem\ndata: {"type":"about:blank","title":"T","status":422,"detail":"no"}\n\n'),
+    stream("event: progress\ndata: {}\n\n"),
+  ];
+  expect((await trouble(client.plan("m", request))).message).toBe("No.");
+  expect((await trouble(client.plan("m", request))).trouble).toBe("gone");
+});
+
+it("puts the lines of an event together", () => {
+  expect(parseEvent("event: plan\ndata: a\ndata: b\n: comment")).toEqual({ name: "plan", data: "a\nb" });
+});

@@ -1,0 +1,126 @@
+import { describe, expect, it } from "vitest";
+import type { Cell } from "../../src/api/answers";
+import type { LayerName, Mark, Run } from "../../src/map/scene";
+import { decodeLink, encodeLink, mapOfLink } from "../../src/mission/link";
+import { freshMission, wallKey, type Mission } from "../../src/mission/mission";
+import { decodeRuns, encodeRuns } from "../../src/mission/run_code";
+import { union } from "../../src/mission/run_set";
+import { Random } from "./random";
+
+const [width, height] = [501, 400];
+const markers = { start: [1, 2] as Cell, goal: [3, 4] as Cell };
+
+function randomRuns(random: Random): Run[] {
+  const runs = Array.from({ length: random.below(30) }, (): Run => {
+    const x = random.below(width);
+    return [x, random.below(height), 1 + random.below(Math.min(40, width - x))];
+  });
+  return union(runs, []);
+}
+
+function randomMission(random: Random): Mission {
+  const cell = (): Cell => [random.below(width), random.below(height)];
+  const key = () => (random.chance(0.8) ? 1 + random.below(5000) : wallKey(cell(), width));
+  const marks = Array.from({ length: random.below(6) }, (): [number, Mark] => [
+    key(),
+    random.oneOf(["protect", "force", "exclude"] as const),
+  ]);
+  const layers: LayerName[] = (["before", "after", "paper"] as const).filter(() => random.chance(0.6));
+  return {
+    map: random.oneOf(["berlin-mitte.tif", "a b&c=d.map", "Größe-1.map"]),
+    markers: {
+      start: cell(),
+      goal: cell(),
+      ...(random.chance(0.3) && { air_start: cell() }),
+      ...(random.chance(0.3) && { air_goal: cell() }),
+    },
+    removals: random.oneOf([0, 1, 2, 8, "auto"] as const),
+    method: random.oneOf(["exact", "paper"] as const),
+    objective: random.oneOf(["makespan", "flowtime"] as const),
+    groundSpeed: random.oneOf([1, 2.5, 0.1 + 0.2]),
+    airSpeed: random.oneOf([1, 10, 1 / 3]),
+    breachTime: random.oneOf([0, 12.5]),
+    breachTimePerCell: random.oneOf([0, 0.0144]),
+    radius: random.oneOf([0.5, 0, 1.5]),
+    marks: new Map(marks),
+    walls: randomRuns(random),
+    erased: randomRuns(random),
+    layers,
+    time: random.oneOf([null, 0, 12.34]),
+  };
+}
+
+const sorted = (mission: Mission) => ({ ...mission, marks: [...mission.marks].sort((a, b) => a[0] - b[0]) });
+
+describe("link", () => {
+  it("brings back every mission", () => {
+    const random = new Random(1);
+    for (let i = 0; i < 300; ++i) {
+      const mission = randomMission(random);
+      const query = encodeLink(mission, width);
+      expect(mapOfLink(query)).toBe(mission.map);
+      const decoded = decodeLink(query, mission.map, markers, width, height);
+      expect(decoded.complaints).toEqual([]);
+      expect(sorted(decoded.mission)).toEqual(sorted(mission));
+    }
+  });
+
+  it("is readable and says only what is unusual", () => {
+    const mission = freshMission("berlin-mitte.tif", { start: [256, 434], goal: [118, 55] });
+    expect(encodeLink(mission, width)).toBe("map=berlin-mitte.tif&start=256,434&goal=118,55&removals=2");
+    const marked = { ...mission, marks: new Map<number, Mark>([[4, "protect"], [17, "protect"]]) };
+    expect(encodeLink(marked, width)).toContain("&protect=4,17");
+  });
+
+  it.each([
+    ["start=9999,1", "start"],
+    ["start=-1,1", "start"],
+    ["goal=a,b", "goal"],
+    ["removals=9", "removals"],
+    ["removals=", "removals"],
+    ["method=best", "method"],
+    ["ground_speed=0", "ground_speed"],
+    ["ground_speed=NaN", "ground_speed"],
+    ["air_speed=1e99", "air_speed"],
+    ["protect=1,x", "protect"],
+    ["force=0", "force"],
+    ["exclude=wall.1000.1", "exclude"],
+    ["walls=%00", "walls"],
+    ["erased=__8", "erased"],
+    ["show=all", "show"],
+    ["time=-1", "time"],
+  ])("says what cannot be read in %s and takes the usual", (query, name) => {
+    const { mission, complaints } = decodeLink(query, "m", markers, width, height);
+    expect(complaints).toHaveLength(1);
+    expect(complaints[0]).toContain(name);
+    expect(mission).toEqual(freshMission("m", markers));
+  });
+
+  it("survives any text", () => {
+    const random = new Random(2);
+    const names = ["start", "walls", "erased", "protect", "removals", "time", "show", "radius", "map"];
+    for (let i = 0; i < 500; ++i) {
+      const noise = Array.from({ length: random.below(40) }, () => String.fromCharCode(random.below(300))).join("");
+      decodeLink(`${random.oneOf(names)}=${noise}`, "m", markers, width, height);
+    }
+  });
+
+  it("keeps runs on the map", () => {
+    const query = `walls=${encodeRuns([[490, 5, 100], [0, 399, 3], [0, 400, 3]])}`;
+    expect(decodeLink(query, "m", markers, width, height).mission.walls).toEqual([[490, 5, 11], [0, 399, 3]]);
+  });
+});
+
+describe("runs as text", () => {
+  it("come back, in few letters", () => {
+    const stroke = Array.from({ length: 60 }, (_, y): Run => [100 + y, 200 + y, 3]);
+    expect(decodeRuns(encodeRuns(stroke))).toEqual(stroke);
+    expect(encodeRuns(stroke).length).toBeLessThan(300);
+    expect(decodeRuns("")).toEqual([]);
+  });
+
+  it("must be whole", () => {
+    expect(() => decodeRuns(encodeRuns([[100, 200, 3]]).slice(0, -2))).toThrow();
+  });
+});
+

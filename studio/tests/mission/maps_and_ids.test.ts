@@ -1,0 +1,95 @@
+import { describe, expect, it } from "vitest";
+import { defaultMission, farApart } from "../../src/mission/default_mission";
+import { drawn, editsOf } from "../../src/mission/edited";
+import { freshMission, wallCell, wallKey, withMark, type Mission } from "../../src/mission/mission";
+import { Translation } from "../../src/mission/translate";
+import type { MapDescription } from "../../src/api/answers";
+import type { CellMap } from "../../src/map/cell_map";
+import type { ShownMap } from "../../src/mission/page_state";
+import { mapOf } from "../map/picture";
+
+const markers = { start: [0, 0] as [number, number], goal: [1, 0] as [number, number] };
+const described = (map: Partial<MapDescription>) => ({ id: "m", start: null, goal: null, ...map }) as MapDescription;
+const shownOf = (base: CellMap, map: CellMap): ShownMap => {
+  const held = (cells: CellMap) => ({ description: described({}), cells, background: { features: [] } });
+  return { base: held(base), map: held(map), ids: new Translation(base, map, []) };
+};
+
+describe("ids", () => {
+  // b is gone, c has lost its left half, a wall w was drawn against it.
+  const base = mapOf("aa.bb..", "aa.bb..", "..ccccc");
+  const edited = mapOf("aa.....", "aa.....", "..w.ccc");
+  const ids = new Translation(base, edited, [[2, 2, 1]]);
+  const wall = wallKey([2, 2], 7);
+
+  it("are found by cells of the obstacle", () => {
+    expect([1, 2, 3].map((id) => ids.toShown(id))).toEqual([1, 0, 2]);
+    expect([1, 2].map((id) => ids.toBase(id))).toEqual([1, 3]);
+    expect(ids.toShown(77)).toBe(0);
+  });
+
+  it("call drawn walls by a cell", () => {
+    expect(wallCell(wall, 7)).toEqual([2, 2]);
+    expect(ids.toBase(3)).toBe(wall);
+    expect(ids.toShown(wall)).toBe(3);
+    expect(ids.toShown(wallKey([6, 0], 7))).toBe(0);
+  });
+
+  it("are the same where nothing was drawn", () => {
+    const same = new Translation(base, base, []);
+    expect([1, 2, 3].map((id) => same.toShown(id))).toEqual([1, 2, 3]);
+    expect(same.toShown(4)).toBe(0);
+  });
+});
+
+describe("edits", () => {
+  const base = mapOf("aa.bb..", "aa.bb..", "..ccccc");
+  const mission: Mission = freshMission("m", markers);
+
+  it("free what is erased and what is excluded", () => {
+    const edits = editsOf({ ...withMark(mission, 2, "exclude"), erased: [[2, 2, 2]], walls: [[6, 0, 1]] }, base);
+    expect(edits).toEqual({ free: [[3, 0, 2], [3, 1, 2], [2, 2, 2]], block: [[6, 0, 1]] });
+  });
+
+  it("take walls where nothing stands only, and on the map", () => {
+    expect(drawn(mission, "wall", [[1, 0, 20]], shownOf(base, base)).walls).toEqual([[2, 0, 1], [5, 0, 2]]);
+  });
+
+  it("take obstacles and drawn walls away with one stroke", () => {
+    const edited = mapOf("aa.bbww", "aa.bb..", "..ccccc");
+    const after = drawn({ ...mission, walls: [[5, 0, 2]] }, "erase", [[4, 0, 2]], shownOf(base, edited));
+    expect(after.walls).toEqual([[6, 0, 1]]);
+    expect(after.erased).toEqual([[4, 0, 1]]);
+  });
+});
+
+describe("default mission", () => {
+  it("is the map's own where it has one", () => {
+    const map = mapOf("...", "...");
+    expect(defaultMission(described({ start: [0, 1], goal: [2, 0] }), map).markers).toEqual({ start: [0, 1], goal: [2, 0] });
+  });
+
+  it("stands at opposite corners of the largest open region", () => {
+    const map = mapOf(
+      "....a.....", //
+      "....a.aa..",
+      "aaaaa.aa..",
+      "..a.......",
+      "..a.......",
+    );
+    const { start, goal } = farApart(map);
+    expect(goal).toEqual([8, 0]);
+    expect(start).toEqual([3, 4]);
+  });
+
+  it("hangs together by sides, not by corners", () => {
+    const map = mapOf("..aaa", "..aaa", "aa...", "aa...", "aa...");
+    const { start, goal } = farApart(map);
+    expect([start, goal].every(([x, y]) => x >= 2 && y >= 2)).toBe(true);
+  });
+
+  it("can stand on any map with a free cell", () => {
+    expect(farApart(mapOf("aaa", "a.a"))).toEqual({ start: [1, 1], goal: [1, 1] });
+    expect(farApart(mapOf("aa")).start).toHaveLength(2);
+  });
+});

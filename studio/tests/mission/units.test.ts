@@ -1,0 +1,64 @@
+import { describe, expect, it } from "vitest";
+import { area, cellsPerUnit, clockTime, duration, length, percent, percentUp, unitsOf, type Units } from "../../src/mission/units";
+
+const city: Units = { metric: true, cell: 2.4, time: "seconds" };
+const grid: Units = { metric: false, cell: 1, time: "steps" };
+const plain = (text: string) => text.replaceAll(/[\u00a0\u202f]/g, " ");
+
+describe("units", () => {
+  it("are metres where the map has a scale", () => {
+    expect(unitsOf({ cell_size: 2.4, georeference: null })).toEqual(city);
+    expect(unitsOf({ cell_size: 1, georeference: null })).toEqual(grid);
+    const place = { crs: "", center: [13, 52] as [number, number], to_lon_lat: [] };
+    expect(unitsOf({ cell_size: 1, georeference: place }).metric).toBe(true);
+  });
+
+  it("turn speeds into the service's", () => {
+    expect(cellsPerUnit(1, city)).toBeCloseTo(1 / 2.4);
+    expect(cellsPerUnit(3, grid)).toBe(3);
+  });
+
+  it.each([
+    [0, "0 s", "0 s"],
+    [0.4994, "0.5 s", "0.5 s"],
+    [8.456, "8.46 s", "8.5 s"],
+    [42.34, "42.3 s", "42.3 s"],
+    [59.96, "1 min", "1:00"],
+    [119.7, "2 min", "2:00"],
+    [975.05, "16 min 15 s", "16:15"],
+    [3599.6, "1 h 0 min", "1:00:00"],
+    [7325, "2 h 2 min", "2:02:05"],
+  ])("tell %d seconds", (time, long, short) => {
+    expect(plain(duration(time, city))).toBe(long);
+    expect(plain(clockTime(time, city))).toBe(short);
+  });
+
+  it("tell steps and metres where times are those", () => {
+    expect(plain(duration(406.2713, grid))).toBe("406.3 steps");
+    expect(clockTime(406.2713, grid)).toBe("406.3");
+    expect(plain(duration(406.2713, { ...city, time: "metres" }))).toBe("975 m");
+  });
+
+  it("tell sizes", () => {
+    expect(plain(area(1000, city))).toBe("5760 m²");
+    expect(plain(area(2357, city))).toBe("13 576 m²");
+    expect(plain(area(1, grid))).toBe("1 cell");
+    expect(plain(length(3, grid))).toBe("3 cells");
+  });
+
+  it("tell shares", () => {
+    expect(plain(percent(0.2229))).toBe("22 %");
+    expect(plain(percent(0.0312))).toBe("3.1 %");
+    expect(plain(percent(0.00001))).toBe("less than 0.01 %");
+  });
+
+  it("never promise more than is proven", () => {
+    expect(plain(percentUp(0.0015336))).toBe("0.16 %");
+    expect(plain(percentUp(0.0015))).toBe("0.15 %");
+    expect(plain(percentUp(0.0312))).toBe("3.2 %");
+    expect(plain(percentUp(1e-7))).toBe("0.01 %");
+    for (let share = 1e-6; share < 1; share *= 1.07) {
+      expect(parseFloat(percentUp(share)) / 100).toBeGreaterThanOrEqual(share * (1 - 1e-9));
+    }
+  });
+});

@@ -1,0 +1,78 @@
+import { describe, expect, it } from "vitest";
+import { counted, figuresText, headline, proof, tooEarly } from "../../src/mission/words";
+import type { Units } from "../../src/mission/units";
+import { planOf } from "./plans";
+
+const city: Units = { metric: true, cell: 2.4, time: "seconds" };
+const plain = (text: string) => text.replaceAll(/[\u00a0\u202f]/g, " ");
+const title = (wanted: Parameters<typeof planOf>[0]) => plain(headline(planOf(wanted), true).title);
+
+describe("headline", () => {
+  it("says what removals gain", () => {
+    const words = headline(planOf({ removed: [4, 99], before: 1254.65, after: 975.05 }), true);
+    expect(plain(words.title)).toBe("Removing 2 buildings gets the ground robot there 22 % sooner");
+    expect(plain(figuresText(words.figures!, city))).toBe("16 min 15 s instead of 20 min 55 s");
+    expect(words.tone).toBe("good");
+    expect(title({ removed: [4], before: 100, after: 90 })).toBe(
+      "Removing one building gets the ground robot there 10 % sooner",
+    );
+  });
+
+  it("speaks of both where the aircraft is the last", () => {
+    expect(title({ removed: [4], before: 100, after: 90, air: 95 })).toContain("gets the last of the two there");
+  });
+
+  it("says that something opens a way that there is not without", () => {
+    const words = headline(planOf({ removed: [4], before: null, after: 90 }), false);
+    expect(words.title).toBe("Removing one obstacle opens a way that there is not without");
+    expect(plain(figuresText(words.figures!, city))).toBe("1 min 30 s");
+  });
+
+  it("does not praise what gains nothing, nor hide what costs", () => {
+    expect(title({ removed: [4], before: 100, after: 100 })).toBe("Removing one building gains nothing here");
+    const words = headline(planOf({ removed: [4], before: 100, after: 110 }), true);
+    expect(words.tone).toBe("bad");
+    expect(plain(words.title)).toContain("10 % later");
+    expect(title({ removed: [], options: { removals: 3 } })).toBe("No removal gets the ground robot there sooner");
+    expect(title({ removed: [], options: { removals: 0 } })).toContain("With nothing removed");
+  });
+
+  it("counts the sum of arrivals where that is wanted", () => {
+    const words = headline(planOf({ removed: [4], before: 100, after: 90, options: { objective: "flowtime" } }), true);
+    expect(words.figures).toEqual({ after: 180, before: 200 });
+    expect(plain(words.title)).toContain("saves 10 %");
+  });
+
+  it("says what can be done where there is no plan", () => {
+    const words = headline(planOf({ after: null, options: { removals: 2, protect: [4], radius: 0.5 } }), true);
+    expect(words.title).toBe("The ground robot cannot get there, even with 2 buildings removed");
+    expect(words.remedies.join(" ")).toMatch(/Allow more removals.*Move.*Protect fewer.*smaller robot/);
+    expect(headline(planOf({ after: null, options: { removals: 8 } }), true).remedies).not.toContain(
+      "Allow more removals.",
+    );
+    expect(title({ after: null, status: "limit_reached" })).toContain("in the time there was");
+  });
+});
+
+describe("proof", () => {
+  it("is said in words", () => {
+    const text = (gap: number | null) => plain(proof(planOf({ gap }))!.text);
+    expect(text(0)).toBe("Proven best possible");
+    expect(text(0.0015)).toBe("Proven within 0.15 % of the best possible");
+    expect(text(null)).toContain("Not proven");
+    expect(proof(planOf({ after: null }))).toBeNull();
+  });
+
+  it("notices who drives in too early", () => {
+    const plan = planOf({ removed: [1, 2], after: 90 });
+    expect(tooEarly(plan)).toBe(0);
+    plan.removed[1]!.entered_at = 3;
+    expect(tooEarly(plan)).toBe(1);
+    plan.removed[0]!.entered_at = null;
+    expect(tooEarly(plan)).toBe(1);
+  });
+});
+
+it("counts", () => {
+  expect([0, 1, 2].map((n) => counted(n, true))).toEqual(["no buildings", "one building", "2 buildings"]);
+});
