@@ -17,7 +17,7 @@ export function drawGround(frame: Frame, scene: Scene, tiles: TileCache): void {
   context.beginPath(); // the last tiles reach beyond the map
   context.rect(left, top, right - left, bottom - top);
   context.clip();
-  context.imageSmoothingQuality = "medium";
+  context.imageSmoothingQuality = "low";
   tiles.draw(context, frame.camera, view, frame.pixelRatio, scene.map);
   context.restore();
   context.strokeStyle = theme.frame;

@@ -7,7 +7,7 @@ export class CellMap {
   readonly width: number;
   readonly height: number;
   readonly obstacles: readonly Obstacle[]; // obstacle n at n - 1
-  // Runs of blocked cells by row, from left to right: those of row y are rowStart[y] up to rowStart[y + 1].
+  // Runs of blocked cells by row, from left to right, each as long as can be: those of row y are rowStart[y] up to rowStart[y + 1].
   readonly rowStart: Uint32Array;
   readonly from: Uint32Array;
   readonly length: Uint32Array;
@@ -26,7 +26,10 @@ export class CellMap {
       let left = answer.runs[i + 1]!;
       while (left > 0 && y < this.height) {
         const length = Math.min(left, this.width - x);
-        if (label !== 0) runs.push(x, length, label);
+        const last = runs.length - 3;
+        const goesOn = x > 0 && last >= 3 * this.rowStart[y]! && runs[last]! + runs[last + 1]! === x;
+        if (goesOn && runs[last + 2] === label) runs[last + 1]! += length;
+        else if (label !== 0) runs.push(x, length, label);
         left -= length;
         x += length;
         if (x === this.width) {

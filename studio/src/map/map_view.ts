@@ -7,6 +7,7 @@ import { drawGround, drawGrid } from "./base_layer";
 import type { Frame } from "./frame";
 import { Gestures, type GestureTarget } from "./gestures";
 import { FeatureIndex } from "./ground_features";
+import { LabelLayer } from "./label_layer";
 import { drawMarkers } from "./marker_layer";
 import { cellOf, isAir, type Spot, spotAt, spots } from "./markers";
 import { ObstacleLayer } from "./obstacle_layer";
@@ -20,7 +21,7 @@ import { TileCache } from "./tile_cache";
 import { TilePainter } from "./tile_painter";
 
 const fadeShare = 0.05; // of the mission: how long an obstacle takes to vanish
-const paintingTime = 6; // milliseconds of a frame
+const frameTime = 8; // milliseconds to draw in, tiles that are missing included
 const glideTime = 220;
 
 export class MapView implements GestureTarget {
@@ -32,6 +33,7 @@ export class MapView implements GestureTarget {
   readonly #stillness = matchMedia("(prefers-reduced-motion: reduce)");
   readonly #tiles = new TileCache();
   readonly #obstacles = new ObstacleLayer();
+  readonly #labels = new LabelLayer();
   readonly #paths = new PathLayer();
   readonly #sketch = new Sketch();
 
@@ -259,6 +261,7 @@ export class MapView implements GestureTarget {
   #render(now: number): void {
     const scene = this.#scene;
     if (!scene || this.#view.width === 0) return;
+    const begin = performance.now();
     if (this.#glide) this.#advanceGlide(now);
     const frame: Frame = {
       context: this.#context,
@@ -275,12 +278,13 @@ export class MapView implements GestureTarget {
     drawGround(frame, scene, this.#tiles);
     drawGrid(frame, scene);
     this.#obstacles.draw(frame, scene, fadeSpan);
+    this.#labels.draw(frame, scene);
     this.#paths.draw(frame, scene);
     drawEvents(frame, scene, fadeSpan);
     drawMarkers(frame, scene.markers, this.#dragged?.spot.handle ?? this.#focused, scene.editable);
     this.#sketch.draw(frame, scene);
     drawScaleBar(frame, scene.map.cell_size);
-    if (this.#tiles.paintMissing(paintingTime) || this.#glide || pulses(scene)) this.#draw();
+    if (this.#tiles.paintMissing(begin + frameTime) || this.#glide || pulses(scene)) this.#draw();
   }
 
   #advanceGlide(now: number): void {

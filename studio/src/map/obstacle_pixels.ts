@@ -88,21 +88,28 @@ function fine(cells: CellMap, fixed: Uint8Array, tile: TileId, colours: Obstacle
   let below = new Uint32Array(count + 2);
   for (let j = 0; j < count; ++j) {
     below = labelsInto(below, cells, left - 1, top + j + 1) as typeof below;
+    const first = j * scale * tileSize;
+    const last = first + (scale - 1) * tileSize;
+    // The first line of pixels has the sides, the others are like it; then come tops and bottoms.
+    for (let i = 1; i <= count; ) {
+      const own = row[i]!;
+      let end = i + 1;
+      while (end <= count && row[end] === own) ++end;
+      if (own !== 0) {
+        const [from, until] = [first + (i - 1) * scale, first + (end - 1) * scale];
+        pixels.fill(fill[fixed[own]!]!, from, until);
+        if (parts(own, row[i - 1]!)) pixels[from] = edge[fixed[own]!]!;
+        if (parts(own, row[end]!)) pixels[until - 1] = edge[fixed[own]!]!;
+      }
+      i = end;
+    }
+    for (let k = 1; k < scale; ++k) pixels.copyWithin(first + k * tileSize, first, first + tileSize);
     for (let i = 1; i <= count; ++i) {
       const own = row[i]!;
       if (own === 0) continue;
-      const kind = fixed[own]!;
       const x = (i - 1) * scale;
-      const y = j * scale;
-      for (let k = 0; k < scale; ++k) pixels.fill(fill[kind]!, (y + k) * tileSize + x, (y + k) * tileSize + x + scale);
-      const line = edge[kind]!;
-      if (parts(own, above[i]!)) pixels.fill(line, y * tileSize + x, y * tileSize + x + scale);
-      if (parts(own, below[i]!)) {
-        const last = (y + scale - 1) * tileSize + x;
-        pixels.fill(line, last, last + scale);
-      }
-      if (parts(own, row[i - 1]!)) for (let k = 0; k < scale; ++k) pixels[(y + k) * tileSize + x] = line;
-      if (parts(own, row[i + 1]!)) for (let k = 0; k < scale; ++k) pixels[(y + k) * tileSize + x + scale - 1] = line;
+      if (parts(own, above[i]!)) pixels.fill(edge[fixed[own]!]!, first + x, first + x + scale);
+      if (parts(own, below[i]!)) pixels.fill(edge[fixed[own]!]!, last + x, last + x + scale);
     }
     [above, row, below] = [row, below, above as typeof below];
   }

@@ -43,9 +43,8 @@ export class TileCache {
     }
   }
 
-  // Paints what the last drawing lacked, as far as the time goes; whether there is something new to draw.
-  paintMissing(milliseconds: number): boolean {
-    const end = performance.now() + milliseconds;
+  // Paints what the last drawing lacked until the time is `end`, one tile at least; whether there is news to draw.
+  paintMissing(end: number): boolean {
     let painted = 0;
     while (this.#missing.length > 0 && (painted === 0 || performance.now() < end)) {
       this.#paint(this.#missing.shift()!);
