@@ -50,3 +50,21 @@ export function drawGrid(frame: Frame, scene: Scene): void {
     context.globalAlpha = 1;
   });
 }
+
+// The middle of the view, where the keyboard selects.
+export function drawCross(frame: Frame): void {
+  const { context, theme, view } = frame;
+  const [x, y] = [Math.round(view.width / 2) + 0.5, Math.round(view.height / 2) + 0.5];
+  context.beginPath();
+  for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]] as const) {
+    context.moveTo(x + 4 * dx, y + 4 * dy);
+    context.lineTo(x + 13 * dx, y + 13 * dy);
+  }
+  context.lineCap = "round";
+  context.strokeStyle = theme.halo;
+  context.lineWidth = 5;
+  context.stroke();
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 2;
+  context.stroke();
+}

@@ -41,14 +41,12 @@ export function visibleBox(camera: Camera, view: Size): Box {
   return { left, top, right, bottom };
 }
 
-export function fitted(box: Box, view: Size, padding: number): Camera {
+// Shows all of a box with so many pixels around it, and more below it where something stands there.
+export function fitted(box: Box, view: Size, padding: number, below = padding): Camera {
   const width = Math.max(1, view.width - 2 * padding);
-  const height = Math.max(1, view.height - 2 * padding);
-  return {
-    x: (box.left + box.right) / 2,
-    y: (box.top + box.bottom) / 2,
-    scale: Math.min(width / (box.right - box.left), height / (box.bottom - box.top), maxScale),
-  };
+  const height = Math.max(1, view.height - padding - below);
+  const scale = Math.min(width / (box.right - box.left), height / (box.bottom - box.top), maxScale);
+  return { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 + (below - padding) / 2 / scale, scale };
 }
 
 // The camera kept to what makes sense: not much smaller than the whole map, never off it.

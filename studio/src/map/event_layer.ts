@@ -2,9 +2,11 @@
 // agents themselves.
 import type { Agent, Plan, Point } from "../api/answers";
 import { agentOf, breachOrder, positionAt, waits } from "../play/motion";
+import { spread } from "./badges";
 import { type Frame, place, typeface } from "./frame";
 import { glyphs } from "./glyphs";
 import { disc } from "./marker_layer";
+import { cellOf, handles } from "./markers";
 import type { Layer, Scene } from "./scene";
 
 export function drawEvents(frame: Frame, scene: Scene, fadeSpan: number): void {
@@ -19,8 +21,10 @@ export function drawEvents(frame: Frame, scene: Scene, fadeSpan: number): void {
         if (top) drawWait(frame, place(frame, wait.at), text);
       }
     }
-    drawBreaches(frame, layer, time, fadeSpan);
+    const markers = handles.map((handle) => place(frame, cellOf(scene.markers, handle)));
+    drawBreaches(frame, layer, markers, time, fadeSpan);
     if (time !== null) drawAgents(frame, layer.plan, time);
+    else if (scene.time !== null && ground) drawGhost(frame, layer, ground, scene.time);
   });
 }
 
@@ -41,13 +45,31 @@ function drawEntered(frame: Frame, layer: Layer, ground: Agent): void {
 }
 
 // Numbers are those of the table: the order of the breaches.
-function drawBreaches(frame: Frame, layer: Layer, time: number | null, fadeSpan: number): void {
+function drawBreaches(
+  frame: Frame,
+  layer: Layer,
+  markers: readonly Point[],
+  time: number | null,
+  fadeSpan: number,
+): void {
   const { context, theme } = frame;
-  breachOrder(layer.plan).forEach((removed, i) => {
-    const [x, y] = place(frame, removed.at);
+  const order = breachOrder(layer.plan);
+  const points = order.map(({ at }) => place(frame, at));
+  const places = spread(points, markers, 28);
+  order.forEach((removed, i) => {
+    const [px, py] = points[i]!;
+    const [x, y] = places[i]!;
     const since = time === null ? -1 : time - removed.cleared_at;
-    if (since >= 0 && since < fadeSpan) drawFlash(frame, [x, y], since / fadeSpan);
+    if (since >= 0 && since < fadeSpan) drawFlash(frame, [px, py], since / fadeSpan);
     context.save();
+    if (x !== px || y !== py) {
+      context.strokeStyle = theme.breach;
+      context.lineWidth = 2;
+      context.beginPath();
+      context.moveTo(px, py);
+      context.lineTo(x, y);
+      context.stroke();
+    }
     context.translate(x, y);
     context.fillStyle = theme.halo;
     disc(context, 12.5);
@@ -120,6 +142,33 @@ function drawAgents(frame: Frame, plan: Plan, time: number): void {
       else drawPlane(frame, at, now.heading);
     }
   }
+}
+
+// Where the ground agent would be by now in another layer's plan.
+function drawGhost(frame: Frame, layer: Layer, ground: Agent, time: number): void {
+  const { context, theme } = frame;
+  const now = positionAt(ground, time);
+  if (!now) return;
+  const [x, y] = place(frame, [now.x, now.y]);
+  context.save();
+  context.translate(x, y);
+  context.fillStyle = theme.card;
+  context.strokeStyle = layer.name === "paper" ? theme.paperGround : theme.ground;
+  context.lineWidth = 2;
+  context.setLineDash([3, 2.5]);
+  disc(context, 9);
+  context.stroke();
+  context.setLineDash([]);
+  context.font = `600 11.5px ${typeface}`;
+  context.textAlign = "right";
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = 3.5;
+  context.fillStyle = context.strokeStyle;
+  context.strokeStyle = theme.halo;
+  context.strokeText(layer.name, -14, 0);
+  context.fillText(layer.name, -14, 0);
+  context.restore();
 }
 
 function drawPulse(frame: Frame, [x, y]: Point, kind: Agent["kind"]): void {

@@ -12,6 +12,7 @@ export interface GestureTarget {
   dragTo(at: Point, done: boolean): void;
   drawTo(at: Point, done: boolean): void;
   abandon(): void; // the drag or the stroke was not meant
+  choose(): void; // what is in the middle
   escape(): void;
 }
 
@@ -39,6 +40,7 @@ export class Gestures {
     on("pointerup", (event) => this.#pointerUp(event));
     on("pointercancel", (event) => this.#pointerCancel(event));
     on("pointerleave", () => this.#pointers.size === 0 && target.point(null));
+    on("mousedown", (event) => event.button === 1 && event.preventDefault()); // else the middle button scrolls
     on("wheel", (event) => this.#wheel(event));
     on("keydown", (event) => this.#key(event));
     on("dblclick", (event) => target.zoomBy(event.shiftKey ? 0.5 : 2, this.#at(event), true));
@@ -55,8 +57,6 @@ export class Gestures {
 
   #pointerDown(event: PointerEvent): void {
     if (event.button > 1) return;
-    event.preventDefault(); // no selection of text, no scrolling with the middle button
-    this.element.focus({ preventScroll: true });
     this.element.setPointerCapture(event.pointerId);
     const at = this.#at(event);
     this.#pointers.set(event.pointerId, at);
@@ -143,6 +143,7 @@ export class Gestures {
       "=": () => this.target.zoomBy(1.5, null, true),
       "-": () => this.target.zoomBy(1 / 1.5, null, true),
       "0": () => this.target.fit(),
+      Enter: () => this.target.choose(),
       Escape: () => this.target.escape(),
     };
     const action = actions[event.key];

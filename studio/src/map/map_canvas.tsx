@@ -62,11 +62,30 @@ export function MapCanvas({ scene, events, label = "Map", view: tell }: MapCanva
         aria-describedby={help}
       />
       <p id={help} class="map-help">
-        Arrow keys move the map, plus and minus zoom, 0 shows all of it, Escape closes what is selected. Tab leads to
-        the markers, which arrow keys move by a cell, with Shift by ten.
+        Arrow keys move the map, plus and minus zoom, 0 shows all of it, Enter selects the obstacle in the middle, Escape
+        selects none. Tab leads to the markers, which arrow keys move by a cell, with Shift by ten.
       </p>
       <MarkerButtons scene={scene} events={events} focus={(handle) => view.current?.focusMarker(handle)} />
+      <div class="map-zoom" role="group" aria-label="Zoom">
+        <ZoomButton name="Zoom in" shape="M10 4v12M4 10h12" act={() => view.current?.zoom(1.6)} />
+        <ZoomButton name="Zoom out" shape="M4 10h12" act={() => view.current?.zoom(1 / 1.6)} />
+        <ZoomButton
+          name="Show the whole map"
+          shape="M4 7.5V4h3.5M12.5 4H16v3.5M16 12.5V16h-3.5M7.5 16H4v-3.5"
+          act={() => view.current?.fit()}
+        />
+      </div>
     </div>
+  );
+}
+
+function ZoomButton({ name, shape, act }: { name: string; shape: string; act: () => void }) {
+  return (
+    <button type="button" aria-label={name} title={name} onClick={act}>
+      <svg viewBox="0 0 20 20" width="20" height="20" aria-hidden="true">
+        <path d={shape} fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" />
+      </svg>
+    </button>
   );
 }
 

@@ -1,10 +1,11 @@
 // The map on a canvas: shows scenes, and tells what people do to them. Draws only when something has changed.
 import type { Cell, Point } from "../api/answers";
-import { duration } from "../play/motion";
+import { duration, positionAt } from "../play/motion";
 import { type Camera, fitted, limited, mapBox, panned, type Size, toMap, toScreen, zoomed } from "./camera";
 import { drawEvents } from "./event_layer";
-import { drawGround, drawGrid } from "./base_layer";
+import { drawCross, drawGrid, drawGround } from "./base_layer";
 import type { Frame } from "./frame";
+import { Glide } from "./glide";
 import { Gestures, type GestureTarget } from "./gestures";
 import { FeatureIndex } from "./ground_features";
 import { LabelLayer } from "./label_layer";
@@ -22,7 +23,7 @@ import { TilePainter } from "./tile_painter";
 
 const fadeShare = 0.05; // of the mission: how long an obstacle takes to vanish
 const frameTime = 8; // milliseconds to draw in, tiles that are missing included
-const glideTime = 220;
+const footer = 34; // pixels for scale bar and attribution when the whole map is shown
 
 export class MapView implements GestureTarget {
   readonly #context: CanvasRenderingContext2D;
@@ -42,7 +43,7 @@ export class MapView implements GestureTarget {
   #camera: Camera = { x: 0, y: 0, scale: 1 };
   #view: Size = { width: 0, height: 0 };
   #untouched = true; // people have not moved the map: it stays fitted while the page takes shape
-  #glide: { from: Camera; to: Camera; since: number } | null = null;
+  #glide: Glide | null = null;
   #frame: number | null = null;
   #dragged: { spot: Spot; cell: Cell; before: Cell } | null = null;
   #focused: Handle | null = null;
@@ -59,6 +60,8 @@ export class MapView implements GestureTarget {
     const signal = this.#listening.signal;
     this.#darkness.addEventListener("change", () => this.#newTiles(true), { signal });
     this.#stillness.addEventListener("change", () => this.#draw(), { signal });
+    canvas.addEventListener("focus", () => this.#draw(), { signal });
+    canvas.addEventListener("blur", () => this.#draw(), { signal });
   }
 
   show(scene: Scene): void {
@@ -71,12 +74,13 @@ export class MapView implements GestureTarget {
       if (!edited) this.#untouched = true;
       if (!edited) this.fit();
     }
+    if (scene.markers !== before?.markers) this.#keepFocusInView();
     this.#draw();
   }
 
   fit(): void {
     if (!this.#scene || this.#view.width === 0) return;
-    const camera = fitted(mapBox(this.#scene.map), this.#view, Math.min(24, this.#view.width / 40));
+    const camera = fitted(mapBox(this.#scene.map), this.#view, 12, footer);
     if (this.#untouched) this.#camera = camera;
     else this.#glideTo(camera);
     this.#untouched = true;
@@ -106,6 +110,7 @@ export class MapView implements GestureTarget {
   // The marker that has the keyboard's focus.
   focusMarker(handle: Handle | null): void {
     this.#focused = handle;
+    this.#keepFocusInView();
     this.#draw();
   }
 
@@ -126,6 +131,7 @@ export class MapView implements GestureTarget {
     if (!spot) return "pan";
     const cell = cellOf(scene.markers, spot.handle);
     this.#dragged = { spot, cell, before: cell };
+    this.#untouched = false; // the map keeps still under the marker, whatever comes up around it
     this.canvas.style.cursor = "grabbing";
     this.#draw();
     return "drag";
@@ -198,8 +204,20 @@ export class MapView implements GestureTarget {
     this.#draw();
   }
 
+  choose(): void {
+    this.click([this.#view.width / 2, this.#view.height / 2]);
+  }
+
   escape(): void {
     this.events.select(null, null);
+  }
+
+  #keepFocusInView(): void {
+    const spot = this.#scene && this.#spots().find(({ handle }) => handle === this.#focused);
+    if (!spot) return;
+    const { width, height } = this.#view;
+    const [x, y] = spot.at;
+    if (Math.min(x, y, width - x, height - y) < 30) this.centerOn(cellOf(this.#scene!.markers, spot.handle));
   }
 
   #toMap(at: Point): Point {
@@ -227,7 +245,7 @@ export class MapView implements GestureTarget {
     this.#untouched = false;
     const kept = limited(to, this.#view, this.#scene.map);
     if (this.#stillness.matches) this.#camera = kept;
-    else this.#glide = { from: this.#camera, to: kept, since: performance.now() };
+    else this.#glide = new Glide(this.#camera, kept, performance.now());
     this.#draw();
   }
 
@@ -262,7 +280,8 @@ export class MapView implements GestureTarget {
     const scene = this.#scene;
     if (!scene || this.#view.width === 0) return;
     const begin = performance.now();
-    if (this.#glide) this.#advanceGlide(now);
+    if (this.#glide) this.#camera = this.#glide.at(now);
+    if (this.#glide?.ends(now)) this.#glide = null;
     const frame: Frame = {
       context: this.#context,
       camera: this.#camera,
@@ -283,19 +302,9 @@ export class MapView implements GestureTarget {
     drawEvents(frame, scene, fadeSpan);
     drawMarkers(frame, scene.markers, this.#dragged?.spot.handle ?? this.#focused, scene.editable);
     this.#sketch.draw(frame, scene);
+    if (this.canvas.matches(":focus-visible")) drawCross(frame);
     drawScaleBar(frame, scene.map.cell_size);
-    if (this.#tiles.paintMissing(begin + frameTime) || this.#glide || pulses(scene)) this.#draw();
-  }
-
-  #advanceGlide(now: number): void {
-    const { from, to, since } = this.#glide!;
-    const share = Math.min(Math.max((now - since) / glideTime, 0), 1);
-    const eased = 1 - (1 - share) ** 3;
-    const scale = from.scale * (to.scale / from.scale) ** eased;
-    // The point that the zoom is about stays where it is on the way.
-    const way = from.scale === to.scale ? eased : (1 / from.scale - 1 / scale) / (1 / from.scale - 1 / to.scale);
-    this.#camera = { x: from.x + (to.x - from.x) * way, y: from.y + (to.y - from.y) * way, scale };
-    if (share >= 1) this.#glide = null;
+    if (this.#tiles.paintMissing(begin + frameTime) || this.#glide || (!frame.still && pulses(scene))) this.#draw();
   }
 }
 
@@ -306,6 +315,8 @@ function samePlace(a: Scene, b: Scene): boolean {
   return key(a) === key(b);
 }
 
-function pulses(scene: Scene): boolean {
-  return scene.time !== null && matchMedia("(prefers-reduced-motion: no-preference)").matches;
+// Whether an agent waits just now: that is shown by a ring that moves.
+function pulses({ time, layers }: Scene): boolean {
+  const agents = layers.at(-1)?.plan.agents ?? [];
+  return time !== null && agents.some((agent) => positionAt(agent, time)?.state === "waiting");
 }

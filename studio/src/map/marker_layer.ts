@@ -2,7 +2,7 @@
 import type { Point } from "../api/answers";
 import { type Frame, place, typeface } from "./frame";
 import { glyphs } from "./glyphs";
-import { isAir, type Spot, spots } from "./markers";
+import { cellOf, isAir, type Spot, spots } from "./markers";
 import type { Handle, Markers } from "./scene";
 
 const radius = 13;
@@ -23,6 +23,15 @@ export function drawMarkers(frame: Frame, markers: Markers, active: Handle | nul
     if (spot.attached && !editable) continue;
     drawMarker(frame, spot, spot.handle === active);
   }
+  for (const spot of all) {
+    if (!spot.attached) drawTag(frame, tags[spot.handle], spot.at, isAbove(markers, spot.handle));
+  }
+}
+
+// Names stand on the side that the way does not leave or come from.
+function isAbove(markers: Markers, handle: Handle): boolean {
+  const other: Record<Handle, Handle> = { start: "goal", goal: "start", air_start: "air_goal", air_goal: "air_start" };
+  return cellOf(markers, handle)[1] < cellOf(markers, other[handle])[1];
 }
 
 function drawMarker(frame: Frame, { handle, at, attached }: Spot, active: boolean): void {
@@ -53,20 +62,20 @@ function drawMarker(frame: Frame, { handle, at, attached }: Spot, active: boolea
   if (air && attached) context.rotate(-Math.PI / 4);
   context.fill(air && attached ? glyphs.plane : goal ? glyphs.star : air ? glyphs.plane : glyphs.rover);
   context.restore();
-  if (!attached) drawTag(frame, tags[handle], at);
 }
 
-function drawTag(frame: Frame, text: string, [x, y]: Point): void {
+function drawTag(frame: Frame, text: string, at: Point, above: boolean): void {
   const { context, theme } = frame;
+  const [x, y] = above ? [at[0] - 12, at[1] - radius - 11] : [at[0], at[1] + radius + 12]; // past an attached handle
   context.font = `600 12px ${typeface}`;
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.lineJoin = "round";
   context.strokeStyle = theme.halo;
   context.lineWidth = 3.5;
-  context.strokeText(text, x, y + radius + 11);
+  context.strokeText(text, x, y);
   context.fillStyle = theme.ink;
-  context.fillText(text, x, y + radius + 11);
+  context.fillText(text, x, y);
 }
 
 export function disc(context: CanvasRenderingContext2D, size: number): void {

@@ -76,14 +76,18 @@ function areaName(feature: Feature): Name {
   return { kind, lines: wrapped(feature.name), rank: kind === "street" ? 5 : 3, nearest: 0.3, room, ...standing(at) };
 }
 
-function buildingName({ id, name, bounds }: Obstacle, cells: CellMap): Name {
-  // The longest run in its middle half: a name there stands on the building even where it is bent.
+function buildingName(obstacle: Obstacle, cells: CellMap): Name {
+  const { at, room } = middleOf(obstacle, cells);
+  return { kind: "building", lines: wrapped(obstacle.name), rank: 1, nearest: 0.8, room, ...standing(at) };
+}
+
+// Where to write on an obstacle: on the longest run of its middle half, which is on it even where it is bent.
+export function middleOf({ id, bounds }: Obstacle, cells: CellMap): { at: Point; room: number } {
   const quarter = (bounds[3] - bounds[1]) / 4;
   const runs = cells.runsOf(id);
   const middle = runs.filter(([, y]) => y >= bounds[1] + quarter && y <= bounds[3] - quarter);
   const [x, y, room] = (middle.length > 0 ? middle : runs).reduce((best, run) => (run[2] > best[2] ? run : best));
-  const at: Point = [x + (room - 1) / 2, y];
-  return { kind: "building", lines: wrapped(name), rank: 1, nearest: 0.8, room, ...standing(at) };
+  return { at: [x + (room - 1) / 2, y], room };
 }
 
 function standing(at: Point): Pick<Name, "along" | "at" | "box"> {

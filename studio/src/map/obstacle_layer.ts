@@ -1,10 +1,14 @@
 // What stands out among the obstacles: removed ones, those with a mark, the one pointed at, the one selected.
 import type { Plan } from "../api/answers";
 import type { CellMap } from "./cell_map";
-import { type Frame, inMapPoints } from "./frame";
+import { type Frame, inMapPoints, place } from "./frame";
+import { glyphs } from "./glyphs";
 import { Hatching } from "./hatching";
+import { disc } from "./marker_layer";
+import { middleOf } from "./names";
 import { outline } from "./outline";
 import type { Layer, Mark, Scene } from "./scene";
+import type { Theme } from "./theme";
 
 export class ObstacleLayer {
   readonly #hatching = new Hatching();
@@ -32,6 +36,7 @@ export class ObstacleLayer {
         this.#drawLine(frame, scene.highlighted, frame.theme.select, 2 * pixel, pixel);
       }
     });
+    for (const [obstacle, mark] of scene.marks) this.#drawSign(frame, obstacle, mark);
   }
 
   #drawRemoved(frame: Frame, layer: Layer, time: number | null, fadeSpan: number, pixel: number): void {
@@ -68,20 +73,38 @@ export class ObstacleLayer {
   }
 
   #drawMark(frame: Frame, obstacle: number, mark: Mark, pixel: number): void {
-    const { context, theme, pixelRatio } = frame;
-    const ink = { protect: theme.protect, force: theme.removed, exclude: theme.exclude }[mark];
+    const { context, theme } = frame;
+    const ink = inkOf(mark, theme);
     const path = this.#outline(obstacle);
-    context.globalAlpha = 0.22;
-    context.fillStyle = ink;
+    // What is excluded is planned without: it is nearly gone.
+    context.globalAlpha = mark === "exclude" ? 0.8 : 0.22;
+    context.fillStyle = mark === "exclude" ? theme.paper : ink;
     context.fill(path, "evenodd");
     context.globalAlpha = 1;
-    if (mark === "exclude") {
-      context.fillStyle = this.#hatching.of(context, ink, null, "falling", pixelRatio, pixel);
-      context.fill(path, "evenodd");
-    }
-    context.setLineDash(mark === "force" ? [6 * pixel, 3 * pixel] : []);
-    this.#drawLine(frame, obstacle, ink, 2.4 * pixel, pixel);
+    context.strokeStyle = ink;
+    context.lineWidth = (mark === "exclude" ? 1.4 : 2.4) * pixel;
+    if (mark !== "protect") context.setLineDash(mark === "force" ? [6 * pixel, 3 * pixel] : [3 * pixel, 3 * pixel]);
+    context.stroke(path);
     context.setLineDash([]);
+  }
+
+  // So that marks are told apart by more than their colour.
+  #drawSign(frame: Frame, obstacle: number, mark: Mark): void {
+    const { context, theme } = frame;
+    const known = this.#cells!.obstacle(obstacle);
+    if (!known) return;
+    const [x, y] = place(frame, middleOf(known, this.#cells!).at);
+    context.save();
+    context.translate(x, y);
+    context.fillStyle = theme.card;
+    disc(context, 10.5);
+    context.strokeStyle = inkOf(mark, theme);
+    context.lineWidth = 1.5;
+    context.stroke();
+    context.lineWidth = 1.7;
+    context.lineJoin = "round";
+    context.stroke(glyphs[mark]);
+    context.restore();
   }
 
   #drawLine(frame: Frame, obstacle: number, colour: string, width: number, pixel: number): void {
@@ -106,4 +129,8 @@ export class ObstacleLayer {
     this.#outlines.set(obstacle, path);
     return path;
   }
+}
+
+function inkOf(mark: Mark, theme: Theme): string {
+  return { protect: theme.protect, force: theme.removed, exclude: theme.exclude }[mark];
 }

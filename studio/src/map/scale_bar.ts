@@ -16,7 +16,7 @@ export function lengthText(metres: number): string {
 export function drawScaleBar(frame: Frame, cellSize: number): void {
   const { context, theme, view, camera } = frame;
   const metresPerPixel = cellSize / camera.scale;
-  const metres = roundLength(metresPerPixel, 120);
+  const metres = roundLength(metresPerPixel, Math.min(120, view.width / 4));
   const length = metres / metresPerPixel;
   const x = 16;
   const y = view.height - 16;

@@ -16,6 +16,7 @@ export interface TimelineProps {
 export function Timeline({ plan, clock, formatTime }: TimelineProps) {
   const length = duration(plan);
   useEffect(() => clock.load(length), [clock, length]);
+  useEffect(() => () => clock.stop(), [clock]);
   const playing = clock.playing.value;
   const time = clock.time.value ?? 0;
   if (length <= 0) return null;

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { fitted, limited, mapBox, maxScale, panned, toMap, toScreen, visibleBox, zoomed } from "../../src/map/camera";
+import { Glide } from "../../src/map/glide";
 import { draws } from "./picture";
 
 const view = { width: 800, height: 600 };
@@ -57,5 +58,20 @@ describe("the camera", () => {
     const camera = { x: 100, y: 100, scale: 4 };
     expect(toScreen(panned(camera, 8, -12), view, [100, 100])).toEqual([408, 288]);
     expect(visibleBox(camera, view)).toEqual({ left: 0, top: 25, right: 200, bottom: 175 });
+  });
+
+  it("glides to where it is sent, about the point under the pointer", () => {
+    const from = { x: 250, y: 150, scale: 2 };
+    const at: [number, number] = [600, 100];
+    const to = zoomed(from, view, map, 3, at);
+    const glide = new Glide(from, to, 1000);
+    expect(glide.at(1000).x).toBeCloseTo(from.x);
+    for (let now = 1000; !glide.ends(now); now += 10) {
+      const [x, y] = toMap(glide.at(now), view, at);
+      expect(x).toBeCloseTo(toMap(from, view, at)[0]);
+      expect(y).toBeCloseTo(toMap(from, view, at)[1]);
+    }
+    expect(glide.at(5000)).toEqual(to);
+    expect(new Glide(from, { ...from, x: 350 }, 0).at(110).x).toBeGreaterThan(250);
   });
 });
