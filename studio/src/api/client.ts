@@ -133,15 +133,18 @@ export class Client {
     tell?: (progress: Progress) => void,
   ): Promise<T> {
     const answer = await this.ask(path, { method: "POST", json, signal, accept: "text/event-stream" });
+    let result: T | null = null;
     try {
+      // To its end, so that the connection can be used again.
       for await (const { name, data } of readEvents(answer)) {
         if (name === "progress") tell?.(JSON.parse(data) as Progress);
-        if (name === "plan") return JSON.parse(data) as T;
+        if (name === "plan") result = JSON.parse(data) as T;
         if (name === "problem") throw refusal(JSON.parse(data) as ProblemDocument);
       }
     } catch (error) {
       throw understood(error);
     }
+    if (result) return result;
     throw new ServiceError("gone", "The server hung up before the plan was ready.");
   }
 

@@ -110,7 +110,9 @@ export class Planner implements Results {
       } catch (error) {
         const trouble = asServiceError(error);
         const dropped = trouble.trouble === "stopped" && this.#wanted !== null;
-        if (!dropped) this.failure.value = trouble;
+        if (dropped) continue;
+        this.failure.value = trouble;
+        if (trouble.trouble === "refused") this.plans.value = {}; // those of another question would mislead
       }
     }
     this.#working = null;

@@ -27,6 +27,7 @@ export class Studio extends PageState {
 
   readonly #maps: Maps;
   #opening: AbortController | null = null;
+  #again: () => unknown = () => undefined; // what to do when the server is back
   #missing = 0; // how often in a row the service no longer had the map
 
   constructor(
@@ -84,8 +85,14 @@ export class Studio extends PageState {
     }
   }
 
+  choose(id: string): void {
+    this.notice.value = null;
+    void this.open(id);
+  }
+
   async upload(file: File): Promise<void> {
     this.loading.value = true;
+    this.notice.value = null;
     try {
       const description = await this.client.upload(file);
       this.mapList.value = await this.client.maps();
@@ -114,6 +121,11 @@ export class Studio extends PageState {
 
   redo(): void {
     this.#travel(redo);
+  }
+
+  // After a plan was stopped.
+  planAgain(): void {
+    void this.#follow();
   }
 
   override toggleLayer(layer: LayerName): void {
@@ -254,6 +266,7 @@ export class Studio extends PageState {
 
   // Asks until somebody answers, then for what is shown.
   async #awaitServer(again: () => unknown = () => this.#follow()): Promise<void> {
+    this.#again = again;
     if (this.gone.value) return;
     this.gone.value = true;
     for (;;) {
@@ -267,6 +280,6 @@ export class Studio extends PageState {
     }
     this.gone.value = false;
     this.#maps.forget();
-    again();
+    this.#again();
   }
 }

@@ -88,11 +88,11 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
           onClick={() => onChoose?.(column.n)}
         >
           {(!column.further || column.n === count) && (
-            <span class="front-value" style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}>
+            <span class="front-value" aria-hidden="true" style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}>
               {column.value === null ? "no way" : clockTime(column.value, units)}
             </span>
           )}
-          <span class="front-tick">{column.n}</span>
+          <span class="front-tick" aria-hidden="true">{column.n}</span>
         </button>
       ))}
     </div>

@@ -23,7 +23,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
   if (!after || !shown) {
     return (
       <section class="headline waiting" aria-label="Result">
-        <h2>{page.loading.value ? "Loading the map…" : shown ? "Planning…" : "Choose a map to begin"}</h2>
+        <h2>{waiting(page)}</h2>
         <Working page={page} />
       </section>
     );
@@ -65,6 +65,12 @@ export function HeadlineSection({ page }: { page: PageState }) {
   );
 }
 
+function waiting(page: PageState): string {
+  if (page.loading.value) return "Loading the map…";
+  if (!page.shown.value) return "Choose a map to begin";
+  return page.results.failure.value?.trouble === "stopped" ? "No plan yet" : "Planning…";
+}
+
 function Sureness({ judged, buildings }: { judged: Judged; buildings: boolean }) {
   const sure = proof(judged.plan);
   if (!sure) return null;
@@ -102,6 +108,16 @@ function Sureness({ judged, buildings }: { judged: Judged; buildings: boolean })
 
 // Only for plans one has to wait for.
 function Working({ page }: { page: PageState }) {
+  if (page instanceof Studio && page.results.failure.value?.trouble === "stopped") {
+    return (
+      <div class="working">
+        <span>Stopped: what is shown may be older than what is asked.</span>
+        <button type="button" class="button" onClick={() => page.planAgain()}>
+          Plan again
+        </button>
+      </div>
+    );
+  }
   const progress = page.results.progress.value;
   if (!progress || progress.seconds < 0.4) return null;
   return (

@@ -22,7 +22,7 @@ export function Layers({ page }: { page: PageState }) {
     const plan = plans[name]?.plan;
     if (name === "before") return "nothing removed";
     if (!plan) return "…";
-    const early = tooEarly(plan) > 0 ? ", driven into too early" : "";
+    const early = tooEarly(plan) > 0 ? ", entered too early" : "";
     return plan.agents.length > 0 ? `${counted(plan.removed.length, hasBuildings(shown.base))} removed${early}` : "no way";
   };
   const value = (name: LayerName) => {

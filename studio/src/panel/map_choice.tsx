@@ -16,7 +16,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
       <select
         id="map-choice"
         value={current}
-        onChange={(event) => void studio.open(event.currentTarget.value)}
+        onChange={(event) => studio.choose(event.currentTarget.value)}
       >
         {current === "" && <option value="">No map</option>}
         {!listed && <option value={current}>{current}</option>}

@@ -4,6 +4,7 @@ import { area, duration } from "../mission/units";
 import { IconButton } from "./controls";
 import { MarkButtons } from "./mark_buttons";
 import { nameOf } from "./obstacle_words";
+import { OsmLink } from "./osm_link";
 
 export function ObstacleCard({ page }: { page: PageState }) {
   const id = page.selected.value;
@@ -21,14 +22,7 @@ export function ObstacleCard({ page }: { page: PageState }) {
       </div>
       <p class="obstacle-facts">
         {area(obstacle.cells, units)}
-        {name.osm && (
-          <>
-            {" · "}
-            <a href={name.osm.href} target="_blank" rel="noreferrer">
-              {name.osm.text}
-            </a>
-          </>
-        )}
+        <OsmLink name={name} />
       </p>
       {obstacle.breach_time > 0 && <p>Opening it takes {duration(obstacle.breach_time, units)} longer.</p>}
       {removed && (

@@ -5,6 +5,7 @@ import { area, clockTime, duration } from "../mission/units";
 import { nounOf } from "../mission/words";
 import { MarkButtons } from "./mark_buttons";
 import { hasBuildings, nameOf } from "./obstacle_words";
+import { OsmLink } from "./osm_link";
 import { Section } from "./controls";
 
 export function RemovedTable({ page }: { page: PageState }) {
@@ -66,14 +67,7 @@ function Row({ page, removed, order }: { page: PageState; removed: Removed; orde
         </button>
         <span class="obstacle-facts">
           {area(removed.cells, units)}
-          {name.osm && (
-            <>
-              {" · "}
-              <a href={name.osm.href} target="_blank" rel="noreferrer">
-                {name.osm.text}
-              </a>
-            </>
-          )}
+          <OsmLink name={name} />
         </span>
         <MarkButtons page={page} id={id} name={name.text} />
       </th>

@@ -17,7 +17,7 @@ export function Settings({ studio }: { studio: Studio }) {
     onInput: (value: number) => studio.change((old) => ({ ...old, [member]: value * scale }), member),
     onDone: () => studio.endGesture(),
   });
-  const speed = { unit: metric ? "m/s" : "cells a step", min: 0.01, max: 1000, step: "any" as const };
+  const speed = { unit: metric ? "m/s" : "cells/step", min: 0.01, max: 1000, step: "any" as const };
   const time = { min: 0, max: 100_000, step: "any" as const };
   const apart = mission.markers.air_start !== undefined || mission.markers.air_goal !== undefined;
   return (
