@@ -35,7 +35,7 @@ export function duration(time: number, units: Units): string {
 
 // 16:15, for where there is little room.
 export function clockTime(time: number, units: Units): string {
-  if (units.time === "metres") return String(Math.round(time * units.cell));
+  if (units.time === "metres") return metres(time * units.cell);
   if (units.time === "steps") return decimals(time);
   if (time < 59.95) return `${trimmed(time, 1)}${space}s`;
   const whole = Math.round(time);

@@ -58,7 +58,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
           ))}
         </ul>
       )}
-      <Sureness judged={after} buildings={buildings} />
+      <Sureness judged={after} buildings={buildings} checks={page instanceof Studio} />
       <Working page={page} />
       <Spoken text={spoken} />
     </section>
@@ -71,7 +71,13 @@ function waiting(page: PageState): string {
   return page.results.failure.value?.trouble === "stopped" ? "No plan yet" : "Planning…";
 }
 
-function Sureness({ judged, buildings }: { judged: Judged; buildings: boolean }) {
+interface SurenessProps {
+  judged: Judged;
+  buildings: boolean;
+  checks: boolean; // whether there is somebody to check the plan
+}
+
+function Sureness({ judged, buildings, checks }: SurenessProps) {
   const sure = proof(judged.plan);
   if (!sure) return null;
   const early = tooEarly(judged.plan);
@@ -97,10 +103,12 @@ function Sureness({ judged, buildings }: { judged: Judged; buildings: boolean })
           </span>
         </p>
       ) : (
-        <p class={verdict ? "sure" : "pending"}>
-          <Icon name="check" />
-          {verdict ? "Checked independently" : "Being checked…"}
-        </p>
+        checks && (
+          <p class={verdict ? "sure" : "pending"}>
+            <Icon name="check" />
+            {verdict ? "Checked independently" : "Being checked…"}
+          </p>
+        )
       )}
     </div>
   );
