@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "commands.hpp"
 #include "help.hpp"
@@ -10,6 +11,7 @@
 #include "io/plan_file.hpp"
 #include "option.hpp"
 #include "plan_exports.hpp"
+#include "plan_html.hpp"
 #include "progress.hpp"
 #include "waybreaker/error.hpp"
 
@@ -20,6 +22,7 @@ struct ExportOptions {
     std::string map;
     std::string plan;
     PlanExports exports;
+    std::string html;
     bool ignore_digest = false;
 };
 
@@ -41,17 +44,19 @@ void require_valid(const ExportOptions& options, const io::PlanFile& plan, const
 }
 
 void run(const ExportOptions& options) {
-    const auto outputs = named_outputs(options.exports);
+    auto outputs = named_outputs(options.exports);
+    outputs.emplace_back("--html", options.html);
     require_distinct(outputs);
     if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
-        throw InputError("nothing to write: give --geojson, --csv, --ros-path or --xml");
+        throw InputError("nothing to write: give --geojson, --csv, --ros-path, --xml or --html");
     }
-    const io::PlanFile plan = io::read_plan_file(options.plan);
+    const std::string text = io::read_whole(options.plan, io::max_plan_bytes);
+    const io::PlanFile plan = io::parse_plan(text, options.plan);
     const io::MapFile map = read_map(options, plan);
     require_valid(options, plan, map);
-    for (const auto& [path, bytes] : export_plan(options.exports, plan.plan, map, plan.search)) {
-        io::write_whole(path, bytes);
-    }
+    auto files = export_plan(options.exports, plan.plan, map, plan.search);
+    if (!options.html.empty()) files.emplace_back(options.html, plan_html(map, std::array{NamedPlan{"plan", text}}));
+    for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
 }
 
 }  // namespace
@@ -66,6 +71,7 @@ void setup_export(CLI::App& root, Run& run_chosen) {
     add_file(*command, "MAP", options->map, "The map the plan was made for")->required();
     add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it")->required();
     add_plan_exports(*command, options->exports);
+    add_file(*command, "--html", options->html, "Write a page for a browser that plays the plan");
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
     set_examples(*command, {"waybreaker export data/berlin-mitte.tif plan.json --geojson plan.geojson",

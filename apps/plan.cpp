@@ -13,6 +13,7 @@
 #include "io/output_file.hpp"
 #include "io/plan_json.hpp"
 #include "io/search_trace.hpp"
+#include "plan_html.hpp"
 #include "plan_options.hpp"
 #include "plan_table.hpp"
 #include "progress.hpp"
@@ -56,6 +57,28 @@ render::PictureOptions picture_options(const io::MapFile& map, bool metres, Obje
             .objective = objective};
 }
 
+// With the mission without removals and the paper's plan beside it, to compare.
+std::string html(const Plan& plan, const io::PlanContext& context) {
+    MissionPlanner planner;
+    std::vector<NamedPlan> plans{{"plan", io::plan_json(plan, context)}};
+    const auto add = [&](const std::string& name, const MissionOptions& options) {
+        io::PlanContext other{.map = context.map,
+                              .mission = context.mission,
+                              .options = options,
+                              .connectivity = context.connectivity,
+                              .timing_fields = context.timing_fields,
+                              .image = context.image};
+        plans.push_back({name, io::plan_json(planner.plan(context.map.map, context.mission, options), other)});
+    };
+    MissionOptions none = context.options;
+    none.removals = 0;
+    none.force.clear();
+    none.explain = false;
+    add("before", none);
+    if (context.options.select == Selection::exact) add("paper", paper_options(context.options));
+    return plan_html(context.map, plans);
+}
+
 // What goes where, standard output last: by then all files are complete.
 void write_outputs(const PlanOptions& options, const io::PlanContext& context, const Plan& plan) {
     const io::MapFile& file = context.map;
@@ -65,6 +88,7 @@ void write_outputs(const PlanOptions& options, const io::PlanContext& context, c
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
     if (!options.png.empty()) outputs.emplace_back(options.png, render::png(file.map, context.mission, plan, picture));
+    if (!options.html.empty()) outputs.emplace_back(options.html, html(plan, context));
     if (!options.trace.empty()) {
         outputs.emplace_back(options.trace, trace(file.map, context.mission, context.options.search));
     }
@@ -126,7 +150,7 @@ void run(const PlanOptions& options) {
         throw InputError(options.map, 0, error.what());
     }
     const std::vector<Plan> plans = plan_mission(file, mission, mission_options, options.removals_auto);
-    if (options.removals_auto) mission_options.removals = int(plans.size()) - 1;
+    if (options.removals_auto) mission_options.removals = int(plans.size() + mission_options.force.size()) - 1;
     const Plan& plan = plans.back();
     const io::PlanContext context{.map = file,
                                   .mission = mission,
@@ -152,6 +176,7 @@ void setup_plan(CLI::App& root, Run& run_chosen) {
     set_examples(*command,
                  {"waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55",
                   "waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55 --removals auto --explain",
+                  "waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55 --html plan.html",
                   "waybreaker plan Berlin_0_512.map --start 12,20 --goal 400,380 --paper -n 1 --json plan.json",
                   "waybreaker plan task.xml --planner jps --svg - | rsvg-convert > plan.png"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });

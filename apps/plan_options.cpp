@@ -111,6 +111,8 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--json", options.json, "Write the plan; - is standard output, here and below");
     add_file(command, "--svg", options.svg, "Write a picture");
     add_file(command, "--png", options.png, "Write a picture");
+    add_file(command, "--html", options.html,
+             "Write a page for a browser that plays the plan: one file, no network needed");
     add_file(command, "--trace", options.trace,
              "Write every step of the first ground search, for the Posthoc search visualiser (NAME.trace.json)");
     add_plan_exports(command, options.exports);
@@ -167,9 +169,11 @@ void validate(const PlanOptions& options) {
         throw InputError("--paper stands for --timing ignore, which --timing enforce contradicts; drop one of them");
     }
     std::vector<std::pair<std::string, std::string>> outputs = named_outputs(options.exports);
-    outputs.insert(
-        outputs.begin(),
-        {{"--json", options.json}, {"--svg", options.svg}, {"--png", options.png}, {"--trace", options.trace}});
+    outputs.insert(outputs.begin(), {{"--json", options.json},
+                                     {"--svg", options.svg},
+                                     {"--png", options.png},
+                                     {"--html", options.html},
+                                     {"--trace", options.trace}});
     require_distinct(outputs);
 }
 

@@ -55,6 +55,7 @@ struct PlanOptions {
     std::string json;
     std::string svg;
     std::string png;
+    std::string html;
     std::string trace;
     PlanExports exports;
     bool no_timing = false;

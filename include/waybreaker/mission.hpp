@@ -62,6 +62,8 @@ Planner planner_of(const MissionOptions& options);
 // The paper's method with n removals: Theta*, most hits, its flight rules (exact for n = 1, nearest to the segment for
 // more).
 MissionOptions paper_options(int removals);
+// Other options, but the paper's method.
+MissionOptions paper_options(MissionOptions options);
 
 // Throws InputError, naming what is wrong, if the mission cannot be put on the map (an agent starts in a wall, is off
 // the map, ...) or the options contradict each other.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
@@ -117,11 +118,15 @@ Planner planner_of(const MissionOptions& options) {
 MissionOptions paper_options(int removals) {
     MissionOptions options;
     options.removals = removals;
+    return paper_options(std::move(options));
+}
+
+MissionOptions paper_options(MissionOptions options) {
     options.select = Selection::hits;
     options.search.planner = Planner::theta;
     options.timing = Timing::ignore;
     // For one obstacle the paper flies the shortest way past it, which is what `optimal` does.
-    options.flight = removals == 1 ? FlightRule::optimal : FlightRule::nearest;
+    options.flight = options.removals == 1 ? FlightRule::optimal : FlightRule::nearest;
     return options;
 }
 

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -26,25 +24,6 @@ namespace waybreaker::server {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-void append_number(std::string& text, std::uint64_t number) {
-    constexpr std::size_t most_digits = 20;
-    std::array<char, most_digits> digits{};
-    text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-}
-
-std::string runs_json(std::span<const std::uint32_t> labels) {
-    std::string text = "[";
-    for (auto run = labels.begin(); run != labels.end();) {
-        const auto end = std::find_if(run, labels.end(), [run](std::uint32_t label) { return label != *run; });
-        if (text.size() > 1) text += ',';
-        append_number(text, *run);
-        text += ',';
-        append_number(text, std::uint64_t(end - run));
-        run = end;
-    }
-    return text + "]";
-}
 
 // A mission that has been put on its map.
 struct Posed {
@@ -86,11 +65,7 @@ std::vector<Method> usual_methods(const OptionsRequest& common) {
     none.options.options.removals = 0;
     none.options.options.force.clear();
     Method paper{"paper", common};
-    const MissionOptions method = paper_options(common.options.removals);
-    paper.options.options.select = method.select;
-    paper.options.options.flight = method.flight;
-    paper.options.options.timing = method.timing;
-    paper.options.options.search.planner = method.search.planner;
+    paper.options.options = paper_options(common.options);
     paper.options.planner_given = true;
     return {std::move(none), std::move(paper), Method{"exact", common}};
 }
@@ -164,23 +139,6 @@ std::string map_json(const std::string& id, const ShelvedMap& map) {
     return json.dump() + "\n";
 }
 
-std::string obstacles_json(const Map& map) {
-    std::string text = fmt::format(R"({{"width":{},"height":{},"obstacles":[)", map.width(), map.height());
-    for (const Obstacle& obstacle : map.obstacles()) {
-        const Box& box = obstacle.bounds;
-        const Json json{{"id", obstacle.id.value},
-                        {"source_id", obstacle.source_id},
-                        {"cells", obstacle.cells},
-                        {"bounds", {box.min.x, box.min.y, box.max.x, box.max.y}},
-                        {"destructible", obstacle.destructible},
-                        {"weight", obstacle.weight},
-                        {"breach_time", obstacle.breach_time}};
-        if (text.back() != '[') text += ',';
-        text += json.dump();
-    }
-    return text + "],\"runs\":" + runs_json(map.labels()) + "}\n";
-}
-
 std::string plan_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop) {
     return plan_text(task, task.request.options, planner, stop);
 }
@@ -188,7 +146,7 @@ std::string plan_answer(const Task& task, MissionPlanner& planner, const std::st
 std::string front_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop) {
     Posed posed = pose(task, task.request.options, stop, std::size_t(task.request.options.options.removals) + 1);
     const std::vector<Plan> plans = planner.front(task.map->file.map, posed.mission, posed.options);
-    posed.options.removals = int(plans.size()) - 1;
+    posed.options.removals = int(plans.size() + posed.options.force.size()) - 1;
     return io::plan_json(plans.back(), context_of(task, posed, plans));
 }
 

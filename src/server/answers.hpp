@@ -21,8 +21,6 @@ inline constexpr auto json_type = "application/json";
 std::string maps_json(const std::vector<MapShelf::Entry>& entries);
 // As `waybreaker map info --json`, with id and connectivity.
 std::string map_json(const std::string& id, const ShelvedMap& map);
-// Obstacles, and the labels of all cells as runs [label, length, label, length, ...], row after row; 0 is free.
-std::string obstacles_json(const Map& map);
 
 // What a worker plans with.
 struct Task {

@@ -100,11 +100,7 @@ void set_choice(const JsonField& field, OptionsRequest& result) {
     bool paper = false;
     set_truth(field, "paper", paper);
     if (paper) {
-        const MissionOptions paper_method = paper_options(options.removals);
-        options.select = paper_method.select;
-        options.flight = paper_method.flight;
-        options.timing = paper_method.timing;
-        options.search.planner = paper_method.search.planner;
+        options = paper_options(options);
         result.planner_given = true;
     }
     if (const auto budget = field.find("budget")) {

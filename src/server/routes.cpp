@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/obstacles_json.hpp"
 #include "io/plan_file.hpp"
 #include "server/answers.hpp"
 #include "server/problem.hpp"
@@ -126,7 +127,7 @@ std::vector<Route> routes(MapShelf& shelf, Desk& desk, const Metrics& metrics, c
         give(response, map_json(call.map, *shelf.take(call.map)));
     }));
     all.push_back(get("/api/v1/maps/{id}/obstacles", false, [&](const Call& call, httplib::Response& response) {
-        give(response, obstacles_json(shelf.take(call.map)->file.map));
+        give(response, io::obstacles_json(shelf.take(call.map)->file));
     }));
     all.push_back(upload(shelf));
     all.push_back(planned("plan", plan_answer, shelf, desk, limits.seconds));

@@ -1,0 +1,25 @@
+#include "plan_html.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "io/background_json.hpp"
+#include "io/map_info.hpp"
+#include "io/obstacles_json.hpp"
+#include "studio/plan_page.hpp"
+
+namespace waybreaker::apps {
+
+std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans) {
+    auto description = nlohmann::ordered_json::parse(io::map_info_json(map));
+    description["id"] = map.source;
+    std::string data = "{\"map\": " + description.dump() + ",\"obstacles\": " + io::obstacles_json(map) +
+                       ",\"background\": " + io::background_json(map.background) + ",\n\"plans\": [";
+    for (const NamedPlan& plan : plans) {
+        if (data.back() != '[') data += ',';
+        data += "{\"name\": \"" + plan.name + "\", \"plan\": " + plan.json + "}";
+    }
+    data += "]}";
+    return studio::plan_page("Plan: " + (map.title.empty() ? map.source : map.title), data);
+}
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,19 @@
+// A plan as a page to mail around: what `waybreaker plan --html` and `waybreaker export --html` write.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "io/map_file.hpp"
+
+namespace waybreaker::apps {
+
+// The text of a plan file, and the layer of the map that shows it: "plan", "before" (nothing removed) or "paper".
+struct NamedPlan {
+    std::string name;
+    std::string json;
+};
+
+std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans);
+
+}  // namespace waybreaker::apps
