@@ -49,6 +49,11 @@ export function fitted(box: Box, view: Size, padding: number, below = padding): 
   return { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 + (below - padding) / 2 / scale, scale };
 }
 
+// All of a map, with room below it for scale bar and attribution.
+export function wholeMap(map: Size, view: Size): Camera {
+  return fitted(mapBox(map), view, 12, 34);
+}
+
 // The camera kept to what makes sense: not much smaller than the whole map, never off it.
 export function limited(camera: Camera, view: Size, map: Size): Camera {
   const box = mapBox(map);

@@ -1,7 +1,7 @@
 // The map on a canvas: shows scenes, and tells what people do to them. Draws only when something has changed.
 import type { Cell, Point } from "../api/answers";
 import { duration, positionAt } from "../play/motion";
-import { type Camera, fitted, limited, mapBox, panned, type Size, toMap, toScreen, zoomed } from "./camera";
+import { type Camera, fitted, limited, panned, type Size, toMap, toScreen, wholeMap, zoomed } from "./camera";
 import { drawEvents } from "./event_layer";
 import { drawCross, drawGrid, drawGround } from "./base_layer";
 import type { Frame } from "./frame";
@@ -23,7 +23,6 @@ import { TilePainter } from "./tile_painter";
 
 const fadeShare = 0.05; // of the mission: how long an obstacle takes to vanish
 const frameTime = 8; // milliseconds to draw in, tiles that are missing included
-const footer = 34; // pixels for scale bar and attribution when the whole map is shown
 
 export class MapView implements GestureTarget {
   readonly #context: CanvasRenderingContext2D;
@@ -80,7 +79,7 @@ export class MapView implements GestureTarget {
 
   fit(): void {
     if (!this.#scene || this.#view.width === 0) return;
-    const camera = fitted(mapBox(this.#scene.map), this.#view, 12, footer);
+    const camera = wholeMap(this.#scene.map, this.#view);
     if (this.#untouched) this.#camera = camera;
     else this.#glideTo(camera);
     this.#untouched = true;
