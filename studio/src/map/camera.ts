@@ -41,23 +41,34 @@ export function visibleBox(camera: Camera, view: Size): Box {
   return { left, top, right, bottom };
 }
 
-// Shows all of a box with so many pixels around it, and more below it where something stands there.
-export function fitted(box: Box, view: Size, padding: number, below = padding): Camera {
-  const width = Math.max(1, view.width - 2 * padding);
-  const height = Math.max(1, view.height - padding - below);
-  const scale = Math.min(width / (box.right - box.left), height / (box.bottom - box.top), maxScale);
-  return { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 + (below - padding) / 2 / scale, scale };
+// Pixels at the sides of a view that are to stay free: something else is there.
+export type Insets = Box;
+
+export function evenly(inset: number): Insets {
+  return { left: inset, top: inset, right: inset, bottom: inset };
 }
 
-// All of a map, with room below it for scale bar and attribution.
+// Shows all of a box in the middle of what the insets leave.
+export function fitted(box: Box, view: Size, insets: Insets): Camera {
+  const width = Math.max(1, view.width - insets.left - insets.right);
+  const height = Math.max(1, view.height - insets.top - insets.bottom);
+  const scale = Math.min(width / (box.right - box.left), height / (box.bottom - box.top), maxScale);
+  return {
+    x: (box.left + box.right) / 2 + (insets.right - insets.left) / 2 / scale,
+    y: (box.top + box.bottom) / 2 + (insets.bottom - insets.top) / 2 / scale,
+    scale,
+  };
+}
+
+// All of a map, with room below it for scale bar and attribution, and in a high view above it for the tools.
 export function wholeMap(map: Size, view: Size): Camera {
-  return fitted(mapBox(map), view, 12, 34);
+  return fitted(mapBox(map), view, { left: 12, top: view.height < 480 ? 12 : 68, right: 12, bottom: 34 });
 }
 
 // The camera kept to what makes sense: not much smaller than the whole map, never off it.
 export function limited(camera: Camera, view: Size, map: Size): Camera {
   const box = mapBox(map);
-  const smallest = Math.min(fitted(box, view, 0).scale * 0.7, maxScale);
+  const smallest = Math.min(fitted(box, view, evenly(0)).scale * 0.7, maxScale);
   return {
     x: Math.min(Math.max(camera.x, box.left), box.right),
     y: Math.min(Math.max(camera.y, box.top), box.bottom),

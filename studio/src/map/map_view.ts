@@ -1,7 +1,7 @@
 // The map on a canvas: shows scenes, and tells what people do to them. Draws only when something has changed.
 import type { Cell, Point } from "../api/answers";
 import { duration, positionAt } from "../play/motion";
-import { type Camera, fitted, limited, panned, type Size, toMap, toScreen, wholeMap, zoomed } from "./camera";
+import { type Camera, evenly, fitted, limited, panned, toMap, toScreen, wholeMap, zoomed } from "./camera";
 import { drawEvents } from "./event_layer";
 import { drawCross, drawGrid, drawGround } from "./base_layer";
 import type { Frame } from "./frame";
@@ -17,7 +17,7 @@ import { drawScaleBar } from "./scale_bar";
 import type { Handle, Scene, SceneEvents } from "./scene";
 import { cellAt, nearestFree, onMap } from "./snap";
 import { Sketch } from "./sketch";
-import { dark, light, type Theme } from "./theme";
+import { Surface } from "./surface";
 import { TileCache } from "./tile_cache";
 import { TilePainter } from "./tile_painter";
 
@@ -25,12 +25,8 @@ const fadeShare = 0.05; // of the mission: how long an obstacle takes to vanish
 const frameTime = 8; // milliseconds to draw in, tiles that are missing included
 
 export class MapView implements GestureTarget {
-  readonly #context: CanvasRenderingContext2D;
+  readonly #surface: Surface;
   readonly #gestures: Gestures;
-  readonly #resizing: ResizeObserver;
-  readonly #listening = new AbortController();
-  readonly #darkness = matchMedia("(prefers-color-scheme: dark)");
-  readonly #stillness = matchMedia("(prefers-reduced-motion: reduce)");
   readonly #tiles = new TileCache();
   readonly #obstacles = new ObstacleLayer();
   readonly #labels = new LabelLayer();
@@ -40,27 +36,22 @@ export class MapView implements GestureTarget {
   #scene: Scene | null = null;
   #ground: FeatureIndex | null = null;
   #camera: Camera = { x: 0, y: 0, scale: 1 };
-  #view: Size = { width: 0, height: 0 };
   #untouched = true; // people have not moved the map: it stays fitted while the page takes shape
   #glide: Glide | null = null;
-  #frame: number | null = null;
   #dragged: { spot: Spot; cell: Cell; before: Cell } | null = null;
   #focused: Handle | null = null;
   #hovered: number | null = null;
 
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    canvas: HTMLCanvasElement,
     private readonly events: SceneEvents,
   ) {
-    this.#context = canvas.getContext("2d", { alpha: false })!;
+    this.#surface = new Surface(canvas, {
+      resized: () => this.#untouched && this.fit(),
+      themed: () => this.#newTiles(true),
+      draw: (now) => this.#draw(now),
+    });
     this.#gestures = new Gestures(canvas, this);
-    this.#resizing = new ResizeObserver(() => this.#resize());
-    this.#resizing.observe(canvas);
-    const signal = this.#listening.signal;
-    this.#darkness.addEventListener("change", () => this.#newTiles(true), { signal });
-    this.#stillness.addEventListener("change", () => this.#draw(), { signal });
-    canvas.addEventListener("focus", () => this.#draw(), { signal });
-    canvas.addEventListener("blur", () => this.#draw(), { signal });
   }
 
   show(scene: Scene): void {
@@ -74,23 +65,23 @@ export class MapView implements GestureTarget {
       if (!edited) this.fit();
     }
     if (scene.markers !== before?.markers) this.#keepFocusInView();
-    this.#draw();
+    this.#surface.ask();
   }
 
   fit(): void {
-    if (!this.#scene || this.#view.width === 0) return;
-    const camera = wholeMap(this.#scene.map, this.#view);
+    if (!this.#scene || this.#surface.view.width === 0) return;
+    const camera = wholeMap(this.#scene.map, this.#surface.view);
     if (this.#untouched) this.#camera = camera;
     else this.#glideTo(camera);
     this.#untouched = true;
-    this.#draw();
+    this.#surface.ask();
   }
 
   zoom(factor: number, at?: Point): void {
     this.zoomBy(factor, at ?? null, true);
   }
 
-  // Shows an obstacle (its number) or a point, no nearer than people are already.
+  // Shows a point, or an obstacle (its number): as near as it takes to see which one it is.
   centerOn(what: number | Point): void {
     const scene = this.#scene;
     if (!scene) return;
@@ -102,7 +93,8 @@ export class MapView implements GestureTarget {
     if (!bounds) return;
     const [left, top, right, bottom] = bounds;
     const box = { left: left - 0.5, top: top - 0.5, right: right + 0.5, bottom: bottom + 0.5 };
-    const whole = fitted(box, this.#view, Math.min(this.#view.width, this.#view.height) / 4);
+    const { view } = this.#surface;
+    const whole = fitted(box, view, evenly(Math.min(view.width, view.height) / 4));
     this.#glideTo({ ...whole, scale: Math.min(whole.scale, Math.max(this.#camera.scale, 3)) });
   }
 
@@ -110,14 +102,12 @@ export class MapView implements GestureTarget {
   focusMarker(handle: Handle | null): void {
     this.#focused = handle;
     this.#keepFocusInView();
-    this.#draw();
+    this.#surface.ask();
   }
 
   destroy(): void {
     this.#gestures.destroy();
-    this.#resizing.disconnect();
-    this.#listening.abort();
-    if (this.#frame !== null) cancelAnimationFrame(this.#frame);
+    this.#surface.destroy();
   }
 
   // What Gestures tells.
@@ -131,8 +121,8 @@ export class MapView implements GestureTarget {
     const cell = cellOf(scene.markers, spot.handle);
     this.#dragged = { spot, cell, before: cell };
     this.#untouched = false; // the map keeps still under the marker, whatever comes up around it
-    this.canvas.style.cursor = "grabbing";
-    this.#draw();
+    this.#surface.cursor = "grabbing";
+    this.#surface.ask();
     return "drag";
   }
 
@@ -142,11 +132,11 @@ export class MapView implements GestureTarget {
 
   zoomBy(factor: number, at: Point | null, gliding: boolean): void {
     if (!this.#scene) return;
-    const middle: Point = [this.#view.width / 2, this.#view.height / 2];
+    const middle: Point = [this.#surface.view.width / 2, this.#surface.view.height / 2];
     const from = this.#glide?.to ?? this.#camera;
-    const to = zoomed(from, this.#view, this.#scene.map, factor, at ?? middle);
+    const to = zoomed(from, this.#surface.view, this.#scene.map, factor, at ?? middle);
     if (gliding) this.#glideTo(to);
-    else this.#move((camera) => zoomed(camera, this.#view, this.#scene!.map, factor, at ?? middle));
+    else this.#move((camera) => zoomed(camera, this.#surface.view, this.#scene!.map, factor, at ?? middle));
   }
 
   point(at: Point | null): void {
@@ -154,9 +144,9 @@ export class MapView implements GestureTarget {
     if (!scene) return;
     const spot = at && scene.editable && scene.tool === "move" ? spotAt(this.#spots(), at) : null;
     const obstacle = at && !spot ? this.#obstacleAt(at) : null;
-    this.canvas.style.cursor = scene.tool !== "move" ? "crosshair" : spot ? "grab" : obstacle ? "pointer" : "";
+    this.#surface.cursor = scene.tool !== "move" ? "crosshair" : spot ? "grab" : obstacle ? "pointer" : "";
     if (scene.tool !== "move") this.#sketch.hover(at);
-    if (scene.tool !== "move") this.#draw();
+    if (scene.tool !== "move") this.#surface.ask();
     if (obstacle === this.#hovered) return;
     this.#hovered = obstacle;
     this.events.hover(obstacle);
@@ -178,9 +168,9 @@ export class MapView implements GestureTarget {
     const moved = cell[0] !== dragged.cell[0] || cell[1] !== dragged.cell[1];
     dragged.cell = cell;
     if (done) this.#dragged = null;
-    if (done) this.canvas.style.cursor = "grab";
+    if (done) this.#surface.cursor = "grab";
     if (moved || done) this.events.drag(handle, cell, done);
-    this.#draw();
+    this.#surface.ask();
   }
 
   drawTo(at: Point, done: boolean): void {
@@ -191,7 +181,7 @@ export class MapView implements GestureTarget {
       const runs = this.#sketch.finish(scene.tool, scene.cells);
       if (runs.length > 0) this.events.draw(scene.tool, runs);
     }
-    this.#draw();
+    this.#surface.ask();
   }
 
   abandon(): void {
@@ -200,11 +190,11 @@ export class MapView implements GestureTarget {
     }
     this.#dragged = null;
     this.#sketch.drop();
-    this.#draw();
+    this.#surface.ask();
   }
 
   choose(): void {
-    this.click([this.#view.width / 2, this.#view.height / 2]);
+    this.click([this.#surface.view.width / 2, this.#surface.view.height / 2]);
   }
 
   escape(): void {
@@ -214,13 +204,13 @@ export class MapView implements GestureTarget {
   #keepFocusInView(): void {
     const spot = this.#scene && this.#spots().find(({ handle }) => handle === this.#focused);
     if (!spot) return;
-    const { width, height } = this.#view;
+    const { width, height } = this.#surface.view;
     const [x, y] = spot.at;
     if (Math.min(x, y, width - x, height - y) < 30) this.centerOn(cellOf(this.#scene!.markers, spot.handle));
   }
 
   #toMap(at: Point): Point {
-    return toMap(this.#camera, this.#view, at);
+    return toMap(this.#camera, this.#surface.view, at);
   }
 
   #obstacleAt(at: Point): number | null {
@@ -228,71 +218,43 @@ export class MapView implements GestureTarget {
   }
 
   #spots(): Spot[] {
-    return spots(this.#scene!.markers, (point) => toScreen(this.#camera, this.#view, point));
+    return spots(this.#scene!.markers, (point) => toScreen(this.#camera, this.#surface.view, point));
   }
 
   #move(change: (camera: Camera) => Camera): void {
-    if (!this.#scene) return;
+    if (!this.#scene || this.#surface.view.width === 0) return;
     this.#glide = null;
     this.#untouched = false;
-    this.#camera = limited(change(this.#camera), this.#view, this.#scene.map);
-    this.#draw();
+    this.#camera = limited(change(this.#camera), this.#surface.view, this.#scene.map);
+    this.#surface.ask();
   }
 
   #glideTo(to: Camera): void {
-    if (!this.#scene) return;
+    if (!this.#scene || this.#surface.view.width === 0) return;
     this.#untouched = false;
-    const kept = limited(to, this.#view, this.#scene.map);
-    if (this.#stillness.matches) this.#camera = kept;
+    const kept = limited(to, this.#surface.view, this.#scene.map);
+    if (this.#surface.still) this.#camera = kept;
     else this.#glide = new Glide(this.#camera, kept, performance.now());
-    this.#draw();
-  }
-
-  #theme(): Theme {
-    return this.#darkness.matches ? dark : light;
+    this.#surface.ask();
   }
 
   #newTiles(keepOld: boolean): void {
     if (!this.#scene || !this.#ground) return;
     const { map, cells } = this.#scene;
-    this.#tiles.use(new TilePainter(map, cells, this.#ground, this.#theme(), devicePixelRatio), keepOld);
-    this.#draw();
+    this.#tiles.use(new TilePainter(map, cells, this.#ground, this.#surface.theme, this.#surface.pixelRatio), keepOld);
+    this.#surface.ask();
   }
 
-  #resize(): void {
-    const box = this.canvas.getBoundingClientRect();
-    this.#view = { width: box.width, height: box.height };
-    this.canvas.width = Math.round(box.width * devicePixelRatio);
-    this.canvas.height = Math.round(box.height * devicePixelRatio);
-    if (this.#untouched) this.fit();
-    this.#render(performance.now()); // at once: a resized canvas is blank
-  }
-
-  #draw(): void {
-    this.#frame ??= requestAnimationFrame((now) => {
-      this.#frame = null;
-      this.#render(now);
-    });
-  }
-
-  #render(now: number): void {
+  #draw(now: number): void {
     const scene = this.#scene;
-    if (!scene || this.#view.width === 0) return;
+    if (!scene) return;
     const begin = performance.now();
     if (this.#glide) this.#camera = this.#glide.at(now);
     if (this.#glide?.ends(now)) this.#glide = null;
-    const frame: Frame = {
-      context: this.#context,
-      camera: this.#camera,
-      view: this.#view,
-      pixelRatio: devicePixelRatio,
-      theme: this.#theme(),
-      now,
-      still: this.#stillness.matches,
-    };
+    const { context, view, pixelRatio, theme, still } = this.#surface;
+    const frame: Frame = { context, camera: this.#camera, view, pixelRatio, theme, now, still };
     const top = scene.layers.at(-1);
     const fadeSpan = top ? Math.max(duration(top.plan) * fadeShare, 1e-9) : 1;
-    this.#context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
     drawGround(frame, scene, this.#tiles);
     drawGrid(frame, scene);
     this.#obstacles.draw(frame, scene, fadeSpan);
@@ -301,9 +263,9 @@ export class MapView implements GestureTarget {
     drawEvents(frame, scene, fadeSpan);
     drawMarkers(frame, scene.markers, this.#dragged?.spot.handle ?? this.#focused, scene.editable);
     this.#sketch.draw(frame, scene);
-    if (this.canvas.matches(":focus-visible")) drawCross(frame);
+    if (this.#surface.hasKeyboard) drawCross(frame);
     drawScaleBar(frame, scene.map.cell_size);
-    if (this.#tiles.paintMissing(begin + frameTime) || this.#glide || (!frame.still && pulses(scene))) this.#draw();
+    if (this.#tiles.paintMissing(begin + frameTime) || this.#glide || (!still && pulses(scene))) this.#surface.ask();
   }
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { fitted, limited, mapBox, maxScale, panned, toMap, toScreen, visibleBox, zoomed } from "../../src/map/camera";
+import { evenly, fitted, limited, mapBox, maxScale, panned, toMap, toScreen, visibleBox, zoomed } from "../../src/map/camera";
 import { Glide } from "../../src/map/glide";
 import { draws } from "./picture";
 
@@ -18,12 +18,20 @@ describe("the camera", () => {
   });
 
   it("shows the whole map when it is fitted, and touches two of its sides", () => {
-    const camera = fitted(mapBox(map), view, 20);
+    const camera = fitted(mapBox(map), view, evenly(20));
     const [left, top] = toScreen(camera, view, [-0.5, -0.5]);
     const [right, bottom] = toScreen(camera, view, [500.5, 300.5]);
     expect([left, right]).toEqual([20, 780]);
     expect(top).toBeGreaterThan(20);
     expect(top + bottom).toBeCloseTo(600);
+  });
+
+  it("leaves room where something else is", () => {
+    const camera = fitted(mapBox(map), view, { left: 300, top: 10, right: 0, bottom: 60 });
+    expect(toScreen(camera, view, [-0.5, 150])[0]).toBeCloseTo(300);
+    expect(toScreen(camera, view, [500.5, 150])[0]).toBeCloseTo(800);
+    const [top, bottom] = [toScreen(camera, view, [0, -0.5])[1], toScreen(camera, view, [0, 300.5])[1]];
+    expect(top - 10).toBeCloseTo(540 - bottom);
   });
 
   it("keeps the point under the pointer when it zooms", () => {
@@ -40,7 +48,7 @@ describe("the camera", () => {
 
   it("never leaves the map and its scales", () => {
     const draw = draws(3);
-    let camera = fitted(mapBox(map), view, 0);
+    let camera = fitted(mapBox(map), view, evenly(0));
     const smallest = camera.scale * 0.7;
     for (let i = 0; i < 300; ++i) {
       camera = panned(camera, 2000 * (draw() - 0.5), 2000 * (draw() - 0.5));
