@@ -69,7 +69,7 @@ function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
         <ObstacleCard page={page} />
         <Attribution page={page} />
       </div>
-      {studio && <Invitation />}
+      {studio && <Invitation studio={studio} />}
       {plan && plan.agents.length > 0 && (
         <div class="timeline-box">
           <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value)} />

@@ -11,7 +11,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
   return (
     <div class="map-choice">
       <label class="spoken" for="map-choice">
-        Map
+        Choose a map
       </label>
       <select
         id="map-choice"

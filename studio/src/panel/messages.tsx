@@ -1,4 +1,5 @@
 // What the page says by itself: the server is gone, something went wrong, where to begin, whose data this is.
+import { useSignalEffect } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
@@ -44,20 +45,21 @@ export function NoticeBar({ page }: { page: PageState }) {
 
 const seen = "waybreaker-invited";
 
-export function Invitation() {
+// Goes for good when it is closed, or followed.
+export function Invitation({ studio }: { studio: Studio }) {
   const [open, setOpen] = useState(() => localStorage.getItem(seen) === null);
-  if (!open) return null;
+  const close = () => {
+    localStorage.setItem(seen, "yes");
+    setOpen(false);
+  };
+  useSignalEffect(() => {
+    if (studio.clock.playing.value) close();
+  });
+  if (!open || !studio.shown.value) return null;
   return (
     <p class="invitation">
       <span>Drag the blue start or the goal, and the plan follows. Then press play.</span>
-      <IconButton
-        icon="close"
-        label="Dismiss the hint"
-        onClick={() => {
-          localStorage.setItem(seen, "yes");
-          setOpen(false);
-        }}
-      />
+      <IconButton icon="close" label="Dismiss the hint" onClick={close} />
     </p>
   );
 }
