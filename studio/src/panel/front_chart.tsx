@@ -83,10 +83,10 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
           tabIndex={-1}
           class={`front-column ${column.n === count ? "chosen" : ""}`}
           style={{ left: `${place.x(column.n)}px`, width: `${place.step}px` }}
-          aria-label={columnLabel(column, units)}
           disabled={!onChoose}
           onClick={() => onChoose?.(column.n)}
         >
+          <span class="spoken">{columnLabel(column, units)}</span>
           {(!column.further || column.n === count) && (
             <span class="front-value" aria-hidden="true" style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}>
               {column.value === null ? "no way" : clockTime(column.value, units)}

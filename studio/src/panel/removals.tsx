@@ -11,6 +11,7 @@ export function Removals({ page }: { page: PageState }) {
   const shown = page.shown.value;
   if (!mission || !shown) return null;
   const studio = page instanceof Studio ? page : null;
+  if (!studio && !page.results.front.value) return null;
   const auto = mission.removals === "auto";
   const count = mission.removals === "auto" ? (page.results.plans.value.after?.plan.removed.length ?? 0) : mission.removals;
   const set = (removals: number | "auto") => studio?.change((old) => ({ ...old, removals }), "removals");
