@@ -33,7 +33,12 @@ std::string map_info_json(const MapFile& file) {
     json["unknown"] = file.unknown;
     json["origin"] = file.ros ? Json(file.ros->yaml.origin) : Json();
     json["georeference"] = nullptr;
-    if (file.georeference) json["georeference"] = {{"crs", file.georeference->crs_name()}, {"center", center(file)}};
+    if (file.georeference) {
+        const auto affine = geo::affine_to_lon_lat(*file.georeference, file.map.width(), file.map.height());
+        json["georeference"] = {{"crs", file.georeference->crs_name()},
+                                {"center", center(file)},
+                                {"to_lon_lat", affine ? Json(*affine) : Json()}};
+    }
     json["start"] = file.task ? cell(file.task->start) : Json();
     json["goal"] = file.task ? cell(file.task->goal) : Json();
     json["title"] = file.title;

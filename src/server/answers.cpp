@@ -139,6 +139,15 @@ std::string map_json(const std::string& id, const ShelvedMap& map) {
     return json.dump() + "\n";
 }
 
+std::string file_name(const std::string& id, const ShelvedMap& map) {
+    if (id.find('.') != std::string::npos) return id;  // it is a file's name
+    static const std::map<std::string, std::string> extensions{
+        {"MovingAI map", ".map"},          {"authors' XML", ".xml"}, {"GeoTIFF label map", ".tif"},
+        {"GeoTIFF occupancy map", ".tif"}, {"PNG image", ".png"},    {"netpbm image", ".pgm"}};
+    const auto extension = extensions.find(map.file.format);
+    return extension == extensions.end() ? id : id + extension->second;
+}
+
 std::string plan_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop) {
     return plan_text(task, task.request.options, planner, stop);
 }

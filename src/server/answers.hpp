@@ -21,6 +21,8 @@ inline constexpr auto json_type = "application/json";
 std::string maps_json(const std::vector<MapShelf::Entry>& entries);
 // As `waybreaker map info --json`, with id and connectivity.
 std::string map_json(const std::string& id, const ShelvedMap& map);
+// What to call the file of a map: its id, with an extension.
+std::string file_name(const std::string& id, const ShelvedMap& map);
 
 // What a worker plans with.
 struct Task {

@@ -29,11 +29,8 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 }
 
 // A ROS map names its image, which must not lead anywhere else.
-void require_image_inside(const fs::path& path, const fs::path& folder) {
-    if (path.extension() != ".yaml") return;
-    const std::string text = io::read_whole(path.string(), std::size_t{1} << 20);
-    if (!io::is_ros_yaml(text)) return;
-    const fs::path image = path.parent_path() / io::parse_ros_yaml(text, path.filename().string()).image;
+void require_image_inside(const std::string& yaml, const fs::path& path, const fs::path& folder) {
+    const fs::path image = path.parent_path() / io::parse_ros_yaml(yaml, path.filename().string()).image;
     if (!lies_in(image, folder)) throw InputError(path.filename().string(), 0, "its image is not in the maps folder");
 }
 
@@ -43,6 +40,10 @@ std::optional<MapShelf::Entry> entry_of(const fs::directory_entry& file, const f
     std::error_code error;
     if (!file.is_regular_file(error) || !lies_in(file.path(), folder)) return std::nullopt;
     return MapShelf::Entry{.id = name};
+}
+
+Problem no_such_map() {
+    return {not_found, "there is no map of that name; GET /api/v1/maps lists those there are"};
 }
 
 constexpr std::size_t digest_characters = 16;
@@ -98,9 +99,7 @@ std::shared_ptr<MapShelf::Place> MapShelf::place_of(const std::string& id) {
     const std::scoped_lock lock(mutex_);
     const auto known = places_.find(id);
     if (known != places_.end()) return known->second;
-    if (path_of(id).empty() && id != built_in_name) {
-        throw Problem(not_found, "there is no map of that name; GET /api/v1/maps lists those there are");
-    }
+    if (path_of(id).empty() && id != built_in_name) throw no_such_map();
     return places_[id] = std::make_shared<Place>();
 }
 
@@ -123,12 +122,16 @@ void MapShelf::hold(Place& place, SharedMap map) {
     for (std::size_t i = 0; i < surplus; ++i) places_.erase(by_use[i].second);
 }
 
-io::MapFile MapShelf::read(const std::string& id) const {
+ShelvedMap MapShelf::read(const std::string& id) const {
     const std::string path = path_of(id);
-    if (path.empty() && id == built_in_name)
-        return io::parse_map(std::string(built_in_map()), std::string(built_in_name));
-    require_image_inside(path, folder_);
-    return io::read_map_file(path);
+    const bool built_in = path.empty() && id == built_in_name;
+    std::string bytes = built_in ? std::string(built_in_map()) : io::read_whole(path);
+    if (fs::path(path).extension() == ".yaml" && io::is_ros_yaml(bytes)) {
+        require_image_inside(bytes, path, folder_);
+        return {.file = io::read_map_file(path)};
+    }
+    io::MapFile file = io::parse_map(bytes, id);
+    return {.file = std::move(file), .bytes = std::move(bytes)};
 }
 
 SharedMap MapShelf::take(const std::string& id) {
@@ -137,7 +140,7 @@ SharedMap MapShelf::take(const std::string& id) {
     SharedMap map = held(*place);
     if (map) return map;
     try {
-        map = std::make_shared<const ShelvedMap>(ShelvedMap{read(id)});
+        map = std::make_shared<const ShelvedMap>(read(id));
     } catch (const InputError&) {
         throw Problem(unprocessable, id + " is not a map that can be read");  // the reason would name our folders
     }
@@ -145,33 +148,54 @@ SharedMap MapShelf::take(const std::string& id) {
     return map;
 }
 
+std::optional<MapShelf::Upload> MapShelf::kept(const std::string& id) {
+    const std::scoped_lock lock(mutex_);
+    const auto known = places_.find(id);
+    if (known == places_.end() || !known->second->map) return std::nullopt;
+    known->second->used = ++uses_;
+    return Upload{id, known->second->map, false};
+}
+
 MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
-    const std::string id = upload_id(bytes, connectivity);
     const std::scoped_lock adding(adding_);
-    {
-        const std::scoped_lock lock(mutex_);
-        const auto known = places_.find(id);
-        if (known != places_.end()) return {id, known->second->map, false};
-    }
-    SharedMap map;
+    if (const auto known = kept(upload_id(bytes, connectivity))) return *known;
     try {
-        map = std::make_shared<const ShelvedMap>(
-            ShelvedMap{io::parse_map(std::move(bytes), "the map", connectivity), connectivity});
+        io::MapFile file = io::parse_map(bytes, "the map", connectivity);
+        if (file.map.grid().cell_count() > limits_.map_cells) {
+            throw Problem(too_large, "the map has more than " + std::to_string(limits_.map_cells) + " cells");
+        }
+        return keep({.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)});
     } catch (const InputError& error) {
         throw Problem(unprocessable, error.what());
     }
-    if (map->file.map.grid().cell_count() > limits_.map_cells) {
-        throw Problem(too_large, "the map has more than " + std::to_string(limits_.map_cells) + " cells");
-    }
+}
+
+MapShelf::Upload MapShelf::keep(ShelvedMap map) {
+    const std::string id = upload_id(map.bytes, map.connectivity);
+    if (const auto known = kept(id)) return *known;
+    map.file.source = id;
+    const auto shared = std::make_shared<const ShelvedMap>(std::move(map));
     const auto place = std::make_shared<Place>();
     place->uploaded = true;
-    place->map = map;
+    place->map = shared;
     {
         const std::scoped_lock lock(mutex_);
         places_[id] = place;
     }
-    hold(*place, map);  // others may have to go
-    return {id, map, true};
+    hold(*place, shared);  // others may have to go
+    return {id, shared, true};
+}
+
+void MapShelf::remove(const std::string& id) {
+    const std::scoped_lock lock(mutex_);
+    const auto known = places_.find(id);
+    if (known != places_.end() && known->second->uploaded) {
+        places_.erase(known);
+    } else if (known != places_.end() || !path_of(id).empty() || id == built_in_name) {
+        throw Problem(forbidden, "only maps that were sent here can be deleted");
+    } else {
+        throw no_such_map();
+    }
 }
 
 }  // namespace waybreaker::server

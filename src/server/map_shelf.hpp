@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,11 @@
 
 namespace waybreaker::server {
 
-// A map together with how its obstacles were told apart.
+// A map, how its obstacles were told apart, and the bytes it was read from (none of a ROS map, which is two files).
 struct ShelvedMap {
     io::MapFile file;
     Connectivity connectivity = Connectivity::four;
+    std::string bytes = {};
 };
 using SharedMap = std::shared_ptr<const ShelvedMap>;
 
@@ -45,6 +47,11 @@ class MapShelf {
     };
     // Keeps a map in memory. The same bytes get the same id. Throws Problem if they are no map, or too large a one.
     Upload add(std::string bytes, Connectivity connectivity);
+    // The same for a map that has been read already.
+    Upload keep(ShelvedMap map);
+
+    // Forgets a map that was sent; who plans on it keeps it for so long. Throws Problem for others.
+    void remove(const std::string& id);
 
     // Whether a text can be the id of a map: letters, digits, dots, dashes and underscores, no dot first.
     static bool is_id(const std::string& text);
@@ -57,8 +64,9 @@ class MapShelf {
         std::uint64_t used = 0;
     };
     std::string path_of(const std::string& id) const;
-    io::MapFile read(const std::string& id) const;
+    ShelvedMap read(const std::string& id) const;
     std::shared_ptr<Place> place_of(const std::string& id);
+    std::optional<Upload> kept(const std::string& id);
     SharedMap held(Place& place);
     void hold(Place& place, SharedMap map);
 

@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/background_json.hpp"
 #include "io/obstacles_json.hpp"
-#include "io/plan_file.hpp"
 #include "server/answers.hpp"
+#include "server/gzip.hpp"
+#include "server/map_edits.hpp"
 #include "server/problem.hpp"
 #include "server/service.hpp"
 #include "waybreaker/error.hpp"
@@ -19,12 +21,24 @@ void give(httplib::Response& response, const std::string& body, const std::strin
     response.set_content(body, type);
 }
 
-PlanRequest plan_request(const std::string& body) {
-    try {
-        return parse_plan_request(body);
-    } catch (const InputError& error) {
-        throw Problem(bad_request, error.what());
+// The same of what may be long, compressed for who takes it.
+void give_packed(const Call& call, httplib::Response& response, const std::string& body,
+                 const std::string& type = json_type) {
+    constexpr std::size_t packet = 1400;  // what fits one is sent as fast either way
+    constexpr int quick = 1;
+    response.set_header("Vary", "Accept-Encoding");
+    if (body.size() < packet || !accepts_gzip(call.request.get_header_value("Accept-Encoding"))) {
+        return give(response, body, type);
     }
+    give(response, gzip(body, quick), type);
+    response.set_header("Content-Encoding", "gzip");
+}
+
+template <class Parse>
+auto read_request(Parse parse) try {
+    return parse();
+} catch (const InputError& error) {
+    throw Problem(bad_request, error.what());
 }
 
 Connectivity connectivity_of(const httplib::Request& request) {
@@ -44,7 +58,7 @@ using Answer = std::string (*)(const Task&, MissionPlanner&, const std::stop_tok
 // A route whose answer a worker plans.
 Route planned(const std::string& name, Answer answer, MapShelf& shelf, Desk& desk, double seconds) {
     const auto handle = [answer, &shelf, &desk, seconds](const Call& call, httplib::Response& response) {
-        const Task task{shelf.take(call.map), plan_request(call.body), seconds};
+        const Task task{shelf.take(call.map), read_request([&call] { return parse_plan_request(call.body); }), seconds};
         const Work work = [answer, task](MissionPlanner& planner, const std::stop_token& stop) {
             return answer(task, planner, stop);
         };
@@ -54,15 +68,51 @@ Route planned(const std::string& name, Answer answer, MapShelf& shelf, Desk& des
     return {"POST", "/api/v1/maps/{id}/" + name, Route::Body::json, false, handle};
 }
 
+void give_upload(const MapShelf::Upload& added, httplib::Response& response) {
+    give(response, map_json(added.id, *added.map));
+    if (!added.is_new) return;
+    response.status = created;
+    response.set_header("Location", "/api/v1/maps/" + added.id);
+}
+
 Route upload(MapShelf& shelf) {
     const auto handle = [&shelf](const Call& call, httplib::Response& response) {
-        const MapShelf::Upload added = shelf.add(call.body, connectivity_of(call.request));
-        give(response, map_json(added.id, *added.map));
-        if (!added.is_new) return;
-        response.status = created;
-        response.set_header("Location", "/api/v1/maps/" + added.id);
+        give_upload(shelf.add(call.body, connectivity_of(call.request)), response);
     };
     return {"POST", "/api/v1/maps", Route::Body::bytes, false, handle};
+}
+
+Route edits_route(MapShelf& shelf, Desk& desk) {
+    const auto handle = [&](const Call& call, httplib::Response& response) {
+        const SharedMap map = shelf.take(call.map);
+        const MapEdits edits = read_request([&call] { return parse_map_edits(call.body); });
+        const auto added = std::make_shared<MapShelf::Upload>();
+        const Work work = [&shelf, map, edits, added](MissionPlanner&, const std::stop_token&) {
+            *added = shelf.keep(edited_map(*map, edits));
+            return std::string();
+        };
+        desk.wait_for(work, call.client_is_there);
+        give_upload(*added, response);
+    };
+    return {"POST", "/api/v1/maps/{id}/edits", Route::Body::json, false, handle};
+}
+
+Route file_route(MapShelf& shelf) {
+    const auto handle = [&shelf](const Call& call, httplib::Response& response) {
+        const SharedMap map = shelf.take(call.map);
+        if (map->bytes.empty()) throw Problem(unprocessable, call.map + " is a ROS map: two files, not one");
+        give(response, map->bytes, "application/octet-stream");
+        response.set_header("Content-Disposition", "attachment; filename=\"" + file_name(call.map, *map) + "\"");
+    };
+    return {"GET", "/api/v1/maps/{id}/file", Route::Body::none, false, handle};
+}
+
+Route delete_route(MapShelf& shelf) {
+    const auto handle = [&shelf](const Call& call, httplib::Response& response) {
+        shelf.remove(call.map);
+        response.status = no_content;
+    };
+    return {"DELETE", "/api/v1/maps/{id}", Route::Body::none, false, handle};
 }
 
 Route check_route(MapShelf& shelf, Desk& desk) {
@@ -85,7 +135,7 @@ Route export_route(MapShelf& shelf, Desk& desk) {
                                                                                  const std::stop_token&) {
             return export_answer(*map, plan, format).body;
         };
-        give(response, desk.wait_for(work, call.client_is_there), media_type_of(format));
+        give_packed(call, response, desk.wait_for(work, call.client_is_there), media_type_of(format));
     };
     return {"POST", "/api/v1/maps/{id}/export", Route::Body::json, false, handle};
 }
@@ -127,9 +177,15 @@ std::vector<Route> routes(MapShelf& shelf, Desk& desk, const Metrics& metrics, c
         give(response, map_json(call.map, *shelf.take(call.map)));
     }));
     all.push_back(get("/api/v1/maps/{id}/obstacles", false, [&](const Call& call, httplib::Response& response) {
-        give(response, io::obstacles_json(shelf.take(call.map)->file));
+        give_packed(call, response, io::obstacles_json(shelf.take(call.map)->file));
     }));
+    all.push_back(get("/api/v1/maps/{id}/background", false, [&](const Call& call, httplib::Response& response) {
+        give_packed(call, response, io::background_json(shelf.take(call.map)->file.background));
+    }));
+    all.push_back(file_route(shelf));
     all.push_back(upload(shelf));
+    all.push_back(edits_route(shelf, desk));
+    all.push_back(delete_route(shelf));
     all.push_back(planned("plan", plan_answer, shelf, desk, limits.seconds));
     all.push_back(planned("front", front_answer, shelf, desk, limits.seconds));
     all.push_back(planned("compare", compare_answer, shelf, desk, limits.seconds));

@@ -8,13 +8,6 @@
 namespace waybreaker::server {
 namespace {
 
-class DescriptionTest : public LiveServer {
-  protected:
-    // Asks a route in the way that its status comes of.
-    void provoke(const std::string& method, const std::string& path);
-    void provoke_post(const std::string& path);
-};
-
 const std::string maps = "/api/v1/maps";
 const std::string bytes = "application/octet-stream";
 constexpr int side = 300;
@@ -24,20 +17,38 @@ std::string with_id(std::string path, const std::string& id) {
     return place == std::string::npos ? path : path.replace(place, 4, id);
 }
 
-void DescriptionTest::provoke_post(const std::string& path) {
-    const std::string query = path.ends_with("/export") ? "?format=csv" : "";
-    const std::string here = with_id(path, "house.map") + query;
-    const std::string type = path == maps ? bytes : "application/json";
-    post(here, "{}", "text/plain");                                    // 415
-    post(here, std::string(5000, ' '), type);                          // 413
-    post(path == maps ? maps + "?connectivity=5" : here, "[]", type);  // 400
-    post(with_id(path, "nowhere.map") + query, "{}", type);            // 404
-    post(with_id(path, "broken.map") + query, "{}", type);             // 422
-}
+class DescriptionTest : public LiveServer {
+  protected:
+    void ask(const std::string& method, const std::string& path, const httplib::Headers& headers = {}) const {
+        if (method == "get") get(path, headers);
+        if (method == "delete") remove(path, headers);
+        if (method == "post") post(path, "{}", path == maps ? bytes : "application/json", headers);
+    }
+    // Asks a route in all ways that its refusals come of.
+    void provoke(const std::string& method, const std::string& path) const {
+        for (const char* id : {"house.map", "nowhere.map", "broken.map"}) ask(method, with_id(path, id));
+        const std::string here = with_id(path, "house.map");
+        ask(method, here, {{"Origin", "http://evil.example"}});  // 403
+        ask(method, here, {{"Host", "evil.example"}});           // 421
+        if (method != "post") return;
+        const std::string query = path.ends_with("/export") ? "?format=csv" : "";
+        const std::string type = path == maps ? bytes : "application/json";
+        post(here, "{}", "text/plain");                                            // 415
+        post(here, std::string(5000, ' '), type);                                  // 413
+        post(path == maps ? maps + "?connectivity=5" : here + query, "[]", type);  // 400
+        post(with_id(path, "nowhere.map") + query, "{}", type);                    // 404
+        post(with_id(path, "broken.map") + query, "{}", type);                     // 422
+    }
+    void provoke_busy(const Json& plan) const;
+};
 
-void DescriptionTest::provoke(const std::string& method, const std::string& path) {
-    if (method == "post") return provoke_post(path);
-    for (const char* id : {"house.map", "nowhere.map", "broken.map"}) get(with_id(path, id));
+void DescriptionTest::provoke_busy(const Json& plan) const {
+    const std::string house = maps + "/house.map";
+    const Occupation busy(client(), maps + "/thicket.map/plan", long_mission(side));
+    for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission, 503);
+    post_json(house + "/check", plan, 503);
+    post_json(house + "/export?format=json", plan, 503);
+    post_json(house + "/edits", Json::object(), 503);
 }
 
 TEST_F(DescriptionTest, EveryAnswerOfItIsGiven) {
@@ -67,22 +78,35 @@ TEST_F(DescriptionTest, EveryAnswerOfItIsGiven) {
     const std::string wall = "type octile\nheight 1\nwidth 2\nmap\n.@\n";
     post(maps, wall, bytes);
     post(maps, wall, bytes);
-    {
-        const Occupation busy(client(), maps + "/thicket.map/plan", long_mission(side));
-        for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission, 503);
-        post_json(house + "/check", plan, 503);
-        post_json(house + "/export?format=json", plan, 503);
-    }
+    const Json edits = Json::parse(R"({"free": [[5, 0, 1]]})");
+    post_json(house + "/edits", edits, 201);
+    remove(maps + "/" + post_json(house + "/edits", edits)["id"].get<std::string>());
+    provoke_busy(plan);
     end();
     options_.token = "secret";
     begin();
-    for (const auto& [path, item] : paths.items()) provoke(item.contains("post") ? "post" : "get", path);
-    for (const auto& [path, item] : paths.items()) provoke("get", item.contains("get") ? path : maps);
+    for (const auto& [path, item] : paths.items()) {
+        for (const auto& [method, operation] : item.items()) ask(method, with_id(path, "house.map"));  // 401
+    }
 
     std::set<std::string> missing;
     std::set_difference(described.begin(), described.end(), seen().begin(), seen().end(),
                         std::inserter(missing, missing.begin()));
     for (const std::string& answer : missing) ADD_FAILURE() << "never given: " << answer;
+}
+
+TEST_F(DescriptionTest, NoPathHasOtherMethodsThanItSays) {
+    begin();
+    const Json paths = Json::parse(openapi_json())["paths"];
+    for (const auto& [path, item] : paths.items()) {
+        const auto answer = client().Put(with_id(path, "house.map"), "{}", "application/json");
+        ASSERT_TRUE(answer) << path;
+        EXPECT_EQ(answer->status, 405) << path;
+        const std::string allowed = answer->get_header_value("Allow");
+        for (const auto& [method, word] : {std::pair("get", "GET"), {"post", "POST"}, {"delete", "DELETE"}}) {
+            EXPECT_EQ(allowed.find(word) != std::string::npos, item.contains(method)) << path << ": " << allowed;
+        }
+    }
 }
 
 }  // namespace

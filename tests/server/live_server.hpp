@@ -39,6 +39,7 @@ class LiveServer : public TemporaryFolder {
     httplib::Response get(const std::string& path, const httplib::Headers& headers = {}) const;
     httplib::Response post(const std::string& path, const std::string& body,
                            const std::string& type = "application/json", const httplib::Headers& headers = {}) const;
+    httplib::Response remove(const std::string& path, const httplib::Headers& headers = {}) const;
     // The same of JSON that must come with that status.
     Json get_json(const std::string& path, int status = 200) const;
     Json post_json(const std::string& path, const Json& body, int status = 200) const;
