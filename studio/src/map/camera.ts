@@ -41,6 +41,10 @@ export function visibleBox(camera: Camera, view: Size): Box {
   return { left, top, right, bottom };
 }
 
+export function grown(box: Box, by: number): Box {
+  return { left: box.left - by, top: box.top - by, right: box.right + by, bottom: box.bottom + by };
+}
+
 // Pixels at the sides of a view that are to stay free: something else is there.
 export type Insets = Box;
 

@@ -1,5 +1,5 @@
 // Writes names on the map. Texts are drawn once each and then copied, since writing with a halo is slow.
-import { type Box, mapBox, visibleBox } from "./camera";
+import { type Box, grown, mapBox, visibleBox } from "./camera";
 import { type Frame, place, typeface } from "./frame";
 import { type Label, placed, type TextSize } from "./labels";
 import { type Name, namesOf } from "./names";
@@ -37,10 +37,13 @@ export class LabelLayer {
   #names: Name[] = [];
   #cells: Scene["cells"] | null = null;
   readonly #parts = new Map<string, Label[]>();
+  #placed = 0; // parts, in this frame
+  #lacking = 0;
   readonly #sizes = new Map<Name, TextSize>();
   readonly #sprites = new Map<string, Sprite>();
 
-  draw(frame: Frame, scene: Scene): void {
+  // Whether there are more to come: in each frame, names of one part of the map at most are given their places.
+  draw(frame: Frame, scene: Scene): boolean {
     if (scene.background !== this.#background || scene.cells !== this.#cells) {
       this.#background = scene.background;
       this.#cells = scene.cells;
@@ -48,7 +51,9 @@ export class LabelLayer {
       this.#parts.clear();
       this.#sizes.clear();
     }
-    if (this.#names.length === 0) return;
+    if (this.#names.length === 0) return false;
+    this.#placed = 0;
+    this.#lacking = 0;
     const { context, camera, view } = frame;
     const seen = grown(visibleBox(camera, view), 120 / camera.scale);
     for (const { name, at, angle } of this.#labels(frame, scene)) {
@@ -61,6 +66,7 @@ export class LabelLayer {
       context.drawImage(sprite.picture, -sprite.width / 2, -sprite.height / 2, sprite.width, sprite.height);
       context.restore();
     }
+    return this.#lacking > 0;
   }
 
   // Labels of the parts of the map that are seen. They are worked out once for each half step of zoom, for the farthest
@@ -75,7 +81,12 @@ export class LabelLayer {
       for (let column = Math.floor((seen.left + 0.5) / cells); column * cells < seen.right + 0.5; ++column) {
         const key = `${step} ${column} ${row}`;
         let labels = this.#parts.get(key);
+        if (!labels && this.#placed > 0) {
+          ++this.#lacking;
+          continue;
+        }
         if (!labels) {
+          ++this.#placed;
           if (this.#parts.size >= mostParts) this.#parts.clear();
           const [left, top] = [column * cells - 0.5, row * cells - 0.5];
           const part = intersection({ left, top, right: left + cells, bottom: top + cells }, mapBox(scene.map));
@@ -132,10 +143,6 @@ function written({ pixelRatio, theme }: Frame, name: Name, size: TextSize): Spri
   name.lines.forEach((line, i) => context.strokeText(line, width / 2, top + i * lineHeight));
   name.lines.forEach((line, i) => context.fillText(line, width / 2, top + i * lineHeight));
   return { picture, width: picture.width / pixelRatio, height: picture.height / pixelRatio };
-}
-
-function grown(box: Box, by: number): Box {
-  return { left: box.left - by, top: box.top - by, right: box.right + by, bottom: box.bottom + by };
 }
 
 function intersection(a: Box, b: Box): Box {

@@ -12,7 +12,7 @@ import { LabelLayer } from "./label_layer";
 import { drawMarkers } from "./marker_layer";
 import { cellOf, isAir, type Spot, spotAt, spots } from "./markers";
 import { ObstacleLayer } from "./obstacle_layer";
-import { PathLayer } from "./path_layer";
+import { drawPaths } from "./path_layer";
 import { drawScaleBar } from "./scale_bar";
 import type { Handle, Scene, SceneEvents } from "./scene";
 import { cellAt, nearestFree, onMap } from "./snap";
@@ -30,7 +30,6 @@ export class MapView implements GestureTarget {
   readonly #tiles = new TileCache();
   readonly #obstacles = new ObstacleLayer();
   readonly #labels = new LabelLayer();
-  readonly #paths = new PathLayer();
   readonly #sketch = new Sketch();
 
   #scene: Scene | null = null;
@@ -258,14 +257,15 @@ export class MapView implements GestureTarget {
     drawGround(frame, scene, this.#tiles);
     drawGrid(frame, scene);
     this.#obstacles.draw(frame, scene, fadeSpan);
-    this.#labels.draw(frame, scene);
-    this.#paths.draw(frame, scene);
+    const moreLabels = this.#labels.draw(frame, scene);
+    drawPaths(frame, scene);
     drawEvents(frame, scene, fadeSpan);
     drawMarkers(frame, scene.markers, this.#dragged?.spot.handle ?? this.#focused, scene.editable);
     this.#sketch.draw(frame, scene);
     if (this.#surface.hasKeyboard) drawCross(frame);
     drawScaleBar(frame, scene.map.cell_size);
-    if (this.#tiles.paintMissing(begin + frameTime) || this.#glide || (!still && pulses(scene))) this.#surface.ask();
+    const moreTiles = this.#tiles.paintMissing(begin + frameTime);
+    if (moreTiles || moreLabels || this.#glide || (!still && pulses(scene))) this.#surface.ask();
   }
 }
 

@@ -1,6 +1,8 @@
 // Paths of a layer. They differ by width and dashes, not by colour alone.
 import type { Agent, Point } from "../api/answers";
 import { splitAt } from "../play/motion";
+import { type Box, grown, visibleBox } from "./camera";
+import { clipped, lengthOf } from "./clip_line";
 import { type Frame, inMapPoints } from "./frame";
 import type { LayerName, Scene } from "./scene";
 import type { Theme } from "./theme";
@@ -27,60 +29,47 @@ const styles: Record<LayerName, Record<Agent["kind"], LineStyle>> = {
   },
 };
 
-export class PathLayer {
-  readonly #whole = new WeakMap<Agent, Path2D>();
-
-  draw(frame: Frame, scene: Scene): void {
-    inMapPoints(frame, (pixel) => {
-      frame.context.lineJoin = "round";
-      frame.context.lineCap = "round";
-      scene.layers.forEach((layer, i) => {
-        const played = i === scene.layers.length - 1 && scene.time !== null;
-        // Ground below: where both run together, one sees both.
-        for (const kind of ["ground", "air"] as const) {
-          for (const agent of layer.plan.agents.filter((one) => one.kind === kind)) {
-            const style = styles[layer.name][kind];
-            if (!played) {
-              stroke(frame, this.#pathOf(agent), style, pixel, 1);
-              continue;
-            }
-            const { travelled, ahead } = splitAt(agent, scene.time!);
-            stroke(frame, pathThrough(ahead), style, pixel, 0.3);
-            stroke(frame, pathThrough(travelled), style, pixel, 1);
-          }
+export function drawPaths(frame: Frame, scene: Scene): void {
+  inMapPoints(frame, (pixel) => {
+    frame.context.lineJoin = "round";
+    frame.context.lineCap = "round";
+    const seen = grown(visibleBox(frame.camera, frame.view), 20 * pixel);
+    scene.layers.forEach((layer, i) => {
+      const time = i === scene.layers.length - 1 ? scene.time : null;
+      // Ground below: where both run together, one sees both.
+      for (const kind of ["ground", "air"] as const) {
+        const stroke = stroker(frame, styles[layer.name][kind], seen, pixel);
+        for (const agent of layer.plan.agents.filter((one) => one.kind === kind)) {
+          const { travelled, ahead } = splitAt(agent, time ?? Infinity);
+          if (time !== null) stroke(ahead, lengthOf(travelled), 0.3);
+          stroke(travelled, 0, 1);
         }
-      });
+      }
     });
-  }
+  });
+}
 
-  #pathOf(agent: Agent): Path2D {
-    let path = this.#whole.get(agent);
-    if (!path) {
-      path = pathThrough(agent.path.map(([x, y]): Point => [x, y]));
-      this.#whole.set(agent, path);
+type Stroke = (line: Point[], offset: number, alpha: number) => void;
+
+function stroker({ context, theme }: Frame, style: LineStyle, seen: Box, pixel: number): Stroke {
+  return (line, offset, alpha) => {
+    context.globalAlpha = alpha;
+    context.setLineDash(style.dash.map((length) => length * pixel));
+    for (const piece of clipped(line, seen)) {
+      context.lineDashOffset = offset + piece.offset;
+      context.beginPath();
+      for (const [x, y] of piece.points) context.lineTo(x, y);
+      if (style.edge) {
+        context.strokeStyle = style.edge(theme);
+        context.lineWidth = (style.width + 2.4) * pixel;
+        context.stroke();
+      }
+      context.strokeStyle = style.colour(theme);
+      context.lineWidth = style.width * pixel;
+      context.stroke();
     }
-    return path;
-  }
-}
-
-function pathThrough(points: readonly Point[]): Path2D {
-  const path = new Path2D();
-  points.forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
-  return path;
-}
-
-function stroke(frame: Frame, path: Path2D, style: LineStyle, pixel: number, alpha: number): void {
-  const { context, theme } = frame;
-  context.globalAlpha = alpha;
-  context.setLineDash(style.dash.map((length) => length * pixel));
-  if (style.edge) {
-    context.strokeStyle = style.edge(theme);
-    context.lineWidth = (style.width + 2.4) * pixel;
-    context.stroke(path);
-  }
-  context.strokeStyle = style.colour(theme);
-  context.lineWidth = style.width * pixel;
-  context.stroke(path);
-  context.setLineDash([]);
-  context.globalAlpha = 1;
+    context.setLineDash([]);
+    context.lineDashOffset = 0;
+    context.globalAlpha = 1;
+  };
 }

@@ -1,7 +1,7 @@
 // Tiles that have been painted, the least recently seen given up first. Painting is spread over frames; until a tile is
 // there, a coarser or an outdated one stands for it.
 import { type Camera, type Size, toScreen, visibleBox } from "./camera";
-import { boxOf, coarsestLevel, keyOf, levelFor, parentOf, partOf, type TileId, tileSize, tilesOver } from "./tiles";
+import { boxOf, coarsestLevel, keyOf, levelFor, parentOf, partOf, type TileId, tilesOver } from "./tiles";
 
 export interface Painter {
   paint(tile: TileId): ImageBitmap;
@@ -12,12 +12,11 @@ interface Entry {
   painter: Painter; // by whom: another map or theme is another painter
 }
 
-const memory = 128 << 20;
-const bytesPerTile = 4 * tileSize * tileSize;
+const usualCapacity = 512; // tiles, in 128 MiB
 
 export class TileCache {
   readonly #entries = new Map<string, Entry>(); // the least recently used first
-  readonly #capacity = Math.floor(memory / bytesPerTile);
+  #capacity = usualCapacity;
   #painter: Painter | null = null;
   #missing: TileId[] = [];
 
@@ -33,9 +32,11 @@ export class TileCache {
     const coarsest = coarsestLevel(map);
     const level = levelFor(camera.scale * pixelRatio, coarsest);
     const tiles = tilesOver(visibleBox(camera, view), level, map);
+    this.#capacity = Math.max(usualCapacity, 2 * tiles.length); // on a very large screen
     this.#missing = [];
     for (const root of tilesOver({ left: 0, top: 0, right: map.width, bottom: map.height }, coarsest, map)) {
       if (!this.#isFresh(root)) this.#paint(root);
+      else this.#used(keyOf(root)); // never given up
     }
     for (const tile of tiles) {
       if (!this.#isFresh(tile)) this.#missing.push(tile);
@@ -55,6 +56,14 @@ export class TileCache {
 
   #isFresh(tile: TileId): boolean {
     return this.#entries.get(keyOf(tile))?.painter === this.#painter;
+  }
+
+  #used(key: string): Entry | undefined {
+    const entry = this.#entries.get(key);
+    if (!entry) return undefined;
+    this.#entries.delete(key);
+    this.#entries.set(key, entry);
+    return entry;
   }
 
   #paint(tile: TileId): void {
@@ -84,11 +93,8 @@ export class TileCache {
     const [x, y] = [snap(left), snap(top)];
     const [width, height] = [snap(right) - x, snap(bottom) - y];
     for (let stand = tile; stand.level >= coarsest; stand = parentOf(stand)) {
-      const key = keyOf(stand);
-      const entry = this.#entries.get(key);
+      const entry = this.#used(keyOf(stand));
       if (!entry) continue;
-      this.#entries.delete(key);
-      this.#entries.set(key, entry);
       const part = partOf(tile, stand);
       context.drawImage(entry.picture, part.x, part.y, part.size, part.size, x, y, width, height);
       return;
