@@ -112,8 +112,10 @@ export class Client {
     return answer.blob();
   }
 
-  async file(id: string): Promise<Blob> {
-    return (await this.ask(mapPath(id, "file"), {})).blob();
+  async file(id: string): Promise<{ bytes: Blob; name: string }> {
+    const answer = await this.ask(mapPath(id, "file"), {});
+    const name = /filename="([^"]+)"/.exec(answer.headers.get("Content-Disposition") ?? "")?.[1] ?? id;
+    return { bytes: await answer.blob(), name };
   }
 
   private async json<T>(path: string, ask: Ask): Promise<T> {

@@ -174,17 +174,18 @@ export class Studio extends PageState {
     const plan = this.planner.plans.value.after?.plan;
     const map = this.shown.value?.map.description;
     if (!plan || !map) return;
-    await this.#save(() => this.client.exported(map.id, plan, format), `plan.${ending}`);
+    await this.#save(async () => ({ bytes: await this.client.exported(map.id, plan, format), name: `plan.${ending}` }));
   }
 
   async downloadMap(): Promise<void> {
     const map = this.shown.value?.map.description;
-    if (map) await this.#save(() => this.client.file(map.id), map.source || map.id);
+    if (map) await this.#save(() => this.client.file(map.id));
   }
 
-  async #save(fetched: () => Promise<Blob>, name: string): Promise<void> {
+  async #save(fetched: () => Promise<{ bytes: Blob; name: string }>): Promise<void> {
     try {
-      saveAs(await fetched(), name);
+      const { bytes, name } = await fetched();
+      saveAs(bytes, name);
     } catch (error) {
       this.#failed(error, () => undefined);
     }

@@ -5,7 +5,7 @@ import { cellCount } from "../mission/run_set";
 import { area } from "../mission/units";
 import { Section } from "./controls";
 import { Icon, type IconName } from "./icons";
-import { nameOf } from "./obstacle_words";
+import { nameOfKey } from "./obstacle_words";
 
 const words: Record<Mark, string> = { protect: "Protected", force: "Forced", exclude: "Excluded" };
 
@@ -21,7 +21,7 @@ export function Choices({ studio }: { studio: Studio }) {
       <ul class="choices">
         {[...marks].map(([key, mark]) => {
           const id = shown.ids.toShown(key);
-          const name = key < 0 ? "a drawn wall" : nameOf(shown.base, key).text;
+          const name = nameOfKey(shown, key).text;
           return (
             <Choice
               key={key}

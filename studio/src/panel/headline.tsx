@@ -6,7 +6,7 @@ import { Studio } from "../mission/studio";
 import { duration } from "../mission/units";
 import { figuresText, headline, nounOf, proof, tooEarly } from "../mission/words";
 import { Icon } from "./icons";
-import { hasBuildings } from "./obstacle_words";
+import { areBuildings } from "./obstacle_words";
 
 export function HeadlineSection({ page }: { page: PageState }) {
   const after = page.results.plans.value.after;
@@ -29,7 +29,10 @@ export function HeadlineSection({ page }: { page: PageState }) {
     );
   }
   const units = page.units.value;
-  const buildings = hasBuildings(shown.base);
+  const buildings = areBuildings(
+    shown,
+    after.plan.removed.map((one) => one.obstacle),
+  );
   const words = headline(after.plan, buildings);
   const spoken = words.figures ? `${words.title}: ${figuresText(words.figures, units)}` : words.title;
   return (

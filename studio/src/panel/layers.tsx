@@ -4,7 +4,7 @@ import type { PageState } from "../mission/page_state";
 import { duration } from "../mission/units";
 import { counted, tooEarly, valueOf } from "../mission/words";
 import { Section } from "./controls";
-import { hasBuildings } from "./obstacle_words";
+import { areBuildings } from "./obstacle_words";
 
 const layers: { name: LayerName; title: string }[] = [
   { name: "after", title: "After" },
@@ -23,7 +23,9 @@ export function Layers({ page }: { page: PageState }) {
     if (name === "before") return "nothing removed";
     if (!plan) return "…";
     const early = tooEarly(plan) > 0 ? ", entered too early" : "";
-    return plan.agents.length > 0 ? `${counted(plan.removed.length, hasBuildings(shown.base))} removed${early}` : "no way";
+    if (plan.agents.length === 0) return "no way";
+    const ids = plan.removed.map((one) => one.obstacle);
+    return `${counted(ids.length, areBuildings(shown, ids))} removed${early}`;
   };
   const value = (name: LayerName) => {
     // The plan itself says what would be without removals, before that way has been fetched.

@@ -12,7 +12,7 @@ export function ObstacleCard({ page }: { page: PageState }) {
   const obstacle = id === null ? undefined : shown?.map.cells.obstacle(id);
   if (!shown || !obstacle) return null;
   const units = page.units.value;
-  const name = nameOf(shown.map, obstacle.id);
+  const name = nameOf(shown, obstacle.id);
   const removed = page.results.plans.value.after?.plan.removed.find((one) => one.obstacle === obstacle.id);
   return (
     <aside class="card" aria-label={`About ${name.text}`}>

@@ -1,25 +1,35 @@
-// What an obstacle is called.
-import type { HeldMap } from "../mission/maps";
-import { nounOf } from "../mission/words";
+// What an obstacle is called: as on the map before anything was drawn, so that its name stays.
+import type { ShownMap } from "../mission/page_state";
 
 export interface ObstacleName {
   text: string;
   osm: { href: string; text: string } | null; // its page at OpenStreetMap
 }
 
-export function hasBuildings(map: HeldMap): boolean {
-  return map.description.georeference !== null && map.cells.obstacles.some((one) => one.source_id !== 0);
+// Only where a map is OpenStreetMap's are obstacles sure to be buildings.
+export function hasBuildings(shown: ShownMap): boolean {
+  const { description, cells } = shown.base;
+  return description.georeference !== null && cells.obstacles.some((one) => one.source_id !== 0);
 }
 
-export function nameOf(map: HeldMap, id: number): ObstacleName {
-  const obstacle = map.cells.obstacle(id);
+export function areBuildings(shown: ShownMap, ids: readonly number[]): boolean {
+  return hasBuildings(shown) && ids.every((id) => (shown.map.cells.obstacle(id)?.source_id ?? 0) !== 0);
+}
+
+// Of an obstacle of the map shown.
+export function nameOf(shown: ShownMap, id: number): ObstacleName {
+  return nameOfKey(shown, shown.ids.toBase(id));
+}
+
+export function nameOfKey(shown: ShownMap, key: number): ObstacleName {
+  if (key < 0) return { text: "Drawn wall", osm: null };
+  const obstacle = shown.base.cells.obstacle(key);
   const source = obstacle?.source_id ?? 0;
-  if (!obstacle || source === 0) return { text: obstacle?.name || `Obstacle ${id}`, osm: null };
+  if (!obstacle || source === 0) return { text: obstacle?.name || `Obstacle ${key}`, osm: null };
   const kind = source > 0 ? "way" : "relation";
   const number = Math.abs(source);
-  const noun = nounOf(1, hasBuildings(map));
   return {
-    text: obstacle.name || `${noun.charAt(0).toUpperCase()}${noun.slice(1)} ${id}`,
+    text: obstacle.name || `${hasBuildings(shown) ? "Building" : "Obstacle"} ${key}`,
     osm: { href: `https://www.openstreetmap.org/${kind}/${number}`, text: `OSM ${number}` },
   };
 }

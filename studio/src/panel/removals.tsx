@@ -44,7 +44,7 @@ export function Removals({ page }: { page: PageState }) {
           max={mostRemovals}
           step={1}
           value={count}
-          aria-valuetext={`${count} ${nounOf(count, hasBuildings(shown.base))} may be removed`}
+          aria-valuetext={`${count} ${nounOf(count, hasBuildings(shown))} may be removed`}
           onInput={(event) => set(event.currentTarget.valueAsNumber)}
           onChange={() => studio.endGesture()}
         />

@@ -4,7 +4,7 @@ import type { PageState } from "../mission/page_state";
 import { area, clockTime, duration } from "../mission/units";
 import { nounOf } from "../mission/words";
 import { MarkButtons } from "./mark_buttons";
-import { hasBuildings, nameOf } from "./obstacle_words";
+import { areBuildings, nameOf } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
 import { Section } from "./controls";
 
@@ -12,7 +12,10 @@ export function RemovedTable({ page }: { page: PageState }) {
   const plan = page.results.plans.value.after?.plan;
   const shown = page.shown.value;
   if (!plan || !shown || plan.removed.length === 0) return null;
-  const buildings = hasBuildings(shown.base);
+  const buildings = areBuildings(
+    shown,
+    plan.removed.map((one) => one.obstacle),
+  );
   const noun = nounOf(2, buildings);
   const ordered = [...plan.removed].sort((a, b) => a.cleared_at - b.cleared_at);
   const title = `Removed ${noun}`;
@@ -43,10 +46,9 @@ export function RemovedTable({ page }: { page: PageState }) {
 }
 
 function Row({ page, removed, order }: { page: PageState; removed: Removed; order: number }) {
-  const { map } = page.shown.value!;
   const units = page.units.value;
   const id = removed.obstacle;
-  const name = nameOf(map, id);
+  const name = nameOf(page.shown.value!, id);
   const lit = page.highlighted.value === id || page.selected.value === id;
   const point = (at: number | null) => () => (page.highlighted.value = at);
   const early = removed.entered_at !== null && removed.entered_at < removed.cleared_at - 1e-9;
@@ -114,7 +116,7 @@ function Next({ page }: { page: PageState }) {
             onPointerEnter={() => (page.highlighted.value = obstacle)}
             onPointerLeave={() => (page.highlighted.value = null)}
           >
-            {nameOf(shown.map, obstacle).text}
+            {nameOf(shown, obstacle).text}
           </button>
         </>
       ))}{" "}
