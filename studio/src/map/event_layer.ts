@@ -71,15 +71,19 @@ function drawBreaches(
       context.stroke();
     }
     context.translate(x, y);
+    const colour = layer.name === "paper" ? theme.paperGround : theme.breach;
     context.fillStyle = theme.halo;
     disc(context, 12.5);
-    context.fillStyle = layer.name === "paper" ? theme.paperGround : theme.breach;
+    context.fillStyle = since >= 0 ? theme.card : colour; // hollow once it is done
     disc(context, 11);
-    context.fillStyle = theme.onBreach;
+    context.strokeStyle = colour;
+    context.lineWidth = 2;
+    if (since >= 0) context.stroke();
+    context.fillStyle = since >= 0 ? colour : theme.onBreach;
     context.font = `700 13px ${typeface}`;
     context.textAlign = "center";
     context.textBaseline = "middle";
-    context.fillText(time !== null && since >= 0 ? "✓" : String(i + 1), 0, 0.5);
+    context.fillText(String(i + 1), 0, 0.5);
     context.restore();
   });
 }

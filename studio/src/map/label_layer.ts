@@ -1,5 +1,5 @@
 // Writes names on the map. Texts are drawn once each and then copied, since writing with a halo is slow.
-import { type Box, grown, mapBox, visibleBox } from "./camera";
+import { grown, intersection, mapBox, visibleBox } from "./camera";
 import { type Frame, place, typeface } from "./frame";
 import { type Label, placed, type TextSize } from "./labels";
 import { type Name, namesOf } from "./names";
@@ -143,13 +143,4 @@ function written({ pixelRatio, theme }: Frame, name: Name, size: TextSize): Spri
   name.lines.forEach((line, i) => context.strokeText(line, width / 2, top + i * lineHeight));
   name.lines.forEach((line, i) => context.fillText(line, width / 2, top + i * lineHeight));
   return { picture, width: picture.width / pixelRatio, height: picture.height / pixelRatio };
-}
-
-function intersection(a: Box, b: Box): Box {
-  return {
-    left: Math.max(a.left, b.left),
-    top: Math.max(a.top, b.top),
-    right: Math.min(a.right, b.right),
-    bottom: Math.min(a.bottom, b.bottom),
-  };
 }

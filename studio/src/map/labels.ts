@@ -18,6 +18,7 @@ export interface TextSize {
 const gap = 6; // pixels between labels
 const apart = 260; // between two labels of the same name
 const repeat = 480; // pixels of a street for each time its name is written
+const mostRepeats = 1000; // whatever a file says of its streets
 const bend = 3; // pixels by which a street may leave the straight line of its name
 
 // For pictures of at least `scale` pixels per cell. Names come in the order of their rank. Labels lie within `part` as a
@@ -63,7 +64,7 @@ function spotsAlong(
   const length = width + height;
   if (total < length) return [];
   const found: { at: Point; angle: number }[] = [];
-  const count = Math.max(1, Math.floor(total / repeat));
+  const count = Math.min(Math.max(1, Math.floor(total / repeat)), mostRepeats);
   for (let k = 0; k < count; ++k) {
     const middle = (total * (k + 0.5)) / count;
     const [x, y] = pointAt(line, lengths, middle);

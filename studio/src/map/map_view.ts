@@ -56,7 +56,9 @@ export class MapView implements GestureTarget {
   show(scene: Scene): void {
     const before = this.#scene;
     this.#scene = scene;
-    if (scene.background !== before?.background) this.#ground = new FeatureIndex(scene.background);
+    if (scene.background !== before?.background || scene.map !== before?.map) {
+      this.#ground = new FeatureIndex(scene.background, scene.map);
+    }
     if (scene.cells !== before?.cells || scene.background !== before?.background) {
       const edited = before !== null && samePlace(before, scene);
       this.#newTiles(edited);

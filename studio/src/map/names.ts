@@ -23,7 +23,7 @@ export function namesOf(background: Background, cells: CellMap): Name[] {
   const names: Name[] = [];
   const streets = new Map<string, Feature[]>();
   for (const feature of background.features) {
-    if (feature.name === "" || feature.points.length === 0) continue;
+    if (feature.name === "" || !feature.points[0]?.[0]) continue;
     if (feature.shape === "line" && (feature.kind === "street" || feature.kind === "water")) {
       const key = `${feature.kind} ${feature.name}`;
       const known = streets.get(key);
@@ -54,18 +54,18 @@ function lineNames(features: Feature[]): Name[] {
   }));
 }
 
-const places: Record<string, [rank: number, nearest: number]> = {
-  city: [30, 0],
-  town: [29, 0],
-  borough: [28, 0],
-  suburb: [27, 0],
-  quarter: [26, 0.1],
-  village: [26, 0.1],
-  neighbourhood: [25, 0.2],
-};
+const places = new Map<string, [rank: number, nearest: number]>([
+  ["city", [30, 0]],
+  ["town", [29, 0]],
+  ["borough", [28, 0]],
+  ["suburb", [27, 0]],
+  ["quarter", [26, 0.1]],
+  ["village", [26, 0.1]],
+  ["neighbourhood", [25, 0.2]],
+]);
 
 function placeName(feature: Feature): Name {
-  const [rank, nearest] = places[feature.class] ?? [10, 0.6];
+  const [rank, nearest] = places.get(feature.class) ?? [10, 0.6];
   const lines = wrapped(feature.name);
   return { kind: "place", lines, rank, nearest, room: 0, ...standing(feature.points[0]![0]!) };
 }
@@ -136,8 +136,8 @@ export function joined(parts: readonly Point[][]): Point[][] {
 
 // The middle of the widest stretch across an area at half its height: inside, whatever its shape.
 export function widest(rings: readonly Point[][]): { at: Point; room: number } {
-  const ys = rings.flat().map(([, y]) => y);
-  const y = (Math.min(...ys) + Math.max(...ys)) / 2 + 1e-6;
+  const { top, bottom } = boundsOf(rings);
+  const y = (top + bottom) / 2 + 1e-6;
   const crossings: number[] = [];
   for (const ring of rings) {
     ring.forEach(([ax, ay], i) => {
