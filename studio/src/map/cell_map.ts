@@ -1,6 +1,7 @@
 // Which obstacle stands on which cell, as runs row by row: small enough for 4096² cells, and all that drawing and
 // pointing need.
 import type { Obstacle, Obstacles } from "../api/answers";
+import { type Box, mapBox } from "./camera";
 import type { Run } from "./scene";
 
 export class CellMap {
@@ -50,9 +51,8 @@ export class CellMap {
     }
   }
 
-  // The obstacle on a cell; 0 where it is free or off the map.
-  at(x: number, y: number): number {
-    if (x < 0 || y < 0 || x >= this.width || y >= this.height) return 0;
+  // The first run of row y that ends beyond column x; rowStart[y + 1] if none does.
+  firstRun(y: number, x: number): number {
     let low = this.rowStart[y]!;
     let high = this.rowStart[y + 1]!;
     while (low < high) {
@@ -60,19 +60,29 @@ export class CellMap {
       if (this.from[middle]! + this.length[middle]! <= x) low = middle + 1;
       else high = middle;
     }
-    return low < this.rowStart[y + 1]! && this.from[low]! <= x ? this.label[low]! : 0;
+    return low;
+  }
+
+  // The obstacle on a cell; 0 where it is free or off the map.
+  at(x: number, y: number): number {
+    if (x < 0 || y < 0 || x >= this.width || y >= this.height) return 0;
+    const run = this.firstRun(y, x);
+    return run < this.rowStart[y + 1]! && this.from[run]! <= x ? this.label[run]! : 0;
   }
 
   obstacle(id: number): Obstacle | undefined {
     return this.obstacles[id - 1];
   }
 
-  runsOf(id: number): Run[] {
-    const runs: Run[] = [];
+  // All of an obstacle's runs, or those that reach into a part of the map.
+  runsOf(id: number, part: Box = mapBox(this)): Run[] {
     const bounds = this.obstacle(id)?.bounds;
+    const runs: Run[] = [];
     if (!bounds) return runs;
-    for (let y = bounds[1]; y <= bounds[3]; ++y) {
-      for (let i = this.rowStart[y]!; i < this.rowStart[y + 1]!; ++i) {
+    const [left, right] = [Math.max(bounds[0], part.left), Math.min(bounds[2], part.right)];
+    const last = Math.min(bounds[3], Math.floor(part.bottom));
+    for (let y = Math.max(bounds[1], Math.ceil(part.top)); y <= last; ++y) {
+      for (let i = this.firstRun(y, left); i < this.rowStart[y + 1]! && this.from[i]! <= right; ++i) {
         if (this.label[i] === id) runs.push([this.from[i]!, y, this.length[i]!]);
       }
     }

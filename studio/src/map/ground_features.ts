@@ -1,6 +1,6 @@
 // The ground below the obstacles: which of its features are where, in which order and how wide.
 import type { Background, Feature, Point } from "../api/answers";
-import { type Box, intersection, mapBox, type Size } from "./camera";
+import { type Box, intersection, mapBox, overlap, type Size } from "./camera";
 
 export interface StreetStyle {
   metres: number;
@@ -48,10 +48,6 @@ export function boundsOf(parts: readonly Point[][]): Box {
     }
   }
   return box;
-}
-
-export function overlap(a: Box, b: Box): boolean {
-  return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
 }
 
 // A street or a kind of green may lie all over the city in parts: those in view can be drawn without the others.

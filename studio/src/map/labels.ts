@@ -1,7 +1,6 @@
 // Which names are written at a zoom, so that none covers another.
 import type { Point } from "../api/answers";
-import type { Box } from "./camera";
-import { overlap } from "./ground_features";
+import { type Box, overlap } from "./camera";
 import type { Name } from "./names";
 
 export interface Label {

@@ -5,20 +5,19 @@ import { type Frame, inMapPoints, place } from "./frame";
 import { glyphs } from "./glyphs";
 import { Hatching } from "./hatching";
 import { disc } from "./marker_layer";
-import { middleOf } from "./names";
-import { outline } from "./outline";
+import { Outlines } from "./outlines";
 import type { Layer, Mark, Scene } from "./scene";
 import type { Theme } from "./theme";
 
 export class ObstacleLayer {
   readonly #hatching = new Hatching();
   #cells: CellMap | null = null;
-  #outlines = new Map<number, Path2D>();
+  #outlines: Outlines | null = null;
 
   draw(frame: Frame, scene: Scene, fadeSpan: number): void {
     if (scene.cells !== this.#cells) {
       this.#cells = scene.cells;
-      this.#outlines = new Map();
+      this.#outlines = new Outlines(scene.cells);
     }
     inMapPoints(frame, (pixel) => {
       frame.context.lineJoin = "round";
@@ -31,7 +30,7 @@ export class ObstacleLayer {
       if (scene.highlighted !== null) {
         frame.context.globalAlpha = 0.25;
         frame.context.fillStyle = frame.theme.select;
-        frame.context.fill(this.#outline(scene.highlighted), "evenodd");
+        frame.context.fill(this.#outline(frame, scene.highlighted), "evenodd");
         frame.context.globalAlpha = 1;
         this.#drawLine(frame, scene.highlighted, frame.theme.select, 2 * pixel, pixel);
       }
@@ -52,7 +51,7 @@ export class ObstacleLayer {
       pixel,
     );
     for (const removed of (layer.plan satisfies Plan).removed) {
-      const path = this.#outline(removed.obstacle);
+      const path = this.#outline(frame, removed.obstacle);
       const gone = time === null ? 0 : Math.min(Math.max((time - removed.cleared_at) / fadeSpan, 0), 1);
       if (gone > 0) {
         context.globalAlpha = gone;
@@ -62,7 +61,7 @@ export class ObstacleLayer {
       context.globalAlpha = 1 - gone;
       context.fillStyle = hatching;
       if (gone < 1) context.fill(path, "evenodd");
-      context.globalAlpha = 1 - 0.65 * gone;
+      context.globalAlpha = 1 - 0.5 * gone;
       context.strokeStyle = ink;
       context.lineWidth = 1.6 * pixel;
       if (gone > 0) context.setLineDash([3 * pixel, 3 * pixel]);
@@ -75,7 +74,7 @@ export class ObstacleLayer {
   #drawMark(frame: Frame, obstacle: number, mark: Mark, pixel: number): void {
     const { context, theme } = frame;
     const ink = inkOf(mark, theme);
-    const path = this.#outline(obstacle);
+    const path = this.#outline(frame, obstacle);
     // What is excluded is planned without: it is nearly gone.
     context.globalAlpha = mark === "exclude" ? 0.8 : 0.22;
     context.fillStyle = mark === "exclude" ? theme.paper : ink;
@@ -91,9 +90,9 @@ export class ObstacleLayer {
   // So that marks are told apart by more than their colour.
   #drawSign(frame: Frame, obstacle: number, mark: Mark): void {
     const { context, theme } = frame;
-    const known = this.#cells!.obstacle(obstacle);
-    if (!known) return;
-    const [x, y] = place(frame, middleOf(known, this.#cells!).at);
+    const middle = this.#outlines!.middleOf(obstacle);
+    if (!middle) return;
+    const [x, y] = place(frame, middle);
     context.save();
     context.translate(x, y);
     context.fillStyle = theme.card;
@@ -109,7 +108,7 @@ export class ObstacleLayer {
 
   #drawLine(frame: Frame, obstacle: number, colour: string, width: number, pixel: number): void {
     const { context, theme } = frame;
-    const path = this.#outline(obstacle);
+    const path = this.#outline(frame, obstacle);
     context.strokeStyle = theme.halo;
     context.lineWidth = width + 2 * pixel;
     context.stroke(path);
@@ -118,16 +117,8 @@ export class ObstacleLayer {
     context.stroke(path);
   }
 
-  #outline(obstacle: number): Path2D {
-    let path = this.#outlines.get(obstacle);
-    if (path) return path;
-    path = new Path2D();
-    for (const loop of outline(this.#cells!.runsOf(obstacle))) {
-      loop.forEach(([x, y], i) => (i === 0 ? path!.moveTo(x, y) : path!.lineTo(x, y)));
-      path.closePath();
-    }
-    this.#outlines.set(obstacle, path);
-    return path;
+  #outline(frame: Frame, obstacle: number): Path2D {
+    return this.#outlines!.of(obstacle, frame);
   }
 }
 

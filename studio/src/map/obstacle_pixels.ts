@@ -43,23 +43,11 @@ export function obstaclePixels(
   return tile.level < 0 ? coarse(cells, fixed, tile, colours) : fine(cells, fixed, tile, colours);
 }
 
-// The first run of row y that ends beyond column x.
-function firstRun(cells: CellMap, y: number, x: number): number {
-  let low = cells.rowStart[y]!;
-  let high = cells.rowStart[y + 1]!;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (cells.from[middle]! + cells.length[middle]! <= x) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
-
 // Labels of cells [left, left + row.length) of row y; 0 off the map.
 function labelsInto(row: Uint32Array, cells: CellMap, left: number, y: number): Uint32Array {
   row.fill(0);
   if (y < 0 || y >= cells.height) return row;
-  for (let i = firstRun(cells, y, left); i < cells.rowStart[y + 1]!; ++i) {
+  for (let i = cells.firstRun(y, left); i < cells.rowStart[y + 1]!; ++i) {
     const from = cells.from[i]! - left;
     if (from >= row.length) break;
     row.fill(cells.label[i]!, Math.max(from, 0), from + cells.length[i]!);
@@ -128,7 +116,7 @@ function coarse(cells: CellMap, fixed: Uint8Array, tile: TileId, colours: Obstac
   const coveredFixed = new Uint32Array(tileSize * tileSize);
   for (let y = top; y < bottom; ++y) {
     const line = ((y - top) >> shift) * tileSize;
-    for (let i = firstRun(cells, y, left); i < cells.rowStart[y + 1]! && cells.from[i]! < right; ++i) {
+    for (let i = cells.firstRun(y, left); i < cells.rowStart[y + 1]! && cells.from[i]! < right; ++i) {
       const into = fixed[cells.label[i]!] ? coveredFixed : covered;
       let from = Math.max(cells.from[i]!, left) - left;
       const end = Math.min(cells.from[i]! + cells.length[i]!, right) - left;

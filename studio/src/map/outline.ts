@@ -6,7 +6,7 @@ import type { Run } from "./scene";
 // Corners are numbered y * stride + x; every edge of the outline leads from one to another with the cells on its right.
 export function outline(runs: readonly Run[]): Point[][] {
   if (runs.length === 0) return [];
-  const stride = Math.max(...[0], maximum(runs, ([x, , length]) => x + length)) + 2;
+  const stride = runs.reduce((most, [x, , length]) => Math.max(most, x + length), 0) + 2;
   const next = new Map<number, number[]>();
   const edge = (from: number, to: number): void => {
     const known = next.get(from);
@@ -26,10 +26,6 @@ export function outline(runs: readonly Run[]): Point[][] {
 }
 
 type Interval = [from: number, end: number];
-
-function maximum<T>(values: readonly T[], of: (value: T) => number): number {
-  return values.reduce((most, value) => Math.max(most, of(value)), -Infinity);
-}
 
 // Intervals of each row, from left to right, joined where they touch.
 function byRow(runs: readonly Run[]): Map<number, Interval[]> {

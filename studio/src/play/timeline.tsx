@@ -39,7 +39,7 @@ export function Timeline({ plan, clock, formatTime }: TimelineProps) {
           type="range"
           min={0}
           max={length}
-          step={length / 1000}
+          step={length / 400}
           value={time}
           aria-label="Time of the mission"
           aria-valuetext={`${formatTime(time)} of ${formatTime(length)}: ${activityAt(plan, time)}`}

@@ -9,6 +9,7 @@ it("knows what stands on a cell, and the cells of an obstacle", () => {
   expect(pictureOf(map.runsOf(1), 4, 3)).toEqual(["##..", ".#..", "...."]);
   expect(pictureOf(map.runsOf(2), 4, 3)).toEqual(["..#.", "..#.", "###."]);
   expect(map.runsOf(9)).toEqual([]);
+  expect(pictureOf(map.runsOf(2, { left: -9, top: 1, right: 1, bottom: 9 }), 4, 3)).toEqual(["....", "....", "###."]);
 });
 
 it("has the same cells for runs within rows and across them", () => {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { outline } from "../../src/map/outline";
+import { coarser } from "../../src/map/outlines";
 import { nearestFree } from "../../src/map/snap";
 import { changed, strokeRuns } from "../../src/map/stroke";
 import type { Point } from "../../src/api/answers";
@@ -47,6 +48,21 @@ describe("outlines", () => {
   it("keep cells apart that touch in a corner alone", () => {
     const map = mapOf("a..", ".a.", "..a");
     expect(outline(map.runsOf(1))).toHaveLength(3);
+  });
+
+  it("of squares hold what the squares hold", () => {
+    const map = randomMap(30, 22, 77);
+    for (const side of [1, 2, 4]) {
+      const squares = coarser(map.runsOf(2), side);
+      const loops = outline(squares);
+      for (let v = 0; v * side < 22; ++v) {
+        for (let u = 0; u * side < 30; ++u) {
+          let held = false;
+          for (let k = 0; k < side * side; ++k) held ||= map.at(u * side + (k % side), v * side + Math.floor(k / side)) === 2;
+          expect(inside(loops, u, v)).toBe(held);
+        }
+      }
+    }
   });
 
   it("have a line for each hole", () => {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Background, Feature, Point } from "../../src/api/answers";
-import { FeatureIndex, nested, overlap, streetShows, streetStyle } from "../../src/map/ground_features";
+import { overlap } from "../../src/map/camera";
+import { FeatureIndex, nested, streetShows, streetStyle } from "../../src/map/ground_features";
 import { draws } from "./picture";
 
 function square(x: number, y: number, side: number): Point[] {
