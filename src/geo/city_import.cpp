@@ -9,12 +9,12 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <span>
 #include <utility>
 
 #include "geo/footprints.hpp"
 #include "geo/gdal_scope.hpp"
 #include "geo/import_window.hpp"
+#include "geo/scenery.hpp"
 #include "map/label.hpp"
 #include "waybreaker/error.hpp"
 
@@ -55,39 +55,71 @@ std::vector<std::uint32_t> rasterise(const std::vector<Seen>& seen, const CellWi
     return labels;
 }
 
+ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice) {
+    ObstacleAttributes attributes = seen.footprint->attributes;
+    if (choice.weight.of == "area") attributes.weight = seen.area * choice.weight.factor;
+    if (choice.breach_time.of == "area") attributes.breach_time = seen.area * choice.breach_time.factor;
+    return attributes;
+}
+
+// What label maps are made of.
+struct Labelled {
+    std::vector<std::uint32_t> labels;
+    std::vector<ObstacleAttributes> attributes;  // by label, entry 0 unused
+    LabelNames names;
+};
+
+// One label for each footprint.
+Labelled labelled(std::vector<std::uint32_t> labels, const std::vector<Seen>& seen, const ObstacleChoice& choice) {
+    Labelled result{.labels = std::move(labels), .attributes = std::vector<ObstacleAttributes>(1), .names = {}};
+    for (const Seen& one : seen) {
+        const std::string& name = one.footprint->name;
+        if (!name.empty()) result.names.emplace(std::uint32_t(result.attributes.size()), name);
+        result.attributes.push_back(attributes_of(one, choice));
+    }
+    return result;
+}
+
 // Joins touching footprints (4-connected, as the paper does): each takes the source id of the one that owns most of its
-// cells, of the first one among equals. What one of them forbids holds for all; what they cost, where it is known,
-// adds up.
-Map merged(const std::vector<std::uint32_t>& labels, int width, int height,
-           std::span<const ObstacleAttributes> footprints, bool weighed) {
+// cells, of the first one among equals, and likewise the name of one that has a name. What one of them forbids holds
+// for all; what they cost, where it is known, adds up.
+Labelled merged(const Labelled& footprints, int width, int height, bool weighed) {
+    const std::vector<std::uint32_t>& labels = footprints.labels;
     Grid grid(width, height);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (labels[i] != 0) grid.set_blocked({int(i % std::size_t(width)), int(i / std::size_t(width))}, true);
     }
-    std::vector<std::uint32_t> components = label_components(grid, Connectivity::four);
+    Labelled result{label_components(grid, Connectivity::four), std::vector<ObstacleAttributes>(1), {}};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shares;  // cells by component and footprint
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        if (labels[i] != 0) ++shares[{components[i], labels[i]}];
+        if (labels[i] != 0) ++shares[{result.labels[i], labels[i]}];
     }
-    std::vector<ObstacleAttributes> attributes(1);
     std::uint32_t most = 0;
+    std::uint32_t most_named = 0;
     for (const auto& [key, cells] : shares) {
-        const ObstacleAttributes& part = footprints[key.second];
-        if (key.first == attributes.size()) {
-            attributes.push_back(part);
+        const auto [component, label] = key;
+        const ObstacleAttributes& part = footprints.attributes[label];
+        if (component == result.attributes.size()) {
+            result.attributes.push_back(part);
             most = cells;
-            continue;
+            most_named = 0;
+        } else {
+            ObstacleAttributes& whole = result.attributes.back();
+            whole.destructible = whole.destructible && part.destructible;
+            if (weighed) whole.weight += part.weight;
+            whole.breach_time += part.breach_time;
+            if (cells > most) {
+                most = cells;
+                whole.source_id = part.source_id;
+            }
         }
-        ObstacleAttributes& whole = attributes.back();
-        whole.destructible = whole.destructible && part.destructible;
-        if (weighed) whole.weight += part.weight;
-        whole.breach_time += part.breach_time;
-        if (cells > most) {
-            most = cells;
-            whole.source_id = part.source_id;
+        const auto name = footprints.names.find(label);
+        if (name != footprints.names.end() && cells > most_named) {
+            most_named = cells;
+            result.names[component] = name->second;
         }
     }
-    return Map::from_labels(width, height, std::move(components), attributes);
+    return result;
 }
 
 std::string title_of(const std::string& source, const CellWindow& window, double cell) {
@@ -99,32 +131,36 @@ std::string title_of(const std::string& source, const CellWindow& window, double
     return fmt::format("{}, {} around {:.4f}, {:.4f}", name, size, window.center[0], window.center[1]);
 }
 
-ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice) {
-    ObstacleAttributes attributes = seen.footprint->attributes;
-    if (choice.weight.of == "area") attributes.weight = seen.area * choice.weight.factor;
-    if (choice.breach_time.of == "area") attributes.breach_time = seen.area * choice.breach_time.factor;
-    return attributes;
+// A source, read.
+struct Material {
+    Footprints footprints;
+    std::vector<Sight> scenery;
+};
+
+Material read(const std::string& source, const Window& window, const ImportOptions& options) {
+    Material material{.footprints = read_footprints(source, window, options.choice, options.cell), .scenery = {}};
+    if (options.background) material.scenery = read_scenery(source, window);
+    return material;
 }
 
-ImportReport report_of(const std::vector<Seen>& seen, const CellWindow& window, const std::string& source,
-                       const ImportOptions& options, bool from_osm) {
-    std::vector<ObstacleAttributes> attributes(1);
+ImportReport report_of(const Material& material, const std::vector<Seen>& seen, const CellWindow& window,
+                       const std::string& source, const ImportOptions& options) {
     double area = 0;
-    for (const Seen& one : seen) {
-        attributes.push_back(attributes_of(one, options.choice));
-        area += one.area;
+    for (const Seen& one : seen) area += one.area;
+    Labelled cells = labelled(rasterise(seen, window), seen, options.choice);
+    if (options.merge_touching) {
+        cells = merged(cells, window.width, window.height, !options.choice.weight.of.empty());
     }
-    std::vector<std::uint32_t> labels = rasterise(seen, window);
-    return {
-        .tiff = {.map = options.merge_touching
-                            ? merged(labels, window.width, window.height, attributes, !options.choice.weight.of.empty())
-                            : Map::from_labels(window.width, window.height, std::move(labels), attributes),
-                 .cell_size = options.cell,
-                 .georeference = window.georeference,
-                 .attribution = from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
-                 .title = title_of(source, window, options.cell)},
-        .buildings = seen.size(),
-        .area = area};
+    if (!options.names) cells.names.clear();
+    std::vector<NamedCell> named = named_cells(std::move(cells.names), cells.labels);
+    LabelTiff tiff{.map = Map::from_labels(window.width, window.height, std::move(cells.labels), cells.attributes),
+                   .cell_size = options.cell,
+                   .georeference = window.georeference,
+                   .attribution = material.footprints.from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
+                   .title = title_of(source, window, options.cell),
+                   .background = background_within(material.scenery, window.window.bounds, options.cell)};
+    tiff.names = obstacle_names(tiff.map, std::move(named));
+    return {.tiff = std::move(tiff), .buildings = seen.size(), .area = area};
 }
 
 std::vector<Seen> seen_in(const Footprints& footprints, const OGREnvelope& bounds) {
@@ -141,10 +177,10 @@ std::vector<Seen> seen_in(const Footprints& footprints, const OGREnvelope& bound
 
 ImportReport import_city(const std::string& source, const ImportOptions& options) {
     const CellWindow window = import_window(options);
-    const Footprints found = read_footprints(source, window.window, options.choice, options.cell);
+    const Material material = read(source, window.window, options);
     std::vector<Seen> seen;
-    for (const Footprint& footprint : found.list) seen.push_back({&footprint, footprint.area});
-    return report_of(seen, window, source, options, found.from_osm);
+    for (const Footprint& footprint : material.footprints.list) seen.push_back({&footprint, footprint.area});
+    return report_of(material, seen, window, source, options);
 }
 
 std::size_t import_tiles(const std::string& source, const ImportOptions& options, double side,
@@ -156,14 +192,14 @@ std::size_t import_tiles(const std::string& source, const ImportOptions& options
         throw InputError(fmt::format("--tile {}: the window has {} x {} m, and cells have {} m: no such tile fits",
                                      side, window.width * options.cell, window.height * options.cell, options.cell));
     }
-    const Footprints found = read_footprints(source, window.window, options.choice, options.cell);
+    const Material material = read(source, window.window, options);
     const int tile = int(cells);
     for (int row = 0; row < window.height / tile; ++row) {
         for (int column = 0; column < window.width / tile; ++column) {
             const CellWindow part = part_of(window, column * tile, row * tile, tile, tile);
-            const std::vector<Seen> seen = seen_in(found, part.window.bounds);
+            const std::vector<Seen> seen = seen_in(material.footprints, part.window.bounds);
             if (seen.empty()) continue;
-            const ImportReport report = report_of(seen, part, source, options, found.from_osm);
+            const ImportReport report = report_of(material, seen, part, source, options);
             if (!report.tiff.map.obstacles().empty()) visit({column, row, report});
         }
     }

@@ -21,6 +21,8 @@ struct ImportOptions {
     // West, south, east, north in degrees: then the window is what holds these, in place of centre and size.
     std::optional<std::array<double, 4>> box = {};
     ObstacleChoice choice = {};
+    bool names = true;       // keep what people call the obstacles
+    bool background = true;  // keep streets, water, green and places
 };
 
 struct ImportReport {
@@ -30,9 +32,9 @@ struct ImportReport {
 };
 
 // Buildings, or what else is chosen, become obstacles, one each unless merged, with their source ids (OSM ways
-// positive, relations negative); projected to the local UTM zone. A cell belongs to the building that covers its
-// centre; the first in the source's order where several do. Throws InputError (source and remedy) if there is nothing
-// to import.
+// positive, relations negative) and names; projected to the local UTM zone. A cell belongs to the building that covers
+// its centre; the first in the source's order where several do. Throws InputError (source and remedy) if there is
+// nothing to import.
 ImportReport import_city(const std::string& source, const ImportOptions& options);
 
 struct ImportTile {

@@ -1,53 +1,18 @@
 #include "geo/footprints.hpp"
 
 #include <fmt/format.h>
-#include <gdal_priv.h>
-#include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "geo/feature_tags.hpp"
 #include "geo/gdal_scope.hpp"
+#include "geo/obstacle_names.hpp"
+#include "geo/vector_source.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
 namespace {
-
-InputError refusal(const std::string& source, const std::string& message) {
-    return InputError(source + ": " + message);
-}
-
-// GDAL finds out about compressed files by the prefix of their path only.
-std::string gdal_path(const std::string& source) {
-    std::array<unsigned char, 2> magic{};
-    if (VSILFILE* file = VSIFOpenL(source.c_str(), "rb")) {
-        VSIFReadL(magic.data(), 1, magic.size(), file);
-        VSIFCloseL(file);
-    }
-    const bool gzip = magic == std::array<unsigned char, 2>{0x1f, 0x8b};
-    return gzip ? "/vsigzip/" + source : source;
-}
-
-GDALDatasetUniquePtr open_source(const std::string& source) {
-    const GdalScope gdal;
-    GDALAllRegister();
-    GDALDatasetUniquePtr file(GDALDataset::Open(gdal_path(source).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
-    if (file) return file;
-    VSIStatBufL status;
-    if (VSIStatL(source.c_str(), &status) != 0) throw refusal(source, "no such file");
-    throw refusal(source, "cannot be read as map data (.osm.pbf, .osm, .osm.gz, shapefile, GeoJSON, ...)" +
-                              (gdal.failed() ? ": " + gdal.failure() : std::string()));
-}
-
-bool is_area(OGRwkbGeometryType type) {
-    return OGR_GT_IsSubClassOf(type, wkbCurvePolygon) || OGR_GT_IsSubClassOf(type, wkbMultiSurface);
-}
-
-bool is_line(OGRwkbGeometryType type) {
-    return OGR_GT_IsSubClassOf(type, wkbCurve) || OGR_GT_IsSubClassOf(type, wkbMultiCurve);
-}
 
 // What a layer is read for.
 enum class Kind { areas, lines };
@@ -71,32 +36,6 @@ std::vector<OGRLayer*> layers_of(GDALDataset& file, Kind kind) {
         file.ReleaseResultSet(file.ExecuteSQL(only.c_str(), nullptr, nullptr));
     }
     return layers;
-}
-
-using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
-
-// Between coordinates in (east, north) order, whatever order the system's authority prefers.
-Transformation transformation(OGRSpatialReference from, OGRSpatialReference to) {
-    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return Transformation(OGRCreateCoordinateTransformation(&from, &to));
-}
-
-// The smallest box that holds the transformed one; the whole breadth of the world if it crosses the date line.
-std::optional<OGREnvelope> transformed(const OGREnvelope& box, const OGRSpatialReference& from,
-                                       const OGRSpatialReference& to) {
-    const GdalScope gdal;
-    const Transformation forth = transformation(from, to);
-    OGREnvelope result;
-    if (!forth || !forth->TransformBounds(box.MinX, box.MinY, box.MaxX, box.MaxY, &result.MinX, &result.MinY,
-                                          &result.MaxX, &result.MaxY, 21)) {
-        return std::nullopt;
-    }
-    if (result.MinX > result.MaxX) {
-        result.MinX = -180;
-        result.MaxX = 180;
-    }
-    return result;
 }
 
 const std::vector<TagFilter>& buildings() {
@@ -160,6 +99,19 @@ ObstacleAttributes attributes_of(const OGRFeature& feature, const FeatureTags& t
             .breach_time = number(choice.breach_time).value_or(0)};
 }
 
+// What people call it: its own name, else its address.
+std::string name_of(const OGRFeature& feature, const FeatureTags& tags) {
+    for (const char* key : {"name", "addr:housename"}) {
+        if (const std::optional<std::string> text = tags.value(feature, key)) {
+            std::string name = clean_name(*text);
+            if (!name.empty()) return name;
+        }
+    }
+    const std::optional<std::string> street = tags.value(feature, "addr:street");
+    const std::optional<std::string> number = tags.value(feature, "addr:housenumber");
+    return street && number ? clean_name(*street + " " + *number) : "";
+}
+
 // The obstacles of a layer whose bounding boxes meet `bounds`, in the layer's own coordinates, not measured yet.
 std::vector<Footprint> scan(OGRLayer& layer, Kind kind, const ObstacleChoice& choice, const OGREnvelope& bounds,
                             const std::string& source) {
@@ -168,21 +120,10 @@ std::vector<Footprint> scan(OGRLayer& layer, Kind kind, const ObstacleChoice& ch
     for_each_obstacle(layer, kind, choice, source, [&](OGRFeature& feature, const FeatureTags& tags) {
         Footprint& footprint = found.emplace_back();
         footprint.attributes = attributes_of(feature, tags, choice);
+        footprint.name = name_of(feature, tags);
         footprint.shape.reset(feature.StealGeometry());
     });
     return found;
-}
-
-OGRPolygon rectangle(const OGREnvelope& bounds) {
-    OGRLinearRing ring;
-    ring.addPoint(bounds.MinX, bounds.MinY);
-    ring.addPoint(bounds.MaxX, bounds.MinY);
-    ring.addPoint(bounds.MaxX, bounds.MaxY);
-    ring.addPoint(bounds.MinX, bounds.MaxY);
-    ring.closeRings();
-    OGRPolygon polygon;
-    polygon.addRing(&ring);
-    return polygon;
 }
 
 // Moves footprints into the window's system, makes strips of lines, measures all and drops those outside; also what
@@ -201,12 +142,6 @@ std::vector<Footprint> placed(std::vector<Footprint> footprints, const OGRSpatia
         return !(footprint.area > 0);
     });
     return footprints;
-}
-
-const OGRSpatialReference& system_of(OGRLayer& layer, const std::string& source) {
-    if (const OGRSpatialReference* system = layer.GetSpatialRef()) return *system;
-    throw refusal(source,
-                  "does not say its coordinate system; name it with 'ogr2ogr -a_srs EPSG:4326' (or what it is)");
 }
 
 // For somebody whose window missed them all.
@@ -240,12 +175,8 @@ bool read(Kind kind, const std::string& source, const Window& window, const Obst
     const std::vector<OGRLayer*> layers = layers_of(*file, kind);
     for (OGRLayer* layer : layers) {
         const OGRSpatialReference& system = system_of(*layer, source);
-        const auto bounds = transformed(window.bounds, window.system, system);
-        if (!bounds) {
-            throw refusal(source,
-                          "its coordinate system cannot be reached from " + std::string(window.system.GetName()));
-        }
-        for (Footprint& footprint : placed(scan(*layer, kind, choice, *bounds, source), system, window, line_width)) {
+        const OGREnvelope bounds = bounds_in(system, window, source);
+        for (Footprint& footprint : placed(scan(*layer, kind, choice, bounds, source), system, window, line_width)) {
             result.list.push_back(std::move(footprint));
         }
         result.from_osm = result.from_osm || FeatureTags(*layer).from_osm();

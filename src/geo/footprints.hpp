@@ -8,20 +8,16 @@
 #include <vector>
 
 #include "geo/obstacle_choice.hpp"
+#include "geo/vector_source.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geo {
-
-// A rectangle on the ground, its sides parallel to the axes of a projected coordinate system.
-struct Window {
-    OGRSpatialReference system;
-    OGREnvelope bounds;
-};
 
 struct Footprint {
     std::unique_ptr<OGRGeometry> shape;  // in the window's system, not clipped; lines as strips
     double area = 0;                     // of its part inside the window, in square metres, > 0
     ObstacleAttributes attributes = {};  // of its source; quantities that go by area are not in here
+    std::string name = {};               // what people call it, or its address; empty where unknown
 };
 
 struct Footprints {
