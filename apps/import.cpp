@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <system_error>
 
+#include "background_summary.hpp"
 #include "commands.hpp"
 #include "geo/city_import.hpp"
 #include "help.hpp"
@@ -34,20 +33,9 @@ geo::ImportReport import_with_progress(const ImportOptions& options) {
 
 // What a reader knows the place by: "; 120 names, 85 streets, 2 waters"; nothing if the source tells nothing.
 std::string kept(const geo::LabelTiff& tiff) {
-    constexpr std::array<std::pair<const char*, const char*>, 5> words{{{"street", "streets"},
-                                                                        {"railway", "railways"},
-                                                                        {"water", "waters"},
-                                                                        {"green area", "green areas"},
-                                                                        {"place", "places"}}};
-    std::vector<std::string> counts;
-    const auto add = [&](std::ptrdiff_t count, const std::pair<const char*, const char*>& word) {
-        if (count > 0) counts.push_back(fmt::format("{} {}", count, count == 1 ? word.first : word.second));
-    };
-    add(std::ranges::count_if(tiff.names, [](const std::string& name) { return !name.empty(); }), {"name", "names"});
-    for (std::size_t kind = 0; kind < words.size(); ++kind) {
-        add(std::ranges::count(tiff.background.features, geo::Background::Kind(kind), &geo::Background::Feature::kind),
-            words[kind]);
-    }
+    std::vector<std::string> counts = background_summary(tiff.background);
+    const std::size_t names = geo::name_count(tiff.names);
+    if (names > 0) counts.insert(counts.begin(), fmt::format("{} {}", names, names == 1 ? "name" : "names"));
     return counts.empty() ? "" : fmt::format("; {}", fmt::join(counts, ", "));
 }
 

@@ -2,7 +2,9 @@
 #include "io/map_info.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "background_summary.hpp"
 #include "commands.hpp"
 #include "help.hpp"
 #include "io/map_file.hpp"
@@ -20,6 +22,14 @@ struct MapInfoOptions {
     bool json = false;
 };
 
+// Who an obstacle is: " (OSM 4711, Town hall)".
+std::string identity(const io::MapFile& file, const Obstacle& obstacle) {
+    std::vector<std::string> words;
+    if (obstacle.source_id != 0) words.push_back(fmt::format("OSM {}", obstacle.source_id));
+    if (const std::string_view name = file.name_of(obstacle.id); !name.empty()) words.emplace_back(name);
+    return words.empty() ? "" : fmt::format(" ({})", fmt::join(words, ", "));
+}
+
 std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
     const Map& map = file.map;
     const auto line = [](const std::string& name, const std::string& value) {
@@ -35,9 +45,13 @@ std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
     if (file.unknown > 0) text += line("unknown", fmt::format("{} cells", file.unknown));
     text += line("obstacles", std::to_string(map.obstacles().size()));
     if (const Obstacle* largest = summary.largest) {
-        const std::string source = largest->source_id == 0 ? "" : fmt::format(" (OSM {})", largest->source_id);
-        text += line("largest", fmt::format("obstacle {}{}, {} cells", largest->id.value, source, largest->cells));
+        text += line("largest", fmt::format("obstacle {}{}, {} cells", largest->id.value, identity(file, *largest),
+                                            largest->cells));
     }
+    if (const std::size_t names = geo::name_count(file.names); names > 0) {
+        text += line("names", fmt::format("of {} obstacles", names));
+    }
+    text += line("background", fmt::format("{}", fmt::join(background_summary(file.background), ", ")));
     if (file.georeference) {
         const auto [longitude, latitude] = io::center(file);
         text += line("projection", file.georeference->crs_name());

@@ -15,12 +15,14 @@ using Row = std::vector<std::string>;
 
 const std::string nothing = "-";
 
-// The first column to the left, the others to the right; the first row is the heading.
-std::string aligned(const std::vector<Row>& rows, bool bold) {
+// The first column to the left, the others to the right, names in the last one as they are; the first row is the
+// heading.
+std::string aligned(const std::vector<Row>& rows, bool bold, bool names = false) {
     std::vector<std::size_t> widths(rows.front().size(), 0);
     for (const Row& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
     }
+    if (names) widths.back() = 0;
     std::string table;
     for (const Row& row : rows) {
         std::string line = fmt::format("{:<{}}", row[0], widths[0]);
@@ -103,21 +105,25 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     const bool source_ids = std::any_of(plan.removed.begin(), plan.removed.end(), named);
     const bool explained =
         std::ranges::any_of(plan.removed, [](const Removal& removal) { return removal.saves.has_value(); });
+    const auto name_of = [&](const Removal& removal) { return context.map.name_of(removal.obstacle); };
+    const bool names = !std::ranges::all_of(plan.removed, &std::string_view::empty, name_of);
     const bool counted = context.options.select == Selection::hits;
     std::vector<Row> rows{{"removed", "obstacle", "cells", "breach cell", "breached at", "entered at"}};
     if (counted) rows.front().insert(rows.front().begin() + 3, "hits");
     if (explained) rows.front().emplace_back("saves");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
+    if (names) rows.front().emplace_back("name");
     for (const Removal& removal : plan.removed) {
         rows.push_back({std::to_string(rows.size()), std::to_string(removal.obstacle.value),
                         std::to_string(removal.cells), text(removal.at), text(removal.cleared_at, 3),
                         text(removal.entered_at, 3)});
         if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(removal.hits));
         if (explained) rows.back().push_back(text(removal.saves, 3));
-        if (!source_ids) continue;
-        rows.back().insert(rows.back().begin() + 2, named(removal) ? std::to_string(removal.source_id) : nothing);
+        const std::string source_id = named(removal) ? std::to_string(removal.source_id) : nothing;
+        if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);
+        if (names) rows.back().emplace_back(name_of(removal));
     }
-    if (rows.size() > 1) return aligned(rows, style.bold);
+    if (rows.size() > 1) return aligned(rows, style.bold, names);
     if (context.options.removals == 0) return "nothing removed, as asked for\n";
     if (std::isfinite(context.options.time_limit)) return "nothing removed: no better plan was found in time\n";
     return counted && context.options.timing == Timing::ignore ? "nothing removed: the search ran into no obstacle\n"
@@ -144,11 +150,12 @@ std::string front(const io::PlanContext& context, const TableStyle& style) {
 }
 
 // What one removal more would gain.
-std::string next(const Plan& plan) {
+std::string next(const Plan& plan, const io::PlanContext& context) {
     std::string lines;
     for (const NextRemoval& removal : plan.next) {
-        lines +=
-            fmt::format("\none removal more, obstacle {}, would save {:.3f}\n", removal.obstacle.value, removal.saves);
+        const std::string_view name = context.map.name_of(removal.obstacle);
+        lines += fmt::format("\none removal more, obstacle {}{}, would save {:.3f}\n", removal.obstacle.value,
+                             name.empty() ? "" : fmt::format(" ({})", name), removal.saves);
     }
     return lines;
 }
@@ -200,7 +207,8 @@ std::string warning(const Plan& plan, const io::PlanContext& context) {
 
 std::string plan_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     return heading(context, style) + "\n" + front(context, style) + outcomes(plan, context, style) + "\n" +
-           removals(plan, context, style) + next(plan) + waits(plan) + bound(plan, context) + warning(plan, context);
+           removals(plan, context, style) + next(plan, context) + waits(plan) + bound(plan, context) +
+           warning(plan, context);
 }
 
 }  // namespace waybreaker::apps

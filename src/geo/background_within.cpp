@@ -82,15 +82,20 @@ void collect_polygons(const OGRGeometry& shape, OGRMultiPolygon& polygons) {
     }
 }
 
+// The polygons of a shape within bounds.
+OGRMultiPolygon polygons_within(const OGRGeometry& shape, const OGREnvelope& bounds) {
+    OGRMultiPolygon polygons;
+    const OGRPolygon window = rectangle(bounds);
+    const std::unique_ptr<OGRGeometry> valid(shape.MakeValid());
+    const std::unique_ptr<OGRGeometry> part(valid ? valid->Intersection(&window) : nullptr);
+    if (part) collect_polygons(*part, polygons);
+    return polygons;
+}
+
 // Areas of one name are one, for rings would make holes where they overlap.
 Parts areas_of(const std::vector<const Sight*>& sights, const Extent& extent) {
     OGRMultiPolygon all;
-    const OGRPolygon window = rectangle(extent.bounds);
-    for (const Sight* sight : sights) {
-        const std::unique_ptr<OGRGeometry> valid(sight->shape->MakeValid());
-        const std::unique_ptr<OGRGeometry> part(valid ? valid->Intersection(&window) : nullptr);
-        if (part) collect_polygons(*part, all);
-    }
+    for (const Sight* sight : sights) collect_polygons(polygons_within(*sight->shape, extent.bounds), all);
     if (all.IsEmpty()) return {};
     const std::unique_ptr<OGRGeometry> united(all.UnionCascaded());
     const std::unique_ptr<OGRGeometry> simple(united ? united->SimplifyPreserveTopology(extent.cell / 2) : nullptr);
@@ -101,16 +106,15 @@ Parts areas_of(const std::vector<const Sight*>& sights, const Extent& extent) {
     return std::move(parts->parts);
 }
 
-// Where the name of a place goes: once, however often the source says it.
+// Where the name of a place goes, in the middle of what can be seen of it: once, however often the source says it.
 Parts place_of(const std::vector<const Sight*>& sights, const Extent& extent) {
     for (const Sight* sight : sights) {
+        const bool area = is_area(sight->shape->getGeometryType());
+        const OGRMultiPolygon seen = area ? polygons_within(*sight->shape, extent.bounds) : OGRMultiPolygon();
         OGRPoint middle;
-        if (sight->shape->Centroid(&middle) != OGRERR_NONE || middle.IsEmpty()) continue;
-        const Point point{middle.getX(), middle.getY()};
-        const OGREnvelope& bounds = extent.bounds;
-        if (point.x >= bounds.MinX && point.x <= bounds.MaxX && point.y >= bounds.MinY && point.y <= bounds.MaxY) {
-            return {{point}};
-        }
+        const OGRGeometry& shape = area ? static_cast<const OGRGeometry&>(seen) : *sight->shape;
+        if (shape.IsEmpty() || shape.Centroid(&middle) != OGRERR_NONE || middle.IsEmpty()) continue;
+        return {{{middle.getX(), middle.getY()}}};
     }
     return {};
 }

@@ -43,6 +43,11 @@ std::string clean_name(std::string_view text) {
     return std::string(trimmed(std::string_view(name).substr(0, end)));
 }
 
+std::size_t name_count(const ObstacleNames& names) {
+    return std::size_t(
+        std::count_if(names.begin(), names.end(), [](const std::string& name) { return !name.empty(); }));
+}
+
 std::string names_text(const ObstacleNames& names) {
     std::string text;
     for (std::size_t id = 1; id < names.size(); ++id) {

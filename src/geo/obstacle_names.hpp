@@ -25,6 +25,9 @@ std::string clean_name(std::string_view text);
 // By obstacle id, entry 0 unused, empty where unknown. No entries at all if no obstacle has a name.
 using ObstacleNames = std::vector<std::string>;
 
+// How many obstacles have one.
+std::size_t name_count(const ObstacleNames& names);
+
 std::string names_text(const ObstacleNames& names);
 
 // By the number in a label layer, before the map numbers its obstacles anew.

@@ -90,8 +90,11 @@ class SceneryLayer {
   public:
     SceneryLayer(OGRLayer& layer, const Window& window, const std::string& source)
         : tags_(layer), window_(window), to_window_(transformation(system_of(layer, source), window.system)) {
-        const OGREnvelope bounds = bounds_in(system_of(layer, source), window, source);
-        layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);
+        // Where GDAL's OSM driver passes over points, ways lose them too.
+        if (wkbFlatten(layer.GetGeomType()) != wkbPoint) {
+            const OGREnvelope bounds = bounds_in(system_of(layer, source), window, source);
+            layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);
+        }
         layer.SetAttributeFilter(tags_.condition(all_filters()).c_str());
     }
 

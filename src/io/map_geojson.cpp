@@ -8,9 +8,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json properties_of(const Obstacle& obstacle) {
+Json properties_of(const Obstacle& obstacle, const MapFile& map) {
     Json properties{{"obstacle", obstacle.id.value}};
     if (obstacle.source_id != 0) properties["osm_id"] = obstacle.source_id;
+    if (const std::string_view name = map.name_of(obstacle.id); !name.empty()) properties["name"] = name;
     properties["cells"] = obstacle.cells;
     properties["protected"] = obstacle.destructible ? "no" : "yes";
     properties["weight"] = obstacle.weight;
@@ -30,7 +31,7 @@ std::string map_geojson(const MapFile& map) {
     std::vector<Json> features;
     for (const Obstacle& obstacle : map.map.obstacles()) {
         features.push_back({{"type", "Feature"},
-                            {"properties", properties_of(obstacle)},
+                            {"properties", properties_of(obstacle, map)},
                             {"geometry", polygons_json(to_lon_lat, outlines[obstacle.id.value])}});
     }
     Json head = Json::object();

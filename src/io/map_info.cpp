@@ -25,10 +25,18 @@ std::string map_info_json(const MapFile& file) {
     Json json{{"source", file.source},       {"format", file.format},       {"width", file.map.width()},
               {"height", file.map.height()}, {"cell_size", file.cell_size}, {"blocked", summary.blocked},
               {"density", summary.density}};
-    json["obstacles"] = {{"count", file.map.obstacles().size()}, {"largest", nullptr}};
+    json["obstacles"] = {
+        {"count", file.map.obstacles().size()}, {"named", geo::name_count(file.names)}, {"largest", nullptr}};
     if (const Obstacle* largest = summary.largest) {
-        json["obstacles"]["largest"] = {
-            {"id", largest->id.value}, {"source_id", largest->source_id}, {"cells", largest->cells}};
+        json["obstacles"]["largest"] = {{"id", largest->id.value},
+                                        {"source_id", largest->source_id},
+                                        {"name", file.name_of(largest->id)},
+                                        {"cells", largest->cells}};
+    }
+    for (const std::string_view kind : geo::background_kinds) json["background"][std::string(kind)] = 0;
+    for (const geo::Background::Feature& feature : file.background.features) {
+        Json& count = json["background"][std::string(geo::background_kinds[std::size_t(feature.kind)])];
+        count = count.get<int>() + 1;
     }
     json["unknown"] = file.unknown;
     json["origin"] = file.ros ? Json(file.ros->yaml.origin) : Json();

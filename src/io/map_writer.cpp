@@ -24,24 +24,25 @@ constexpr std::uint8_t white = 255;
 struct Format {
     std::string_view extension;
     const char* name;
-    bool obstacles;  // which cell belongs to which, their source ids, what cannot be destroyed
+    bool obstacles;  // which cell belongs to which, their source ids and names, what cannot be destroyed
     bool place;      // coordinate system
     bool cell_size;
     bool mission;  // start, goal, search options
     bool title;
     bool attribution;
+    bool background;
 };
 
 constexpr std::array<Format, 9> formats{{
-    {".map", "MovingAI map", false, false, false, false, false, false},
-    {".xml", "XML task file", false, false, true, true, true, false},
-    {".tif", "GeoTIFF", true, true, true, false, true, true},
-    {".tiff", "GeoTIFF", true, true, true, false, true, true},
-    {".geojson", "GeoJSON", true, true, false, false, true, true},
-    {".yaml", "ROS map", false, false, true, false, false, false},
-    {".yml", "ROS map", false, false, true, false, false, false},
-    {".png", "PNG", false, false, false, false, false, false},
-    {".pgm", "PGM", false, false, false, false, false, false},
+    {".map", "MovingAI map", false, false, false, false, false, false, false},
+    {".xml", "XML task file", false, false, true, true, true, false, false},
+    {".tif", "GeoTIFF", true, true, true, false, true, true, true},
+    {".tiff", "GeoTIFF", true, true, true, false, true, true, true},
+    {".geojson", "GeoJSON", true, true, false, false, true, true, false},
+    {".yaml", "ROS map", false, false, true, false, false, false, false},
+    {".yml", "ROS map", false, false, true, false, false, false, false},
+    {".png", "PNG", false, false, false, false, false, false, false},
+    {".pgm", "PGM", false, false, false, false, false, false, false},
 }};
 
 const Format& format_of(const std::string& path) {
@@ -55,7 +56,8 @@ const Format& format_of(const std::string& path) {
 }
 
 // Whether the obstacles are more than what one sees of them: connected sets of blocked cells.
-std::string lost_obstacles(const Map& map) {
+std::string lost_obstacles(const MapFile& file) {
+    const Map& map = file.map;
     const Map seen{Grid(map.grid())};
     const bool same = std::equal(seen.labels().begin(), seen.labels().end(), map.labels().begin());
     std::string loss = same ? ""
@@ -64,6 +66,7 @@ std::string lost_obstacles(const Map& map) {
     const auto any = [&](auto holds) { return std::any_of(map.obstacles().begin(), map.obstacles().end(), holds); };
     if (any([](const Obstacle& o) { return o.source_id != 0; }))
         loss += (loss.empty() ? "" : ", ") + std::string("source ids");
+    if (!file.names.empty()) loss += (loss.empty() ? "" : ", ") + std::string("names");
     if (any([](const Obstacle& o) { return o.weight != 1 || o.breach_time != 0; })) {
         loss += (loss.empty() ? "" : ", ") + std::string("what their removal costs");
     }
@@ -79,12 +82,14 @@ std::vector<std::string> losses_of(const MapFile& map, const Format& format) {
         if (!held && !what.empty()) losses.push_back(std::string("a ") + format.name + " does not hold " + what);
     };
     const bool as_ros = map.ros && std::string_view(format.name) == "ROS map";
-    lose(format.obstacles, lost_obstacles(map.map));
+    lose(format.obstacles, lost_obstacles(map));
     lose(format.place || !map.georeference, "the coordinate system");
     lose(format.cell_size || map.cell_size == 1, "the size of a cell");
     lose(as_ros || !map.ros, "the origin of the map");
     lose(as_ros || map.unknown == 0, "that cells are unknown: they are written as they were taken, blocked or free");
     lose(format.mission || !map.task || !map.task->start, "start, goal and search options");
+    lose(format.background || map.background.features.empty(),
+         "streets, water and what else lies around the obstacles");
     lose(format.title || map.title.empty(), "the title");
     lose(format.attribution || map.attribution.empty(), "the attribution, which must go with it: " + map.attribution);
     return losses;

@@ -34,9 +34,10 @@ Json path_feature(const geo::ToLonLat& to_lon_lat, const AgentPlan& agent) {
                    {{"type", "LineString"}, {"coordinates", std::move(line)}});
 }
 
-Json properties_of(const Removal& removal, const char* role, std::size_t order) {
+Json properties_of(const Removal& removal, const MapFile& map, const char* role, std::size_t order) {
     Json properties{{"role", role}, {"order", order}, {"obstacle", removal.obstacle.value}};
     properties["source_id"] = removal.source_id != 0 ? Json(removal.source_id) : Json();
+    if (const std::string_view name = map.name_of(removal.obstacle); !name.empty()) properties["name"] = name;
     properties["cells"] = removal.cells;
     properties["cleared_at"] = removal.cleared_at;
     properties["entered_at"] = removal.entered_at ? Json(*removal.entered_at) : Json();
@@ -56,13 +57,13 @@ std::string plan_geojson(const Plan& plan, const MapFile& map) {
     std::vector<Json> features;
     for (std::size_t i = 0; i < plan.removed.size(); ++i) {
         const Removal& removal = plan.removed[i];
-        features.push_back(feature(properties_of(removal, "removed", i + 1),
+        features.push_back(feature(properties_of(removal, map, "removed", i + 1),
                                    polygons_json(to_lon_lat, outlines[removal.obstacle.value])));
     }
     for (const AgentPlan& agent : plan.agents) features.push_back(path_feature(to_lon_lat, agent));
     for (std::size_t i = 0; i < plan.removed.size(); ++i) {
         const Json place{{"type", "Point"}, {"coordinates", position_json(to_lon_lat, plan.removed[i].at)}};
-        features.push_back(feature(properties_of(plan.removed[i], "breach", i + 1), place));
+        features.push_back(feature(properties_of(plan.removed[i], map, "breach", i + 1), place));
     }
     Json head = Json::object();
     if (!map.title.empty()) head["title"] = map.title;

@@ -1,8 +1,8 @@
 // Plans as GeoJSON (RFC 7946): for every GIS, over any base map.
 //
 // Features have a property `role`: `path` (a line, with the time at each of its points), `breach` (a point, where the
-// air agent opens an obstacle) and `removed` (the obstacle's cells as polygons, with its id in the source). Longitude
-// and latitude have 9 decimals, a tenth of a millimetre.
+// air agent opens an obstacle) and `removed` (the obstacle's cells as polygons, with its id in the source and its
+// name). Longitude and latitude have 9 decimals, a tenth of a millimetre.
 #pragma once
 
 #include <string>

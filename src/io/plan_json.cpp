@@ -76,10 +76,17 @@ Json bound_json(const Plan& plan, Objective objective) {
     return bound;
 }
 
-Json removal_json(const Removal& removal, const MissionOptions& options) {
+// Who an obstacle is in the world, as far as it is known.
+void add_identity(Json& json, ObstacleId id, std::int64_t source_id, const MapFile& map) {
+    if (source_id != 0) json["source_id"] = source_id;
+    if (const std::string_view name = map.name_of(id); !name.empty()) json["name"] = name;
+}
+
+Json removal_json(const Removal& removal, const PlanContext& context) {
+    const std::vector<double>& weights = context.options.weights;
     Json json{{"obstacle", removal.obstacle.value}, {"cells", removal.cells}, {"hits", removal.hits}};
-    if (removal.source_id != 0) json["source_id"] = removal.source_id;
-    if (!options.weights.empty()) json["weight"] = number(options.weights[removal.obstacle.value]);
+    add_identity(json, removal.obstacle, removal.source_id, context.map);
+    if (!weights.empty()) json["weight"] = number(weights[removal.obstacle.value]);
     json["at"] = place(removal.at);
     json["cleared_at"] = number(removal.cleared_at);
     json["entered_at"] = number(removal.entered_at);
@@ -87,9 +94,9 @@ Json removal_json(const Removal& removal, const MissionOptions& options) {
     return json;
 }
 
-Json next_json(const NextRemoval& next) {
+Json next_json(const NextRemoval& next, const MapFile& map) {
     Json json{{"obstacle", next.obstacle.value}};
-    if (next.source_id != 0) json["source_id"] = next.source_id;
+    add_identity(json, next.obstacle, next.source_id, map);
     json["saves"] = number(next.saves);
     return json;
 }
@@ -152,9 +159,9 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
               {"bound", bound_json(plan, context.options.objective)},
               {"removed", Json::array()}};
     for (const Removal& removal : plan.removed) {
-        json["removed"].push_back(removal_json(removal, context.options));
+        json["removed"].push_back(removal_json(removal, context));
     }
-    for (const NextRemoval& next : plan.next) json["next"].push_back(next_json(next));
+    for (const NextRemoval& next : plan.next) json["next"].push_back(next_json(next, context.map));
     json["agents"] = Json::array();
     for (const Plan& step : context.front) json["front"].push_back(step_json(step, context.options.objective));
     for (const AgentPlan& agent : plan.agents) json["agents"].push_back(agent_json(agent));
