@@ -222,11 +222,7 @@ export class Studio extends PageState {
       const map = hasEdits(mission) ? await this.#maps.edited(base, editsOf(mission, base.cells)) : base;
       const now = this.mission.value;
       if (now !== mission) return; // a later call follows the later mission
-      if (this.shown.value?.map !== map) {
-        this.selected.value = null;
-        this.highlighted.value = null;
-        this.shown.value = { base, map, ids: new Translation(base.cells, map.cells, mission.walls) };
-      }
+      if (this.shown.value?.map !== map) this.#redraw(base, map, mission);
       const { ids } = this.shown.value!;
       this.planner.ask(questionOf(mission, this.units.value, map.description.id, (key) => ids.toShown(key)));
     } catch (error) {
@@ -240,6 +236,18 @@ export class Studio extends PageState {
     this.selected.value = null;
     this.highlighted.value = null;
     this.shown.value = { base, map: base, ids: new Translation(base.cells, base.cells, []) };
+  }
+
+  // What is selected stays so under the id it has now.
+  #redraw(base: HeldMap, map: HeldMap, mission: Mission): void {
+    const old = this.shown.value?.ids;
+    const ids = new Translation(base.cells, map.cells, mission.walls);
+    const selected = this.selected.value;
+    batch(() => {
+      this.selected.value = (selected !== null && old && ids.toShown(old.toBase(selected))) || null;
+      this.highlighted.value = null;
+      this.shown.value = { base, map, ids };
+    });
   }
 
   #seekWhenPlanned(time: number): void {
