@@ -62,6 +62,13 @@ export function withMark(mission: Mission, key: number, mark: Mark | null): Miss
   return { ...mission, marks };
 }
 
+// What has to go needs as many removals.
+export function withEnoughRemovals(mission: Mission): Mission {
+  const { removals } = mission;
+  const forced = marked(mission, "force").length;
+  return removals === "auto" || removals >= forced ? mission : { ...mission, removals: forced };
+}
+
 export function marked(mission: Mission, mark: Mark): number[] {
   return [...mission.marks].filter(([, has]) => has === mark).map(([key]) => key);
 }

@@ -22,7 +22,8 @@ export interface Judged {
 }
 
 export interface Front {
-  points: FrontPoint[];
+  points: FrontPoint[]; // for `from` removals, one more, ...
+  from: number;
   key: string;
 }
 
@@ -139,7 +140,7 @@ export class Planner implements Results {
     const beside = before ? { plan: before, verdict: null } : kept;
     this.answered.value = question;
     this.plans.value = { after: { plan: after, verdict: null }, ...(beside && { before: beside }) };
-    if (auto && after.front) this.front.value = { points: after.front, key: keyOf.front(question) };
+    if (auto && after.front) this.front.value = frontOf(after.front, question);
     this.progress.value = null;
   }
 
@@ -149,12 +150,12 @@ export class Planner implements Results {
     try {
       await pause(this.pace.calm, stop);
       await this.#judge("after", question, stop);
-      await this.#fetchFront(question, stop);
       await this.#explain(question, stop);
       if (!this.plans.value.before) {
         this.#show("before", await this.service.plan(question.map, beforeRequest(question), stop), stop);
       }
       await this.#judge("before", question, stop);
+      await this.#fetchFront(question, stop); // late: on large maps it takes longest
       await this.#fetchPaper(question, stop);
     } catch (error) {
       // What is beside the plan may be missing; but that nobody answers has to be said.
@@ -167,7 +168,7 @@ export class Planner implements Results {
     const key = keyOf.front(question);
     if (this.front.value?.key === key) return;
     const plan = await this.service.front(question.map, frontRequest(question), stop);
-    if (!stop.aborted && plan.front) this.front.value = { points: plan.front, key };
+    if (!stop.aborted && plan.front) this.front.value = frontOf(plan.front, question);
   }
 
   // The same plan again, with what the mission would lose without each removal.
@@ -203,6 +204,11 @@ export class Planner implements Results {
   #show(layer: LayerName, plan: Plan, stop: AbortSignal, verdict: Verdict = null): void {
     if (!stop.aborted) this.plans.value = { ...this.plans.value, [layer]: { plan, verdict } };
   }
+}
+
+// With fewer removals than have to be there is nothing to compare.
+function frontOf(points: FrontPoint[], question: Question): Front {
+  return { points, from: question.options.force?.length ?? 0, key: keyOf.front(question) };
 }
 
 function isSame(a: Plan, b: Plan): boolean {

@@ -8,7 +8,7 @@ import { defaultMission } from "./default_mission";
 import { begin, endGesture, redo, replace, step, undo, type History } from "./history";
 import { decodeLink, encodeLink, mapOfLink } from "./link";
 import { Maps, type HeldMap } from "./maps";
-import { hasEdits, withMark, type Mission } from "./mission";
+import { hasEdits, marked, mostRemovals, withEnoughRemovals, withMark, type Mission } from "./mission";
 import { Planner } from "./planner";
 import { questionOf } from "./request";
 import { drawn, editsOf } from "./edited";
@@ -72,7 +72,8 @@ export class Studio extends PageState {
       batch(() => {
         this.#show(base);
         const history = this.history.value;
-        this.history.value = history ? step(history, mission) : begin(mission);
+        const enough = withEnoughRemovals(mission);
+        this.history.value = history ? step(history, enough) : begin(enough);
       });
       await this.#follow();
       if (mission.time !== null) this.#seekWhenPlanned(mission.time);
@@ -167,7 +168,11 @@ export class Studio extends PageState {
   }
 
   markKey(key: number, mark: Mark | null): void {
-    this.change((mission) => withMark(mission, key, mark));
+    const next = withMark(this.mission.value!, key, mark);
+    if (marked(next, "force").length > mostRemovals) {
+      return this.tell("bad", `No more than ${mostRemovals} obstacles can be removed.`);
+    }
+    this.change(() => withEnoughRemovals(next));
   }
 
   async download(format: ExportFormat, ending: string): Promise<void> {

@@ -24,6 +24,7 @@ const space = "\u00a0"; // between a number and its unit, where no line may brea
 
 // 16 min 15 s.
 export function duration(time: number, units: Units): string {
+  if (time < 0) return `−${duration(-time, units)}`;
   if (units.time === "metres") return metres(time * units.cell);
   if (units.time === "steps") return `${decimals(time)}${space}steps`;
   if (time < 59.95) return `${time < 9.995 ? trimmed(time, 2) : trimmed(time, 1)}${space}s`;
@@ -35,6 +36,7 @@ export function duration(time: number, units: Units): string {
 
 // 16:15, for where there is little room.
 export function clockTime(time: number, units: Units): string {
+  if (time < 0) return `−${clockTime(-time, units)}`;
   if (units.time === "metres") return metres(time * units.cell);
   if (units.time === "steps") return decimals(time);
   if (time < 59.95) return `${trimmed(time, 1)}${space}s`;

@@ -1,8 +1,9 @@
 // What each number of removals reaches (the Pareto front of removals and time), with the bound below as a faint line. Its
 // columns stand under the slider's ticks.
 import { useEffect, useRef, useState } from "preact/hooks";
-import type { FrontPoint, Objective } from "../api/answers";
+import type { Objective } from "../api/answers";
 import { mostRemovals } from "../mission/mission";
+import type { Front } from "../mission/planner";
 import type { PageState } from "../mission/page_state";
 import { keyOf } from "../mission/request";
 import { clockTime, duration, type Units } from "../mission/units";
@@ -16,15 +17,15 @@ interface Column {
   further: boolean; // beyond where removals gain
 }
 
-function columnsOf(points: FrontPoint[], objective: Objective): Column[] {
+function columnsOf({ points, from }: Front, objective: Objective): Column[] {
   const last = points.length - 1;
-  return Array.from({ length: mostRemovals + 1 }, (_, n) => {
-    const point = points[Math.min(n, last)];
+  return Array.from({ length: Math.max(0, mostRemovals + 1 - from) }, (_, i) => {
+    const point = points[Math.min(i, last)];
     return {
-      n,
+      n: from + i,
       value: point?.[objective] ?? null,
       bound: point?.bound?.[objective] ?? null,
-      further: n > last,
+      further: i > last,
     };
   });
 }
@@ -51,13 +52,19 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
   const front = page.results.front.value;
   const question = page.results.answered.value;
   const mission = page.mission.value;
-  if (!front || !mission) return <div ref={box} class="front-chart empty" aria-hidden="true" />;
+  if (!front || !mission) {
+    return (
+      <div ref={box} class="front-chart empty">
+        <p>What other numbers reach is being worked out…</p>
+      </div>
+    );
+  }
   const stale = question !== null && front.key !== keyOf.front(question);
   const units = page.units.value;
-  const columns = columnsOf(front.points, mission.objective);
+  const columns = columnsOf(front, mission.objective);
   const place = placer(columns, width);
   const line = (of: "value" | "bound", part: (column: Column) => boolean) => pathOf(columns.filter(part), of, place);
-  const gains = front.points.length - 1;
+  const gains = front.from + front.points.length - 1;
   return (
     <div ref={box} class={`front-chart ${stale ? "stale" : ""}`} role="group" aria-label="What each number of removals reaches">
       <svg width={width} height={height} aria-hidden="true">

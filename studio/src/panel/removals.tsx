@@ -1,5 +1,5 @@
 // How many obstacles may go: a slider, and under it what each number reaches.
-import { mostRemovals } from "../mission/mission";
+import { mostRemovals, withEnoughRemovals } from "../mission/mission";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { nounOf } from "../mission/words";
@@ -14,7 +14,7 @@ export function Removals({ page }: { page: PageState }) {
   if (!studio && !page.results.front.value) return null;
   const auto = mission.removals === "auto";
   const count = mission.removals === "auto" ? (page.results.plans.value.after?.plan.removed.length ?? 0) : mission.removals;
-  const set = (removals: number | "auto") => studio?.change((old) => ({ ...old, removals }), "removals");
+  const set = (removals: number | "auto") => studio?.change((old) => withEnoughRemovals({ ...old, removals }), "removals");
   const setAtOnce = (removals: number | "auto") => {
     set(removals);
     studio?.endGesture();
