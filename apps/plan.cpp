@@ -38,6 +38,8 @@ std::string trace(const Map& map, const Mission& mission, SearchOptions search) 
     return listener.text();
 }
 
+constexpr int usual_most_removals = 8;  // that a page's curve shows
+
 // Whether lengths can be told in metres.
 bool has_metres(const PlanOptions& options, const io::MapFile& map) {
     return options.cell_size || map.georeference || map.cell_size != 1;
@@ -57,26 +59,34 @@ render::PictureOptions picture_options(const io::MapFile& map, bool metres, Obje
             .objective = objective};
 }
 
-// With the mission without removals and the paper's plan beside it, to compare.
-std::string html(const Plan& plan, const io::PlanContext& context) {
+// The plan, explained, and what there is to compare it with: no removal, the paper's plan, more and fewer removals.
+std::string html(const io::PlanContext& context) {
     MissionPlanner planner;
-    std::vector<NamedPlan> plans{{"plan", io::plan_json(plan, context)}};
-    const auto add = [&](const std::string& name, const MissionOptions& options) {
-        io::PlanContext other{.map = context.map,
-                              .mission = context.mission,
-                              .options = options,
-                              .connectivity = context.connectivity,
-                              .timing_fields = context.timing_fields,
-                              .image = context.image};
-        plans.push_back({name, io::plan_json(planner.plan(context.map.map, context.mission, options), other)});
+    std::vector<NamedPlan> plans;
+    const auto json = [&](const MissionOptions& options, const Plan& plan, std::span<const Plan> front = {}) {
+        return io::plan_json(plan, {.map = context.map,
+                                    .mission = context.mission,
+                                    .options = options,
+                                    .connectivity = context.connectivity,
+                                    .timing_fields = context.timing_fields,
+                                    .image = context.image,
+                                    .front = front});
     };
+    const auto add = [&](const std::string& name, const MissionOptions& options) {
+        plans.push_back({name, json(options, planner.plan(context.map.map, context.mission, options))});
+    };
+    MissionOptions explained = context.options;
+    explained.explain = true;
+    add("plan", explained);
     MissionOptions none = context.options;
     none.removals = 0;
     none.force.clear();
-    none.explain = false;
     add("before", none);
     if (context.options.select == Selection::exact) add("paper", paper_options(context.options));
-    return plan_html(context.map, plans);
+    MissionOptions more = context.options;
+    more.removals = std::max(more.removals, usual_most_removals);
+    const std::vector<Plan> front = planner.front(context.map.map, context.mission, more);
+    return plan_html(context.map, plans, json(more, front.back(), front));
 }
 
 // What goes where, standard output last: by then all files are complete.
@@ -88,7 +98,7 @@ void write_outputs(const PlanOptions& options, const io::PlanContext& context, c
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
     if (!options.png.empty()) outputs.emplace_back(options.png, render::png(file.map, context.mission, plan, picture));
-    if (!options.html.empty()) outputs.emplace_back(options.html, html(plan, context));
+    if (!options.html.empty()) outputs.emplace_back(options.html, html(context));
     if (!options.trace.empty()) {
         outputs.emplace_back(options.trace, trace(file.map, context.mission, context.options.search));
     }

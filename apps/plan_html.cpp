@@ -9,8 +9,9 @@
 
 namespace waybreaker::apps {
 
-std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans) {
-    auto description = nlohmann::ordered_json::parse(io::map_info_json(map));
+std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front) {
+    using Json = nlohmann::ordered_json;
+    auto description = Json::parse(io::map_info_json(map));
     description["id"] = map.source;
     std::string data = "{\"map\": " + description.dump() + ",\"obstacles\": " + io::obstacles_json(map) +
                        ",\"background\": " + io::background_json(map.background) + ",\n\"plans\": [";
@@ -18,7 +19,9 @@ std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans) 
         if (data.back() != '[') data += ',';
         data += "{\"name\": \"" + plan.name + "\", \"plan\": " + plan.json + "}";
     }
-    data += "]}";
+    data += "]";
+    if (!front.empty()) data += ",\n\"front\": " + Json::parse(front)["front"].dump();
+    data += "}";
     return studio::plan_page("Plan: " + (map.title.empty() ? map.source : map.title), data);
 }
 

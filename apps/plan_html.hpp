@@ -14,6 +14,7 @@ struct NamedPlan {
     std::string json;
 };
 
-std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans);
+// `front`: a plan file that holds one, or nothing.
+std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front = "");
 
 }  // namespace waybreaker::apps

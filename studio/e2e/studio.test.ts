@@ -1,0 +1,293 @@
+// The studio as people use it, in a real browser against a real server.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Browser } from "playwright-core";
+import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
+import type { Plan } from "../src/api/answers";
+import { command, data } from "./command";
+import { Server } from "./server";
+import { launch, phone, StudioPage, wide } from "./studio_page";
+
+const berlin = join(data, "berlin-mitte.tif");
+const size = { width: 501, height: 501 };
+const scratch = mkdtempSync(join(tmpdir(), "studio-"));
+
+let server: Server;
+let browser: Browser;
+let studio: StudioPage | null = null;
+
+beforeAll(async () => {
+  [server, browser] = await Promise.all([Server.start(), launch()]);
+});
+afterAll(async () => {
+  await browser.close();
+  expect(await server.stop()).toBe(0);
+  rmSync(scratch, { recursive: true });
+});
+afterEach(async () => {
+  await studio?.close();
+  studio = null;
+});
+
+async function visit(options: Parameters<typeof StudioPage.visit>[2] = {}): Promise<StudioPage> {
+  studio = await StudioPage.visit(browser, `${server.url}/`, options);
+  await studio.settled();
+  return studio;
+}
+
+function commandAccepts(plan: Plan, map: string): string {
+  const file = join(scratch, "plan.json");
+  writeFileSync(file, JSON.stringify(plan));
+  return execFileSync(command, ["check", map, file], { encoding: "utf8" });
+}
+
+const slider = (page: StudioPage) => page.page.getByRole("slider", { name: "Removals" });
+
+describe("first visit", () => {
+  it("shows a real city with a mission already planned, and says what removing gains", async () => {
+    const page = await visit();
+    await page.result().getByText(/Removing 2 buildings gets the ground robot there 22\s% sooner/).waitFor();
+    await page.result().getByText(/Proven within 0\.\d+\s% of the best possible/).waitFor();
+    await page.page.getByText("OpenStreetMap contributors").waitFor();
+    expect(page.faults).toEqual([]);
+  });
+
+  it("shows the figures of the server's plan, which the command's check accepts", async () => {
+    const page = await visit();
+    const plan = await page.plan();
+    expect(await page.figures()).toEqual([plan.after.makespan, plan.before.makespan]);
+    expect(commandAccepts(plan, berlin)).toContain("valid");
+    const rows = page.page.getByRole("table", { name: /Removed buildings/ }).getByRole("row");
+    expect(await rows.count()).toBe(1 + plan.removed.length);
+  });
+
+  it("can be used soon after it was asked for, and is small", async () => {
+    const page = await visit();
+    const ready = await page.page.evaluate(() => performance.getEntriesByType("paint").at(-1)!.startTime);
+    const sent = await page.page.evaluate(() => {
+      const files = [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")];
+      const own = (files as PerformanceResourceTiming[]).filter((file) => !file.name.includes("/api/"));
+      return own.reduce((sum, file) => sum + file.encodedBodySize, 0);
+    });
+    expect(sent).toBeGreaterThan(0);
+    expect(sent).toBeLessThan(300_000);
+    expect(ready).toBeGreaterThan(0); // how long it takes depends on the machine: docs/performance.md
+  });
+});
+
+describe("the mission", () => {
+  it("follows a marker that is dragged, and one press undoes the drag", async () => {
+    const page = await visit();
+    const from = await page.cellOf("Ground start");
+    const [before] = await page.figures();
+    const grip = await page.place(from, size);
+    await page.page.mouse.move(grip.x, grip.y);
+    await page.page.mouse.down();
+    for (let step = 1; step <= 10; ++step) await page.page.mouse.move(grip.x + 8 * step, grip.y - 4 * step);
+    await expect.poll(async () => (await page.figures())[0], { timeout: 10_000 }).not.toBe(before);
+    await page.page.mouse.up();
+    await page.settled();
+    const to = await page.cellOf("Ground start");
+    expect(to).not.toEqual(from);
+    const plan = await page.plan();
+    expect(plan.agents[0]!.start).toEqual(to);
+    expect((await page.figures())[0]).toBe(plan.after.makespan);
+    expect(commandAccepts(plan, berlin)).toContain("valid");
+    await page.page.keyboard.press("Control+z");
+    await expect.poll(() => page.cellOf("Ground start")).toEqual(from);
+    await page.page.getByRole("button", { name: "Redo" }).click();
+    await expect.poll(() => page.cellOf("Ground start")).toEqual(to);
+    expect(page.faults).toEqual([]);
+  });
+
+  it("moves a marker by the keyboard alone", async () => {
+    const page = await visit();
+    const [x, y] = await page.cellOf("Ground goal");
+    await page.marker("Ground goal").focus();
+    await page.page.keyboard.press("ArrowRight");
+    await page.page.keyboard.press("Shift+ArrowDown");
+    await expect.poll(async () => (await page.cellOf("Ground goal")).join()).not.toBe([x, y].join());
+    await page.settled();
+    expect((await page.plan()).agents[0]!.goal).toEqual(await page.cellOf("Ground goal"));
+  });
+
+  it("takes the number of removals from the slider, and the curve shows what each number reaches", async () => {
+    const page = await visit();
+    await slider(page).focus();
+    await page.page.keyboard.press("Home");
+    await page.result().getByText(/nothing removed/i).waitFor();
+    await page.settled();
+    const [none] = await page.figures();
+    await page.page.keyboard.press("End");
+    await expect.poll(async () => (await page.figures())[0]!, { timeout: 10_000 }).toBeLessThan(none!);
+    await page.settled();
+    expect((await page.plan()).options.removals).toBe(8);
+    const curve = page.page.getByRole("group", { name: "What each number of removals reaches" });
+    expect(await curve.getByRole("button").count()).toBe(9);
+  });
+
+  it("protects and forces obstacles, by name and from the table", async () => {
+    const page = await visit();
+    const first = (await page.plan()).removed[0]!.obstacle;
+    const protect = page.page.getByRole("button", { name: /^Protect / }).first();
+    await protect.click();
+    await expect.poll(async () => (await page.plan()).options.protect ?? [], { timeout: 10_000 }).toHaveLength(1);
+    await page.settled();
+    const plan = await page.plan();
+    expect(plan.removed.map((one) => one.obstacle)).not.toContain(plan.options.protect![0]);
+    expect([first, ...plan.removed.map((one) => one.obstacle)]).toContain(plan.options.protect![0]);
+    expect(commandAccepts(plan, berlin)).toContain("valid");
+    await page.page.getByRole("button", { name: "Undo" }).click();
+    await page.page.getByRole("button", { name: /^Force / }).first().click();
+    await expect.poll(async () => (await page.plan()).options.force ?? [], { timeout: 10_000 }).toHaveLength(1);
+    expect(commandAccepts(await page.plan(), berlin)).toContain("valid");
+  });
+
+  it("tells about an obstacle that is clicked on the map", async () => {
+    const page = await visit();
+    const removed = (await page.plan()).removed[0]!;
+    const obstacles = await (await page.page.request.get(`${server.url}/api/v1/maps/berlin-mitte.tif/obstacles`)).json();
+    const runs = obstacles.runs as number[];
+    let at = 0;
+    let cell: [number, number] | null = null;
+    for (let i = 0; i < runs.length && !cell; i += 2) {
+      if (runs[i] === removed.obstacle && runs[i + 1]! > 12) cell = [(at + 6) % 501, Math.floor((at + 6) / 501)];
+      at += runs[i + 1]!;
+    }
+    const spot = await page.place(cell!, size);
+    await page.page.mouse.click(spot.x, spot.y);
+    const card = page.page.getByRole("complementary", { name: /^About / });
+    await card.waitFor();
+    await card.getByText(`${Math.abs(removed.source_id!)}`).waitFor();
+    await card.getByRole("button", { name: "Close" }).click();
+    await card.waitFor({ state: "detached" });
+  });
+
+  it("draws a wall, plans around it, and the plan holds on the edited map's file", async () => {
+    const page = await visit();
+    await page.page.getByRole("radio", { name: "Draw wall" }).check({ force: true });
+    const plan = await page.plan();
+    const path = plan.agents[0]!.path;
+    const [x, y] = [(path[0]![0] + path[1]![0]) / 2, (path[0]![1] + path[1]![1]) / 2];
+    const spot = await page.place([x, y], size);
+    await page.page.mouse.move(spot.x - 30, spot.y);
+    await page.page.mouse.down();
+    for (let step = 1; step <= 12; ++step) await page.page.mouse.move(spot.x - 30 + 5 * step, spot.y);
+    await page.page.mouse.up();
+    await expect.poll(async () => (await page.plan()).map.digest, { timeout: 15_000 }).not.toBe(plan.map.digest);
+    await page.settled();
+    const saved = page.page.waitForEvent("download");
+    await page.page.getByRole("region", { name: "Take it along" }).getByRole("button", { name: "Map file" }).click();
+    const file = join(scratch, "edited.tif");
+    await (await saved).saveAs(file);
+    expect(commandAccepts(await page.plan(), file)).toContain("valid");
+    const link = page.page.url();
+    await page.close();
+    studio = await StudioPage.visit(browser, link);
+    await studio.settled();
+    expect((await studio.plan()).map.digest).not.toBe(plan.map.digest);
+  });
+});
+
+describe("playback", () => {
+  it("plays, pauses and can be scrubbed", async () => {
+    const page = await visit();
+    const time = page.page.getByRole("slider", { name: "Time of the mission" });
+    await page.page.getByRole("button", { name: "Play", exact: true }).click();
+    await expect.poll(async () => Number(await time.inputValue())).toBeGreaterThan(5);
+    await page.page.getByRole("button", { name: "Pause" }).click();
+    const stopped = await time.inputValue();
+    await page.page.waitForTimeout(300);
+    expect(await time.inputValue()).toBe(stopped);
+    await time.focus();
+    await page.page.keyboard.press("End");
+    expect(Number(await time.inputValue())).toBeCloseTo(Number(await time.getAttribute("max")), 0);
+    expect(await time.getAttribute("aria-valuetext")).toMatch(/ of /);
+  });
+});
+
+describe("a link", () => {
+  it("restores the mission", async () => {
+    const page = await visit();
+    await slider(page).focus();
+    await page.page.keyboard.press("ArrowRight");
+    await page.page.getByRole("button", { name: /^Protect / }).first().click();
+    await expect.poll(async () => (await page.plan()).options.protect ?? [], { timeout: 10_000 }).toHaveLength(1);
+    await page.settled();
+    await expect.poll(() => page.page.url()).toContain("protect=");
+    const plan = await page.plan();
+    const link = page.page.url();
+    await page.close();
+    studio = await StudioPage.visit(browser, link);
+    await studio.settled();
+    const restored = await studio.plan();
+    for (const key of ["removals", "protect", "objective"] as const) expect(restored.options[key]).toEqual(plan.options[key]);
+    expect(restored.removed.map((one) => one.obstacle)).toEqual(plan.removed.map((one) => one.obstacle));
+    expect((await studio.figures())[0]).toBe(plan.after.makespan);
+  });
+
+  it("that is broken says so, and the page works on", async () => {
+    const page = await visit({ query: "?map=berlin-mitte.tif&start=9999,4&removals=many" });
+    await page.page.getByText(/in the link cannot be read/).waitFor();
+  });
+
+  it("to a map that is not there says so", async () => {
+    studio = await StudioPage.visit(browser, `${server.url}/`, { query: "?map=atlantis.tif" });
+    await studio.page.getByText(/atlantis\.tif/).first().waitFor();
+  });
+});
+
+describe("what goes wrong", () => {
+  it("a file that is no map gets the server's words, and the mission stays", async () => {
+    const page = await visit();
+    const before = await page.figures();
+    const file = join(scratch, "holiday.map");
+    writeFileSync(file, "type octile\nheight 3\nwidth banana\nmap\n");
+    await page.page.getByLabel("Map file").setInputFiles(file);
+    const alert = page.page.getByRole("alert");
+    await alert.waitFor();
+    expect(await alert.innerText()).toMatch(/width|banana|line 3/);
+    expect(await page.figures()).toEqual(before);
+  });
+
+  it("a good file of one's own is opened", async () => {
+    const page = await visit();
+    const file = join(scratch, "yard.map");
+    const rows = Array.from({ length: 20 }, (_, y) => (y > 3 && y < 16 ? "........@@@........." : "....................")).join("\n");
+    writeFileSync(file, `type octile\nheight 20\nwidth 20\nmap\n${rows}\n`);
+    await page.page.getByLabel("Map file").setInputFiles(file);
+    await expect.poll(async () => (await page.plan()).map.width, { timeout: 10_000 }).toBe(20);
+    await page.settled();
+  });
+
+  it("a server that is gone is told of, and the page goes on when it is back", async () => {
+    const other = await Server.start();
+    studio = await StudioPage.visit(browser, `${other.url}/`);
+    await studio.settled();
+    const before = await studio.figures();
+    await other.stop();
+    await slider(studio).focus();
+    await studio.page.keyboard.press("ArrowRight");
+    await studio.page.getByText("The server does not answer").waitFor();
+    expect(await studio.figures()).toEqual(before);
+    const back = await Server.start(other.port);
+    await studio.page.getByText("The server does not answer").waitFor({ state: "detached" });
+    await expect.poll(async () => (await studio!.plan()).options.removals, { timeout: 15_000 }).toBe(3);
+    await back.stop();
+  });
+});
+
+describe("looks", () => {
+  for (const viewport of [wide, phone]) {
+    for (const colorScheme of ["light", "dark"] as const) {
+      it(`is accessible and fits at ${viewport.width} px, ${colorScheme}`, async () => {
+        const page = await visit({ viewport, colorScheme });
+        expect(await page.accessibilityFaults()).toEqual([]);
+        const wider = await page.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+        expect(wider).toBeLessThanOrEqual(0);
+      });
+    }
+  }
+});

@@ -1,0 +1,135 @@
+// The studio in a real browser, as a person meets it: by what is read and pressed, and by places on the map.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { type Browser, chromium as launcher, type Locator, type Page } from "playwright-core";
+import type { Cell, Plan, Point } from "../src/api/answers";
+import { toScreen, wholeMap } from "../src/map/camera";
+import { chromium } from "./command";
+
+export const wide = { width: 1400, height: 900 };
+export const phone = { width: 390, height: 844 };
+
+export function launch(): Promise<Browser> {
+  return launcher.launch({ executablePath: chromium, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
+}
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+interface AxeResult {
+  violations: { id: string; nodes: { html: string; failureSummary: string }[] }[];
+}
+
+// In the page: every plan that comes in is read a second time.
+function tellAnswers(): void {
+  const ask = window.fetch;
+  window.fetch = async (...question) => {
+    const answer = await ask(...question);
+    if (answer.ok && answer.url.endsWith("/plan")) {
+      const { keepAnswer } = window as unknown as { keepAnswer(body: string): void };
+      void answer.clone().text().then(keepAnswer, () => undefined);
+    }
+    return answer;
+  };
+}
+
+interface Visit {
+  query?: string;
+  viewport?: { width: number; height: number };
+  colorScheme?: "light" | "dark";
+}
+
+export class StudioPage {
+  readonly #answers: Plan[] = []; // all plans that the server gave
+  readonly faults: string[] = []; // what the browser complained of
+
+  private constructor(
+    readonly page: Page,
+    own: string,
+  ) {
+    page.on("pageerror", (error) => this.faults.push(String(error)));
+    page.on("console", (message) => {
+      if (message.type() === "error") this.faults.push(message.text());
+    });
+    page.on("request", (request) => {
+      const foreign = !request.url().startsWith(own) && !/^(data|blob):/.test(request.url());
+      if (foreign) this.faults.push(`a request to ${request.url()}`);
+    });
+  }
+
+  static async visit(browser: Browser, url: string, { query = "", viewport = wide, colorScheme = "light" }: Visit = {}) {
+    const context = await browser.newContext({ viewport, colorScheme, acceptDownloads: true });
+    const page = await context.newPage();
+    const studio = new StudioPage(page, url.startsWith("http") ? new URL(url).origin : url);
+    await page.exposeFunction("keepAnswer", (body: string) => studio.keep(body));
+    await page.addInitScript(tellAnswers);
+    await page.goto(url + query);
+    return studio;
+  }
+
+  // A plan, or the stream that ends with it.
+  private keep(body: string): void {
+    const event = /event: plan\ndata: (.*)\n/s.exec(body);
+    this.#answers.push(JSON.parse(event ? event[1]!.replaceAll("\ndata: ", "\n") : body) as Plan);
+  }
+
+  result(): Locator {
+    return this.page.getByRole("region", { name: "Result" });
+  }
+
+  // Once the plan stands and its independent check is in.
+  async settled(): Promise<void> {
+    await this.result().getByText("Checked independently").waitFor();
+  }
+
+  // What the headline says: the objective with the removals, and without.
+  async figures(): Promise<number[]> {
+    const texts = await this.result().locator("data").evaluateAll((all) => all.map((one) => one.getAttribute("value")));
+    return texts.map(Number);
+  }
+
+  // The answer of the server that the headline is about.
+  async plan(): Promise<Plan> {
+    const until = Date.now() + 5000; // the page may have read the answer before it gets here
+    for (;;) {
+      const [reached] = await this.figures();
+      const plan = this.#answers.findLast((answer) => answer.after.makespan === reached);
+      if (plan) return plan;
+      if (Date.now() > until) throw new Error(`the page says ${reached}, which no plan of the server reaches`);
+      await this.page.waitForTimeout(20);
+    }
+  }
+
+  map(): Locator {
+    return this.page.getByRole("application");
+  }
+
+  marker(name: string): Locator {
+    return this.page.getByRole("button", { name: new RegExp(`^${name}, column`) });
+  }
+
+  async cellOf(name: string): Promise<Cell> {
+    const label = (await this.marker(name).getAttribute("aria-label")) ?? "";
+    const [, x, y] = /column (\d+), row (\d+)/.exec(label) ?? [];
+    return [Number(x), Number(y)];
+  }
+
+  // Where on the screen a point of the map is, while all of it is shown.
+  async place(point: Point, map: { width: number; height: number }): Promise<{ x: number; y: number }> {
+    const box = (await this.map().boundingBox())!;
+    const [x, y] = toScreen(wholeMap(map, box), box, point);
+    return { x: box.x + x, y: box.y + y };
+  }
+
+  // What axe-core finds against WCAG 2.1 AA and good practice, one line each.
+  async accessibilityFaults(): Promise<string[]> {
+    await this.page.evaluate(axe);
+    return this.page.evaluate(async () => {
+      const { violations } = await (window as unknown as { axe: { run(): Promise<AxeResult> } }).axe.run();
+      return violations.flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html} ${failureSummary}`));
+    });
+  }
+
+  close(): Promise<void> {
+    return this.page.context().close();
+  }
+}

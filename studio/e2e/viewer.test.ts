@@ -1,0 +1,44 @@
+// The page that `waybreaker plan --html` writes: without a server, from a file.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import type { Browser } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Plan } from "../src/api/answers";
+import { command, data } from "./command";
+import { launch, phone, StudioPage, wide } from "./studio_page";
+
+const scratch = mkdtempSync(join(tmpdir(), "viewer-"));
+const html = join(scratch, "plan.html");
+const json = join(scratch, "plan.json");
+
+let browser: Browser;
+
+beforeAll(async () => {
+  const mission = [join(data, "berlin-mitte.tif"), "--start", "256,434", "--goal", "118,55", "-n", "2"];
+  execFileSync(command, ["plan", ...mission, "--html", html, "--json", json], { stdio: "ignore" });
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser.close();
+  rmSync(scratch, { recursive: true });
+});
+
+for (const viewport of [wide, phone]) {
+  it(`shows the plan, plays it and asks nobody, at ${viewport.width} px`, async () => {
+    const viewer = await StudioPage.visit(browser, pathToFileURL(html).href, { viewport });
+    const plan = JSON.parse(readFileSync(json, "utf8")) as Plan;
+    await viewer.result().getByText(/22\s% sooner/).waitFor();
+    expect(await viewer.figures()).toEqual([plan.after.makespan, plan.before.makespan]);
+    await viewer.page.getByRole("table", { name: /Removed buildings/ }).waitFor();
+    await viewer.page.getByRole("group", { name: "What each number of removals reaches" }).waitFor();
+    await viewer.page.getByRole("button", { name: "Play", exact: true }).click();
+    const time = viewer.page.getByRole("slider", { name: "Time of the mission" });
+    await expect.poll(async () => Number(await time.inputValue())).toBeGreaterThan(5);
+    expect(await viewer.accessibilityFaults()).toEqual([]);
+    expect(viewer.faults).toEqual([]);
+    await viewer.close();
+  });
+}
