@@ -1,4 +1,4 @@
-// Stripes to fill areas with, of the same width at every zoom; they stay where they are on the map.
+// Stripes to fill areas with, clear between them, of the same width at every zoom; they stay where they are on the map.
 export type Slope = "rising" | "falling";
 
 export class Hatching {
@@ -8,15 +8,14 @@ export class Hatching {
   of(
     context: CanvasRenderingContext2D,
     ink: string,
-    paper: string | null,
     slope: Slope,
     pixelRatio: number,
     pixel: number,
   ): CanvasPattern {
-    const key = `${ink} ${paper} ${slope} ${pixelRatio}`;
+    const key = `${ink} ${slope} ${pixelRatio}`;
     let pattern = this.#patterns.get(key);
     if (!pattern) {
-      pattern = context.createPattern(stripes(ink, paper, slope, pixelRatio), "repeat")!;
+      pattern = context.createPattern(stripes(ink, slope, pixelRatio), "repeat")!;
       this.#patterns.set(key, pattern);
     }
     pattern.setTransform(new DOMMatrix().scale(pixel / pixelRatio));
@@ -24,16 +23,12 @@ export class Hatching {
   }
 }
 
-function stripes(ink: string, paper: string | null, slope: Slope, pixelRatio: number): HTMLCanvasElement {
+function stripes(ink: string, slope: Slope, pixelRatio: number): HTMLCanvasElement {
   const side = Math.round(7 * pixelRatio);
   const canvas = document.createElement("canvas");
   canvas.width = side;
   canvas.height = side;
   const context = canvas.getContext("2d")!;
-  if (paper !== null) {
-    context.fillStyle = paper;
-    context.fillRect(0, 0, side, side);
-  }
   context.strokeStyle = ink;
   context.lineWidth = 1.7 * pixelRatio;
   if (slope === "falling") context.setTransform(-1, 0, 0, 1, side, 0);

@@ -1,5 +1,4 @@
 // What stands out among the obstacles: removed ones, those with a mark, the one pointed at, the one selected.
-import type { Plan } from "../api/answers";
 import type { CellMap } from "./cell_map";
 import { type Frame, inMapPoints, place } from "./frame";
 import { glyphs } from "./glyphs";
@@ -24,7 +23,7 @@ export class ObstacleLayer {
       for (const [obstacle, mark] of scene.marks) this.#drawMark(frame, obstacle, mark, pixel);
       scene.layers.forEach((layer, i) => {
         const time = i === scene.layers.length - 1 ? scene.time : null;
-        this.#drawRemoved(frame, layer, time, fadeSpan, pixel);
+        this.#drawRemoved(frame, layer, scene.layers.slice(0, i), time, fadeSpan, pixel);
       });
       if (scene.selected !== null) this.#drawLine(frame, scene.selected, frame.theme.select, 3 * pixel, pixel);
       if (scene.highlighted !== null) {
@@ -38,29 +37,25 @@ export class ObstacleLayer {
     for (const [obstacle, mark] of scene.marks) this.#drawSign(frame, obstacle, mark);
   }
 
-  #drawRemoved(frame: Frame, layer: Layer, time: number | null, fadeSpan: number, pixel: number): void {
+  // Stripes, over a tint where no layer below has stripes of its own: then both are to be seen.
+  #drawRemoved(frame: Frame, layer: Layer, below: Layer[], time: number | null, fadeSpan: number, pixel: number): void {
     const { context, theme, pixelRatio } = frame;
     const paper = layer.name === "paper";
     const ink = paper ? theme.paperGround : theme.removed;
-    const hatching = this.#hatching.of(
-      context,
-      ink,
-      paper ? null : theme.removedTint,
-      paper ? "falling" : "rising",
-      pixelRatio,
-      pixel,
-    );
-    for (const removed of (layer.plan satisfies Plan).removed) {
-      const path = this.#outline(frame, removed.obstacle);
-      const gone = time === null ? 0 : Math.min(Math.max((time - removed.cleared_at) / fadeSpan, 0), 1);
-      if (gone > 0) {
-        context.globalAlpha = gone;
-        context.fillStyle = theme.paper;
-        context.fill(path, "evenodd");
+    const stripes = this.#hatching.of(context, ink, paper ? "falling" : "rising", pixelRatio, pixel);
+    for (const { obstacle, cleared_at } of layer.plan.removed) {
+      const path = this.#outline(frame, obstacle);
+      const gone = time === null ? 0 : Math.min(Math.max((time - cleared_at) / fadeSpan, 0), 1);
+      const fill = (style: string | CanvasPattern, alpha: number): void => {
+        context.globalAlpha = alpha;
+        context.fillStyle = style;
+        if (alpha > 0) context.fill(path, "evenodd");
+      };
+      fill(theme.paper, gone);
+      if (!below.some(({ plan }) => plan.removed.some((other) => other.obstacle === obstacle))) {
+        fill(paper ? theme.paperTint : theme.removedTint, 1 - gone);
       }
-      context.globalAlpha = 1 - gone;
-      context.fillStyle = hatching;
-      if (gone < 1) context.fill(path, "evenodd");
+      fill(stripes, 1 - gone);
       context.globalAlpha = 1 - 0.5 * gone;
       context.strokeStyle = ink;
       context.lineWidth = 1.6 * pixel;

@@ -18,16 +18,16 @@ export interface Theme {
   fixed: string; // cannot be removed
   fixedEdge: string;
   removed: string;
-  removedTint: string;
+  removedTint: string; // under the hatching
   breach: string; // carries figures in `onBreach`
   onBreach: string;
   ground: string;
-  groundFaint: string;
   air: string;
   airEdge: string; // around orange: its contrast
   airLine: string; // of thin lines
   paperGround: string; // the paper's choice
   paperAir: string;
+  paperTint: string; // under its hatching
   onGround: string; // glyphs on a disc of colour `ground`
   onAir: string;
   protect: string;
@@ -60,12 +60,12 @@ export const light: Theme = {
   breach: "#b84a00",
   onBreach: "#ffffff",
   ground: "#0072b2",
-  groundFaint: "#7db4d6",
   air: "#e69f00",
   airEdge: "#6b4300",
   airLine: "#6b4300",
   paperGround: "#a3457f",
   paperAir: "#a3457f",
+  paperTint: "#f6e2ee",
   onGround: "#ffffff",
   onAir: "#3b2500",
   protect: "#00785a",
@@ -85,7 +85,7 @@ export const dark: Theme = {
   streetEdge: "#15181b",
   path: "#2a2e33",
   rail: "#4a4f57",
-  water: "#16303f",
+  water: "#1c4055",
   waterName: "#8fbdd6",
   green: "#1f2d22",
   greenName: "#a3c490",
@@ -98,12 +98,12 @@ export const dark: Theme = {
   breach: "#ff8a3d",
   onBreach: "#231003",
   ground: "#56b4e9",
-  groundFaint: "#33627d",
   air: "#f0b429",
   airEdge: "#241600",
   airLine: "#f0b429",
   paperGround: "#e093bf",
   paperAir: "#e093bf",
+  paperTint: "#45273a",
   onGround: "#04202f",
   onAir: "#2b1b00",
   protect: "#3ddcb0",
