@@ -39,7 +39,7 @@ export function clockTime(time: number, units: Units): string {
   if (time < 0) return `−${clockTime(-time, units)}`;
   if (units.time === "metres") return metres(time * units.cell);
   if (units.time === "steps") return decimals(time);
-  if (time < 59.95) return `${trimmed(time, 1)}${space}s`;
+  if (time < 59.5) return `${trimmed(time, time < 9.95 ? 1 : 0)}${space}s`;
   const whole = Math.round(time);
   const [hours, minutes, seconds] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
   const two = (n: number) => String(n).padStart(2, "0");

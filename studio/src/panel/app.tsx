@@ -70,11 +70,11 @@ function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
         <Attribution page={page} />
       </div>
       {studio && <Invitation studio={studio} />}
-      {plan && plan.agents.length > 0 && (
-        <div class="timeline-box">
+      <div class="timeline-box">
+        {plan && plan.agents.length > 0 && (
           <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value)} />
-        </div>
-      )}
+        )}
+      </div>
     </section>
   );
 }
