@@ -1,5 +1,5 @@
 // The page's state and what people do to it. Panels and map read its signals; the server is asked in the background.
-import { batch, computed, effect, signal } from "@preact/signals";
+import { batch, computed, effect, signal, untracked } from "@preact/signals";
 import type { Cell, MapEntry } from "../api/answers";
 import { ServiceError, type Client, type ExportFormat } from "../api/client";
 import type { Handle, LayerName, Mark, Run, Tool } from "../map/scene";
@@ -38,8 +38,8 @@ export class Studio extends PageState {
     this.#maps = new Maps(client);
     effect(() => {
       const failure = this.planner.failure.value;
-      if (failure?.trouble === "gone") void this.#awaitServer();
-      if (failure?.trouble === "missing") this.#mapIsMissing();
+      if (failure?.trouble === "gone") untracked(() => this.#awaitServer());
+      if (failure?.trouble === "missing") untracked(() => this.#mapIsMissing());
     });
   }
 

@@ -66,9 +66,9 @@ function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
       <div class="map-box">
         <MapCanvas scene={scene} events={events} label={title ? `Map of ${title}` : "Map"} />
         {studio && <Gone studio={studio} />}
-        <ObstacleCard page={page} />
         <Attribution page={page} />
       </div>
+      <ObstacleCard page={page} />
       {studio && <Invitation studio={studio} />}
       <div class="timeline-box">
         {plan && plan.agents.length > 0 && (

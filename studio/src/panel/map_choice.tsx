@@ -34,7 +34,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
         class="spoken"
         type="file"
         tabIndex={-1}
-        aria-label="File to open"
+        aria-label="Map file"
         onChange={(event) => {
           const file = event.currentTarget.files?.[0];
           event.currentTarget.value = "";
