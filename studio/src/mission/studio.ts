@@ -143,12 +143,8 @@ export class Studio extends PageState {
     if (done) this.endGesture();
   }
 
-  // The aircraft stands where the robot does, or at a place of its own.
-  separateAircraft(apart: boolean): void {
-    this.change((mission) => {
-      const { start, goal } = mission.markers;
-      return { ...mission, markers: apart ? { start, goal, air_start: start, air_goal: goal } : { start, goal } };
-    });
+  bringAircraftBack(): void {
+    this.change((mission) => ({ ...mission, markers: { start: mission.markers.start, goal: mission.markers.goal } }));
   }
 
   draw(tool: "wall" | "erase", runs: readonly Run[]): void {

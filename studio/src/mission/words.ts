@@ -67,10 +67,10 @@ function unhelped(plan: Plan): string {
   return "No removal gets the ground robot there sooner";
 }
 
-// Whether the ground agent is the last to arrive, with and without removals.
+// Whether the ground agent is the last to arrive, or so near to it that nobody would see it.
 function groundDecides(plan: Plan): boolean {
   const arrival = (kind: "ground" | "air") => plan.agents.find((agent) => agent.kind === kind)?.path.at(-1)?.[2] ?? 0;
-  return arrival("ground") >= arrival("air") - 1e-9;
+  return arrival("ground") >= 0.999 * arrival("air");
 }
 
 function without(plan: Plan, buildings: boolean): Headline {

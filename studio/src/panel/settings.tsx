@@ -55,14 +55,15 @@ export function Settings({ studio }: { studio: Studio }) {
         />
         <RobotSize radius={mission.radius} units={units} onChange={(radius) => set({ radius })} />
       </div>
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={apart}
-          onChange={(event) => studio.separateAircraft(event.currentTarget.checked)}
-        />
-        <span>The aircraft starts and lands elsewhere (drag its own markers)</span>
-      </label>
+      <p class="aircraft-place">
+        {apart ? (
+          <button type="button" class="button" onClick={() => studio.bringAircraftBack()}>
+            Put the aircraft back to the robot’s start and goal
+          </button>
+        ) : (
+          "To start or land the aircraft elsewhere, pull its small marker off the start or the goal."
+        )}
+      </p>
     </details>
   );
 }

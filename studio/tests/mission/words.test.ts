@@ -20,6 +20,7 @@ describe("headline", () => {
 
   it("speaks of both where the aircraft is the last", () => {
     expect(title({ removed: [4], before: 100, after: 90, air: 95 })).toContain("gets the last of the two there");
+    expect(title({ removed: [4], before: 100, after: 90, air: 90.01 })).toContain("gets the ground robot there");
   });
 
   it("says that something opens a way that there is not without", () => {
