@@ -1,11 +1,21 @@
 #include "geo/label_tiff.hpp"
 
+#include <cmath>
+
 #include "laws.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     waybreaker::read_or_refuse(data, size, [](std::string_view bytes) {
         const waybreaker::geo::LabelTiff tiff = waybreaker::geo::read_label_tiff(bytes, "input");
         waybreaker::law(tiff.cell_size > 0);
+        waybreaker::law(tiff.names.empty() || tiff.names.size() == tiff.map.obstacles().size() + 1);
+        for (const auto& feature : tiff.background.features) {
+            waybreaker::law(!feature.parts.empty());
+            for (const auto& part : feature.parts) {
+                waybreaker::law(!part.empty());
+                for (const auto& point : part) waybreaker::law(std::isfinite(point.x) && std::isfinite(point.y));
+            }
+        }
     });
     return 0;
 }

@@ -41,22 +41,13 @@ void append_part(const Part& part, bool closed, const ToLonLat& to_lon_lat, std:
     text += ')';
 }
 
-// Twice the area, positive for a ring that turns left where y goes up; in cells it goes down.
-double left_turn(const Part& ring) {
-    double sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point& next = ring[(i + 1) % ring.size()];
-        sum += next.x * ring[i].y - ring[i].x * next.y;
-    }
-    return sum;
-}
-
 std::string wkt(const Background::Feature& feature, const ToLonLat& to_lon_lat) {
     const bool area = feature.shape == Shape::area;
     std::string text = area ? "MULTIPOLYGON(" : feature.shape == Shape::line ? "MULTILINESTRING(" : "MULTIPOINT(";
     for (std::size_t i = 0; i < feature.parts.size(); ++i) {
         const Part& part = feature.parts[i];
-        const bool new_polygon = area && (i == 0 || left_turn(part) > 0);
+        const bool outer = signed_area(part) < 0;  // in cells y goes down
+        const bool new_polygon = area && (i == 0 || outer);
         if (i > 0) text += new_polygon ? ")," : ",";
         if (new_polygon) text += '(';
         append_part(part, area, to_lon_lat, text);

@@ -34,15 +34,6 @@ struct Extent {
     Point to_cells(Point p) const { return {(p.x - bounds.MinX) / cell - 0.5, (bounds.MaxY - p.y) / cell - 0.5}; }
 };
 
-double area_of(const std::vector<Point>& ring) {
-    double twice = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point& next = ring[(i + 1) % ring.size()];
-        twice += ring[i].x * next.y - next.x * ring[i].y;
-    }
-    return std::abs(twice) / 2;
-}
-
 double length_of(const Line& line) {
     double length = 0;
     for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
@@ -98,11 +89,12 @@ Parts areas_of(const std::vector<const Sight*>& sights, const Extent& extent) {
     for (const Sight* sight : sights) collect_polygons(polygons_within(*sight->shape, extent.bounds), all);
     if (all.IsEmpty()) return {};
     const std::unique_ptr<OGRGeometry> united(all.UnionCascaded());
-    const std::unique_ptr<OGRGeometry> simple(united ? united->SimplifyPreserveTopology(extent.cell / 2) : nullptr);
+    const std::unique_ptr<OGRGeometry> simple(united ? united->SimplifyPreserveTopology(extent.cell) : nullptr);
     std::optional<FeatureParts> parts = simple ? parts_of(*simple) : std::nullopt;
     if (!parts) return {};
-    std::erase_if(parts->parts,
-                  [&](const auto& ring) { return area_of(ring) < least_area * extent.cell * extent.cell; });
+    std::erase_if(parts->parts, [&](const auto& ring) {
+        return std::abs(signed_area(ring)) < least_area * extent.cell * extent.cell;
+    });
     return std::move(parts->parts);
 }
 

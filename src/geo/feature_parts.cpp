@@ -22,7 +22,7 @@ void append_polygon(const OGRPolygon& polygon, Parts& parts) {
             if (left) return;  // nothing to have a hole in
             continue;
         }
-        if ((ring->isClockwise() == 0) != left) std::reverse(points.begin(), points.end());
+        if ((signed_area(points) > 0) != left) std::reverse(points.begin(), points.end());
         parts.push_back(std::move(points));
         left = false;
     }
@@ -37,6 +37,15 @@ void append_point(const OGRPoint& point, Parts& parts) {
 }
 
 }  // namespace
+
+double signed_area(const std::vector<Point>& ring) {
+    double twice = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point& next = ring[(i + 1) % ring.size()];
+        twice += ring[i].x * next.y - next.x * ring[i].y;
+    }
+    return twice / 2;
+}
 
 std::optional<FeatureParts> parts_of(const OGRGeometry& shape) {
     using Shape = Background::Shape;

@@ -16,6 +16,9 @@ struct FeatureParts {
     std::vector<std::vector<Point>> parts;
 };
 
+// Of a ring that closes by itself; positive if it turns left where y goes up.
+double signed_area(const std::vector<Point>& ring);
+
 // Empty unless it is a point, a line, a polygon, or several of one of these.
 std::optional<FeatureParts> parts_of(const OGRGeometry& shape);
 

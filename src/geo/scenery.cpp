@@ -1,9 +1,10 @@
 #include "geo/scenery.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "geo/feature_tags.hpp"
 #include "geo/gdal_scope.hpp"
@@ -21,7 +22,7 @@ struct Rule {
     int rank;
     std::vector<Shape> shapes;
     TagFilter filter;
-    bool only_named = false;
+    bool only_named = false;  // else every way across a courtyard, and both sides of each street once more
 };
 
 // The first that holds.
@@ -38,8 +39,7 @@ const std::vector<Rule>& rules() {
          2,
          {Shape::line},
          {"highway", {"unclassified", "residential", "living_street", "pedestrian", "road"}}},
-        {Kind::street, 2, {Shape::area}, {"highway", {"pedestrian"}}},
-        // Else the ways across every courtyard, and both sides of each street once more.
+        {Kind::street, 2, {Shape::area}, {"highway", {"pedestrian"}}, true},
         {Kind::street,
          3,
          {Shape::line},
@@ -140,7 +140,8 @@ bool can_have_scenery(OGRLayer& layer) {
                        [&](const TagFilter& filter) { return tags.can_have(filter.key); });
 }
 
-// By layer. In OpenStreetMap's files without the layers of relations that are not areas.
+// By layer, of those that say where they lie. In OpenStreetMap's files without the layers of relations that are not
+// areas.
 std::map<const OGRLayer*, SceneryLayer> layers_of(GDALDataset& file, const Window& window, const std::string& source) {
     const bool osm = EQUAL(file.GetDriverName(), "OSM");
     if (osm) {
@@ -150,7 +151,7 @@ std::map<const OGRLayer*, SceneryLayer> layers_of(GDALDataset& file, const Windo
     for (OGRLayer* layer : file.GetLayers()) {
         const std::string name = layer->GetName();
         const bool wanted = !osm || name == "points" || name == "lines" || name == "multipolygons";
-        if (wanted && can_have_scenery(*layer)) {
+        if (wanted && layer->GetSpatialRef() != nullptr && can_have_scenery(*layer)) {
             layers.emplace(std::piecewise_construct, std::forward_as_tuple(layer),
                            std::forward_as_tuple(*layer, window, source));
         }

@@ -23,8 +23,8 @@ struct Sight {
 // InputError if the source cannot be read.
 std::vector<Sight> read_scenery(const std::string& source, const Window& window);
 
-// What of it lies within bounds, in the cells of a map there: joined, clipped, simplified to half a cell, without what
-// is too small to see. The least ranks are left out where it would be too long for the file.
+// What of it lies within bounds, in the cells of a map there: joined, clipped, simplified to half a cell (areas: a
+// cell), without what is too small to see. The least ranks are left out where it would be too long for the file.
 Background background_within(const std::vector<Sight>& scenery, const OGREnvelope& bounds, double cell);
 
 }  // namespace waybreaker::geo

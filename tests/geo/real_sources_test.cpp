@@ -196,6 +196,8 @@ TEST_P(CommittedMaps, can_be_made_again) {
     EXPECT_TRUE(std::equal(made.map.obstacles().begin(), made.map.obstacles().end(), committed.map.obstacles().begin(),
                            committed.map.obstacles().end(),
                            [](const Obstacle& a, const Obstacle& b) { return a.source_id == b.source_id; }));
+    EXPECT_EQ(made.names, committed.names);
+    EXPECT_EQ(label_tiff_bytes(made), label_tiff_bytes(committed));
     EXPECT_EQ(made.title, committed.title);
     EXPECT_EQ(made.georeference->crs, committed.georeference->crs);
 }
@@ -242,6 +244,7 @@ TEST(CommittedMapOfManhattan, has_the_empire_state_building_where_it_stands) {
     const ObstacleId id = tiff.map.obstacle_at(cell);
     ASSERT_TRUE(id);
     EXPECT_EQ(tiff.map.obstacle(id).source_id, way);
+    EXPECT_EQ(tiff.names.at(id.value), "Empire State Building");
 
     const auto [lon, lat] = tiff.georeference->lon_lat(cell.x, cell.y);
     const double metres_east = (lon - longitude) * 111320 * std::cos(latitude * 3.14159265 / 180);

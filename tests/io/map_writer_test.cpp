@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ascii_map.hpp"
+#include "geo/city_import.hpp"
 #include "input_error.hpp"
 #include "io/output_file.hpp"
 #include "shared_data.hpp"
@@ -109,6 +110,28 @@ TEST_F(WrittenMaps, SayWhatIsLost) {
     for (const char* name : {"y.map", "y.xml", "y.tif", "y.yaml", "y.png", "y.pgm"}) {
         EXPECT_EQ(write_map(plain, name).losses, std::vector<std::string>()) << name;
     }
+}
+
+// Names and what lies around go with a map, as far as its format takes them.
+TEST_F(WrittenMaps, AreStillKnownByTheirNames) {
+    const MapFile city = read_map_file(WAYBREAKER_SOURCE_DIR "/data/berlin-mitte.tif");
+    ASSERT_EQ(geo::name_count(city.names), 98U);
+    ASSERT_FALSE(city.background.features.empty());
+    EXPECT_TRUE(write(city, "b.tif").losses.empty());
+    EXPECT_EQ(bytes_of("b.tif"), bytes_of(WAYBREAKER_SOURCE_DIR "/data/berlin-mitte.tif"));
+
+    const std::string ground = "does not hold streets, water and what else lies around the obstacles";
+    EXPECT_EQ(write(city, "b.geojson").losses,
+              (std::vector<std::string>{"a GeoJSON does not hold the size of a cell", "a GeoJSON " + ground}));
+    geo::ImportOptions all_of_it{.longitude = 13.383, .latitude = 52.5213};
+    all_of_it.choice.obstacles = {{.key = "*"}};
+    const geo::LabelTiff imported = geo::import_city(path("b.geojson"), all_of_it).tiff;
+    EXPECT_TRUE(imported.map.grid() == city.map.grid());
+    EXPECT_EQ(imported.names, city.names);
+
+    const std::vector<std::string> losses = write_map(city, "b.png").losses;
+    EXPECT_NE(losses.front().find("source ids, names"), std::string::npos) << losses.front();
+    EXPECT_NE(std::find(losses.begin(), losses.end(), "a PNG " + ground), losses.end());
 }
 
 TEST_F(WrittenMaps, HaveAFormatByName) {

@@ -89,12 +89,14 @@ TEST_F(PlanGeojson, HasBreachesAndRemovedObstacles) {
     ASSERT_EQ(plan.removed.size(), 3U);
     ASSERT_EQ(breaches.size(), 3U);
     ASSERT_EQ(removed.size(), 3U);
+    EXPECT_EQ(map.name_of(plan.removed[2].obstacle), "Endoskopie");
     for (std::size_t i = 0; i < removed.size(); ++i) {
         const Removal& removal = plan.removed[i];
         expect_at(*breaches[i]->GetGeometryRef()->toPoint(), removal.at.x, removal.at.y);
         for (const auto* feature : {breaches[i].get(), removed[i].get()}) {
             EXPECT_EQ(feature->GetFieldAsInteger64("source_id"), removal.source_id);
             EXPECT_EQ(feature->GetFieldAsInteger("obstacle"), int(removal.obstacle.value));
+            EXPECT_EQ(feature->GetFieldAsString("name"), map.name_of(removal.obstacle));
             EXPECT_EQ(feature->GetFieldAsDouble("cleared_at"), removal.cleared_at);
         }
         OGRGeometry* shape = removed[i]->GetGeometryRef();

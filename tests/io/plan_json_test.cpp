@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ascii_map.hpp"
+#include "io/plan_file.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -161,6 +162,19 @@ TEST_F(PlanJson, NamesTheSourceOfARemovedObstacleWhereItIsKnown) {
     const Json removed = json()["removed"][0];
     EXPECT_EQ(removed["source_id"], -42);
     EXPECT_EQ(removed["entered_at"], 2.5);
+}
+
+TEST_F(PlanJson, HasTheNamesOfObstaclesThatHaveOne) {
+    EXPECT_FALSE(has_key(json(), "name"));
+    plan.next = {{.obstacle = {2}, .source_id = 0, .saves = 0.5}};
+    file.names = {"", "Town \"Hall\"", ""};
+    EXPECT_EQ(json()["removed"][0]["name"], "Town \"Hall\"");
+    EXPECT_EQ(keys(json()["next"][0]), (Keys{"obstacle", "saves"}));
+    file.names = {"", "", "Mill"};
+    EXPECT_FALSE(has_key(json()["removed"], "name"));
+    EXPECT_EQ(json()["next"][0]["name"], "Mill");
+    const PlanFile read = parse_plan(text(), "plan.json");
+    EXPECT_EQ(read.plan.next[0].obstacle, ObstacleId{2});
 }
 
 TEST_F(PlanJson, NamesWhatOnlySomeMissionsHave) {
