@@ -265,7 +265,7 @@ export class MapView implements GestureTarget {
     drawMarkers(frame, scene.markers, this.#dragged?.spot.handle ?? this.#focused, scene.editable);
     this.#sketch.draw(frame, scene);
     if (this.#surface.hasKeyboard) drawCross(frame);
-    drawScaleBar(frame, scene.map.cell_size);
+    drawScaleBar(frame, scene.map);
     const moreTiles = this.#tiles.paintMissing(begin + frameTime);
     if (moreTiles || moreLabels || this.#glide || (!still && pulses(scene))) this.#surface.ask();
   }

@@ -1,4 +1,5 @@
-// How long the metres are.
+// How long the metres are; or the cells, where the map does not say how large they are.
+import type { MapDescription } from "../api/answers";
 import { type Frame, typeface } from "./frame";
 
 // The longest of 1, 2, 5, 10, 20, ... metres that is at most so many pixels long.
@@ -13,11 +14,17 @@ export function lengthText(metres: number): string {
   return metres >= 1 ? `${metres} m` : `${Math.round(metres * 100)} cm`;
 }
 
-export function drawScaleBar(frame: Frame, cellSize: number): void {
+export function cellsText(cells: number): string {
+  return cells === 1 ? "1 cell" : `${cells} cells`;
+}
+
+export function drawScaleBar(frame: Frame, map: MapDescription): void {
   const { context, theme, view, camera } = frame;
-  const metresPerPixel = cellSize / camera.scale;
-  const metres = roundLength(metresPerPixel, Math.min(120, view.width / 4));
-  const length = metres / metresPerPixel;
+  const metric = map.georeference !== null || map.cell_size !== 1;
+  const unitsPerPixel = map.cell_size / camera.scale;
+  const units = roundLength(unitsPerPixel, Math.min(120, view.width / 4));
+  const text = metric ? lengthText(units) : cellsText(units);
+  const length = units / unitsPerPixel;
   const x = 16;
   const y = view.height - 16;
   const line = (): void => {
@@ -42,7 +49,7 @@ export function drawScaleBar(frame: Frame, cellSize: number): void {
   context.lineJoin = "round";
   context.strokeStyle = theme.halo;
   context.lineWidth = 3.5;
-  context.strokeText(lengthText(metres), x + 6, y - 5);
+  context.strokeText(text, x + 6, y - 5);
   context.fillStyle = theme.ink;
-  context.fillText(lengthText(metres), x + 6, y - 5);
+  context.fillText(text, x + 6, y - 5);
 }

@@ -22,6 +22,7 @@ export class Studio extends PageState {
   readonly canUndo = computed(() => (this.history.value?.past.length ?? 0) > 0);
   readonly canRedo = computed(() => (this.history.value?.future.length ?? 0) > 0);
   readonly mapList = signal<MapEntry[]>([]);
+  readonly uploads = signal<ReadonlyMap<string, string>>(new Map()); // names of files by map
   readonly tool = signal<Tool>("move");
   readonly gone = signal(false); // nobody answers
 
@@ -95,9 +96,9 @@ export class Studio extends PageState {
     this.loading.value = true;
     this.notice.value = null;
     try {
-      const description = await this.client.upload(file);
-      this.mapList.value = await this.client.maps();
-      await this.open(description.id);
+      const { id } = await this.client.upload(file);
+      this.uploads.value = new Map(this.uploads.value).set(id, file.name);
+      await this.open(id);
     } catch (error) {
       this.loading.value = false;
       this.#failed(error, () => this.upload(file), `“${file.name}” cannot be used as a map: `);

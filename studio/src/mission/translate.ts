@@ -5,6 +5,8 @@ import type { Run } from "../map/scene";
 import { wallCell, wallKey } from "./mission";
 
 export class Translation {
+  readonly #found = new Map<number, number>(); // asked again with each picture
+
   constructor(
     private readonly base: CellMap,
     private readonly shown: CellMap,
@@ -13,6 +15,12 @@ export class Translation {
 
   // The obstacle of the map shown; 0 where nothing of it is left.
   toShown(key: number): number {
+    const id = this.#found.get(key) ?? this.#find(key);
+    this.#found.set(key, id);
+    return id;
+  }
+
+  #find(key: number): number {
     if (key < 0) {
       const [x, y] = wallCell(key, this.base.width);
       return this.isWall(x, y) ? this.shown.at(x, y) : 0;

@@ -6,8 +6,10 @@ import { Icon } from "./icons";
 export function MapChoice({ studio }: { studio: Studio }) {
   const input = useRef<HTMLInputElement>(null);
   const current = studio.mission.value?.map ?? "";
-  const known = studio.mapList.value;
-  const listed = known.some((entry) => entry.id === current) || current === "";
+  const uploads = studio.uploads.value;
+  // The server's list has everybody's uploads and drawings, too.
+  const served = studio.mapList.value.filter((entry) => !entry.uploaded).map((entry) => entry.id);
+  const listed = served.includes(current) || uploads.has(current) || current === "";
   return (
     <div class="map-choice">
       <label class="spoken" for="map-choice">
@@ -20,9 +22,14 @@ export function MapChoice({ studio }: { studio: Studio }) {
       >
         {current === "" && <option value="">No map</option>}
         {!listed && <option value={current}>{current}</option>}
-        {known.map(({ id, uploaded }) => (
+        {served.map((id) => (
           <option key={id} value={id}>
-            {uploaded ? `Your map ${id}` : titled(id)}
+            {titled(id)}
+          </option>
+        ))}
+        {[...uploads].map(([id, file]) => (
+          <option key={id} value={id}>
+            {file}
           </option>
         ))}
       </select>
