@@ -41,7 +41,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
         class="spoken"
         type="file"
         tabIndex={-1}
-        aria-label="Map file"
+        aria-label="File to open"
         onChange={(event) => {
           const file = event.currentTarget.files?.[0];
           event.currentTarget.value = "";
