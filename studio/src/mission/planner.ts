@@ -5,7 +5,17 @@ import { signal, type Signal } from "@preact/signals";
 import type { FrontPoint, Plan, PlanRequest } from "../api/answers";
 import { pause, ServiceError, type CheckReport, type Progress } from "../api/client";
 import type { LayerName } from "../map/scene";
-import { beforeRequest, frontRequest, keyOf, paperRequest, planRequest, type Question } from "./request";
+import {
+  beforeRequest,
+  frontRequest,
+  keyOf,
+  paperRequest,
+  planRequest,
+  quick,
+  thoroughRequest,
+  type Question,
+} from "./request";
+import { valueOf } from "./words";
 
 export interface PlanService {
   plan(map: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan>;
@@ -74,6 +84,12 @@ export class Planner implements Results {
     this.#wanted = null;
     this.#resting?.abort();
     this.#working?.control.abort();
+    this.progress.value = null;
+  }
+
+  // Whether what is shown answers the latest question.
+  isUpToDate(): boolean {
+    return this.#working === null && this.#wanted === null;
   }
 
   // Another map: nothing of the old plans fits.
@@ -171,14 +187,22 @@ export class Planner implements Results {
     if (!stop.aborted && plan.front) this.front.value = frontOf(plan.front, question);
   }
 
-  // The same plan again, with what the mission would lose without each removal.
+  // The plan again with what each removal saves; where time was short, perhaps a better one.
   async #explain(question: Question, stop: AbortSignal): Promise<void> {
-    const shown = this.plans.value.after?.plan;
-    if (!shown || shown.removed.length === 0) return;
-    const removals = question.removals === "auto" ? shown.removed.length : question.removals;
-    const plan = await this.service.plan(question.map, planRequest(question, removals, true), stop);
-    if (!isSame(plan, shown)) return;
-    this.#show("after", plan, stop, this.plans.value.after?.verdict ?? null);
+    const shown = this.plans.value.after;
+    const short = (shown?.plan.seconds?.total ?? 0) >= quick;
+    if (!shown || (shown.plan.removed.length === 0 && !short)) return;
+    const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
+    const tell = (progress: Progress) => {
+      if (short && !stop.aborted) this.progress.value = progress;
+    };
+    try {
+      const plan = await this.service.plan(question.map, thoroughRequest(question, removals), stop, tell);
+      if (!isAsGood(plan, shown.plan)) return;
+      this.#show("after", plan, stop, hasSamePaths(plan, shown.plan) ? shown.verdict : null);
+    } finally {
+      if (short && !stop.aborted) this.progress.value = null;
+    }
     await this.#judge("after", question, stop);
   }
 
@@ -211,9 +235,13 @@ function frontOf(points: FrontPoint[], question: Question): Front {
   return { points, from: question.options.force?.length ?? 0, key: keyOf.front(question) };
 }
 
-function isSame(a: Plan, b: Plan): boolean {
-  const ids = (plan: Plan) => plan.removed.map((one) => one.obstacle).join();
-  return ids(a) === ids(b) && JSON.stringify(a.agents) === JSON.stringify(b.agents);
+function isAsGood(plan: Plan, than: Plan): boolean {
+  const value = (one: Plan) => valueOf(one.after, one.options.objective ?? "makespan") ?? Infinity;
+  return value(plan) <= value(than) * (1 + 1e-9);
+}
+
+function hasSamePaths(a: Plan, b: Plan): boolean {
+  return JSON.stringify(a.agents) === JSON.stringify(b.agents);
 }
 
 function asServiceError(error: unknown): ServiceError {

@@ -44,8 +44,16 @@ function request(question: Question, method: Method, options: PlanOptions): Plan
   return { mission: question.mission, options: { ...how, ...question.options, ...options } };
 }
 
-export function planRequest(question: Question, removals: number, explain = false): PlanRequest {
-  return request(question, question.method, explain ? { removals, explain } : { removals });
+// The first plan has to come soon, and is asked for again, with more time, when nothing changes for a moment.
+export const quick = 2; // seconds
+
+export function planRequest(question: Question, removals: number): PlanRequest {
+  return request(question, question.method, { removals, time_limit: quick });
+}
+
+// With all the time that the service gives, and what the mission would lose without each removal.
+export function thoroughRequest(question: Question, removals: number): PlanRequest {
+  return request(question, question.method, { removals, explain: true });
 }
 
 export function frontRequest(question: Question): PlanRequest {
@@ -55,7 +63,7 @@ export function frontRequest(question: Question): PlanRequest {
 // The way with nothing removed; what has to go or stay is no matter then.
 export function beforeRequest(question: Question): PlanRequest {
   const { protect, force, ...options } = question.options;
-  return { mission: question.mission, options: { select: "exact", ...options, removals: 0 } };
+  return { mission: question.mission, options: { select: "exact", ...options, removals: 0, time_limit: quick } };
 }
 
 export function paperRequest(question: Question, removals: number): PlanRequest {

@@ -1,6 +1,7 @@
 // What the plan achieves, in one sentence, and how sure that is.
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Judged } from "../mission/planner";
+import type { Progress } from "../api/client";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { duration } from "../mission/units";
@@ -135,7 +136,7 @@ function Working({ page }: { page: PageState }) {
     <div class="working">
       <progress aria-label="Planning" />
       <span>
-        {progress.state === "queued" ? "Waiting for the planner" : "Planning"}: {Math.round(progress.seconds)} s
+        {doing(page, progress)}: {Math.round(progress.seconds)} s
       </span>
       {page instanceof Studio && (
         <button type="button" class="button" onClick={() => page.planner.stop()}>
@@ -144,6 +145,16 @@ function Working({ page }: { page: PageState }) {
       )}
     </div>
   );
+}
+
+function doing(page: PageState, progress: Progress): string {
+  if (progress.state === "queued") return "Waiting for the planner";
+  return isAnswered(page) ? "Looking for a better plan" : "Planning";
+}
+
+// Whether the plan shown is of the mission as it is.
+function isAnswered(page: PageState): boolean {
+  return page instanceof Studio && page.planner.isUpToDate();
 }
 
 // Screen readers hear the result when it has settled, not at every step of a drag.

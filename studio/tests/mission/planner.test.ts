@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import type { Plan, PlanRequest } from "../../src/api/answers";
-import { ServiceError, type CheckReport } from "../../src/api/client";
+import { ServiceError, type CheckReport, type Progress } from "../../src/api/client";
 import { Planner, type PlanService } from "../../src/mission/planner";
 import type { Question } from "../../src/mission/request";
 import { planOf } from "./plans";
@@ -12,25 +12,31 @@ interface Asked {
   answer(plan: Plan): void;
   report(report: CheckReport): void;
   fail(error: ServiceError): void;
+  tell(progress: Progress): void;
 }
 
 // A service whose answers the test gives.
 class FakeService implements PlanService {
   readonly asked: Asked[] = [];
 
-  plan = (_: string, request: PlanRequest, signal?: AbortSignal) => this.#note<Plan>("plan", request, signal);
-  front = (_: string, request: PlanRequest, signal?: AbortSignal) => this.#note<Plan>("front", request, signal);
+  plan: PlanService["plan"] = (_, request, signal, tell) => this.#note<Plan>("plan", request, signal, tell);
+  front: PlanService["front"] = (_, request, signal, tell) => this.#note<Plan>("front", request, signal, tell);
   check = (_: string, __: Plan, signal?: AbortSignal) => this.#note<CheckReport>("check", null, signal);
 
   last(): Asked {
     return this.asked.at(-1)!;
   }
 
-  #note<T>(what: Asked["what"], request: PlanRequest | null, signal?: AbortSignal): Promise<T> {
+  #note<T>(
+    what: Asked["what"],
+    request: PlanRequest | null,
+    signal?: AbortSignal,
+    tell: (progress: Progress) => void = () => undefined,
+  ): Promise<T> {
     return new Promise((done, fail) => {
       signal?.addEventListener("abort", () => fail(new ServiceError("stopped", "")));
       const give = (value: unknown) => done(value as T);
-      this.asked.push({ what, request, signal, answer: give, report: give, fail });
+      this.asked.push({ what, request, signal, answer: give, report: give, fail, tell });
     });
   }
 }
@@ -165,16 +171,34 @@ it("gives up the rest when something changes", async () => {
   expect(planner.failure.value).toBeNull();
 });
 
-it("shows another plan's gains only where it is the same plan", async () => {
+it("keeps the plan it has where another is worse", async () => {
   planner.ask(question(1));
   const first = planOf({ removed: [4], after: 90 });
   service.last().answer(first);
   await vi.advanceTimersByTimeAsync(pace.calm + 1);
   service.last().report({ valid: true, violations: [] });
   await settle();
-  service.last().answer(planOf({ removed: [5], after: 80 }));
+  service.last().answer(planOf({ removed: [5], after: 95 }));
   await settle();
   expect(planner.plans.value.after?.plan).toBe(first);
+});
+
+it("takes the time for a better plan once there is one", async () => {
+  planner.ask(question(1));
+  expect(service.last().request?.options?.time_limit).toBeGreaterThan(0);
+  service.last().answer({ ...planOf({ removed: [4], after: 90 }), seconds: { total: 2.1 } });
+  await vi.advanceTimersByTimeAsync(pace.calm + 1);
+  service.last().report({ valid: true, violations: [] });
+  await settle();
+  expect(service.last().request?.options?.time_limit).toBeUndefined();
+  service.last().tell({ state: "planning", seconds: 5 });
+  expect(planner.progress.value?.seconds).toBe(5);
+  const better = planOf({ removed: [5], after: 80 });
+  service.last().answer(better);
+  await settle();
+  expect(planner.plans.value.after).toEqual({ plan: better, verdict: null });
+  expect(planner.progress.value).toBeNull();
+  expect(service.last().what).toBe("check");
 });
 
 it("fetches the way without removals at once where it is shown, and keeps it while it holds", async () => {
