@@ -1,5 +1,6 @@
 // `waybreaker serve`: the service over HTTP, until it is told to end.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
@@ -39,7 +40,13 @@ void log(const std::string& line) {
 void run(server::ServiceOptions options) {
     const EndSignals signals;
     options.log = log;
+    const std::string host = options.host;
     server::Service service(std::move(options));
+    // For whoever started it by hand; programs read the log.
+    if (isatty(STDOUT_FILENO) == 1) {
+        fmt::print("The page is at http://{}:{}/ - Ctrl-C ends the server\n", host, service.port());
+        std::fflush(stdout);
+    }
     std::thread waiting([&] {
         signals.wait();
         service.stop();
