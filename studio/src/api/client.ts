@@ -192,7 +192,10 @@ async function failure(answer: Response): Promise<ServiceError> {
   const type = answer.headers.get("Content-Type") ?? "";
   if (type.includes("problem+json")) return refusal((await answer.json()) as ProblemDocument);
   if (answer.status >= 500) return new ServiceError("gone", "The server does not answer.");
-  return new ServiceError(answer.status === 404 ? "missing" : "refused", `The server answers with error ${answer.status}.`);
+  return new ServiceError(
+    answer.status === 404 ? "missing" : "refused",
+    `The server answers with error ${answer.status}.`,
+  );
 }
 
 function understood(error: unknown): ServiceError {

@@ -13,7 +13,12 @@ export function editsOf(mission: Mission, base: CellMap): Edits {
 }
 
 // The mission after a stroke. Walls go where nothing stands; the eraser takes drawn walls as well.
-export function drawn(mission: Mission, tool: "wall" | "erase", runs: readonly Run[], { base, map }: ShownMap): Mission {
+export function drawn(
+  mission: Mission,
+  tool: "wall" | "erase",
+  runs: readonly Run[],
+  { base, map }: ShownMap,
+): Mission {
   const stroke = clipped(runs, map.cells.width, map.cells.height);
   if (tool === "wall") {
     return { ...mission, walls: union(mission.walls, difference(stroke, blockedOf(map.cells, stroke))) };

@@ -68,24 +68,52 @@ export function decodeLink(query: string, map: string, markers: Markers, width: 
 
   mission.markers = { ...markers };
   for (const handle of ["start", "goal", "air_start", "air_goal"] as const) {
-    take(handle, (text) => cellOf(text, width, height), (cell) => (mission.markers[handle] = cell));
+    take(
+      handle,
+      (text) => cellOf(text, width, height),
+      (cell) => (mission.markers[handle] = cell),
+    );
   }
   take("removals", removalsOf, (value) => (mission.removals = value));
-  take("method", (text) => oneOf(["exact", "paper"] as const, text), (value) => (mission.method = value));
-  take("objective", (text) => oneOf(["makespan", "flowtime"] as const, text), (value) => (mission.objective = value));
+  take(
+    "method",
+    (text) => oneOf(["exact", "paper"] as const, text),
+    (value) => (mission.method = value),
+  );
+  take(
+    "objective",
+    (text) => oneOf(["makespan", "flowtime"] as const, text),
+    (value) => (mission.objective = value),
+  );
   for (const [name, member, least, most] of numbers) {
-    take(name, (text) => numberOf(text, least, most), (value) => (mission[member] = value));
+    take(
+      name,
+      (text) => numberOf(text, least, most),
+      (value) => (mission[member] = value),
+    );
   }
   const has = new Map<number, Mark>();
   for (const mark of marks) {
-    take(mark, (text) => keysOf(text, width, height), (keys) => keys.forEach((key) => has.set(key, mark)));
+    take(
+      mark,
+      (text) => keysOf(text, width, height),
+      (keys) => keys.forEach((key) => has.set(key, mark)),
+    );
   }
   mission.marks = has;
   for (const name of ["walls", "erased"] as const) {
-    take(name, (text): Run[] => clipped(decodeRuns(text), width, height), (runs) => (mission[name] = runs));
+    take(
+      name,
+      (text): Run[] => clipped(decodeRuns(text), width, height),
+      (runs) => (mission[name] = runs),
+    );
   }
   take("show", layersOf, (layers) => (mission.layers = layers));
-  take("time", (text) => numberOf(text, 0, 1e9), (time) => (mission.time = time));
+  take(
+    "time",
+    (text) => numberOf(text, 0, 1e9),
+    (time) => (mission.time = time),
+  );
   return { mission, complaints };
 }
 

@@ -147,9 +147,7 @@ export class Planner implements Results {
       auto
         ? this.service.front(question.map, frontRequest(question), stop, tell)
         : this.service.plan(question.map, planRequest(question, Number(question.removals)), stop, tell),
-      sameBefore || !question.withBefore
-        ? null
-        : this.service.plan(question.map, beforeRequest(question), stop),
+      sameBefore || !question.withBefore ? null : this.service.plan(question.map, beforeRequest(question), stop),
     ]);
     if (stop.aborted) throw new ServiceError("stopped", "Stopped.");
     const kept = sameBefore ? this.plans.value.before : undefined;
@@ -211,7 +209,9 @@ export class Planner implements Results {
     if (!shown) return;
     const removals = question.removals === "auto" ? shown.removed.length : question.removals;
     const paper =
-      question.method === "paper" ? shown : await this.service.plan(question.map, paperRequest(question, removals), stop);
+      question.method === "paper"
+        ? shown
+        : await this.service.plan(question.map, paperRequest(question, removals), stop);
     this.#show("paper", paper, stop);
     await this.#judge("paper", question, stop);
   }

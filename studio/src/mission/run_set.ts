@@ -39,7 +39,9 @@ function combine(a: readonly Run[], b: readonly Run[], keep: (inA: boolean, inB:
   const rowsA = byRow(a);
   const rowsB = byRow(b);
   const rows = [...new Set([...rowsA.keys(), ...rowsB.keys()])].sort((p, q) => p - q);
-  return rows.flatMap((y) => sweep(rowsA.get(y) ?? [], rowsB.get(y) ?? [], keep).map(([x, end]): Run => [x, y, end - x]));
+  return rows.flatMap((y) =>
+    sweep(rowsA.get(y) ?? [], rowsB.get(y) ?? [], keep).map(([x, end]): Run => [x, y, end - x]),
+  );
 }
 
 function byRow(runs: readonly Run[]): Map<number, Spans> {
@@ -62,7 +64,7 @@ function sweep(a: Spans, b: Spans, keep: (inA: boolean, inB: boolean) => boolean
   let inA = 0;
   let inB = 0;
   let from: number | null = null;
-  for (let i = 0; i < ends.length; ) {
+  for (let i = 0; i < ends.length;) {
     const x = ends[i]![0];
     for (; i < ends.length && ends[i]![0] === x; ++i) {
       inA += ends[i]![1];

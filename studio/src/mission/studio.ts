@@ -80,7 +80,8 @@ export class Studio extends PageState {
       if (mission.time !== null) this.#seekWhenPlanned(mission.time);
       return true;
     } catch (error) {
-      if (this.#opening === control) this.#failed(error, () => this.open(id, query), `The map “${id}” cannot be shown: `);
+      if (this.#opening === control)
+        this.#failed(error, () => this.open(id, query), `The map “${id}” cannot be shown: `);
       return false;
     } finally {
       if (this.#opening === control) this.loading.value = false;
@@ -197,7 +198,9 @@ export class Studio extends PageState {
   link(): string {
     const mission = this.mission.value;
     const shown = this.shown.value;
-    return mission && shown ? `?${encodeLink({ ...mission, time: this.clock.time.value }, shown.base.cells.width)}` : "";
+    return mission && shown
+      ? `?${encodeLink({ ...mission, time: this.clock.time.value }, shown.base.cells.width)}`
+      : "";
   }
 
   #travel(how: (history: History<Mission>) => History<Mission>): void {

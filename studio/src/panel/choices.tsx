@@ -60,11 +60,7 @@ interface ChoiceProps {
 
 function Choice({ icon, text, onUndo, onPoint }: ChoiceProps) {
   return (
-    <li
-      class="choice"
-      onPointerEnter={() => onPoint?.(true)}
-      onPointerLeave={() => onPoint?.(false)}
-    >
+    <li class="choice" onPointerEnter={() => onPoint?.(true)} onPointerLeave={() => onPoint?.(false)}>
       <Icon name={icon} />
       <span>{text}</span>
       <button

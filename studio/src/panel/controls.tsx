@@ -50,12 +50,7 @@ export function Segmented<T extends string>({ legend, choices, value, onChange }
       <div class="segments">
         {choices.map((choice) => (
           <label key={choice.value} title={choice.label}>
-            <input
-              type="radio"
-              name={name}
-              checked={choice.value === value}
-              onChange={() => onChange(choice.value)}
-            />
+            <input type="radio" name={name} checked={choice.value === value} onChange={() => onChange(choice.value)} />
             <span>
               {choice.icon && <Icon name={choice.icon} />}
               <span class="segment-label">{choice.label}</span>

@@ -51,12 +51,7 @@ export function TokenDialog({ token }: { token: TabToken }) {
   const dialog = useModal(wanted !== null);
   const field = useRef<HTMLInputElement>(null);
   return (
-    <dialog
-      ref={dialog}
-      class="dialog"
-      aria-labelledby="token-title"
-      onCancel={(event) => event.preventDefault()}
-    >
+    <dialog ref={dialog} class="dialog" aria-labelledby="token-title" onCancel={(event) => event.preventDefault()}>
       <form
         onSubmit={(event) => {
           event.preventDefault();
@@ -65,7 +60,9 @@ export function TokenDialog({ token }: { token: TabToken }) {
         }}
       >
         <h2 id="token-title">This server asks for a token</h2>
-        <p>{wanted?.again ? "The token was not taken. Try again." : "Whoever started the server can tell it to you."}</p>
+        <p>
+          {wanted?.again ? "The token was not taken. Try again." : "Whoever started the server can tell it to you."}
+        </p>
         <label class="token-field">
           Token
           <input ref={field} type="password" autocomplete="off" required />

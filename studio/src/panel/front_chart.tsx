@@ -66,7 +66,12 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
   const line = (of: "value" | "bound", part: (column: Column) => boolean) => pathOf(columns.filter(part), of, place);
   const gains = front.from + front.points.length - 1;
   return (
-    <div ref={box} class={`front-chart ${stale ? "stale" : ""}`} role="group" aria-label="What each number of removals reaches">
+    <div
+      ref={box}
+      class={`front-chart ${stale ? "stale" : ""}`}
+      role="group"
+      aria-label="What each number of removals reaches"
+    >
       <svg width={width} height={height} aria-hidden="true">
         <path class="front-bound" d={line("bound", () => true)} />
         <path class="front-flat" d={line("value", (column) => column.n >= gains)} />
@@ -95,11 +100,17 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
         >
           <span class="spoken">{columnLabel(column, units)}</span>
           {(!column.further || column.n === count) && (
-            <span class="front-value" aria-hidden="true" style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}>
+            <span
+              class="front-value"
+              aria-hidden="true"
+              style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}
+            >
               {column.value === null ? "no way" : clockTime(column.value, units)}
             </span>
           )}
-          <span class="front-tick" aria-hidden="true">{column.n}</span>
+          <span class="front-tick" aria-hidden="true">
+            {column.n}
+          </span>
         </button>
       ))}
     </div>

@@ -95,8 +95,8 @@ function Sureness({ judged, buildings, checks }: SurenessProps) {
       {early > 0 && (
         <p class="unsure">
           <Icon name="warning" />
-          Drives into {early === judged.plan.removed.length && early > 1 ? "all" : early} {nounOf(early, buildings)} before{" "}
-          {early === 1 ? "it is" : "they are"} open: the paper’s rules do not mind
+          Drives into {early === judged.plan.removed.length && early > 1 ? "all" : early} {nounOf(early, buildings)}{" "}
+          before {early === 1 ? "it is" : "they are"} open: the paper’s rules do not mind
         </p>
       )}
       {verdict?.valid === false ? (

@@ -15,11 +15,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
       <label class="spoken" for="map-choice">
         Choose a map
       </label>
-      <select
-        id="map-choice"
-        value={current}
-        onChange={(event) => studio.choose(event.currentTarget.value)}
-      >
+      <select id="map-choice" value={current} onChange={(event) => studio.choose(event.currentTarget.value)}>
         {current === "" && <option value="">No map</option>}
         {!listed && <option value={current}>{current}</option>}
         {served.map((id) => (

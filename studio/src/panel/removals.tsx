@@ -13,8 +13,10 @@ export function Removals({ page }: { page: PageState }) {
   const studio = page instanceof Studio ? page : null;
   if (!studio && !page.results.front.value) return null;
   const auto = mission.removals === "auto";
-  const count = mission.removals === "auto" ? (page.results.plans.value.after?.plan.removed.length ?? 0) : mission.removals;
-  const set = (removals: number | "auto") => studio?.change((old) => withEnoughRemovals({ ...old, removals }), "removals");
+  const count =
+    mission.removals === "auto" ? (page.results.plans.value.after?.plan.removed.length ?? 0) : mission.removals;
+  const set = (removals: number | "auto") =>
+    studio?.change((old) => withEnoughRemovals({ ...old, removals }), "removals");
   const setAtOnce = (removals: number | "auto") => {
     set(removals);
     studio?.endGesture();

@@ -77,11 +77,7 @@ function RobotSize({ radius, units, onChange }: { radius: number; units: Units; 
   return (
     <div class="number-field">
       <label for="robot-size">Ground robot’s width</label>
-      <select
-        id="robot-size"
-        value={String(radius)}
-        onChange={(event) => onChange(Number(event.currentTarget.value))}
-      >
+      <select id="robot-size" value={String(radius)} onChange={(event) => onChange(Number(event.currentTarget.value))}>
         {radii.map((r) => (
           <option key={r} value={String(r)}>
             {r === 0 ? "a point" : wide(r)}

@@ -4,22 +4,34 @@ import { parseEvent } from "../../src/api/events";
 
 const asked: { url: string; init: RequestInit }[] = [];
 let answers: (() => Response | Promise<Response>)[] = [];
-const token = { value: "", asks: 0, current: () => token.value, ask: async () => (token.asks++, (token.value = "secret")) };
-const json = (value: unknown, status = 200, headers = {}) => () =>
-  new Response(JSON.stringify(value), { status, headers: { "Content-Type": "application/json", ...headers } });
-const problem = (status: number, detail: string, headers = {}) =>
-  json({ type: "about:blank", title: "T", status, detail }, status, { "Content-Type": "application/problem+json", ...headers });
-const stream = (...parts: string[]) => () => {
-  const bytes = parts.map((part) => new TextEncoder().encode(part));
-  const body = new ReadableStream({
-    pull: (to) => {
-      const next = bytes.shift();
-      if (next) to.enqueue(next);
-      else to.close();
-    },
-  });
-  return new Response(body, { headers: { "Content-Type": "text/event-stream" } });
+const token = {
+  value: "",
+  asks: 0,
+  current: () => token.value,
+  ask: async () => (token.asks++, (token.value = "secret")),
 };
+const json =
+  (value: unknown, status = 200, headers = {}) =>
+  () =>
+    new Response(JSON.stringify(value), { status, headers: { "Content-Type": "application/json", ...headers } });
+const problem = (status: number, detail: string, headers = {}) =>
+  json({ type: "about:blank", title: "T", status, detail }, status, {
+    "Content-Type": "application/problem+json",
+    ...headers,
+  });
+const stream =
+  (...parts: string[]) =>
+  () => {
+    const bytes = parts.map((part) => new TextEncoder().encode(part));
+    const body = new ReadableStream({
+      pull: (to) => {
+        const next = bytes.shift();
+        if (next) to.enqueue(next);
+        else to.close();
+      },
+    });
+    return new Response(body, { headers: { "Content-Type": "text/event-stream" } });
+  };
 const trouble = async (asking: Promise<unknown>) => {
   const error = await asking.then(
     () => null,
@@ -55,7 +67,11 @@ it("says in words what the service refuses", async () => {
 });
 
 it("knows a map that is not there, and a server that is gone", async () => {
-  answers = [problem(404, "no such map"), () => Promise.reject(new TypeError("fetch failed")), () => new Response("", { status: 502 })];
+  answers = [
+    problem(404, "no such map"),
+    () => Promise.reject(new TypeError("fetch failed")),
+    () => new Response("", { status: 502 }),
+  ];
   expect((await trouble(client.map("m"))).trouble).toBe("missing");
   expect((await trouble(client.map("m"))).trouble).toBe("gone");
   expect((await trouble(client.map("m"))).trouble).toBe("gone");
@@ -96,7 +112,8 @@ it("stops waiting when it is told to", async () => {
 });
 
 it("reads a plan from a stream, however it is cut", async () => {
-  const text = 'event: progress\ndata: {"state":"planning","seconds":0.7}\n\nevent: plan\ndata: {"status":\ndata: "solved"}\n\n';
+  const text =
+    'event: progress\ndata: {"state":"planning","seconds":0.7}\n\nevent: plan\ndata: {"status":\ndata: "solved"}\n\n';
   for (const cut of [1, 7, text.length]) {
     answers = [stream(...(text.match(new RegExp(`[^]{1,${cut}}`, "g")) ?? []))];
     const seen: number[] = [];

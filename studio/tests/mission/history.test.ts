@@ -24,7 +24,7 @@ it("takes a gesture back as one step", () => {
   for (const n of [4, 5]) history = step(history, n, "drag start");
   history = step(history, 6, "removals");
   const seen = [];
-  for (let h = history; h.past.length > 0; ) seen.push((h = undo(h)).present);
+  for (let h = history; h.past.length > 0;) seen.push((h = undo(h)).present);
   expect(seen).toEqual([5, 3, 0]);
 });
 

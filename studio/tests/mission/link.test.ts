@@ -68,7 +68,13 @@ describe("link", () => {
   it("is readable and says only what is unusual", () => {
     const mission = freshMission("berlin-mitte.tif", { start: [256, 434], goal: [118, 55] });
     expect(encodeLink(mission, width)).toBe("map=berlin-mitte.tif&start=256,434&goal=118,55&removals=2");
-    const marked = { ...mission, marks: new Map<number, Mark>([[4, "protect"], [17, "protect"]]) };
+    const marked = {
+      ...mission,
+      marks: new Map<number, Mark>([
+        [4, "protect"],
+        [17, "protect"],
+      ]),
+    };
     expect(encodeLink(marked, width)).toContain("&protect=4,17");
   });
 
@@ -106,8 +112,15 @@ describe("link", () => {
   });
 
   it("keeps runs on the map", () => {
-    const query = `walls=${encodeRuns([[490, 5, 100], [0, 399, 3], [0, 400, 3]])}`;
-    expect(decodeLink(query, "m", markers, width, height).mission.walls).toEqual([[490, 5, 11], [0, 399, 3]]);
+    const query = `walls=${encodeRuns([
+      [490, 5, 100],
+      [0, 399, 3],
+      [0, 400, 3],
+    ])}`;
+    expect(decodeLink(query, "m", markers, width, height).mission.walls).toEqual([
+      [490, 5, 11],
+      [0, 399, 3],
+    ]);
   });
 });
 
@@ -123,4 +136,3 @@ describe("runs as text", () => {
     expect(() => decodeRuns(encodeRuns([[100, 200, 3]]).slice(0, -2))).toThrow();
   });
 });
-

@@ -48,11 +48,21 @@ describe("edits", () => {
 
   it("free what is erased and what is excluded", () => {
     const edits = editsOf({ ...withMark(mission, 2, "exclude"), erased: [[2, 2, 2]], walls: [[6, 0, 1]] }, base);
-    expect(edits).toEqual({ free: [[3, 0, 2], [3, 1, 2], [2, 2, 2]], block: [[6, 0, 1]] });
+    expect(edits).toEqual({
+      free: [
+        [3, 0, 2],
+        [3, 1, 2],
+        [2, 2, 2],
+      ],
+      block: [[6, 0, 1]],
+    });
   });
 
   it("take walls where nothing stands only, and on the map", () => {
-    expect(drawn(mission, "wall", [[1, 0, 20]], shownOf(base, base)).walls).toEqual([[2, 0, 1], [5, 0, 2]]);
+    expect(drawn(mission, "wall", [[1, 0, 20]], shownOf(base, base)).walls).toEqual([
+      [2, 0, 1],
+      [5, 0, 2],
+    ]);
   });
 
   it("take obstacles and drawn walls away with one stroke", () => {
@@ -66,7 +76,10 @@ describe("edits", () => {
 describe("default mission", () => {
   it("is the map's own where it has one", () => {
     const map = mapOf("...", "...");
-    expect(defaultMission(described({ start: [0, 1], goal: [2, 0] }), map).markers).toEqual({ start: [0, 1], goal: [2, 0] });
+    expect(defaultMission(described({ start: [0, 1], goal: [2, 0] }), map).markers).toEqual({
+      start: [0, 1],
+      goal: [2, 0],
+    });
   });
 
   it("stands at opposite corners of the largest open region", () => {

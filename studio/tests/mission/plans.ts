@@ -11,7 +11,15 @@ interface Wanted {
   options?: Plan["options"];
 }
 
-export function planOf({ removed = [], before = 100, after = 100, gap = null, status, air, options = {} }: Wanted): Plan {
+export function planOf({
+  removed = [],
+  before = 100,
+  after = 100,
+  gap = null,
+  status,
+  air,
+  options = {},
+}: Wanted): Plan {
   const outcome = (makespan: number | null) => ({
     ground: { length: makespan, expanded: 0, generated: 0 },
     air: { length: 1 },

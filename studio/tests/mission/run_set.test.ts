@@ -6,7 +6,11 @@ import { Random } from "./random";
 const size = 12;
 
 function randomRuns(random: Random): Run[] {
-  return Array.from({ length: random.below(12) }, (): Run => [random.below(size), random.below(4), 1 + random.below(5)]);
+  return Array.from({ length: random.below(12) }, (): Run => [
+    random.below(size),
+    random.below(4),
+    1 + random.below(5),
+  ]);
 }
 
 function cellsOf(runs: readonly Run[]): Set<string> {
@@ -25,5 +29,16 @@ it("does with runs what sets do with cells", () => {
 });
 
 it("joins runs that touch and sorts them", () => {
-  expect(union([[5, 1, 2], [0, 1, 5]], [[3, 0, 1]])).toEqual([[3, 0, 1], [0, 1, 7]]);
+  expect(
+    union(
+      [
+        [5, 1, 2],
+        [0, 1, 5],
+      ],
+      [[3, 0, 1]],
+    ),
+  ).toEqual([
+    [3, 0, 1],
+    [0, 1, 7],
+  ]);
 });

@@ -87,7 +87,10 @@ it("opens what a link says, and says itself the same", async () => {
   await settle();
   expect(last()).toMatchObject({
     map: "yard.map",
-    request: { mission: { start: [0, 2], goal: [3, 0], ground_speed: 2 }, options: { paper: true, protect: [1], removals: 1 } },
+    request: {
+      mission: { start: [0, 2], goal: [3, 0], ground_speed: 2 },
+      options: { paper: true, protect: [1], removals: 1 },
+    },
   });
   expect(studio.link().split("&").sort()).toEqual(link.split("&").sort());
 });
@@ -104,7 +107,16 @@ it("plans on the map as it is after exclusions, with its ids", async () => {
   studio.mark(2, "protect");
   studio.mark(1, "exclude");
   await settle();
-  expect(client.edits).toEqual([{ block: [], free: [[4, 0, 1], [4, 1, 1], [4, 2, 1]] }]);
+  expect(client.edits).toEqual([
+    {
+      block: [],
+      free: [
+        [4, 0, 1],
+        [4, 1, 1],
+        [4, 2, 1],
+      ],
+    },
+  ]);
   expect(last()).toMatchObject({ map: "edited", request: { options: { protect: [1] } } });
   expect(studio.link()).toContain("protect=2&exclude=1");
   expect(studio.markOf(1)).toBe("protect");

@@ -1,5 +1,15 @@
 import { describe, expect, it } from "vitest";
-import { area, cellsPerUnit, clockTime, duration, length, percent, percentUp, unitsOf, type Units } from "../../src/mission/units";
+import {
+  area,
+  cellsPerUnit,
+  clockTime,
+  duration,
+  length,
+  percent,
+  percentUp,
+  unitsOf,
+  type Units,
+} from "../../src/mission/units";
 
 const city: Units = { metric: true, cell: 2.4, time: "seconds" };
 const grid: Units = { metric: false, cell: 1, time: "steps" };
