@@ -56,7 +56,8 @@ render::PictureOptions picture_options(const io::MapFile& map, bool metres, Obje
             .metres = metres,
             .title = map.title.empty() ? map.source : map.title,
             .attribution = map.attribution,
-            .objective = objective};
+            .objective = objective,
+            .background = map.background};
 }
 
 // The plan, explained, and what there is to compare it with: no removal, the paper's plan, more and fewer removals.

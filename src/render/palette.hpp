@@ -9,6 +9,10 @@ namespace waybreaker::render {
 namespace colour {
 inline constexpr std::string_view paper = "#faf8f4";
 inline constexpr std::string_view street = "#fffefb";
+inline constexpr std::string_view road = "#f1e9da";  // beneath the rest, as what follows
+inline constexpr std::string_view rail = "#cfc7ba";
+inline constexpr std::string_view water = "#d6e6ee";
+inline constexpr std::string_view green = "#e7f0dc";
 inline constexpr std::string_view frame = "#cdc5b8";
 inline constexpr std::string_view obstacle = "#ddd6ca";
 inline constexpr std::string_view obstacle_edge = "#aba191";

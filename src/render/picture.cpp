@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/caption.hpp"
+#include "render/ground.hpp"
 #include "render/layout.hpp"
 #include "render/palette.hpp"
 #include "render/sample.hpp"
@@ -63,7 +64,8 @@ std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
     const Sample sample(scene.map, scene.plan.removed, layout.sample_step);
     const auto paths = outlines(sample.raster());
-    std::string out = rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street));
+    std::string out =
+        rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) + ground(scene.options.background, layout);
     for (const Look look : {Look::obstacle, Look::fixed_obstacle, Look::removed}) {
         out += obstacle_sign(look, paths[std::size_t(look)], {layout.map.x, layout.map.y}, scene.raster_scale(),
                              scene.unit());

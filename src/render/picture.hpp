@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "geo/background.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
@@ -21,6 +22,7 @@ struct PictureOptions {
     std::string title = {};        // first line; any bytes
     std::string attribution = {};  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
     Objective objective = Objective::makespan;  // what the plan's bound is one of
+    geo::Background background = {};            // drawn beneath the obstacles
 };
 
 // An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so

@@ -99,7 +99,8 @@ std::string picture(const io::MapFile& file, const io::PlanFile& plan, bool as_s
                                          .metres = file.georeference || file.cell_size != 1,
                                          .title = file.title.empty() ? file.source : file.title,
                                          .attribution = file.attribution,
-                                         .objective = plan.rules.objective};
+                                         .objective = plan.rules.objective,
+                                         .background = file.background};
     const Mission mission = mission_of(plan.plan);
     return as_svg ? render::svg(file.map, mission, plan.plan, options)
                   : render::png(file.map, mission, plan.plan, options);

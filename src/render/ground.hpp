@@ -1,0 +1,14 @@
+// What lies beneath a plan: water, green, streets and rails, faint, so that one sees where it is.
+#pragma once
+
+#include <string>
+
+#include "geo/background.hpp"
+#include "render/layout.hpp"
+
+namespace waybreaker::render {
+
+// SVG elements, clipped to the map; nothing for an empty background. Of bends and lines below a pixel nothing is drawn.
+std::string ground(const geo::Background& background, const Layout& layout);
+
+}  // namespace waybreaker::render
