@@ -18,4 +18,10 @@ class InputError : public std::runtime_error {
         : std::runtime_error((line > 0 ? file + ":" + std::to_string(line) : file) + ": " + message) {}
 };
 
+// It is larger than it may be.
+class SizeError : public InputError {
+  public:
+    using InputError::InputError;
+};
+
 }  // namespace waybreaker

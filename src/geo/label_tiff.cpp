@@ -36,7 +36,7 @@ std::string metadata(GDALDataset& file, const char* item) {
 }
 
 // Looks at the header alone, so that nothing large is allocated for a map that is refused.
-void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name) {
+void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name, std::size_t most_cells) {
     if (file.GetRasterCount() != 1) {
         throw refusal(name, fmt::format("has {} bands, a label map has one; pick one with 'gdal_translate -b 1'",
                                         file.GetRasterCount()));
@@ -52,10 +52,11 @@ void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name)
     }
     const auto width = std::size_t(band.GetXSize());
     const auto height = std::size_t(band.GetYSize());
-    if (width > max_side || height > max_side || width * height > max_cells) {
-        throw refusal(name, fmt::format("has {} x {} cells; a map has sides of at most {} and at most {} cells in all: "
-                                        "cut a piece out with 'gdal_translate -srcwin'",
-                                        width, height, max_side, max_cells));
+    if (width > max_side || height > max_side || width * height > most_cells) {
+        throw SizeError(
+            fmt::format("{}: has {} x {} cells; a map has sides of at most {} and at most {} cells in all: "
+                        "cut a piece out with 'gdal_translate -srcwin'",
+                        name, width, height, max_side, most_cells));
     }
     if (width * height > most_cells_per_byte * bytes) {
         throw refusal(name,
@@ -182,14 +183,15 @@ GDALDriver& tiff_driver() {
 
 }  // namespace
 
-LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Connectivity connectivity) {
+LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Connectivity connectivity,
+                          std::size_t most_cells) {
     tiff_driver();
     const GdalScope gdal;
     const MemoryFile memory(bytes);
     const char* const only_tiff[] = {"GTiff", nullptr};
     const GDALDatasetUniquePtr file(GDALDataset::Open(memory.path().c_str(), GDAL_OF_RASTER, only_tiff));
     if (!file) throw refusal(name, "is no GeoTIFF map: " + memory.nameless(gdal.failure()));
-    check_layout(*file, bytes.size(), name);
+    check_layout(*file, bytes.size(), name, most_cells);
     Place place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);
     LabelNames label_names = read_names(*file, name);

@@ -4,9 +4,9 @@
 
 namespace waybreaker::io {
 
-GreyImage read_image(std::string_view bytes, const std::string& name) {
-    if (is_png(bytes)) return read_png(bytes, name);
-    if (is_netpbm(bytes)) return read_netpbm(bytes, name);
+GreyImage read_image(std::string_view bytes, const std::string& name, std::size_t most_pixels) {
+    if (is_png(bytes)) return read_png(bytes, name, most_pixels);
+    if (is_netpbm(bytes)) return read_netpbm(bytes, name, most_pixels);
     throw InputError(name, 0, "is no image that can be read: give a PNG, PGM, PBM or PPM");
 }
 

@@ -30,12 +30,12 @@ bool is_netpbm(std::string_view bytes);
 
 // Of a PNG of any kind, brought to 8 bits a channel. Throws InputError (name and remedy) if it is damaged, larger than
 // the limits of grid.hpp, or claims more pixels than its bytes can hold.
-GreyImage read_png(std::string_view bytes, const std::string& name);
+GreyImage read_png(std::string_view bytes, const std::string& name, std::size_t most_pixels = max_cells);
 // The same for the netpbm formats, with 8 or 16 bits a sample; the first image of the file. In PBM 1 is black.
-GreyImage read_netpbm(std::string_view bytes, const std::string& name);
+GreyImage read_netpbm(std::string_view bytes, const std::string& name, std::size_t most_pixels = max_cells);
 
 // Either of them, told apart by its first bytes.
-GreyImage read_image(std::string_view bytes, const std::string& name);
+GreyImage read_image(std::string_view bytes, const std::string& name, std::size_t most_pixels = max_cells);
 
 // Which cells of an image are blocked: those at least so dark, 0 (white) to 1 (black). What is transparent is white.
 Grid grid_of(const GreyImage& image, double threshold);

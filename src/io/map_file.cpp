@@ -35,13 +35,20 @@ MapFile labelled(Grid grid, Connectivity connectivity, std::string format) {
     return file;
 }
 
+// Text holds each cell as a byte at least, so that its grid is small; labels are not.
+void require_at_most(std::size_t most_cells, const Grid& grid, const std::string& path) {
+    if (grid.cell_count() <= most_cells) return;
+    throw SizeError(path, 0,
+                    "has " + std::to_string(grid.cell_count()) + " cells, it may have " + std::to_string(most_cells));
+}
+
 // Labels and pictures need their memory; the file's bytes go before.
 void release(std::string& bytes) {
     std::string().swap(bytes);
 }
 
-MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity connectivity) {
-    geo::LabelTiff tiff = geo::read_label_tiff(bytes, path, connectivity);
+MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity connectivity, std::size_t most_cells) {
+    geo::LabelTiff tiff = geo::read_label_tiff(bytes, path, connectivity, most_cells);
     return {.map = std::move(tiff.map),
             .format = tiff.mask ? "GeoTIFF occupancy map" : "GeoTIFF label map",
             .cell_size = tiff.cell_size,
@@ -52,9 +59,10 @@ MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity 
             .background = std::move(tiff.background)};
 }
 
-MapFile read_xml(std::string& bytes, const std::string& path, Connectivity connectivity) {
+MapFile read_xml(std::string& bytes, const std::string& path, Connectivity connectivity, std::size_t most_cells) {
     AuthorsXml xml = parse_authors_xml(bytes, path);
     release(bytes);
+    require_at_most(most_cells, xml.grid, path);
     MapFile file = labelled(std::move(xml.grid), connectivity, "authors' XML");
     file.cell_size = xml.task.cell_size;
     file.title = xml.task.title;
@@ -63,10 +71,10 @@ MapFile read_xml(std::string& bytes, const std::string& path, Connectivity conne
 }
 
 MapFile read_plain_image(std::string& bytes, const std::string& path, Connectivity connectivity,
-                         const ImageReading& reading) {
+                         const ImageReading& reading, std::size_t most_cells) {
     constexpr double half = 0.5;
     const std::string format = is_png(bytes) ? "PNG image" : "netpbm image";
-    Grid grid = grid_of(read_image(bytes, path), reading.threshold.value_or(half));
+    Grid grid = grid_of(read_image(bytes, path, most_cells), reading.threshold.value_or(half));
     release(bytes);
     return labelled(std::move(grid), connectivity, format);
 }
@@ -90,10 +98,11 @@ MapFile read_ros_map(std::string& text, const std::string& path, Connectivity co
     return file;
 }
 
-MapFile read(std::string& bytes, const std::string& path, Connectivity connectivity, const ImageReading& image) {
-    if (is_tiff(bytes)) return read_tiff(bytes, path, connectivity);
-    if (is_png(bytes) || is_netpbm(bytes)) return read_plain_image(bytes, path, connectivity, image);
-    if (is_xml(bytes)) return read_xml(bytes, path, connectivity);
+MapFile read(std::string& bytes, const std::string& path, Connectivity connectivity, const ImageReading& image,
+             std::size_t most_cells) {
+    if (is_tiff(bytes)) return read_tiff(bytes, path, connectivity, most_cells);
+    if (is_png(bytes) || is_netpbm(bytes)) return read_plain_image(bytes, path, connectivity, image, most_cells);
+    if (is_xml(bytes)) return read_xml(bytes, path, connectivity, most_cells);
     if (is_ros_yaml(bytes)) return read_ros_map(bytes, path, connectivity, image);
     if (!bytes.starts_with("type")) {
         throw InputError(path, 0,
@@ -102,6 +111,7 @@ MapFile read(std::string& bytes, const std::string& path, Connectivity connectiv
     }
     Grid grid = read_movingai_map(std::string_view(bytes), path);
     release(bytes);
+    require_at_most(most_cells, grid, path);
     return labelled(std::move(grid), connectivity, "MovingAI map");
 }
 
@@ -110,19 +120,20 @@ MapFile read(std::string& bytes, const std::string& path, Connectivity connectiv
 MapFile read_map_file(const std::string& path, Connectivity connectivity, const ImageReading& image) {
     std::string bytes = read_whole(path);
     std::string digest = sha256_digest(bytes);
-    MapFile file = read(bytes, path, connectivity, image);
+    MapFile file = read(bytes, path, connectivity, image, max_cells);
     file.source = std::filesystem::path(path).filename().string();
     if (file.digest.empty()) file.digest = std::move(digest);
     return file;
 }
 
-MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity, const ImageReading& image) {
+MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity, const ImageReading& image,
+                  std::size_t most_cells) {
     const bool one_file = is_tiff(bytes) || is_png(bytes) || is_netpbm(bytes) || is_xml(bytes);
     if (!one_file && is_ros_yaml(bytes)) {
         throw InputError(name, 0, "a ROS map is two files; give its image, or convert it with waybreaker map convert");
     }
     std::string digest = sha256_digest(bytes);
-    MapFile file = read(bytes, name, connectivity, image);
+    MapFile file = read(bytes, name, connectivity, image, most_cells);
     file.source = name;
     file.digest = std::move(digest);
     return file;

@@ -98,7 +98,7 @@ bool is_netpbm(std::string_view bytes) {
            (is_space(bytes[2]) || bytes[2] == '#');
 }
 
-GreyImage read_netpbm(std::string_view bytes, const std::string& name) {
+GreyImage read_netpbm(std::string_view bytes, const std::string& name, std::size_t most_pixels) {
     if (!is_netpbm(bytes)) throw InputError(name, 0, "is no PBM, PGM or PPM image");
     const Kind kind(bytes[1]);
     Reader reader(bytes, name);
@@ -107,7 +107,9 @@ GreyImage read_netpbm(std::string_view bytes, const std::string& name) {
     image.height = reader.number(1, max_side, "the height");
     const int largest = kind.bits ? 1 : reader.number(1, 65535, "the largest sample");
     const std::size_t pixels = std::size_t(image.width) * std::size_t(image.height);
-    if (pixels > max_cells) throw reader.error("the image is too large for a map: cut a piece out of it");
+    if (pixels > most_pixels) {
+        throw SizeError(reader.error("the image is too large for a map: cut a piece out of it").what());
+    }
 
     const std::size_t bytes_a_sample = kind.text || largest < 256 ? 1 : 2;
     const std::size_t samples = pixels * std::size_t(kind.samples);

@@ -31,15 +31,15 @@ bool is_png(std::string_view bytes) {
     return bytes.starts_with(magic);
 }
 
-GreyImage read_png(std::string_view bytes, const std::string& name) {
+GreyImage read_png(std::string_view bytes, const std::string& name, std::size_t most_pixels) {
     Picture picture;
     png_image& image = picture.image;
     if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) throw damaged(name, image);
     const std::size_t pixels = std::size_t{image.width} * image.height;
-    if (image.width > unsigned(max_side) || image.height > unsigned(max_side) || pixels > max_cells) {
-        throw InputError(name, 0,
-                         "an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                             " pixels is too large for a map: cut a piece out of it");
+    if (image.width > unsigned(max_side) || image.height > unsigned(max_side) || pixels > most_pixels) {
+        throw SizeError(name, 0,
+                        "an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                            " pixels is too large for a map: cut a piece out of it");
     }
     if (pixels > most_pixels_per_byte * bytes.size()) {
         throw InputError(name, 0, "is damaged or cut short: it has fewer bytes than so many pixels need");

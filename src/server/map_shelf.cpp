@@ -160,11 +160,10 @@ MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
     const std::scoped_lock adding(adding_);
     if (const auto known = kept(upload_id(bytes, connectivity))) return *known;
     try {
-        io::MapFile file = io::parse_map(bytes, "the map", connectivity);
-        if (file.map.grid().cell_count() > limits_.map_cells) {
-            throw Problem(too_large, "the map has more than " + std::to_string(limits_.map_cells) + " cells");
-        }
+        io::MapFile file = io::parse_map(bytes, "the map", connectivity, {}, limits_.map_cells);
         return keep({.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)});
+    } catch (const SizeError& error) {
+        throw Problem(too_large, error.what());
     } catch (const InputError& error) {
         throw Problem(unprocessable, error.what());
     }

@@ -2,7 +2,9 @@
 #include <filesystem>
 
 #include "input_error.hpp"
+#include "io/grey_image.hpp"
 #include "live_server.hpp"
+#include "server/built_in_map.hpp"
 #include "server/guard.hpp"
 #include "server/map_shelf.hpp"
 
@@ -97,14 +99,17 @@ TEST_F(SafetyTest, HostileMapsAreRefused) {
     options_.limits.map_cells = 100;
     begin();
     const std::string nul(1, '\0');
-    for (const std::string& map :
-         {std::string(), std::string("nonsense"), "\xff\xfe" + nul,
-          std::string("type octile\nheight 1000000\nwidth 1000000\nmap\n"), std::string("P1 30000 30000\n"),
-          std::string("<root><map><width>9</width></map></root>"),
-          std::string("image: /etc/passwd\nresolution: 1\norigin: [0, 0, 0]\n"),
-          "II*" + nul + std::string(100, '\x7f')}) {
+    for (const std::string& map : {std::string(), std::string("nonsense"), "\xff\xfe" + nul,
+                                   std::string("type octile\nheight 1000000\nwidth 1000000\nmap\n"),
+                                   std::string("<root><map><width>9</width></map></root>"),
+                                   std::string("image: /etc/passwd\nresolution: 1\norigin: [0, 0, 0]\n"),
+                                   "II*" + nul + std::string(100, '\x7f')}) {
         EXPECT_EQ(post(maps, map, bytes).status, 422) << map.substr(0, 20);
     }
+    // What has more cells than allowed, before they are read: there are none.
+    EXPECT_EQ(post(maps, "P1 11 11\n", bytes).status, 413);
+    EXPECT_EQ(post(maps, io::png_bytes(11, 11, std::vector<std::uint8_t>(121)), bytes).status, 413);
+    EXPECT_EQ(post(maps, std::string(built_in_map()), bytes).status, 413);
     EXPECT_EQ(post(maps, thicket(11), bytes).status, 413);
     EXPECT_EQ(post(maps, thicket(10), bytes).status, 201);
 }
