@@ -4,6 +4,7 @@
 //     Plan plan = planner.plan(map, ground_and_air({12, 20}, {400, 380}), paper_options(3));
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -36,6 +37,12 @@ Mission ground_and_air(Cell start, Cell goal);
 enum class Selection { exact, hits };
 enum class FlightRule { optimal, nearest };
 
+// What is known of the objective while obstacles are still being chosen.
+struct Progress {
+    double best = std::numeric_limits<double>::infinity();  // of the best plan so far
+    double bound = 0;                                       // no plan is below it
+};
+
 struct MissionOptions {
     int removals = 3;  // how many obstacles may be removed, >= 0
     Selection select = Selection::exact;
@@ -53,6 +60,8 @@ struct MissionOptions {
     // Seconds, of the selection, bound included: then the best known. search.expansion_limit ends single searches.
     double time_limit = std::numeric_limits<double>::infinity();
     SearchOptions search = {.planner = Planner::optimal};  // of the ground agent; see planner_of
+    // Told by `exact` now and then, on the thread that plans.
+    std::function<void(const Progress&)> progress = {};
 };
 
 // The planner that drives the ground agent: the one asked for; Theta* in place of `optimal` where hits are to be

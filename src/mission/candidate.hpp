@@ -25,6 +25,9 @@ struct Task {
     double objective(double ground_time, double air_time) const;
     // How many obstacles may be removed beside those that are in any case.
     int spare_removals() const { return options.removals - int(options.force.size()); }
+    void tell(double best, double bound) const {
+        if (options.progress) options.progress({best, bound});
+    }
     // What is removed in any case, and others.
     std::vector<ObstacleId> with_forced(std::span<const ObstacleId> others) const;
 };

@@ -33,8 +33,10 @@ std::vector<Draft> Chooser::drafts(const MissionOptions& options, const Draft& l
     bound_.reset();
     if (options.select == Selection::exact) {
         const Deadline deadline(options.time_limit);
+        task.tell(cost(task, least), 0);
         const Bound bound = bound_of(task, crossing_, cost(task, least), deadline);
         bound_ = bound.objective;
+        task.tell(cost(task, least), bound.objective);
         return drafts_by_proof(task, crossing_, searcher_, least, bound, deadline);
     }
     return drafts_by_hits(task, searcher_, least, chosen_by_hits(task, hits_));

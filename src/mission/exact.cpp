@@ -132,6 +132,7 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
                                                   : ground_candidate(task, crossing, searcher, removed);
         drafts.push_back(draft_of(task, std::move(candidate)));
         best = std::min(best, cost(task, drafts.back()));
+        task.tell(best, bound.objective);
         searching = {};
     };
 
@@ -172,6 +173,7 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
     if (gave_up || rest.status == SearchStatus::limit_reached) {  // what fewer removals reach, more must reach as well
         MissionOptions fewer = task.options;
         --fewer.removals;
+        fewer.progress = {};  // of these, more is known already
         const Task less = task_of(task, fewer);
         for (Draft& draft : drafts_by_proof(less, crossing, searcher, least, bound, deadline))
             drafts.push_back(std::move(draft));

@@ -20,11 +20,13 @@ void explain(const Task& task, Chooser& chooser, const Draft& nothing, const Dra
     const double reached = cost(task, best);
     for (Removal& removal : plan.removed) {
         MissionOptions without = task.options;
+        without.progress = {};
         without.protect.push_back(removal.obstacle);
         std::erase(without.force, removal.obstacle);
         removal.saves = best_cost(task, chooser, nothing, without) - reached;
     }
     MissionOptions more = task.options;
+    more.progress = {};
     ++more.removals;
     std::vector<ObstacleId> removed;
     const double gain = reached - best_cost(task, chooser, nothing, more, &removed);

@@ -32,10 +32,11 @@ struct Posed {
 };
 
 // `plans`: between how many the time is shared out.
-Posed pose(const Task& task, const OptionsRequest& wanted, const std::stop_token& stop, std::size_t plans) try {
+Posed pose(const Task& task, const OptionsRequest& wanted, const Workplace& place, std::size_t plans) try {
     const io::MapFile& file = task.map->file;
     Posed posed{mission_of(task.request.mission, file), options_of(wanted, file)};
-    posed.options.search.stop = stop;
+    posed.options.search.stop = place.stop;
+    posed.options.progress = place.tell;
     posed.options.time_limit = std::min(posed.options.time_limit, task.seconds / double(plans));
     validate(file.map, posed.mission, posed.options);
     return posed;
@@ -52,10 +53,9 @@ io::PlanContext context_of(const Task& task, const Posed& posed, std::span<const
             .front = front};
 }
 
-std::string plan_text(const Task& task, const OptionsRequest& wanted, MissionPlanner& planner,
-                      const std::stop_token& stop, std::size_t plans = 1) {
-    const Posed posed = pose(task, wanted, stop, plans);
-    const Plan plan = planner.plan(task.map->file.map, posed.mission, posed.options);
+std::string plan_text(const Task& task, const OptionsRequest& wanted, const Workplace& place, std::size_t plans = 1) {
+    const Posed posed = pose(task, wanted, place, plans);
+    const Plan plan = place.planner.plan(task.map->file.map, posed.mission, posed.options);
     return io::plan_json(plan, context_of(task, posed));
 }
 
@@ -149,25 +149,25 @@ std::string file_name(const std::string& id, const ShelvedMap& map) {
     return extension == extensions.end() ? id : id + extension->second;
 }
 
-std::string plan_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop) {
-    return plan_text(task, task.request.options, planner, stop);
+std::string plan_answer(const Task& task, const Workplace& place) {
+    return plan_text(task, task.request.options, place);
 }
 
-std::string front_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop) {
-    Posed posed = pose(task, task.request.options, stop, std::size_t(task.request.options.options.removals) + 1);
-    const std::vector<Plan> plans = planner.front(task.map->file.map, posed.mission, posed.options);
+std::string front_answer(const Task& task, const Workplace& place) {
+    Posed posed = pose(task, task.request.options, place, std::size_t(task.request.options.options.removals) + 1);
+    const std::vector<Plan> plans = place.planner.front(task.map->file.map, posed.mission, posed.options);
     posed.options.removals = int(plans.size() + posed.options.force.size()) - 1;
     return io::plan_json(plans.back(), context_of(task, posed, plans));
 }
 
-std::string compare_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop) {
+std::string compare_answer(const Task& task, const Workplace& place) {
     const std::vector<Method> methods =
         task.request.methods.empty() ? usual_methods(task.request.options) : task.request.methods;
     std::string text;
     for (const Method& method : methods) {
         if (!text.empty()) text += ",\n";
         text += "{\"name\": " + Json(method.name).dump() +
-                ", \"plan\": " + plan_text(task, method.options, planner, stop, methods.size()) + "}";
+                ", \"plan\": " + plan_text(task, method.options, place, methods.size()) + "}";
     }
     return "{\"format\": \"waybreaker-compare/1\", \"plans\": [\n" + text + "]}\n";
 }

@@ -1,10 +1,10 @@
 // The documents that answer requests, made by the library and the writers of src/io and src/render.
 #pragma once
 
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "server/job_queue.hpp"
 #include "server/map_shelf.hpp"
 #include "server/plan_request.hpp"
 
@@ -32,9 +32,9 @@ struct Task {
 };
 
 // Each throws Problem if the mission does not fit the map.
-std::string plan_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop);
-std::string front_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop);
-std::string compare_answer(const Task& task, MissionPlanner& planner, const std::stop_token& stop);
+std::string plan_answer(const Task& task, const Workplace& place);
+std::string front_answer(const Task& task, const Workplace& place);
+std::string compare_answer(const Task& task, const Workplace& place);
 
 // `plan` is the text of a plan file. Both throw Problem if it cannot be read; export if it is not valid for the map
 // too.

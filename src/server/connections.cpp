@@ -10,10 +10,13 @@ namespace waybreaker::server {
 void Connections::open(std::function<void()> serve) {
     {
         std::unique_lock lock(mutex_);
-        if (open_ == most_ && !waiting_.empty()) send_away(*waiting_.begin());
-        crowded_ = open_ == most_;
+        if (open_ == most_ && !waiting_.empty()) {
+            send_away(*waiting_.begin());
+        } else {
+            one_must_leave_ = open_ == most_;
+        }
         changed_.wait(lock, [this] { return open_ < most_; });
-        crowded_ = false;
+        one_must_leave_ = false;
         ++open_;
     }
     std::thread([this, serve = std::move(serve)] {
@@ -33,7 +36,7 @@ void Connections::close() {
 
 bool Connections::begin_waiting(int socket) {
     const std::scoped_lock lock(mutex_);
-    if (crowded_ || closing_) return false;
+    if (closing_ || std::exchange(one_must_leave_, false)) return false;
     waiting_.insert(socket);
     return true;
 }
@@ -43,9 +46,9 @@ bool Connections::end_waiting(int socket) {
     return waiting_.erase(socket) > 0;
 }
 
-bool Connections::wants_places() const {
+bool Connections::must_leave() {
     const std::scoped_lock lock(mutex_);
-    return crowded_ || closing_;
+    return closing_ || std::exchange(one_must_leave_, false);
 }
 
 void Connections::send_away(int socket) {

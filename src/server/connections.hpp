@@ -25,18 +25,18 @@ class Connections {
     bool begin_waiting(int socket);
     // Whether it may stay: nobody has sent it away.
     bool end_waiting(int socket);
-    // Whether others wait for a place, or no request is to come any more.
-    bool wants_places() const;
+    // Whether the connection that asks must give up its place: somebody waits for one, or this is the end.
+    bool must_leave();
 
   private:
     void send_away(int socket);
 
     std::size_t most_;
-    mutable std::mutex mutex_;
+    std::mutex mutex_;
     std::condition_variable changed_;
     std::size_t open_ = 0;
     std::set<int> waiting_;  // sockets
-    bool crowded_ = false;
+    bool one_must_leave_ = false;
     bool closing_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "server/desk.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -25,9 +26,23 @@ std::string event(const std::string& name, const std::string& data) {
 }
 
 std::string progress(const Job& job) {
-    const nlohmann::ordered_json json{{"state", job.state() == Job::State::queued ? "queued" : "planning"},
-                                      {"seconds", job.seconds()}};
+    using Json = nlohmann::ordered_json;
+    const auto [best, bound] = job.progress();
+    const Json json{{"state", job.state() == Job::State::queued ? "queued" : "planning"},
+                    {"seconds", job.seconds()},
+                    {"best", std::isfinite(best) ? Json(best) : Json()},
+                    {"bound", bound > 0 ? Json(bound) : Json()}};
     return event("progress", json.dump());
+}
+
+std::string message_in_flight() {
+    try {
+        throw;
+    } catch (const std::exception& error) {
+        return error.what();
+    } catch (...) {
+        return "an exception that is none of ours";
+    }
 }
 
 }  // namespace
@@ -42,7 +57,7 @@ Failure current_failure() {
     } catch (const std::bad_alloc&) {
         return {unavailable, "out of memory"};
     } catch (...) {
-        return {internal_error, "this is our fault; the log says more"};
+        return {internal_error, "this is our fault; the log says more", message_in_flight()};
     }
 }
 
@@ -50,9 +65,9 @@ Desk::Desk(const Limits& limits, Metrics& metrics)
     : limits_(limits), metrics_(metrics), queue_(limits.workers, limits.queue) {}
 
 std::shared_ptr<Job> Desk::submit(Work work) {
-    auto job = queue_.submit([this, work = std::move(work)](MissionPlanner& planner, const std::stop_token& stop) {
+    auto job = queue_.submit([this, work = std::move(work)](const Workplace& place) {
         const auto began = std::chrono::steady_clock::now();
-        std::string result = work(planner, stop);
+        std::string result = work(place);
         metrics_.count_plan(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
         return result;
     });
@@ -80,7 +95,7 @@ std::string Desk::wait_for(Work work, const std::function<bool()>& client_is_the
     return job->result();
 }
 
-void Desk::stream(Work work, httplib::Response& response, std::function<void(int)> ended) {
+void Desk::stream(Work work, httplib::Response& response, Ended ended) {
     const std::shared_ptr<Job> job = submit(std::move(work));
     const auto finished = std::make_shared<bool>(false);
     const auto tell = [this, job, ended, finished](std::size_t, httplib::DataSink& sink) {
@@ -90,23 +105,22 @@ void Desk::stream(Work work, httplib::Response& response, std::function<void(int
         bool there = send(progress(*job));
         while (there && !finish_in_time(*job, between_events)) there = send(progress(*job));
         if (!there) return false;
-        int status = ok;
+        Failure outcome{ok, ""};
         try {
             send(event("plan", job->result()));
         } catch (...) {
-            const Failure failure = current_failure();
-            status = failure.status;
-            send(event("problem", problem_json(failure.status, failure.detail)));
+            outcome = current_failure();
+            send(event("problem", problem_json(outcome.status, outcome.detail)));
         }
         *finished = true;
-        ended(status);
+        ended(outcome);
         sink.done();
         return true;
     };
     const auto left = [this, job, ended, finished](bool) {
         if (*finished) return;
         if (job->stop()) metrics_.count_stopped();
-        ended(client_gone);
+        ended({client_gone, "the client went away"});
     };
     response.set_chunked_content_provider("text/event-stream", tell, left);
 }

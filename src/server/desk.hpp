@@ -13,6 +13,17 @@
 
 namespace waybreaker::server {
 
+// What an exception that is in flight means to a client.
+struct Failure {
+    int status;
+    std::string detail;
+    std::string cause = {};  // where that must not be told: for the log
+};
+Failure current_failure();
+
+// Told once, when a streamed answer is over: with status 200 if nothing failed.
+using Ended = std::function<void(const Failure& outcome)>;
+
 class Desk {
   public:
     Desk(const Limits& limits, Metrics& metrics);
@@ -21,8 +32,8 @@ class Desk {
     std::string wait_for(Work work, const std::function<bool()>& client_is_there);
 
     // The same as server-sent events: `progress` from time to time, then `plan` or `problem`. If the client goes away,
-    // the work is stopped. `ended` is told once, with what has become of it. Throws Problem if too many wait.
-    void stream(Work work, httplib::Response& response, std::function<void(int status)> ended);
+    // the work is stopped. Throws Problem if too many wait.
+    void stream(Work work, httplib::Response& response, Ended ended);
 
     std::size_t waiting() const { return queue_.waiting(); }
     std::size_t running() const { return queue_.running(); }
@@ -35,12 +46,5 @@ class Desk {
     Metrics& metrics_;
     JobQueue queue_;
 };
-
-// What an exception that is in flight means to a client.
-struct Failure {
-    int status;
-    std::string detail;
-};
-Failure current_failure();
 
 }  // namespace waybreaker::server

@@ -16,6 +16,11 @@ double Job::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
 }
 
+Progress Job::progress() const {
+    const std::scoped_lock lock(mutex_);
+    return progress_;
+}
+
 bool Job::wait(std::chrono::milliseconds time) const {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, time, [this] { return state_ == State::done; });
@@ -33,10 +38,14 @@ void Job::run(MissionPlanner& planner) {
         state_ = State::running;
         began_ = std::chrono::steady_clock::now();
     }
+    const auto tell = [this](const Progress& progress) {
+        const std::scoped_lock lock(mutex_);
+        progress_ = progress;
+    };
     std::string result;
     std::exception_ptr failure;
     try {
-        if (!stop_.stop_requested()) result = work_(planner, stop_.get_token());
+        if (!stop_.stop_requested()) result = work_({planner, stop_.get_token(), tell});
     } catch (...) {
         failure = std::current_exception();
     }

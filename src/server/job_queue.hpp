@@ -1,7 +1,7 @@
 // Job queue: a few workers, each with a planner that keeps its memory, and a short line in front of them.
 //
 //     JobQueue queue(2, 16);
-//     const auto job = queue.submit([&](MissionPlanner& planner, std::stop_token stop) { return ...; });
+//     const auto job = queue.submit([&](const Workplace& place) { return place.planner...; });
 //     if (!job) ...;                            // the line is full
 //     while (!job->wait(250ms)) ...;            // or job->stop()
 //     answer(job->result());
@@ -23,7 +23,14 @@
 
 namespace waybreaker::server {
 
-using Work = std::function<std::string(MissionPlanner&, std::stop_token)>;
+// What work is done with.
+struct Workplace {
+    MissionPlanner& planner;
+    std::stop_token stop;
+    std::function<void(const Progress&)> tell;  // how far it is
+};
+
+using Work = std::function<std::string(const Workplace&)>;
 
 class Job {
   public:
@@ -33,6 +40,7 @@ class Job {
 
     State state() const;
     double seconds() const;  // since it began
+    Progress progress() const;
     // Whether the job is done by then.
     bool wait(std::chrono::milliseconds time) const;
     // Work that has not begun never does; the rest is asked to end.
@@ -51,6 +59,7 @@ class Job {
     mutable std::condition_variable changed_;
     State state_ = State::queued;
     std::chrono::steady_clock::time_point began_;
+    Progress progress_;
     std::string result_;
     std::exception_ptr failure_;
 };

@@ -78,7 +78,7 @@ bool Listener::serve_request(ClientStream& client) {
     const auto prepare = [&](httplib::Request& request) {
         headers = client.taken();
         body = body_length(request);
-        last = !may_be_followed(request) || body > most_skipped || connections_.wants_places();
+        last = !may_be_followed(request) || body > most_skipped || connections_.must_leave();
         if (last) {
             request.headers.erase("Connection");
             request.set_header("Connection", "close");  // so that the answer says it too

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "server/problem.hpp"
+
 namespace waybreaker::server {
 namespace {
 
@@ -26,8 +28,7 @@ std::string text_of(const Json& json) {
 
 std::string log_line(const RequestLine& line) {
     constexpr std::size_t longest_path = 200;
-    constexpr int first_fault = 500;
-    Json json = entry(line.status >= first_fault ? "error" : "info", "request");
+    Json json = entry(line.status == internal_error ? "error" : "info", "request");
     json["client"] = line.client;
     json["method"] = line.method;
     json["path"] = line.path.substr(0, longest_path);

@@ -53,15 +53,13 @@ bool wants_events(const httplib::Request& request) {
     return request.get_header_value("Accept").starts_with("text/event-stream");
 }
 
-using Answer = std::string (*)(const Task&, MissionPlanner&, const std::stop_token&);
+using Answer = std::string (*)(const Task&, const Workplace&);
 
 // A route whose answer a worker plans.
 Route planned(const std::string& name, Answer answer, MapShelf& shelf, Desk& desk, double seconds) {
     const auto handle = [answer, &shelf, &desk, seconds](const Call& call, httplib::Response& response) {
         const Task task{shelf.take(call.map), read_request([&call] { return parse_plan_request(call.body); }), seconds};
-        const Work work = [answer, task](MissionPlanner& planner, const std::stop_token& stop) {
-            return answer(task, planner, stop);
-        };
+        const Work work = [answer, task](const Workplace& place) { return answer(task, place); };
         if (wants_events(call.request)) return desk.stream(work, response, call.ended);
         give(response, desk.wait_for(work, call.client_is_there));
     };
@@ -87,7 +85,7 @@ Route edits_route(MapShelf& shelf, Desk& desk) {
         const SharedMap map = shelf.take(call.map);
         const MapEdits edits = read_request([&call] { return parse_map_edits(call.body); });
         const auto added = std::make_shared<MapShelf::Upload>();
-        const Work work = [&shelf, map, edits, added](MissionPlanner&, const std::stop_token&) {
+        const Work work = [&shelf, map, edits, added](const Workplace&) {
             *added = shelf.keep(edited_map(*map, edits));
             return std::string();
         };
@@ -117,7 +115,7 @@ Route delete_route(MapShelf& shelf) {
 
 Route check_route(MapShelf& shelf, Desk& desk) {
     const auto handle = [&](const Call& call, httplib::Response& response) {
-        const Work work = [map = shelf.take(call.map), plan = call.body](MissionPlanner&, const std::stop_token&) {
+        const Work work = [map = shelf.take(call.map), plan = call.body](const Workplace&) {
             return check_answer(*map, plan);
         };
         give(response, desk.wait_for(work, call.client_is_there));
@@ -131,8 +129,7 @@ Route export_route(MapShelf& shelf, Desk& desk) {
         if (!is_export_format(format)) {
             throw Problem(bad_request, "format is none of json, geojson, csv, ros-path, xml, svg, png");
         }
-        const Work work = [map = shelf.take(call.map), plan = call.body, format](MissionPlanner&,
-                                                                                 const std::stop_token&) {
+        const Work work = [map = shelf.take(call.map), plan = call.body, format](const Workplace&) {
             return export_answer(*map, plan, format).body;
         };
         give_packed(call, response, desk.wait_for(work, call.client_is_there), media_type_of(format));

@@ -21,7 +21,7 @@ struct Call {
     std::string map;  // the {id} of the path; empty where it has none
     std::function<bool()> client_is_there;
     // To be called when a streamed answer ends; others are counted when their handler returns.
-    std::function<void(int status)> ended;
+    Ended ended;
 };
 
 struct Route {

@@ -74,6 +74,10 @@ void require_body(const Route& route, const httplib::Request& request, std::size
     }
 }
 
+const std::string& told_to_log(const Failure& failure) {
+    return failure.cause.empty() ? failure.detail : failure.cause;
+}
+
 std::chrono::milliseconds milliseconds(double seconds) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(seconds));
 }
@@ -252,12 +256,13 @@ void Service::House::serve(const httplib::Request& request, httplib::Response& r
             .body = read_body(route, reader),
             .map = route.id_in(request.path).value_or(""),
             .client_is_there = [&request] { return client_is_there(request); },
-            .ended = [this, name = route.path, head, began](int status) { finish(name, head, status, began, ""); }};
+            .ended = [this, name = route.path, head, began](
+                         const Failure& outcome) { finish(name, head, outcome.status, began, told_to_log(outcome)); }};
         route.answer(call, response);
         if (response.content_provider_) return;
     } catch (...) {
         const Failure failure = current_failure();
-        detail = failure.detail;
+        detail = told_to_log(failure);
         set_problem(response, failure.status, failure.detail);
     }
     finish(route.path, request, response.status, began, detail);

@@ -138,6 +138,21 @@ RC_GTEST_PROP(ExactChoice, ExplainsWhatEachRemovalSaves, ()) {
     }
 }
 
+RC_GTEST_PROP(ExactChoice, TellsWhatItKnowsAsItLearnsIt, ()) {
+    World world = any_world();
+    world.options.explain = *rc::gen::arbitrary<bool>();  // which plans more, and says nothing of it
+    std::vector<Progress> told;
+    world.options.progress = [&told](const Progress& progress) { told.push_back(progress); };
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    RC_ASSERT(!told.empty());
+    for (std::size_t i = 1; i < told.size(); ++i) {
+        RC_ASSERT(told[i].best <= told[i - 1].best);
+        RC_ASSERT(told[i].bound >= told[i - 1].bound);
+    }
+    RC_ASSERT(told.back().best == objective(world, plan));
+    if (plan.status == PlanStatus::solved) RC_ASSERT(std::min(told.back().bound, told.back().best) == *plan.bound);
+}
+
 // Of a search that may expand little, or is out of time at once.
 RC_GTEST_PROP(ExactChoice, HoldsWhatItProvedWhenStopped, ()) {
     World world = any_world();

@@ -12,14 +12,14 @@ using namespace std::chrono_literals;
 
 // Work that lasts until it is stopped, or `end` is set.
 Work endless(std::atomic<bool>& end) {
-    return [&end](MissionPlanner&, const std::stop_token& stop) -> std::string {
-        while (!stop.stop_requested() && !end) std::this_thread::sleep_for(1ms);
-        return stop.stop_requested() ? "stopped" : "ended";
+    return [&end](const Workplace& place) -> std::string {
+        while (!place.stop.stop_requested() && !end) std::this_thread::sleep_for(1ms);
+        return place.stop.stop_requested() ? "stopped" : "ended";
     };
 }
 
 Work quick(const std::string& answer) {
-    return [answer](MissionPlanner&, const std::stop_token&) { return answer; };
+    return [answer](const Workplace&) { return answer; };
 }
 
 void wait_for_state(const Job& job, Job::State state) {
@@ -29,8 +29,7 @@ void wait_for_state(const Job& job, Job::State state) {
 TEST(JobQueue, GivesResultsAndFailures) {
     JobQueue queue(2, 4);
     const auto good = queue.submit(quick("done"));
-    const auto bad =
-        queue.submit([](MissionPlanner&, const std::stop_token&) -> std::string { throw std::runtime_error("no"); });
+    const auto bad = queue.submit([](const Workplace&) -> std::string { throw std::runtime_error("no"); });
     while (!good->wait(10ms) || !bad->wait(10ms)) continue;
     EXPECT_EQ(good->result(), "done");
     EXPECT_THROW(bad->result(), std::runtime_error);

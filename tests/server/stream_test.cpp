@@ -2,9 +2,15 @@
 #include <sys/socket.h>
 
 #include <chrono>
+#include <cmath>
+#include <new>
+#include <stdexcept>
 
 #include "live_server.hpp"
 #include "occupation.hpp"
+#include "server/desk.hpp"
+#include "waybreaker/error.hpp"
+#include "wire.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -24,6 +30,13 @@ class StreamTest : public LiveServer {
         begin();
     }
     std::string metrics() const { return get("/metrics").body; }
+    void await(const std::string& line) const {
+        const auto deadline = std::chrono::steady_clock::now() + 15s;
+        while (metrics().find(line) == std::string::npos) {
+            ASSERT_LT(std::chrono::steady_clock::now(), deadline) << line;
+            std::this_thread::sleep_for(50ms);
+        }
+    }
 };
 
 TEST_F(StreamTest, ShortPlansStreamToo) {
@@ -59,13 +72,59 @@ TEST_F(StreamTest, ThePlannerStopsWhenTheClientGoesAway) {
     Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
     EXPECT_NE(metrics().find("waybreaker_plans_running 1\n"), std::string::npos);
     occupation.leave();
+    await("waybreaker_plans_running 0\n");
+    EXPECT_NE(metrics().find("waybreaker_stopped_total 1\n"), std::string::npos);
+    post_json(maps + "/house.map/plan", house_mission);
+}
+
+TEST_F(StreamTest, ThePlannerStopsAlsoForWhoWaitsForTheWholePlan) {
+    begin_busy(60);
+    {
+        const Wire wire(port());
+        const std::string body = long_mission(side).dump();
+        wire.send(
+            "POST /api/v1/maps/thicket.map/plan HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+            "Content-Length: " +
+            std::to_string(body.size()) + "\r\n\r\n" + body);
+        await("waybreaker_plans_running 1\n");
+    }
+    await("waybreaker_plans_running 0\n");
+    EXPECT_NE(metrics().find("waybreaker_stopped_total 1\n"), std::string::npos);
+    EXPECT_NE(metrics().find("route=\"/api/v1/maps/{id}/plan\",status=\"499\"} 1\n"), std::string::npos);
+}
+
+TEST_F(StreamTest, TellsTheBestPlanAndTheBoundMeanwhile) {
+    begin_busy(60);
+    const Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
     const auto deadline = std::chrono::steady_clock::now() + 15s;
-    while (metrics().find("waybreaker_plans_running 0\n") == std::string::npos) {
+    const auto last = [&occupation] {
+        const std::string events = occupation.events();
+        const std::size_t end = events.rfind("\n\n");
+        const std::size_t data = events.rfind("data: ", end) + 6;
+        return Json::parse(events.substr(data, end - data));
+    };
+    while (!last()["best"].is_number()) {
         ASSERT_LT(std::chrono::steady_clock::now(), deadline);
         std::this_thread::sleep_for(50ms);
     }
-    EXPECT_NE(metrics().find("waybreaker_stopped_total 1\n"), std::string::npos);
-    post_json(maps + "/house.map/plan", house_mission);
+    EXPECT_GE(last()["best"], std::sqrt(2.0) * (side - 1));
+}
+
+TEST(Failures, OnlyTheLogIsToldOurOwn) {
+    const auto failure = [](auto exception) {
+        try {
+            throw exception;
+        } catch (...) {
+            return current_failure();
+        }
+    };
+    const Failure ours = failure(std::runtime_error("/etc/secret"));
+    EXPECT_EQ(ours.status, 500);
+    EXPECT_EQ(ours.detail.find("secret"), std::string::npos);
+    EXPECT_EQ(ours.cause, "/etc/secret");
+    EXPECT_EQ(failure(1).status, 500);
+    EXPECT_EQ(failure(std::bad_alloc()).status, 503);
+    EXPECT_EQ(failure(InputError("no")).status, 422);
 }
 
 TEST_F(StreamTest, TimeIsUpForAll) {
