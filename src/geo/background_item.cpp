@@ -96,10 +96,10 @@ std::optional<FeatureParts> parse_wkt(std::string_view text) {
 std::optional<Background::Feature> parse_feature(std::string_view line) {
     std::optional<FeatureParts> shape = parse_wkt(take_until(';', line));
     const std::string_view kind_name = take_until(';', line);
-    const auto kind = std::find(background_kinds.begin(), background_kinds.end(), kind_name);
-    if (!shape || kind == background_kinds.end()) return std::nullopt;
+    const auto kind = std::find(background_kinds.begin(), background_kinds.end(), kind_name) - background_kinds.begin();
+    if (!shape || std::size_t(kind) == background_kinds.size()) return std::nullopt;
     const std::string type = clean_name(take_until(';', line));
-    return Background::Feature{.kind = Background::Kind(kind - background_kinds.begin()),
+    return Background::Feature{.kind = Background::Kind(kind),
                                .type = type,
                                .name = clean_name(line),
                                .shape = shape->shape,
@@ -122,21 +122,23 @@ std::string background_text(const Background& background, const Georeference& pl
 
 Background parse_background(std::string_view text, const Georeference& place, int width, int height,
                             const std::string& name) {
-    const auto refuse = [&](const std::string& what) {
-        throw InputError(fmt::format("{}: {}; drop it with 'gdal_edit.py -mo {}=' or import the map anew", name, what,
-                                     background_item));
+    const auto refusal = [&](const std::string& what) {
+        return InputError(fmt::format("{}: {}; drop it with 'gdal_edit.py -mo {}=' or import the map anew", name, what,
+                                      background_item));
     };
     if (text.size() > max_background_bytes) {
-        refuse(fmt::format("its metadata item {} has more than {} bytes", background_item, max_background_bytes));
+        throw refusal(
+            fmt::format("its metadata item {} has more than {} bytes", background_item, max_background_bytes));
     }
     if (take_until('\n', text) != heading) {
-        refuse(fmt::format("its metadata item {} does not begin with {}", background_item, heading));
+        throw refusal(fmt::format("its metadata item {} does not begin with {}", background_item, heading));
     }
     const FromLonLat to_cells(place);
     Background background;
     for (std::size_t line = 2; !text.empty(); ++line) {
         std::optional<Background::Feature> feature = parse_feature(take_until('\n', text));
-        if (!feature) refuse(fmt::format("line {} of its metadata item {} is no feature", line, background_item));
+        if (!feature)
+            throw refusal(fmt::format("line {} of its metadata item {} is no feature", line, background_item));
         for (Part& part : feature->parts) part = to_cells(std::move(part));
         std::erase_if(feature->parts, [&](const Part& part) { return !meets(part, width, height); });
         if (!feature->parts.empty()) background.features.push_back(std::move(*feature));

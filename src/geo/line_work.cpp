@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
 
 namespace waybreaker::geo {
 namespace {
+
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 // Which lines are left that end somewhere.
 class LooseEnds {
@@ -27,9 +30,10 @@ class LooseEnds {
         }
     }
 
-    std::optional<std::size_t> at(const Point& point) const {
+    // One that does, or none.
+    std::size_t at(const Point& point) const {
         const auto found = ends_.find(key(point));
-        return found == ends_.end() ? std::nullopt : std::optional(found->second);
+        return found == ends_.end() ? none : found->second;
     }
 
   private:
@@ -72,8 +76,8 @@ std::vector<Line> joined(std::vector<Line> lines) {
         // On from one end, then from the other.
         for (int end = 0; end < 2; ++end) {
             std::reverse(whole.begin(), whole.end());
-            while (const std::optional<std::size_t> next = loose.at(whole.back())) {
-                Line line = take(*next);
+            for (std::size_t next = loose.at(whole.back()); next != none; next = loose.at(whole.back())) {
+                Line line = take(next);
                 if (line.front() != whole.back()) std::reverse(line.begin(), line.end());
                 whole.insert(whole.end(), line.begin() + 1, line.end());
             }

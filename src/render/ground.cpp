@@ -54,8 +54,8 @@ std::string path(const std::vector<waybreaker::Point>& part, const Layout& layou
     std::string text;
     std::size_t points = 0;
     Point last{};
-    for (std::size_t i = 0; i < part.size(); ++i) {
-        const Point at = layout.at(part[i].x, part[i].y);
+    for (const waybreaker::Point& point : part) {
+        const Point at = layout.at(point.x, point.y);
         if (points > 0 && std::hypot(at.x - last.x, at.y - last.y) < 1) continue;
         text += fmt::format("{}{:.1f} {:.1f}", points == 0 ? "M" : "L", at.x, at.y);
         last = at;

@@ -76,12 +76,12 @@ class SceneryOf : public testing::Test {
     ~SceneryOf() override { VSIRmdirRecursive("/vsimem/scenery_test"); }
 
     // A building is there so that there is something to import.
-    ImportReport import(Drawing drawing, const ImportOptions& options = window) {
+    static ImportReport import(Drawing drawing, const ImportOptions& options = window) {
         drawing.area("building=yes", {{30, 30}, {36, 30}, {36, 36}, {30, 36}});
         return import_city(write("town.osm", drawing.xml()), options);
     }
     static std::string write(const std::string& name, const std::string& text) {
-        const std::string path = "/vsimem/scenery_test/" + name;
+        std::string path = "/vsimem/scenery_test/" + name;
         VSILFILE* file = VSIFOpenL(path.c_str(), "wb");
         VSIFWriteL(text.data(), 1, text.size(), file);
         VSIFCloseL(file);
