@@ -126,6 +126,7 @@ Service::House::House(ServiceOptions options)
       desk_(options_.limits, metrics_),
       routes_(routes(shelf_, desk_, metrics_, options_.limits)),
       listener_({.reading = milliseconds(options_.limits.patience),
+                 .writing = milliseconds(options_.limits.patience),
                  .idle = milliseconds(options_.limits.idle),
                  .bytes = options_.limits.upload_bytes + (std::size_t{1} << 16)},
                 options_.limits.connections) {

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "live_server.hpp"
+#include "server/client_stream.hpp"
 #include "wire.hpp"
 
 namespace waybreaker::server {
@@ -30,6 +31,24 @@ TEST_F(RudeClientTest, SlowOnesDoNotHoldTheirPlace) {
     const auto began = std::chrono::steady_clock::now();
     EXPECT_EQ(get("/healthz").status, 200);  // waits until one of the others is told to go
     EXPECT_LT(std::chrono::steady_clock::now() - began, 5s);
+}
+
+TEST(ClientStream, GivesUpOnWhoTakesNoAnswer) {
+    int ends[2];
+    ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
+    const int small = 4096;
+    ::setsockopt(ends[0], SOL_SOCKET, SO_SNDBUF, &small, sizeof small);
+    const auto began = std::chrono::steady_clock::now();
+    {
+        ClientStream client(ends[0], {.writing = 100ms});
+        const std::string piece(1000, 'x');
+        while (client.write(piece.data(), piece.size()) >= 0) continue;
+    }
+    const auto time = std::chrono::steady_clock::now() - began;
+    EXPECT_GE(time, 100ms);
+    EXPECT_LT(time, 5s);
+    ::close(ends[0]);
+    ::close(ends[1]);
 }
 
 TEST_F(RudeClientTest, HeadersEnd) {
