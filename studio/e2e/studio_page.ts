@@ -91,8 +91,10 @@ export class StudioPage {
   async plan(): Promise<Plan> {
     const until = Date.now() + 5000; // the page may have read the answer before it gets here
     for (;;) {
-      const [reached] = await this.figures();
-      const plan = this.#answers.findLast((answer) => answer.after.makespan === reached);
+      const [reached, before] = await this.figures();
+      const plan = this.#answers.findLast(
+        (answer) => answer.after.makespan === reached && (before === undefined || answer.before.makespan === before),
+      );
       if (plan) return plan;
       if (Date.now() > until) throw new Error(`the page says ${reached}, which no plan of the server reaches`);
       await this.page.waitForTimeout(20);
