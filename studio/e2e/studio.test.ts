@@ -126,7 +126,7 @@ describe("the mission", () => {
     await page.settled();
     expect((await page.plan()).options.removals).toBe(8);
     const curve = page.page.getByRole("group", { name: "What each number of removals reaches" });
-    expect(await curve.getByRole("button").count()).toBe(9);
+    await expect.poll(() => curve.getByRole("button").count(), { timeout: 20_000 }).toBe(9);
   });
 
   it("protects and forces obstacles, by name and from the table", async () => {
