@@ -147,8 +147,8 @@ TEST(MapEdits, SaysWhatIsWrong) {
 
 // Cell by cell: what is blocked afterwards, and whose it is.
 RC_GTEST_PROP(MapEditsLaws, DoWhatIsSaidOfEachCell, ()) {
-    const int side = 8;
-    const auto run = rc::gen::exec([side] {
+    constexpr int side = 8;
+    const auto run = rc::gen::exec([] {
         const int x = *rc::gen::inRange(0, side);
         return CellRun{{x, *rc::gen::inRange(0, side)}, *rc::gen::inRange(1, side - x + 1)};
     });
