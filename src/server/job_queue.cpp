@@ -50,10 +50,14 @@ void Job::run(MissionPlanner& planner) {
         failure = std::current_exception();
     }
     work_ = nullptr;  // lets go of its map
+    const std::scoped_lock lock(mutex_);
+    result_ = std::move(result);
+    failure_ = failure;
+}
+
+void Job::finish() {
     {
         const std::scoped_lock lock(mutex_);
-        result_ = std::move(result);
-        failure_ = failure;
         state_ = State::done;
     }
     changed_.notify_all();
@@ -112,8 +116,12 @@ void JobQueue::serve(const std::stop_token& stop) {
             running_.push_back(job);
         }
         job->run(planner);
-        const std::scoped_lock lock(mutex_);
-        std::erase(running_, job);
+        {
+            const std::scoped_lock lock(mutex_);
+            std::erase(running_, job);
+        }
+        // Only now: who asks again as soon as the answer is there must find the worker free.
+        job->finish();
     }
 }
 

@@ -52,6 +52,7 @@ class Job {
   private:
     friend class JobQueue;
     void run(MissionPlanner& planner);
+    void finish();
 
     Work work_;
     std::stop_source stop_;

@@ -56,6 +56,15 @@ TEST(JobQueue, LetsSoManyWaitAndNoMore) {
     EXPECT_EQ(second->result(), "");
 }
 
+TEST(JobQueue, HasAWorkerFreeAsSoonAsTheAnswerIsThere) {
+    JobQueue queue(1, 0);
+    for (int i = 0; i < 2000; ++i) {
+        const auto job = queue.submit(quick("done"));
+        ASSERT_TRUE(job) << i;
+        while (!job->wait(10ms)) continue;
+    }
+}
+
 TEST(JobQueue, EndsWithWorkersAtWork) {
     std::atomic<bool> never = false;
     std::shared_ptr<Job> running;
