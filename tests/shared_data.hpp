@@ -11,15 +11,16 @@
 #include <string_view>
 #include <vector>
 
+#include "project_folder.hpp"
+
 namespace waybreaker {
 
 inline constexpr std::string_view no_shared_folder = "the shared maps are not here: set WAYBREAKER_SHARED";
 
 inline std::optional<std::filesystem::path> shared_folder() {
     const char* const given = std::getenv("WAYBREAKER_SHARED");
-    const std::filesystem::path folder = given != nullptr
-                                             ? std::filesystem::path(given)
-                                             : std::filesystem::path(WAYBREAKER_SOURCE_DIR) / ".." / "shared";
+    const std::filesystem::path folder =
+        given != nullptr ? std::filesystem::path(given) : project_folder() / ".." / "shared";
     return std::filesystem::is_directory(folder / "data") ? std::optional(folder) : std::nullopt;
 }
 

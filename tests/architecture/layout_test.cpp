@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "project_folder.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,7 +98,7 @@ std::string read(const fs::path& path) {
     return text.str();
 }
 
-const fs::path project = WAYBREAKER_SOURCE_DIR;
+const fs::path project = waybreaker::project_folder();
 
 // Calls visit(path relative to the project, text) for every text file of ours below the given folders.
 template <class Visit>

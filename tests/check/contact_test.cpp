@@ -11,6 +11,7 @@
 #include <string>
 
 #include "plan/timeline.hpp"
+#include "project_folder.hpp"
 #include "random_map.hpp"
 #include "slow_sight.hpp"
 
@@ -137,7 +138,7 @@ TEST(Judge, SharesNoGeometryWithThePlanner) {
     const std::vector<std::string> forbidden{"line_of_sight(", "fits(",  ".boundary(", "first_touch(",
                                              "path_length(",   "timed(", " distance(", "OpenedMap"};
     int files = 0;
-    for (const auto& file : std::filesystem::directory_iterator(WAYBREAKER_SOURCE_DIR "/src/check")) {
+    for (const auto& file : std::filesystem::directory_iterator(project_folder() / "src" / "check")) {
         std::ifstream text(file.path());
         for (std::string line; std::getline(text, line);) {
             for (const std::string& use : forbidden) EXPECT_EQ(line.find(use), std::string::npos) << line;

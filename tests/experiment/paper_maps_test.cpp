@@ -9,11 +9,12 @@
 #include "experiment/experiment.hpp"
 #include "experiment/missions.hpp"
 #include "io/map_file.hpp"
+#include "project_folder.hpp"
 
 namespace waybreaker::experiment {
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(WAYBREAKER_SOURCE_DIR) / "data" / "paper-maps";
+const std::filesystem::path folder = project_folder() / "data" / "paper-maps";
 
 TEST(PaperMaps, AreWhatTheirIndexSays) {
     std::ifstream index(folder / "index.csv");

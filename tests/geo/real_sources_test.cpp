@@ -12,17 +12,18 @@
 #include <ostream>
 
 #include "geo/city_import.hpp"
+#include "project_folder.hpp"
 
 namespace waybreaker::geo {
 namespace {
 
 std::string shared_file(const std::string& name) {
     const char* folder = std::getenv("WAYBREAKER_SHARED");
-    return (folder ? std::string(folder) : WAYBREAKER_SOURCE_DIR "/../shared") + "/data/osm/" + name;
+    return (folder ? std::string(folder) : (project_folder() / "../shared").string()) + "/data/osm/" + name;
 }
 
 std::string committed_file(const std::string& name) {
-    return WAYBREAKER_SOURCE_DIR "/data/" + name;
+    return (project_folder() / "data" / name).string();
 }
 
 LabelTiff read_map(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "project_folder.hpp"
 #include "session.hpp"
 
 namespace waybreaker::golden {
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path source_folder = fs::path(WAYBREAKER_SOURCE_DIR) / "tests" / "golden";
+const fs::path source_folder = project_folder() / "tests" / "golden";
 
 std::vector<std::string> session_names() {
     std::vector<std::string> names;
@@ -33,7 +34,7 @@ TEST_P(GoldenSession, RunsAsWritten) {
     fs::remove_all(scratch);
     fs::create_directories(scratch.parent_path());
     fs::copy(source_folder / "files", scratch, fs::copy_options::recursive);
-    fs::create_directory_symlink(fs::path(WAYBREAKER_SOURCE_DIR) / "data", scratch / "data");
+    fs::create_directory_symlink(project_folder() / "data", scratch / "data");
 
     Session session = read_session(file);
     ASSERT_FALSE(session.steps.empty());

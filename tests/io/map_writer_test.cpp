@@ -7,6 +7,7 @@
 #include "geo/city_import.hpp"
 #include "input_error.hpp"
 #include "io/output_file.hpp"
+#include "project_folder.hpp"
 #include "shared_data.hpp"
 #include "temporary_folder.hpp"
 #include "waybreaker/mission.hpp"
@@ -114,11 +115,11 @@ TEST_F(WrittenMaps, SayWhatIsLost) {
 
 // Names and what lies around go with a map, as far as its format takes them.
 TEST_F(WrittenMaps, AreStillKnownByTheirNames) {
-    const MapFile city = read_map_file(WAYBREAKER_SOURCE_DIR "/data/berlin-mitte.tif");
+    const MapFile city = read_map_file(project_folder() / "data" / "berlin-mitte.tif");
     ASSERT_EQ(geo::name_count(city.names), 98U);
     ASSERT_FALSE(city.background.features.empty());
     EXPECT_TRUE(write(city, "b.tif").losses.empty());
-    EXPECT_EQ(bytes_of("b.tif"), bytes_of(WAYBREAKER_SOURCE_DIR "/data/berlin-mitte.tif"));
+    EXPECT_EQ(bytes_of("b.tif"), bytes_of(project_folder() / "data" / "berlin-mitte.tif"));
 
     const std::string ground = "does not hold streets, water and what else lies around the obstacles";
     EXPECT_EQ(write(city, "b.geojson").losses,

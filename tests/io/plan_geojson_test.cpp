@@ -10,6 +10,7 @@
 
 #include "ascii_map.hpp"
 #include "input_error.hpp"
+#include "project_folder.hpp"
 #include "shared_data.hpp"
 #include "temporary_folder.hpp"
 #include "waybreaker/mission.hpp"
@@ -56,7 +57,7 @@ class PlanGeojson : public TemporaryFolder {
         EXPECT_NEAR(point.getY(), transform[3] - (y + 0.5) * cell, 1e-3);
     }
 
-    MapFile map = read_map_file(WAYBREAKER_SOURCE_DIR "/data/berlin-mitte.tif");
+    MapFile map = read_map_file(project_folder() / "data" / "berlin-mitte.tif");
     Plan plan;
     GDALDatasetUniquePtr file;
 };

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "input_error.hpp"
+#include "project_folder.hpp"
 #include "shared_data.hpp"
 #include "waybreaker/movingai.hpp"
 
@@ -117,7 +118,7 @@ TEST(MovingaiMap, IsRefusedWhenTheStreamCannotBeRead) {
     std::ifstream absent("there/is/no/such.map");
     EXPECT_EQ(input_error([&] { read_movingai_map(absent, "such.map"); }),
               "such.map: cannot be read: check that it is a file and that you may read it");
-    std::ifstream folder(WAYBREAKER_SOURCE_DIR);
+    std::ifstream folder(project_folder());
     EXPECT_NE(input_error([&] { read_movingai_map(folder, "folder"); }), "");
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ascii_map.hpp"
+#include "project_folder.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/movingai.hpp"
 #include "waybreaker/plan.hpp"
@@ -62,7 +63,7 @@ inline World unsolved(Map map, Cell start, Cell goal) {
 // A city map of the shared data; empty where that is absent.
 inline std::optional<Map> shared_city(const std::string& file) {
     const char* shared = std::getenv("WAYBREAKER_SHARED");
-    const std::filesystem::path folder = shared ? shared : WAYBREAKER_SOURCE_DIR "/../shared";
+    const std::filesystem::path folder = shared ? std::filesystem::path(shared) : project_folder() / ".." / "shared";
     std::ifstream in(folder / "data" / "cities" / file);
     if (!in) return std::nullopt;
     return Map(read_movingai_map(in, file));
