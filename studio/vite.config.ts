@@ -1,7 +1,7 @@
 import { defineConfig } from "vitest/config";
 
 // Three files with fixed names, which CMake builds into the command. `npm run dev` asks a running `waybreaker serve`, as
-// though the page came from there: other sites' pages are refused.
+// though the page came from there: other sites' pages are refused. Addresses, for a bare machine has no name `localhost`.
 const service = { target: "http://127.0.0.1:8080", changeOrigin: false };
 
 export default defineConfig({
@@ -14,6 +14,6 @@ export default defineConfig({
       output: { entryFileNames: "studio.js", assetFileNames: "studio.[ext]", inlineDynamicImports: true },
     },
   },
-  server: { proxy: { "/api": service } },
-  test: { include: ["tests/**/*.test.ts", "tests/**/*.test.tsx"] },
+  server: { host: "127.0.0.1", proxy: { "/api": service } },
+  test: { include: ["tests/**/*.test.ts", "tests/**/*.test.tsx"], setupFiles: "tests/browser_globals.ts" },
 });
