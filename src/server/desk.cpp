@@ -15,11 +15,11 @@ constexpr milliseconds between_events(250);
 constexpr double grace = 1;  // seconds that a planner has to keep its own time limit
 
 // An event of several lines, as the HTML standard writes it.
-std::string event(const std::string& name, const std::string& data) {
+std::string event(const std::string& name, std::string_view data) {
     std::string text = "event: " + name + "\n";
     for (std::size_t begin = 0; begin < data.size();) {
         const std::size_t end = std::min(data.find('\n', begin), data.size());
-        text += "data: " + data.substr(begin, end - begin) + "\n";
+        text.append("data: ").append(data.substr(begin, end - begin)).append("\n");
         begin = end + 1;
     }
     return text + "\n";
@@ -67,7 +67,7 @@ Desk::Desk(const Limits& limits, Metrics& metrics)
 std::shared_ptr<Job> Desk::submit(Work work) {
     auto job = queue_.submit([this, work = std::move(work)](const Workplace& place) {
         const auto began = std::chrono::steady_clock::now();
-        std::string result = work(place);
+        Response result = work(place);
         metrics_.count_plan(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
         return result;
     });
@@ -85,44 +85,31 @@ bool Desk::finish_in_time(Job& job, milliseconds time) {
     return false;
 }
 
-std::string Desk::wait_for(Work work, const std::function<bool()>& client_is_there) {
-    const std::shared_ptr<Job> job = submit(std::move(work));
-    while (!finish_in_time(*job, between_events)) {
-        if (client_is_there()) continue;
-        if (job->stop()) metrics_.count_stopped();
-        throw Problem(client_gone, "the client went away");
-    }
-    return job->result();
+Failure Desk::give_up(Job& job) {
+    if (job.stop()) metrics_.count_stopped();
+    return {client_gone, "the client went away"};
 }
 
-void Desk::stream(Work work, httplib::Response& response, Ended ended) {
-    const std::shared_ptr<Job> job = submit(std::move(work));
-    const auto finished = std::make_shared<bool>(false);
-    const auto tell = [this, job, ended, finished](std::size_t, httplib::DataSink& sink) {
-        const auto send = [&sink](const std::string& text) {
-            return sink.is_writable() && sink.write(text.data(), text.size());
-        };
-        bool there = send(progress(*job));
-        while (there && !finish_in_time(*job, between_events)) there = send(progress(*job));
-        if (!there) return false;
-        Failure outcome{ok, ""};
-        try {
-            send(event("plan", job->result()));
-        } catch (...) {
-            outcome = current_failure();
-            send(event("problem", problem_json(outcome.status, outcome.detail)));
-        }
-        *finished = true;
-        ended(outcome);
-        sink.done();
-        return true;
-    };
-    const auto left = [this, job, ended, finished](bool) {
-        if (*finished) return;
-        if (job->stop()) metrics_.count_stopped();
-        ended({client_gone, "the client went away"});
-    };
-    response.set_chunked_content_provider("text/event-stream", tell, left);
+Response Desk::wait_for(Job& job, const std::function<bool()>& client_is_there) {
+    while (!finish_in_time(job, between_events)) {
+        if (!client_is_there()) throw Problem(client_gone, give_up(job).detail);
+    }
+    return job.result();
+}
+
+Failure Desk::tell(Job& job, const std::function<bool(const std::string&)>& send) {
+    do {
+        if (!send(progress(job))) return give_up(job);
+    } while (!finish_in_time(job, between_events));
+    try {
+        const Response response = job.result();
+        if (!send(event("plan", response.body.bytes()))) return give_up(job);
+        return {ok, ""};
+    } catch (...) {
+        const Failure failure = current_failure();
+        send(event("problem", problem_json(failure.status, failure.detail)));
+        return failure;
+    }
 }
 
 }  // namespace waybreaker::server

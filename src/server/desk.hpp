@@ -1,8 +1,6 @@
 // Desk: runs the plans that clients ask for, and waits for them on the client's behalf.
 #pragma once
 
-#include <httplib.h>
-
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,25 +19,23 @@ struct Failure {
 };
 Failure current_failure();
 
-// Told once, when a streamed answer is over: with status 200 if nothing failed.
-using Ended = std::function<void(const Failure& outcome)>;
-
 class Desk {
   public:
     Desk(const Limits& limits, Metrics& metrics);
 
-    // The work's result. Throws Problem if too many wait or the client goes away, and what the work throws.
-    std::string wait_for(Work work, const std::function<bool()>& client_is_there);
-
-    // The same as server-sent events: `progress` from time to time, then `plan` or `problem`. If the client goes away,
-    // the work is stopped. Throws Problem if too many wait.
-    void stream(Work work, httplib::Response& response, Ended ended);
+    // Throws Problem if too many wait.
+    std::shared_ptr<Job> submit(Work work);
+    // The work's result. Throws Problem if the client goes away, and what the work throws.
+    Response wait_for(Job& job, const std::function<bool()>& client_is_there);
+    // The same as server-sent events: `progress` from time to time, then `plan` or `problem`. `send` gives whether the
+    // client is still there; if it is not, the work is stopped. What came of it: status 200 if nothing failed.
+    Failure tell(Job& job, const std::function<bool(const std::string&)>& send);
 
     std::size_t waiting() const { return queue_.waiting(); }
     std::size_t running() const { return queue_.running(); }
 
   private:
-    std::shared_ptr<Job> submit(Work work);
+    Failure give_up(Job& job);
     bool finish_in_time(Job& job, std::chrono::milliseconds time);
 
     Limits limits_;

@@ -26,7 +26,7 @@ bool Job::wait(std::chrono::milliseconds time) const {
     return changed_.wait_for(lock, time, [this] { return state_ == State::done; });
 }
 
-std::string Job::result() {
+Response Job::result() {
     const std::scoped_lock lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
     return std::move(result_);
@@ -42,7 +42,7 @@ void Job::run(MissionPlanner& planner) {
         const std::scoped_lock lock(mutex_);
         progress_ = progress;
     };
-    std::string result;
+    Response result;
     std::exception_ptr failure;
     try {
         if (!stop_.stop_requested()) result = work_({planner, stop_.get_token(), tell});

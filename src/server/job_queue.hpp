@@ -19,6 +19,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/message.hpp"
 #include "waybreaker/mission.hpp"
 
 namespace waybreaker::server {
@@ -30,7 +31,8 @@ struct Workplace {
     std::function<void(const Progress&)> tell;  // how far it is
 };
 
-using Work = std::function<std::string(const Workplace&)>;
+// Makes the answer to a request.
+using Work = std::function<Response(const Workplace&)>;
 
 class Job {
   public:
@@ -47,7 +49,7 @@ class Job {
     // Whether this is the first time.
     bool stop() { return stop_.request_stop(); }
     // What the work gave back, or throws what it threw. Precondition: done.
-    std::string result();
+    Response result();
 
   private:
     friend class JobQueue;
@@ -61,7 +63,7 @@ class Job {
     State state_ = State::queued;
     std::chrono::steady_clock::time_point began_;
     Progress progress_;
-    std::string result_;
+    Response result_;
     std::exception_ptr failure_;
 };
 

@@ -39,24 +39,21 @@ bool names(const std::string& header, const std::string& tag) {
                        [&](const std::string& item) { return item == "*" || item == tag || item == "w/" + tag; });
 }
 
-void replace_header(httplib::Response& response, const char* name, const std::string& value) {
-    response.headers.erase(name);
-    response.set_header(name, value);
-}
-
-void give(const Served& file, const httplib::Request& request, httplib::Response& response) {
-    replace_header(response, "Content-Security-Policy", policy);
-    replace_header(response, "Cache-Control", "no-cache");  // kept, but asked about each time
-    response.set_header("ETag", "W/" + file.tag);
-    response.set_header("Vary", "Accept-Encoding");
-    if (names(request.get_header_value("If-None-Match"), file.tag)) {
+Response given(const std::shared_ptr<const Served>& file, const Fields& headers) {
+    Response response;
+    response.headers = {{"Content-Security-Policy", policy},
+                        {"Cache-Control", "no-cache"},  // kept, but asked about each time
+                        {"ETag", "W/" + file->tag},
+                        {"Vary", "Accept-Encoding"}};
+    if (names(headers.get("If-None-Match"), file->tag)) {
         response.status = not_modified;
-        return;
+        return response;
     }
-    const bool packed = accepts_gzip(request.get_header_value("Accept-Encoding"));
-    if (packed) response.set_header("Content-Encoding", "gzip");
-    response.status = ok;
-    response.set_content(packed ? file.packed : file.bytes, file.type);
+    const bool packed = accepts_gzip(headers.get("Accept-Encoding"));
+    if (packed) response.headers.add("Content-Encoding", "gzip");
+    response.type = file->type;
+    response.body = {file, packed ? file->packed : file->bytes};
+    return response;
 }
 
 }  // namespace
@@ -64,9 +61,8 @@ void give(const Served& file, const httplib::Request& request, httplib::Response
 std::vector<Route> page_routes() {
     std::vector<Route> routes;
     for (const studio::File& file : studio::files()) {
-        const auto handle = [ready = std::make_shared<const Served>(served(file))](const Call& call,
-                                                                                   httplib::Response& response) {
-            give(*ready, call.request, response);
+        const auto handle = [ready = std::make_shared<const Served>(served(file))](const Call& call) {
+            return given(ready, call.request.headers);
         };
         routes.push_back({"GET", std::string(file.path), Route::Body::none, true, handle});
     }

@@ -1,28 +1,32 @@
 // Routes: which path is answered by what. A route's handler gets a request that the guard has let through and whose
-// body is read, and makes the answer or throws Problem.
+// body is read; it gives the answer or the work that makes it, or throws Problem.
 #pragma once
-
-#include <httplib.h>
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "server/desk.hpp"
 #include "server/map_shelf.hpp"
+#include "server/message.hpp"
 #include "server/metrics.hpp"
 
 namespace waybreaker::server {
 
 struct Call {
-    const httplib::Request& request;
-    std::string body;
+    Request request;
     std::string map;  // the {id} of the path; empty where it has none
-    std::function<bool()> client_is_there;
-    // To be called when a streamed answer ends; others are counted when their handler returns.
-    Ended ended;
 };
+
+// An answer that takes its time: it waits for a worker, and the client may be told meanwhile how far it is.
+struct Later {
+    Work work;
+    bool events = false;
+};
+
+using Answer = std::variant<Response, Later>;
 
 struct Route {
     enum class Body { none, json, bytes };
@@ -31,13 +35,13 @@ struct Route {
     std::string path;  // "/api/v1/maps/{id}", as metrics and the description call it
     Body body = Body::none;
     bool open = false;  // asked without a token
-    std::function<void(const Call&, httplib::Response&)> answer;
+    std::function<Answer(Call)> answer;
 
     // What a path has for {id} (empty where there is none to have), if it is this route's.
     std::optional<std::string> id_in(const std::string& asked) const;
 };
 
-// The handlers keep the references.
-std::vector<Route> routes(MapShelf& shelf, Desk& desk, const Metrics& metrics, const Limits& limits);
+// Their handlers keep the references.
+std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metrics, const Limits& limits);
 
 }  // namespace waybreaker::server

@@ -53,12 +53,27 @@ void require_safe(const ServiceOptions& options) {
                      ": give a --token that they must bring, or say --insecure");
 }
 
-void set_problem(httplib::Response& response, int status, const std::string& detail) {
-    response.status = status;
-    response.body.clear();
-    response.set_content(problem_json(status, detail), "application/problem+json");
-    if (status == unavailable) response.set_header("Retry-After", "1");
-    if (status == unauthorized) response.set_header("WWW-Authenticate", "Bearer");
+Response problem(int status, const std::string& detail) {
+    Response response{.status = status, .type = "application/problem+json", .body = problem_json(status, detail)};
+    if (status == unavailable) response.headers.add("Retry-After", "1");
+    if (status == unauthorized) response.headers.add("WWW-Authenticate", "Bearer");
+    return response;
+}
+
+Request request_of(const httplib::Request& asked) {
+    Request request{.method = asked.method, .path = asked.path, .client = asked.remote_addr};
+    for (const auto& [name, value] : asked.params) request.query.add(name, value);
+    for (const auto& [name, value] : asked.headers) request.headers.add(name, value);
+    return request;
+}
+
+void give(const Response& response, httplib::Response& target) {
+    target.status = response.status;
+    for (const auto& [name, value] : response.headers) {
+        target.headers.erase(name);
+        target.set_header(name, value);
+    }
+    if (!response.type.empty()) target.set_content(std::string(response.body.bytes()), response.type);
 }
 
 // The type must be one that pages of other sites cannot send here without being asked for leave first.
@@ -105,9 +120,12 @@ class Service::House {
     // Whether the request may go on; else it is answered. Before anything of its body is read.
     bool admit(const httplib::Request& request, httplib::Response& response);
     void serve(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& reader);
+    // Plans meanwhile told as events.
+    void stream(const std::shared_ptr<Job>& job, const Route& route, const Request& request, Clock::time_point began,
+                httplib::Response& response);
     std::string read_body(const Route& route, const httplib::ContentReader& reader) const;
     // Counts and logs an answer.
-    void finish(const std::string& route, const httplib::Request& request, int status, Clock::time_point began,
+    void finish(const std::string& route, const Request& request, int status, Clock::time_point began,
                 const std::string& detail);
 
     ServiceOptions options_;
@@ -163,7 +181,7 @@ void Service::House::add_handlers() {
     // What httplib refuses by itself: requests that are no HTTP.
     listener_.set_error_handler(httplib::Server::Handler([](const httplib::Request&, httplib::Response& response) {
         if (!response.body.empty()) return;
-        set_problem(response, response.status, "the request cannot be taken as it is");
+        give(problem(response.status, "the request cannot be taken as it is"), response);
         response.set_header("Connection", "close");
     }));
 }
@@ -217,11 +235,11 @@ bool Service::House::admit(const httplib::Request& request, httplib::Response& r
         return true;
     } catch (const WrongMethod& problem) {
         response.set_header("Allow", problem.allowed());
-        set_problem(response, problem.status(), detail = problem.what());
+        give(server::problem(problem.status(), detail = problem.what()), response);
     } catch (const Problem& problem) {
-        set_problem(response, problem.status(), detail = problem.what());
+        give(server::problem(problem.status(), detail = problem.what()), response);
     }
-    finish(name, request, response.status, began, detail);
+    finish(name, request_of(request), response.status, began, detail);
     return false;
 }
 
@@ -242,39 +260,45 @@ void Service::House::serve(const httplib::Request& request, httplib::Response& r
                            const httplib::ContentReader& reader) {
     const Clock::time_point began = Clock::now();
     const Route& route = route_of(request);
+    const Request head = request_of(request);
     std::string detail;
     try {
-        // What a streamed answer is counted by when it is over: the request itself is gone by then.
-        const httplib::Request head = [&request] {
-            httplib::Request copy;
-            copy.method = request.method;
-            copy.path = request.path;
-            copy.remote_addr = request.remote_addr;
-            return copy;
-        }();
-        const Call call{
-            .request = request,
-            .body = read_body(route, reader),
-            .map = route.id_in(request.path).value_or(""),
-            .client_is_there = [&request] { return client_is_there(request); },
-            .ended = [this, name = route.path, head, began](
-                         const Failure& outcome) { finish(name, head, outcome.status, began, told_to_log(outcome)); }};
-        route.answer(call, response);
-        if (response.content_provider_) return;
+        Call call{head, route.id_in(request.path).value_or("")};
+        call.request.body = read_body(route, reader);
+        Answer answer = route.answer(std::move(call));
+        if (auto* later = std::get_if<Later>(&answer)) {
+            const std::shared_ptr<Job> job = desk_.submit(std::move(later->work));
+            if (later->events) return stream(job, route, head, began, response);
+            answer = desk_.wait_for(*job, [&request] { return client_is_there(request); });
+        }
+        give(std::get<Response>(answer), response);
     } catch (...) {
         const Failure failure = current_failure();
         detail = told_to_log(failure);
-        set_problem(response, failure.status, failure.detail);
+        give(problem(failure.status, failure.detail), response);
     }
-    finish(route.path, request, response.status, began, detail);
+    finish(route.path, head, response.status, began, detail);
 }
 
-void Service::House::finish(const std::string& route, const httplib::Request& request, int status,
-                            Clock::time_point began, const std::string& detail) {
+void Service::House::stream(const std::shared_ptr<Job>& job, const Route& route, const Request& request,
+                            Clock::time_point began, httplib::Response& response) {
+    const auto tell = [this, job, name = route.path, request, began](std::size_t, httplib::DataSink& sink) {
+        const Failure outcome = desk_.tell(*job, [&sink](const std::string& text) {
+            return sink.is_writable() && sink.write(text.data(), text.size());
+        });
+        finish(name, request, outcome.status, began, told_to_log(outcome));
+        if (outcome.status != client_gone) sink.done();
+        return outcome.status != client_gone;
+    };
+    response.set_chunked_content_provider("text/event-stream", tell);
+}
+
+void Service::House::finish(const std::string& route, const Request& request, int status, Clock::time_point began,
+                            const std::string& detail) {
     const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
     const bool known = route != other_route;
     metrics_.count_request(known ? request.method : other_route, route, status, seconds);
-    options_.log(log_line({request.remote_addr, request.method, request.path, status, seconds, detail}));
+    options_.log(log_line({request.client, request.method, request.path, status, seconds, detail}));
 }
 
 void Service::House::run() {

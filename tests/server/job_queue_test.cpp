@@ -12,14 +12,14 @@ using namespace std::chrono_literals;
 
 // Work that lasts until it is stopped, or `end` is set.
 Work endless(std::atomic<bool>& end) {
-    return [&end](const Workplace& place) -> std::string {
+    return [&end](const Workplace& place) -> Response {
         while (!place.stop.stop_requested() && !end) std::this_thread::sleep_for(1ms);
-        return place.stop.stop_requested() ? "stopped" : "ended";
+        return {.body = place.stop.stop_requested() ? "stopped" : "ended"};
     };
 }
 
 Work quick(const std::string& answer) {
-    return [answer](const Workplace&) { return answer; };
+    return [answer](const Workplace&) { return Response{.body = answer}; };
 }
 
 void wait_for_state(const Job& job, Job::State state) {
@@ -29,9 +29,9 @@ void wait_for_state(const Job& job, Job::State state) {
 TEST(JobQueue, GivesResultsAndFailures) {
     JobQueue queue(2, 4);
     const auto good = queue.submit(quick("done"));
-    const auto bad = queue.submit([](const Workplace&) -> std::string { throw std::runtime_error("no"); });
+    const auto bad = queue.submit([](const Workplace&) -> Response { throw std::runtime_error("no"); });
     while (!good->wait(10ms) || !bad->wait(10ms)) continue;
-    EXPECT_EQ(good->result(), "done");
+    EXPECT_EQ(good->result().body.bytes(), "done");
     EXPECT_THROW(bad->result(), std::runtime_error);
 }
 
@@ -51,9 +51,9 @@ TEST(JobQueue, LetsSoManyWaitAndNoMore) {
     EXPECT_NE(queue.submit(quick("fourth")), nullptr);
     end = true;
     while (!third->wait(10ms)) continue;
-    EXPECT_EQ(third->result(), "third");
-    EXPECT_EQ(first->result(), "ended");
-    EXPECT_EQ(second->result(), "");
+    EXPECT_EQ(third->result().body.bytes(), "third");
+    EXPECT_EQ(first->result().body.bytes(), "ended");
+    EXPECT_EQ(second->result().body.bytes(), "");
 }
 
 TEST(JobQueue, HasAWorkerFreeAsSoonAsTheAnswerIsThere) {
@@ -74,7 +74,7 @@ TEST(JobQueue, EndsWithWorkersAtWork) {
         wait_for_state(*running, Job::State::running);
         queue.submit(quick("waits"));
     }
-    EXPECT_EQ(running->result(), "stopped");
+    EXPECT_EQ(running->result().body.bytes(), "stopped");
 }
 
 }  // namespace

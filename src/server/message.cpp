@@ -1,0 +1,54 @@
+#include "server/message.hpp"
+
+#include <algorithm>
+
+namespace waybreaker::server {
+namespace {
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+}
+
+// Names are the same in any case (RFC 9110, 5.1).
+auto is_named(std::string_view name) {
+    return [name](const Fields::Field& field) {
+        return std::equal(name.begin(), name.end(), field.first.begin(), field.first.end(),
+                          [](char a, char b) { return lower(a) == lower(b); });
+    };
+}
+
+}  // namespace
+
+std::optional<std::string> Fields::find(std::string_view name) const {
+    const auto field = std::find_if(fields_.begin(), fields_.end(), is_named(name));
+    return field == fields_.end() ? std::nullopt : std::optional(field->second);
+}
+
+std::string Fields::get(std::string_view name) const {
+    return find(name).value_or("");
+}
+
+std::size_t Fields::count(std::string_view name) const {
+    return std::size_t(std::count_if(fields_.begin(), fields_.end(), is_named(name)));
+}
+
+void Fields::add(std::string name, std::string value) {
+    fields_.emplace_back(std::move(name), std::move(value));
+}
+
+void Fields::set(std::string name, std::string value) {
+    remove(name);
+    add(std::move(name), std::move(value));
+}
+
+void Fields::remove(std::string_view name) {
+    std::erase_if(fields_, is_named(name));
+}
+
+Body::Body(std::string bytes) {
+    const auto owner = std::make_shared<const std::string>(std::move(bytes));
+    bytes_ = *owner;
+    owner_ = owner;
+}
+
+}  // namespace waybreaker::server
