@@ -1,4 +1,10 @@
+// PNG, row by row through libpng's push reader: it stops at the first byte that is more than the header's pixels need,
+// where its simplified reader would unpack it all.
 #include <png.h>
+
+#include <array>
+#include <csetjmp>
+#include <cstring>
 
 #include "io/grey_image.hpp"
 #include "waybreaker/error.hpp"
@@ -12,7 +18,114 @@ constexpr std::string_view magic = "\x89PNG\r\n\x1a\n";
 // Deflate packs at most 1032 bytes into one, and a byte holds at most 8 pixels.
 constexpr std::size_t most_pixels_per_byte = 1032 * 8;
 
-// libpng's picture, released when it goes.
+struct Size {
+    std::size_t width = 0;
+    std::size_t height = 0;
+};
+
+InputError damaged(const std::string& name, const std::string& reason) {
+    return {name, 0, "cannot be read as PNG: " + reason};
+}
+
+// What the first chunk says, which must be the header.
+Size size_of(std::string_view bytes, const std::string& name) {
+    constexpr std::size_t at = 16;
+    if (bytes.size() < at + 8 || bytes.substr(12, 4) != "IHDR") throw damaged(name, "it has no header");
+    const auto number = [&](std::size_t first) {
+        return std::size_t(png_get_uint_32(reinterpret_cast<png_const_bytep>(bytes.data() + first)));
+    };
+    return {number(at), number(at + 4)};
+}
+
+void require_size(const Size& size, std::size_t bytes, const std::string& name, std::size_t most_pixels) {
+    const auto [width, height] = size;
+    if (width > unsigned(max_side) || height > unsigned(max_side) || width * height > most_pixels) {
+        throw SizeError(name, 0,
+                        "an image of " + std::to_string(width) + " x " + std::to_string(height) +
+                            " pixels is too large for a map: cut a piece out of it");
+    }
+    if (width * height > most_pixels_per_byte * bytes) {
+        throw InputError(name, 0, "is damaged or cut short: it has fewer bytes than so many pixels need");
+    }
+}
+
+// Reads into an image whose pixels are there already, so that no callback of libpng has reason to throw.
+class Decoder {
+  public:
+    explicit Decoder(GreyImage& image) : image_(image) {}
+    Decoder(const Decoder&) = delete;
+    Decoder& operator=(const Decoder&) = delete;
+    ~Decoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+    // Empty if all went well, else why not.
+    const char* decode(std::string_view bytes) {
+        png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &Decoder::fail, &Decoder::warn);
+        info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
+        if (info_ == nullptr) return "there is no memory for it";
+        if (setjmp(png_jmpbuf(png_)) != 0) return reason_.data();
+        // Texts, colour profiles and the like can unpack to gigabytes.
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+        png_set_progressive_read_fn(png_, this, &Decoder::begin, &Decoder::take_row, &Decoder::end);
+        auto* const first = reinterpret_cast<png_bytep>(const_cast<char*>(bytes.data()));
+        png_process_data(png_, info_, first, bytes.size());
+        return ended_ && pixels_ == image_.pixels.size() ? nullptr : "it ends too early";
+    }
+
+  private:
+    static Decoder& self(png_structp png) { return *static_cast<Decoder*>(png_get_progressive_ptr(png)); }
+
+    [[noreturn]] static void fail(png_structp png, png_const_charp reason) {
+        auto& kept = static_cast<Decoder*>(png_get_error_ptr(png))->reason_;  // libpng's own text ends with its call
+        std::strncpy(kept.data(), reason, kept.size() - 1);
+        png_longjmp(png, 1);
+    }
+    // What libpng would read past. Only faults of the pixels matter here.
+    static void warn(png_structp png, png_const_charp reason) {
+        if (std::string_view(reason).find("IDAT") != std::string_view::npos) {
+            fail(png, "it holds other pixels than its header says");
+        }
+    }
+
+    // Rows come as grey, or red, green and blue, 8 bits each, and alpha if there is any.
+    static void begin(png_structp png, png_infop info) {
+        png_set_expand(png);
+        png_set_scale_16(png);
+        png_read_update_info(png, info);
+        Decoder& decoder = self(png);
+        decoder.channels_ = png_get_channels(png, info);
+        decoder.interlaced_ = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
+        decoder.image_.transparency = decoder.channels_ % 2 == 0;
+    }
+
+    static void take_row(png_structp png, png_bytep row, png_uint_32 y, int pass) {
+        if (row != nullptr) self(png).take_row(row, y, unsigned(pass));
+    }
+    // A pass of an interlaced image has every so many of its rows and columns.
+    void take_row(const png_byte* sample, png_uint_32 row, unsigned pass) {
+        const auto width = png_uint_32(image_.width);
+        const png_uint_32 y = interlaced_ ? PNG_ROW_FROM_PASS_ROW(row, pass) : row;
+        const png_uint_32 first = interlaced_ ? PNG_PASS_START_COL(pass) : 0;
+        const png_uint_32 step = interlaced_ ? png_uint_32(PNG_PASS_COL_OFFSET(pass)) : 1;
+        if (y >= png_uint_32(image_.height)) return;
+        GreyImage::Pixel* const pixels = &image_.pixels[std::size_t(y) * width];
+        for (png_uint_32 x = first; x < width; x += step, sample += channels_, ++pixels_) {
+            pixels[x].sum = std::uint16_t(channels_ > 2 ? sample[0] + sample[1] + sample[2] : 3 * sample[0]);
+            if (image_.transparency) pixels[x].alpha = sample[channels_ - 1];
+        }
+    }
+    static void end(png_structp png, png_infop) { self(png).ended_ = true; }
+
+    GreyImage& image_;
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+    unsigned channels_ = 1;
+    bool interlaced_ = false;
+    std::size_t pixels_ = 0;  // that have come
+    bool ended_ = false;
+    std::array<char, 200> reason_{};
+};
+
+// libpng's picture for its simplified writer, released when it goes.
 struct Picture {
     Picture() { image.version = PNG_IMAGE_VERSION; }
     Picture(const Picture&) = delete;
@@ -21,10 +134,6 @@ struct Picture {
     png_image image{};
 };
 
-InputError damaged(const std::string& name, const png_image& image) {
-    return {name, 0, std::string("cannot be read as PNG: ") + image.message};
-}
-
 }  // namespace
 
 bool is_png(std::string_view bytes) {
@@ -32,31 +141,13 @@ bool is_png(std::string_view bytes) {
 }
 
 GreyImage read_png(std::string_view bytes, const std::string& name, std::size_t most_pixels) {
-    Picture picture;
-    png_image& image = picture.image;
-    if (!png_image_begin_read_from_memory(&image, bytes.data(), bytes.size())) throw damaged(name, image);
-    const std::size_t pixels = std::size_t{image.width} * image.height;
-    if (image.width > unsigned(max_side) || image.height > unsigned(max_side) || pixels > most_pixels) {
-        throw SizeError(name, 0,
-                        "an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                            " pixels is too large for a map: cut a piece out of it");
-    }
-    if (pixels > most_pixels_per_byte * bytes.size()) {
-        throw InputError(name, 0, "is damaged or cut short: it has fewer bytes than so many pixels need");
-    }
-    const bool colour = (image.format & PNG_FORMAT_FLAG_COLOR) != 0;
-    GreyImage result{int(image.width), int(image.height), (image.format & PNG_FORMAT_FLAG_ALPHA) != 0, {}};
-    image.format = colour ? PNG_FORMAT_RGBA : PNG_FORMAT_GA;
-    std::vector<std::uint8_t> samples(pixels * (colour ? 4 : 2));
-    if (!png_image_finish_read(&image, nullptr, samples.data(), 0, nullptr)) throw damaged(name, image);
-    result.pixels.resize(pixels);
-    const std::uint8_t* sample = samples.data();
-    for (GreyImage::Pixel& pixel : result.pixels) {
-        pixel.sum = std::uint16_t(colour ? sample[0] + sample[1] + sample[2] : 3 * sample[0]);
-        pixel.alpha = sample[colour ? 3 : 1];
-        sample += colour ? 4 : 2;
-    }
-    return result;
+    const Size size = size_of(bytes, name);
+    require_size(size, bytes.size(), name, most_pixels);
+    GreyImage image{int(size.width), int(size.height), false, {}};
+    image.pixels.resize(size.width * size.height);
+    Decoder decoder(image);
+    if (const char* const reason = decoder.decode(bytes)) throw damaged(name, reason);
+    return image;
 }
 
 std::string png_bytes(int width, int height, const std::vector<std::uint8_t>& grey) {
