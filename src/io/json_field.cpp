@@ -3,32 +3,38 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/json_position.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
 
 using Json = nlohmann::json;
 
-Json parse_json(std::string_view bytes, const std::string& file, int max_depth) {
+JsonDocument parse_json(std::string_view text, const std::string& file, int max_depth) {
+    const auto fail = [&](std::size_t byte, const std::string& what) {
+        throw InputError(file_position(file, text, byte), 0, what);
+    };
     const auto not_too_deep = [&](int depth, Json::parse_event_t, Json&) {
-        if (depth > max_depth) throw InputError(file, 0, "its values are nested too deep");
+        if (depth > max_depth) fail(depth_at(text, max_depth), "its values are nested too deep");
         return true;
     };
     try {
-        return Json::parse(bytes, not_too_deep);
+        return {text, file, Json::parse(text, not_too_deep)};
     } catch (const Json::parse_error& error) {
-        const std::string_view read = bytes.substr(0, error.byte);
-        throw InputError(file, std::size_t(1 + std::count(read.begin(), read.end(), '\n')), "this is not JSON");
+        // `byte` is the last one that was read, counted from 1.
+        const bool whole = error.byte <= text.size();
+        fail(std::min(error.byte - 1, text.size()), whole ? "this is not JSON" : "this is not JSON: it ends too early");
     } catch (const Json::exception&) {
-        throw InputError(file, 0, "it holds a number that is too large");
+        fail(overflow_at(text), "this number is too large");
     }
+    return {};
 }
 
 JsonField JsonField::operator[](const char* key) const {
     if (!json_->is_object()) fail("is not an object");
     const auto member = json_->find(key);
     if (member == json_->end()) fail(std::string("has no member ") + key);
-    return {*member, place_.empty() ? key : place_ + "." + key, file_};
+    return {*member, place_.empty() ? key : place_ + "." + key, document_};
 }
 
 std::optional<JsonField> JsonField::find(const char* key) const {
@@ -44,7 +50,8 @@ void JsonField::allow(std::initializer_list<std::string_view> names) const {
         if (std::find(names.begin(), names.end(), key) != names.end()) continue;
         std::string known;
         for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
-        fail("has a member that is none of " + known);
+        const std::size_t object = value_at(document_->text, place_);
+        fail_at(name_at(document_->text, object, key), "has a member that is none of " + known);
     }
 }
 
@@ -57,7 +64,7 @@ std::vector<JsonField> JsonField::items() const {
     if (!json_->is_array()) fail("is not an array");
     std::vector<JsonField> fields;
     for (const Json& value : *json_) {
-        fields.push_back({value, place_ + "[" + std::to_string(fields.size()) + "]", file_});
+        fields.push_back({value, place_ + "[" + std::to_string(fields.size()) + "]", document_});
     }
     return fields;
 }
@@ -92,7 +99,12 @@ std::string JsonField::text() const {
 }
 
 void JsonField::fail(const std::string& what) const {
-    throw InputError(*file_, 0, (place_.empty() ? "the document" : place_) + " " + what);
+    fail_at(value_at(document_->text, place_), what);
+}
+
+void JsonField::fail_at(std::size_t byte, const std::string& what) const {
+    throw InputError(file_position(document_->file, document_->text, byte), 0,
+                     (place_.empty() ? "the document" : place_) + " " + what);
 }
 
 }  // namespace waybreaker::io

@@ -1,5 +1,5 @@
-// A value of a JSON document that knows where it stands, so that errors can say so: "plan.json: removed[2].at is not a
-// cell". The document comes from outside: nothing is taken for granted.
+// A value of a JSON document that knows where it stands, so that errors can say so: "plan.json:7:12: removed[2].at is
+// not a cell". The document comes from outside: nothing is taken for granted.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,21 @@
 
 namespace waybreaker::io {
 
-// Throws InputError naming file and line unless the bytes are a JSON document of at most `max_depth` levels. It takes
-// up to 40 times the memory of its bytes.
-nlohmann::json parse_json(std::string_view bytes, const std::string& file, int max_depth);
+// It takes up to 40 times the memory of its text.
+struct JsonDocument {
+    std::string_view text;
+    std::string file;
+    nlohmann::json json;
+};
+
+// Throws InputError naming file, line and column unless the text, which must outlive the document, is JSON of at most
+// `max_depth` levels.
+JsonDocument parse_json(std::string_view text, const std::string& file, int max_depth);
 
 class JsonField {
   public:
-    // The whole document; it and the file's name must outlive the field.
-    JsonField(const nlohmann::json& document, const std::string& file) : json_(&document), file_(&file) {}
+    // The whole document, which must outlive the field.
+    explicit JsonField(const JsonDocument& document) : json_(&document.json), document_(&document) {}
 
     // A member of an object; find() is empty where there is none, or null.
     JsonField operator[](const char* key) const;
@@ -50,12 +57,13 @@ class JsonField {
     [[noreturn]] void fail(const std::string& what) const;
 
   private:
-    JsonField(const nlohmann::json& value, std::string place, const std::string* file)
-        : json_(&value), place_(std::move(place)), file_(file) {}
+    JsonField(const nlohmann::json& value, std::string place, const JsonDocument* document)
+        : json_(&value), place_(std::move(place)), document_(document) {}
+    [[noreturn]] void fail_at(std::size_t byte, const std::string& what) const;
 
     const nlohmann::json* json_;
     std::string place_;
-    const std::string* file_;
+    const JsonDocument* document_;
 };
 
 template <class Value>

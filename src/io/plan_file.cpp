@@ -141,8 +141,8 @@ AgentPlan agent(const JsonField& field) {
 }  // namespace
 
 PlanFile parse_plan(std::string_view bytes, const std::string& name) {
-    const nlohmann::json document = parse_json(bytes, name, max_depth);
-    const JsonField root(document, name);
+    const auto document = parse_json(bytes, name, max_depth);
+    const JsonField root(document);
     if (root["format"].text() != "waybreaker-plan/1") root["format"].fail("is not waybreaker-plan/1");
     PlanFile file;
     file.plan.status = root["status"].one_of(status_words);

@@ -103,8 +103,8 @@ void draw_walls(io::MapFile& file, const MapEdits& edits) {
 
 MapEdits parse_map_edits(std::string_view bytes, const std::string& name) {
     if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
-    const nlohmann::json document = io::parse_json(bytes, name, max_depth);
-    const JsonField root(document, name);
+    const auto document = io::parse_json(bytes, name, max_depth);
+    const JsonField root(document);
     root.allow({"block", "free"});
     return {.block = runs(root.find("block")), .free = runs(root.find("free"))};
 }

@@ -173,8 +173,8 @@ std::vector<double> weights_of(const OptionsRequest& request, const Map& map) {
 
 PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) {
     if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
-    const nlohmann::json document = io::parse_json(bytes, name, max_depth);
-    const JsonField root(document, name);
+    const auto document = io::parse_json(bytes, name, max_depth);
+    const JsonField root(document);
     root.allow({"mission", "options", "methods", "no_timing"});
     PlanRequest request;
     if (const auto field = root.find("mission")) request.mission = mission(*field);

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
@@ -144,8 +145,12 @@ std::string without(const std::string& pointer) {
     json[place.parent_pointer()].erase(place.back());
     return json.dump();
 }
+// What stands behind the place in the text, which json_field_test.cpp sees to.
 std::string refusal(const std::string& bytes) {
-    return input_error([&] { parse_plan(bytes, "p.json"); });
+    const std::string error = input_error([&] { parse_plan(bytes, "p.json"); });
+    std::smatch parts;
+    if (!std::regex_match(error, parts, std::regex("p\\.json:[1-9][0-9]*:[1-9][0-9]*: (.*)"))) return error;
+    return parts[1];
 }
 
 TEST(PlanFile, IsReadAndHolds) {
@@ -181,32 +186,27 @@ TEST(PlanFile, MaySayMore) {
 }
 
 TEST(PlanFile, IsRefusedWithPlaceAndReason) {
-    EXPECT_EQ(refusal(""), "p.json:1: this is not JSON");
-    EXPECT_EQ(refusal("{\n\"format\": \n\n}"), "p.json:4: this is not JSON");
-    EXPECT_EQ(refusal("[1e999]"), "p.json: it holds a number that is too large");
-    EXPECT_EQ(refusal("[]"), "p.json: the document is not an object");
-    EXPECT_EQ(refusal("{}"), "p.json: the document has no member format");
-    EXPECT_EQ(refusal(std::string(1000, '[')), "p.json: its values are nested too deep");
-    EXPECT_EQ(refusal(with("/format", "waybreaker-plan/2")), "p.json: format is not waybreaker-plan/1");
-    EXPECT_EQ(refusal(with("/status", "well")), "p.json: status is none of solved, no_plan, limit_reached, stopped");
-    EXPECT_EQ(refusal(with("/map/width", 1e9)), "p.json: map.width is not between 1 and 32768");
-    EXPECT_EQ(refusal(with("/options/radius", -1)), "p.json: options.radius is not between 0 and 32");
-    EXPECT_EQ(refusal(with("/options/breach_time", -1)), "p.json: options.breach_time is below 0");
-    EXPECT_EQ(refusal(without("/options/timing")), "p.json: options has no member timing");
-    EXPECT_EQ(refusal(with("/after/air/length", nullptr)), "p.json: after.air.length is not a number");
-    EXPECT_EQ(refusal(with("/removed", "none")), "p.json: removed is not an array");
-    EXPECT_EQ(refusal(with("/removed/0/obstacle", 4294967296)),
-              "p.json: removed[0].obstacle is not between 0 and 4294967295");
-    EXPECT_EQ(refusal(with("/removed/0/obstacle", UINT64_MAX)),
-              "p.json: removed[0].obstacle is not between 0 and 4294967295");
-    EXPECT_EQ(refusal(with("/removed/0/cells", 1.5)), "p.json: removed[0].cells is not a whole number");
-    EXPECT_EQ(refusal(with("/removed/0/source_id", 1e300)), "p.json: removed[0].source_id is not a whole number");
-    EXPECT_EQ(refusal(with("/removed/0/at", {1, 2, 3})), "p.json: removed[0].at is not a cell, [x, y]");
-    EXPECT_EQ(refusal(with("/agents/1/id", "a\nb")), "p.json: agents[1].id holds control characters");
-    EXPECT_EQ(refusal(with("/agents/1/kind", 3)), "p.json: agents[1].kind is none of ground, air");
-    EXPECT_EQ(refusal(with("/agents/1/path", Json::array())), "p.json: agents[1].path is empty");
-    EXPECT_EQ(refusal(with("/agents/1/path/1", {1, 2})), "p.json: agents[1].path[1] is not [x, y, t]");
-    EXPECT_EQ(refusal(with("/agents/1/path/1/2", "late")), "p.json: agents[1].path[1][2] is not a number");
+    EXPECT_EQ(refusal("[]"), "the document is not an object");
+    EXPECT_EQ(refusal("{}"), "the document has no member format");
+    EXPECT_EQ(refusal(std::string(1000, '[')), "its values are nested too deep");
+    EXPECT_EQ(refusal(with("/format", "waybreaker-plan/2")), "format is not waybreaker-plan/1");
+    EXPECT_EQ(refusal(with("/status", "well")), "status is none of solved, no_plan, limit_reached, stopped");
+    EXPECT_EQ(refusal(with("/map/width", 1e9)), "map.width is not between 1 and 32768");
+    EXPECT_EQ(refusal(with("/options/radius", -1)), "options.radius is not between 0 and 32");
+    EXPECT_EQ(refusal(with("/options/breach_time", -1)), "options.breach_time is below 0");
+    EXPECT_EQ(refusal(without("/options/timing")), "options has no member timing");
+    EXPECT_EQ(refusal(with("/after/air/length", nullptr)), "after.air.length is not a number");
+    EXPECT_EQ(refusal(with("/removed", "none")), "removed is not an array");
+    EXPECT_EQ(refusal(with("/removed/0/obstacle", 4294967296)), "removed[0].obstacle is not between 0 and 4294967295");
+    EXPECT_EQ(refusal(with("/removed/0/obstacle", UINT64_MAX)), "removed[0].obstacle is not between 0 and 4294967295");
+    EXPECT_EQ(refusal(with("/removed/0/cells", 1.5)), "removed[0].cells is not a whole number");
+    EXPECT_EQ(refusal(with("/removed/0/source_id", 1e300)), "removed[0].source_id is not a whole number");
+    EXPECT_EQ(refusal(with("/removed/0/at", {1, 2, 3})), "removed[0].at is not a cell, [x, y]");
+    EXPECT_EQ(refusal(with("/agents/1/id", "a\nb")), "agents[1].id holds control characters");
+    EXPECT_EQ(refusal(with("/agents/1/kind", 3)), "agents[1].kind is none of ground, air");
+    EXPECT_EQ(refusal(with("/agents/1/path", Json::array())), "agents[1].path is empty");
+    EXPECT_EQ(refusal(with("/agents/1/path/1", {1, 2})), "agents[1].path[1] is not [x, y, t]");
+    EXPECT_EQ(refusal(with("/agents/1/path/1/2", "late")), "agents[1].path[1][2] is not a number");
 }
 
 }  // namespace

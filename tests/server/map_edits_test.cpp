@@ -136,12 +136,12 @@ TEST(MapEdits, SaysWhatIsWrong) {
         return input_error([&] { edited_map(movingai("...\n...\n"), parse_map_edits(edits)); });
     };
     EXPECT_EQ(refusal("{}"), "");
-    EXPECT_EQ(refusal(R"({"block": [[0, 0]]})"), "edits: block[0] is not a run of cells, [x, y, length]");
+    EXPECT_EQ(refusal(R"({"block": [[0, 0]]})"), "edits:1:12: block[0] is not a run of cells, [x, y, length]");
     EXPECT_EQ(refusal(R"({"block": [[0, 1, 3]], "free": [[1, 0, 2], [1, 0, 3]]})"),
               "edits: free[1] does not lie on the map");
     EXPECT_EQ(refusal(R"({"free": [[0, 2, 1]]})"), "edits: free[0] does not lie on the map");
     EXPECT_EQ(refusal(R"({"free": [[0, 0, 3], [0, 0, 3], [0, 0, 1]]})"), "edits: free has more cells than the map");
-    EXPECT_EQ(refusal(R"({"free": [[-1, 0, 1]]})"), "edits: free[0][0] is not between 0 and 2147483647");
+    EXPECT_EQ(refusal(R"({"free": [[-1, 0, 1]]})"), "edits:1:12: free[0][0] is not between 0 and 2147483647");
     EXPECT_NE(refusal(R"({"walls": []})"), "");
 }
 
