@@ -43,7 +43,7 @@ void setup(CLI::App& root, Run& run) {
     setup_serve(root, run);
     setup_completion(root, run);
     setup_manual(root, run);
-    set_examples(root, {"waybreaker plan data/berlin-mitte.tif --start 256,434 --goal 118,55 --svg plan.svg",
+    set_examples(root, {"waybreaker plan data/berlin-adlershof.tif --start 56,72 --goal 279,217 --svg plan.svg",
                         "waybreaker plan --help"});
 }
 

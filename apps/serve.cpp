@@ -95,7 +95,7 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         "asked. Logs a line of JSON for each request to standard error. SIGTERM or Ctrl-C end it: what has begun is "
         "finished.");
     add_file(*command, "--maps", options->maps,
-             "A folder of maps to serve, beside the one that is built in; no other file is read");
+             "A folder of maps to serve, beside those that are built in; no other file is read");
     add_file(*command, "--host", options->host, "Address to listen on (default: 127.0.0.1)");
     constexpr int last_port = 65535;
     add_count(

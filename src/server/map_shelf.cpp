@@ -9,7 +9,7 @@
 #include "io/digest.hpp"
 #include "io/output_file.hpp"
 #include "io/ros_map.hpp"
-#include "server/built_in_map.hpp"
+#include "server/built_in_maps.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
 
@@ -78,8 +78,8 @@ std::string MapShelf::path_of(const std::string& id) const {
 }
 
 std::vector<MapShelf::Entry> MapShelf::list() const {
-    const std::string built_in(built_in_name);
-    std::map<std::string, Entry> entries{{built_in, {.id = built_in}}};
+    std::map<std::string, Entry> entries;
+    for (const BuiltInMap& map : built_in_maps) entries[std::string(map.name)] = {.id = std::string(map.name)};
     std::error_code error;
     if (!folder_.empty()) {
         for (const fs::directory_entry& file : fs::directory_iterator(folder_, error)) {
@@ -99,7 +99,7 @@ std::shared_ptr<MapShelf::Place> MapShelf::place_of(const std::string& id) {
     const std::scoped_lock lock(mutex_);
     const auto known = places_.find(id);
     if (known != places_.end()) return known->second;
-    if (path_of(id).empty() && id != built_in_name) throw no_such_map();
+    if (path_of(id).empty() && !built_in_map(id)) throw no_such_map();
     return places_[id] = std::make_shared<Place>();
 }
 
@@ -124,8 +124,8 @@ void MapShelf::hold(Place& place, SharedMap map) {
 
 ShelvedMap MapShelf::read(const std::string& id) const {
     const std::string path = path_of(id);
-    const bool built_in = path.empty() && id == built_in_name;
-    std::string bytes = built_in ? std::string(built_in_map()) : io::read_whole(path);
+    const BuiltInMap* const built_in = path.empty() ? built_in_map(id) : nullptr;
+    std::string bytes = built_in ? std::string(built_in->bytes()) : io::read_whole(path);
     if (fs::path(path).extension() == ".yaml" && io::is_ros_yaml(bytes)) {
         require_image_inside(bytes, path, folder_);
         return {.file = io::read_map_file(path)};
@@ -190,7 +190,7 @@ void MapShelf::remove(const std::string& id) {
     const auto known = places_.find(id);
     if (known != places_.end() && known->second->uploaded) {
         places_.erase(known);
-    } else if (known != places_.end() || !path_of(id).empty() || id == built_in_name) {
+    } else if (known != places_.end() || !path_of(id).empty() || built_in_map(id)) {
         throw Problem(forbidden, "only maps that were sent here can be deleted");
     } else {
         throw no_such_map();

@@ -17,7 +17,7 @@ const json = join(scratch, "plan.json");
 let browser: Browser;
 
 beforeAll(async () => {
-  const mission = [join(data, "berlin-mitte.tif"), "--start", "256,434", "--goal", "118,55", "-n", "2"];
+  const mission = [join(data, "berlin-adlershof.tif"), "--start", "56,72", "--goal", "279,217", "-n", "2"];
   execFileSync(command, ["plan", ...mission, "--html", html, "--json", json], { stdio: "ignore" });
   browser = await launch();
 });
@@ -30,7 +30,7 @@ for (const viewport of [wide, phone]) {
   it(`shows the plan, plays it and asks nobody, at ${viewport.width} px`, async () => {
     const viewer = await StudioPage.visit(browser, pathToFileURL(html).href, { viewport });
     const plan = JSON.parse(readFileSync(json, "utf8")) as Plan;
-    await viewer.result().getByText(/22\s% sooner/).waitFor();
+    await viewer.result().getByText(/17\s% sooner/).waitFor();
     expect(await viewer.figures()).toEqual([plan.after.makespan, plan.before.makespan]);
     await viewer.page.getByRole("table", { name: /Removed buildings/ }).waitFor();
     await viewer.page.getByRole("group", { name: "What each number of removals reaches" }).waitFor();

@@ -7,7 +7,7 @@
 
 #include "input_error.hpp"
 #include "live_server.hpp"
-#include "server/built_in_map.hpp"
+#include "server/built_in_maps.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -36,7 +36,7 @@ ShelvedMap labelled(const std::string& rows) {
     for (std::size_t i = 1; i < attributes.size(); ++i) attributes[i].source_id = std::int64_t(i) * 100;
     attributes[2].destructible = false;
     const int height = int(labels.size()) / width;
-    const std::string utm = shelved(std::string(built_in_map())).file.georeference.value().crs;
+    const std::string utm = shelved(std::string(berlin_mitte_tif())).file.georeference.value().crs;
     geo::LabelTiff tiff{.map = Map::from_labels(width, height, labels, attributes),
                         .cell_size = 2.5,
                         .georeference = geo::Georeference{utm, {500000, 2.5, 0, 5800000, 0, -2.5}},
@@ -122,7 +122,7 @@ TEST(MapEdits, WhatTheFileCannotHoldStays) {
 }
 
 TEST(MapEdits, TheBuiltInMapKeepsItsNamesAndBackground) {
-    const ShelvedMap city = shelved(std::string(built_in_map()));
+    const ShelvedMap city = shelved(std::string(berlin_mitte_tif()));
     const ShelvedMap edited = edited_map(city, {});
     EXPECT_TRUE(
         std::equal(city.file.map.labels().begin(), city.file.map.labels().end(), edited.file.map.labels().begin()));

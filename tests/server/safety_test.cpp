@@ -4,7 +4,7 @@
 #include "input_error.hpp"
 #include "io/grey_image.hpp"
 #include "live_server.hpp"
-#include "server/built_in_map.hpp"
+#include "server/built_in_maps.hpp"
 #include "server/guard.hpp"
 #include "server/map_shelf.hpp"
 
@@ -81,10 +81,10 @@ TEST_F(SafetyTest, NoNameLeadsOutOfTheMapsFolder) {
     put("maps/notes.txt", "not a map");
     begin();
     const Json list = get_json(maps)["maps"];
-    ASSERT_EQ(list.size(), 4U);
+    ASSERT_EQ(list.size(), 5U);
     for (const Json& entry : list)
-        EXPECT_TRUE(entry["id"] == "berlin-mitte.tif" || entry["id"] == "house.map" || entry["id"] == "wall.map" ||
-                    entry["id"] == "leads-out.yaml")
+        EXPECT_TRUE(entry["id"] == "berlin-adlershof.tif" || entry["id"] == "berlin-mitte.tif" ||
+                    entry["id"] == "house.map" || entry["id"] == "wall.map" || entry["id"] == "leads-out.yaml")
             << entry;
     for (const std::string name :
          {"..%2fsecret.map", "%2e%2e%2fsecret.map", "../secret.map", "..", "link.map", ".hidden.map", "two%20words.map",
@@ -109,7 +109,7 @@ TEST_F(SafetyTest, HostileMapsAreRefused) {
     // What has more cells than allowed, before they are read: there are none.
     EXPECT_EQ(post(maps, "P1 11 11\n", bytes).status, 413);
     EXPECT_EQ(post(maps, io::png_bytes(11, 11, std::vector<std::uint8_t>(121)), bytes).status, 413);
-    EXPECT_EQ(post(maps, std::string(built_in_map()), bytes).status, 413);
+    EXPECT_EQ(post(maps, std::string(berlin_mitte_tif()), bytes).status, 413);
     EXPECT_EQ(post(maps, thicket(11), bytes).status, 413);
     EXPECT_EQ(post(maps, thicket(10), bytes).status, 201);
 }

@@ -14,23 +14,28 @@ const std::string bytes = "application/octet-stream";
 
 TEST_F(ServiceTest, ListsAndDescribesTheMapsOfItsFolder) {
     begin();
-    EXPECT_EQ(get_json(maps), Json::parse(R"({"maps": [{"id": "berlin-mitte.tif", "uploaded": false, "loaded": false},
+    EXPECT_EQ(get_json(maps),
+              Json::parse(R"({"maps": [{"id": "berlin-adlershof.tif", "uploaded": false, "loaded": false},
+                                                       {"id": "berlin-mitte.tif", "uploaded": false, "loaded": false},
                                                        {"id": "house.map", "uploaded": false, "loaded": false},
                                                        {"id": "wall.map", "uploaded": false, "loaded": false}]})"));
     const Json map = get_json(house);
     EXPECT_EQ(map["width"], 11);
     EXPECT_EQ(map["height"], 7);
     EXPECT_EQ(map["obstacles"]["count"], 1);
-    EXPECT_TRUE(get_json(maps)["maps"][1]["loaded"]);
+    EXPECT_TRUE(get_json(maps)["maps"][2]["loaded"]);
     get_json(maps + "/nowhere.map", 404);
 }
 
-TEST_F(ServiceTest, HasAMapOfItsOwn) {
+TEST_F(ServiceTest, HasMapsOfItsOwn) {
     options_.maps = "";
     begin();
     EXPECT_EQ(get_json(maps),
-              Json::parse(R"({"maps": [{"id": "berlin-mitte.tif", "uploaded": false, "loaded": false}]})"));
-    EXPECT_EQ(get_json(maps + "/berlin-mitte.tif")["attribution"], "(c) OpenStreetMap contributors, ODbL 1.0");
+              Json::parse(R"({"maps": [{"id": "berlin-adlershof.tif", "uploaded": false, "loaded": false},
+                                       {"id": "berlin-mitte.tif", "uploaded": false, "loaded": false}]})"));
+    for (const std::string city : {"/berlin-adlershof.tif", "/berlin-mitte.tif"}) {
+        EXPECT_EQ(get_json(maps + city)["attribution"], "(c) OpenStreetMap contributors, ODbL 1.0");
+    }
     get_json(maps + "/house.map", 404);
     end();
     options_.maps = path("maps");

@@ -5,8 +5,8 @@ import type { CellMap } from "../map/cell_map";
 import type { Markers } from "../map/scene";
 import { freshMission, type Mission } from "./mission";
 
-// The bundled map is shown with a mission that removals help.
-const ready: Record<string, Markers> = { "berlin-mitte.tif": { start: [256, 434], goal: [118, 55] } };
+// The first map is shown with a mission that removals help.
+const ready: Record<string, Markers> = { "berlin-adlershof.tif": { start: [56, 72], goal: [279, 217] } };
 
 export function defaultMission(map: MapDescription, cells: CellMap): Mission {
   const said = map.start && map.goal ? { start: map.start, goal: map.goal } : null;

@@ -16,7 +16,7 @@ import { PageState } from "./page_state";
 import { saveAs } from "./save_as";
 import { Translation } from "./translate";
 
-export const firstMap = "berlin-mitte.tif";
+export const firstMap = "berlin-adlershof.tif";
 
 export class Studio extends PageState {
   readonly canUndo = computed(() => (this.history.value?.past.length ?? 0) > 0);
