@@ -64,6 +64,7 @@ export function city(): Scene {
     highlighted: 4000,
     selected: 4100,
     time: null,
+    old: false,
     tool: "move",
     editable: true,
     formatTime: (time) => `${time.toFixed(0)} s`,

@@ -6,6 +6,11 @@ import { join } from "node:path";
 import type { Browser } from "playwright-core";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
 import type { Plan } from "../src/api/answers";
+import type { Run } from "../src/map/scene";
+import { encodeLink } from "../src/mission/link";
+import { freshMission } from "../src/mission/mission";
+import { missionFile } from "../src/mission/mission_file";
+import { union } from "../src/mission/run_set";
 import { command, data } from "./command";
 import { Server } from "./server";
 import { launch, phone, StudioPage, wide } from "./studio_page";
@@ -41,6 +46,13 @@ function commandAccepts(plan: Plan, map: string): string {
   const file = join(scratch, "plan.json");
   writeFileSync(file, JSON.stringify(plan));
   return execFileSync(command, ["check", map, file], { encoding: "utf8" });
+}
+
+function yardFile(): string {
+  const file = join(scratch, "yard.map");
+  const rows = Array.from({ length: 20 }, (_, y) => (y > 3 && y < 16 ? "........@@@........." : "....................")).join("\n");
+  writeFileSync(file, `type octile\nheight 20\nwidth 20\nmap\n${rows}\n`);
+  return file;
 }
 
 const slider = (page: StudioPage) => page.page.getByRole("slider", { name: "Removals" });
@@ -229,6 +241,41 @@ describe("a link", () => {
     expect((await studio.figures())[0]).toBe(plan.after.makespan);
   });
 
+  it("keeps a drawing of many strokes, which a file brings, too", async () => {
+    const strokes = Array.from({ length: 32 * 90 }, (_, i): Run => [(i * 7) % 350 + ((i >> 5) % 90), 100 + (i % 300), 3]);
+    const mission = freshMission("berlin-mitte.tif", { start: [256, 434], goal: [118, 55] });
+    const file = join(scratch, "mission.json");
+    writeFileSync(file, missionFile(encodeLink({ ...mission, walls: union(strokes, []) }, 501)));
+    const page = await visit();
+    const { digest } = (await page.plan()).map;
+    await page.page.getByLabel("File to open").setInputFiles(file);
+    await expect.poll(() => page.page.url(), { timeout: 10_000 }).toContain("#z=");
+    await page.page.getByText(/^Drawn: /).waitFor();
+    const drawn = await page.page.getByText(/^Drawn: /).innerText();
+    const link = page.page.url();
+    await page.close();
+    studio = await StudioPage.visit(browser, link);
+    expect(await studio.page.getByText(/^Drawn: /).innerText()).toBe(drawn);
+    await studio.page.goto(`${server.url}/#map=berlin-mitte.tif&start=256,434&goal=118,55&removals=1`); // the same page
+    await studio.settled();
+    await expect.poll(async () => (await studio!.plan()).map.digest, { timeout: 10_000 }).toBe(digest);
+  });
+
+  it("and a plan's file bring back its mission", async () => {
+    const page = await visit({ query: "#map=berlin-mitte.tif&start=250,430&goal=118,55&removals=3&ground_speed=2" });
+    const plan = await page.plan();
+    await page.close();
+    const file = join(scratch, "plan.json");
+    writeFileSync(file, JSON.stringify(plan));
+    const other = await visit();
+    await other.page.getByLabel("File to open").setInputFiles(file);
+    await other.page.getByText("The mission of the plan is planned anew.").waitFor();
+    await other.settled();
+    const again = await other.plan();
+    for (const key of ["removals", "objective"] as const) expect(again.options[key]).toEqual(plan.options[key]);
+    expect(again.agents).toEqual(plan.agents);
+  });
+
   it("that is broken says so, and the page works on", async () => {
     const page = await visit({ query: "?map=berlin-mitte.tif&start=9999,4&removals=many" });
     await page.page.getByText(/in the link cannot be read/).waitFor();
@@ -255,12 +302,36 @@ describe("what goes wrong", () => {
 
   it("a good file of one's own is opened", async () => {
     const page = await visit();
-    const file = join(scratch, "yard.map");
-    const rows = Array.from({ length: 20 }, (_, y) => (y > 3 && y < 16 ? "........@@@........." : "....................")).join("\n");
-    writeFileSync(file, `type octile\nheight 20\nwidth 20\nmap\n${rows}\n`);
-    await page.page.getByLabel("File to open").setInputFiles(file);
+    await page.page.getByLabel("File to open").setInputFiles(yardFile());
     await expect.poll(async () => (await page.plan()).map.width, { timeout: 10_000 }).toBe(20);
     await page.settled();
+  });
+
+  it("a map that is gone is said, asked for once, and can be sent again", async () => {
+    const other = await Server.start();
+    studio = await StudioPage.visit(browser, `${other.url}/`);
+    await studio.settled();
+    await studio.page.getByLabel("File to open").setInputFiles(yardFile());
+    await expect.poll(async () => (await studio!.plan()).map.width, { timeout: 10_000 }).toBe(20);
+    await studio.settled();
+    await other.stop();
+    const back = await Server.start(other.port);
+    let asked = 0;
+    studio.page.on("request", () => ++asked);
+    await slider(studio).focus();
+    await studio.page.keyboard.press("ArrowRight");
+    const card = studio.page.getByRole("alert").filter({ hasText: "no longer has the map “yard.map”" });
+    await card.waitFor();
+    await studio.result().getByText("This is the plan from before your last change").waitFor();
+    expect(await studio.result().getByText("Checked independently").count()).toBe(0);
+    await studio.page.keyboard.press("ArrowRight");
+    await studio.page.waitForTimeout(1500);
+    expect(asked).toBeLessThan(6);
+    await card.getByRole("button", { name: "Send it again" }).click();
+    await card.waitFor({ state: "detached" });
+    await studio.settled();
+    expect((await studio.plan()).options.removals).toBe(4);
+    await back.stop();
   });
 
   it("a server that is gone is told of, and the page goes on when it is back", async () => {

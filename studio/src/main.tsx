@@ -3,6 +3,8 @@ import { effect } from "@preact/signals";
 import { render } from "preact";
 import { Client } from "./api/client";
 import { TabToken } from "./api/token";
+import { fragmentOf, missionAt } from "./mission/address";
+import { openMission } from "./mission/opening";
 import { Studio } from "./mission/studio";
 import { viewerOf, type PlanDocument } from "./mission/viewer";
 import { App } from "./panel/app";
@@ -17,7 +19,22 @@ if (held) {
   const token = new TabToken();
   const studio = new Studio(new Client(token));
   render(<App page={studio} token={token} />, root);
-  void studio.start(location.search).then(() => keepAddress(studio));
+  void missionHere(studio)
+    .then((query) => studio.start(query))
+    .then(() => keepAddress(studio));
+  // A link put into the address of this very page changes its fragment alone.
+  addEventListener("hashchange", () => void missionHere(studio).then(async (query) => {
+    if (query) await openMission(studio, query);
+  }));
+}
+
+async function missionHere(studio: Studio): Promise<string> {
+  try {
+    return await missionAt(location);
+  } catch {
+    studio.tell("bad", "The link is not complete: the mission in it cannot be read.");
+    return "";
+  }
 }
 
 // The address holds the mission. Browsers take only so many changes in a while.
@@ -25,9 +42,12 @@ function keepAddress(studio: Studio): void {
   let timer = 0;
   effect(() => {
     if (studio.clock.playing.value) return;
-    const link = studio.link();
-    if (!link) return;
+    const query = studio.query();
+    if (!query) return;
     clearTimeout(timer);
-    timer = window.setTimeout(() => history.replaceState(null, "", location.pathname + link), 250);
+    timer = window.setTimeout(async () => {
+      const fragment = await fragmentOf(query);
+      if (studio.query() === query) history.replaceState(null, "", location.pathname + fragment);
+    }, 250);
   });
 }

@@ -190,7 +190,13 @@ function refusal(problem: ProblemDocument): ServiceError {
 // What answers without a problem document is not the service, but a proxy that does not find it.
 async function failure(answer: Response): Promise<ServiceError> {
   const type = answer.headers.get("Content-Type") ?? "";
-  if (type.includes("problem+json")) return refusal((await answer.json()) as ProblemDocument);
+  if (type.includes("problem+json")) {
+    try {
+      return refusal((await answer.json()) as ProblemDocument);
+    } catch (error) {
+      return understood(error);
+    }
+  }
   if (answer.status >= 500) return new ServiceError("gone", "The server does not answer.");
   return new ServiceError(
     answer.status === 404 ? "missing" : "refused",

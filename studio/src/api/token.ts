@@ -10,10 +10,12 @@ export class TabToken implements TokenSource {
   private waiting: ((token: string) => void)[] = [];
 
   constructor() {
-    const given = new URLSearchParams(location.hash.slice(1)).get("token");
+    const fragment = location.hash.slice(1);
+    const given = new URLSearchParams(fragment).get("token");
     if (given === null) return;
     sessionStorage.setItem(key, given);
-    history.replaceState(null, "", location.pathname + location.search);
+    const rest = fragment.replace(/(^|&)token=[^&]*/, "").replace(/^&/, "");
+    history.replaceState(null, "", location.pathname + location.search + (rest && `#${rest}`));
   }
 
   current(): string {

@@ -12,7 +12,7 @@ import { LabelLayer } from "./label_layer";
 import { drawMarkers } from "./marker_layer";
 import { cellOf, isAir, type Spot, spotAt, spots } from "./markers";
 import { ObstacleLayer } from "./obstacle_layer";
-import { drawPaths } from "./path_layer";
+import { drawPaths, faint } from "./path_layer";
 import { drawScaleBar } from "./scale_bar";
 import type { Handle, Scene, SceneEvents } from "./scene";
 import { cellAt, nearestFree, onMap } from "./snap";
@@ -261,7 +261,9 @@ export class MapView implements GestureTarget {
     this.#obstacles.draw(frame, scene, fadeSpan);
     const moreLabels = this.#labels.draw(frame, scene);
     drawPaths(frame, scene);
+    frame.context.globalAlpha = scene.old ? faint : 1;
     drawEvents(frame, scene, fadeSpan);
+    frame.context.globalAlpha = 1;
     drawMarkers(frame, scene.markers, this.#dragged?.spot.handle ?? this.#focused, scene.editable);
     this.#sketch.draw(frame, scene);
     if (this.#surface.hasKeyboard) drawCross(frame);

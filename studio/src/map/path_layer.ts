@@ -29,6 +29,8 @@ const styles: Record<LayerName, Record<Agent["kind"], LineStyle>> = {
   },
 };
 
+export const faint = 0.35; // of what is out of date
+
 export function drawPaths(frame: Frame, scene: Scene): void {
   inMapPoints(frame, (pixel) => {
     frame.context.lineJoin = "round";
@@ -41,8 +43,9 @@ export function drawPaths(frame: Frame, scene: Scene): void {
         const stroke = stroker(frame, styles[layer.name][kind], seen, pixel);
         for (const agent of layer.plan.agents.filter((one) => one.kind === kind)) {
           const { travelled, ahead } = splitAt(agent, time ?? Infinity);
-          if (time !== null) stroke(ahead, lengthOf(travelled), 0.3);
-          stroke(travelled, 0, 1);
+          const strength = scene.old ? faint : 1;
+          if (time !== null) stroke(ahead, lengthOf(travelled), 0.3 * strength);
+          stroke(travelled, 0, strength);
         }
       }
     });

@@ -34,6 +34,7 @@ export interface Scene {
   marks: ReadonlyMap<number, Mark>; // by obstacle
   highlighted: number | null; // obstacle pointed at in a table
   selected: number | null; // obstacle whose card is open
+  old: boolean; // whether the layers answer another mission than the markers show
   time: number | null; // of playback; null shows whole paths
   tool: Tool;
   editable: boolean; // whether markers can be dragged

@@ -28,6 +28,11 @@ export function replace<T>(history: History<T>, present: T): History<T> {
   return { ...history, present };
 }
 
+// The same changed in every step: something has another name now.
+export function mapped<T>(history: History<T>, how: (value: T) => T): History<T> {
+  return { ...history, past: history.past.map(how), present: how(history.present), future: history.future.map(how) };
+}
+
 export function undo<T>(history: History<T>): History<T> {
   const present = history.past.at(-1);
   if (present === undefined) return history;

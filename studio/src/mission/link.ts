@@ -53,6 +53,11 @@ export function mapOfLink(query: string): string | null {
   return new URLSearchParams(query).get("map");
 }
 
+// The name of the map's file where it was when it was sent.
+export function fileOfLink(query: string): string | null {
+  return new URLSearchParams(query).get("file");
+}
+
 // What the link does not say, or says wrongly, is as usual; `markers` stand where it names no place.
 export function decodeLink(query: string, map: string, markers: Markers, width: number, height: number): Decoded {
   const given = new URLSearchParams(query);

@@ -2,11 +2,26 @@
 import type { Background, MapDescription } from "../api/answers";
 import { ServiceError, type Client, type Edits } from "../api/client";
 import { CellMap } from "../map/cell_map";
+import type { KeptFile } from "./kept_file";
 
 export interface HeldMap {
   description: MapDescription;
   cells: CellMap;
   background: Background;
+}
+
+// A map that the service does not have, and what to do once it has it, under whatever name.
+export interface LostMap {
+  id: string;
+  name: string; // as the person knows it
+  file: KeptFile | null; // what was sent
+  digest: string | null; // of the file, where it is known
+  resume(id: string): void;
+}
+
+// Whether a map was sent to the service. Its name is made of its bytes.
+export function isUpload(id: string): boolean {
+  return id.startsWith("upload-");
 }
 
 export class Maps {

@@ -69,6 +69,19 @@ export function withEnoughRemovals(mission: Mission): Mission {
   return removals === "auto" || removals >= forced ? mission : { ...mission, removals: forced };
 }
 
+// Whether a plan of one mission is a plan of the other: how a mission is looked at does not matter.
+export function asksTheSame(a: Mission, b: Mission): boolean {
+  const names = Object.keys(defaults).filter((name) => name !== "layers" && name !== "time");
+  return ["map", "markers", ...names].every((name) => {
+    const [one, other] = [a[name as keyof Mission], b[name as keyof Mission]];
+    return one === other || text(one) === text(other);
+  });
+}
+
+function text(value: unknown): string {
+  return JSON.stringify(value instanceof Map ? [...value].sort(([a], [b]) => a - b) : value);
+}
+
 export function marked(mission: Mission, mark: Mark): number[] {
   return [...mission.marks].filter(([, has]) => has === mark).map(([key]) => key);
 }

@@ -1,11 +1,11 @@
 // What the page shows: a mission, its map and its plans. Enough for the viewer of a plan; the studio adds what can be
 // done about it.
-import { computed, signal, type Signal } from "@preact/signals";
+import { computed, effect, signal, type Signal } from "@preact/signals";
 import type { LayerName, Mark } from "../map/scene";
 import { Clock } from "../play/clock";
 import { replace, type History } from "./history";
 import type { HeldMap } from "./maps";
-import type { Mission } from "./mission";
+import { asksTheSame, type Mission } from "./mission";
 import type { Results } from "./planner";
 import type { Translation } from "./translate";
 import { unitsOf, type Units } from "./units";
@@ -20,7 +20,10 @@ export interface ShownMap {
 export interface Notice {
   tone: "info" | "bad";
   text: string;
+  actions: readonly { label: string; act: () => void }[];
 }
+
+const moment = 300; // ms
 
 export class PageState {
   readonly history: Signal<History<Mission> | null> = signal(null);
@@ -35,7 +38,23 @@ export class PageState {
   readonly notice = signal<Notice | null>(null);
   readonly clock = new Clock();
 
-  constructor(readonly results: Results) {}
+  // Whether what is shown answers an older question, and has for a moment: what follows the mouse does so within it.
+  readonly old = signal(false);
+
+  constructor(readonly results: Results) {
+    const isOld = computed(() => {
+      const answered = results.answered.value?.of;
+      const mission = this.mission.value;
+      return Boolean(answered && mission && !asksTheSame(answered, mission));
+    });
+    let timer: ReturnType<typeof setTimeout>;
+    effect(() => {
+      void results.answered.value; // each answer is another moment
+      clearTimeout(timer);
+      if (!isOld.value) this.old.value = false;
+      else timer = setTimeout(() => (this.old.value = true), moment);
+    });
+  }
 
   toggleLayer(layer: LayerName): void {
     const history = this.history.value;
@@ -51,7 +70,7 @@ export class PageState {
     return this.mission.value?.marks.get(key) ?? null;
   }
 
-  tell(tone: Notice["tone"], text: string): void {
-    this.notice.value = { tone, text };
+  tell(tone: Notice["tone"], text: string, actions: Notice["actions"] = []): void {
+    this.notice.value = { tone, text, actions };
   }
 }

@@ -5,6 +5,7 @@ import { cellsPerUnit, type Units } from "./units";
 
 // What a plan is asked for with. Obstacles are those of the map that is planned on.
 export interface Question {
+  of: Mission;
   map: string;
   mission: PlanRequest["mission"];
   options: PlanOptions; // but for method and removals
@@ -26,6 +27,7 @@ export function questionOf(mission: Mission, units: Units, map: string, toShown:
   if (protect.length > 0) options.protect = protect;
   if (force.length > 0) options.force = force;
   return {
+    of: mission,
     map,
     mission: {
       ...mission.markers,

@@ -29,6 +29,7 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     marks,
     highlighted: page.highlighted.value,
     selected: page.selected.value,
+    old: page.old.value,
     time: page.clock.time.value,
     tool: studio?.tool.value ?? "move",
     editable: studio !== null,

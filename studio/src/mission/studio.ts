@@ -1,35 +1,32 @@
 // The page's state and what people do to it. Panels and map read its signals; the server is asked in the background.
-import { batch, computed, effect, signal, untracked } from "@preact/signals";
-import type { Cell, MapEntry } from "../api/answers";
-import { ServiceError, type Client, type ExportFormat } from "../api/client";
-import type { Handle, LayerName, Mark, Run, Tool } from "../map/scene";
+import { batch, effect, signal, untracked } from "@preact/signals";
+import type { MapEntry } from "../api/answers";
+import { ServiceError, type Client } from "../api/client";
 import { duration } from "../play/motion";
 import { defaultMission } from "./default_mission";
-import { begin, endGesture, redo, replace, step, undo, type History } from "./history";
-import { decodeLink, encodeLink, mapOfLink } from "./link";
-import { Maps, type HeldMap } from "./maps";
-import { hasEdits, marked, mostRemovals, withEnoughRemovals, withMark, type Mission } from "./mission";
+import { editsOf } from "./edited";
+import { Editor } from "./editor";
+import { begin, mapped, replace, step, type History } from "./history";
+import type { KeptFile } from "./kept_file";
+import { decodeLink, encodeLink, fileOfLink, mapOfLink } from "./link";
+import { isUpload, Maps, type HeldMap, type LostMap } from "./maps";
+import { hasEdits, withEnoughRemovals, type Mission } from "./mission";
 import { Planner } from "./planner";
 import { questionOf } from "./request";
-import { drawn, editsOf } from "./edited";
-import { PageState } from "./page_state";
-import { saveAs } from "./save_as";
+import { ServerWatch } from "./server_watch";
 import { Translation } from "./translate";
 
 export const firstMap = "berlin-adlershof.tif";
 
-export class Studio extends PageState {
-  readonly canUndo = computed(() => (this.history.value?.past.length ?? 0) > 0);
-  readonly canRedo = computed(() => (this.history.value?.future.length ?? 0) > 0);
+export class Studio extends Editor {
   readonly mapList = signal<MapEntry[]>([]);
-  readonly uploads = signal<ReadonlyMap<string, string>>(new Map()); // names of files by map
-  readonly tool = signal<Tool>("move");
-  readonly gone = signal(false); // nobody answers
+  readonly uploads = signal<ReadonlyMap<string, KeptFile>>(new Map()); // by map
+  readonly lost = signal<LostMap | null>(null); // a map that the service does not have
 
   readonly #maps: Maps;
+  readonly #watch: ServerWatch;
   #opening: AbortController | null = null;
-  #again: () => unknown = () => undefined; // what to do when the server is back
-  #missing = 0; // how often in a row the service no longer had the map
+  #redrawn = false; // whether the map was drawn on anew since the last answer
 
   constructor(
     readonly client: Client,
@@ -37,11 +34,22 @@ export class Studio extends PageState {
   ) {
     super(planner);
     this.#maps = new Maps(client);
+    this.#watch = new ServerWatch(() => this.refreshList());
     effect(() => {
       const failure = this.planner.failure.value;
-      if (failure?.trouble === "gone") untracked(() => this.#awaitServer());
+      if (failure?.trouble === "gone") untracked(() => void this.#watch.await(() => this.follow()));
       if (failure?.trouble === "missing") untracked(() => this.#mapIsMissing());
     });
+    effect(() => {
+      if (!this.planner.answered.value) return;
+      this.#redrawn = false;
+      this.#watch.isWell();
+    });
+  }
+
+  // Whether nobody answers.
+  get gone() {
+    return this.#watch.gone;
   }
 
   // What the address says, or the first map with its mission.
@@ -49,43 +57,36 @@ export class Studio extends PageState {
     try {
       this.mapList.value = await this.client.maps();
     } catch (error) {
-      return this.#failed(error, () => this.start(query));
+      return this.failed(error, () => this.start(query));
     }
     const asked = mapOfLink(query);
     const ids = this.mapList.value.map((entry) => entry.id);
     const usual = ids.includes(firstMap) ? firstMap : ids[0];
     if (asked !== null && (await this.open(asked, query))) return;
+    const { value: lost } = this.lost;
     if (usual !== undefined && usual !== asked) await this.open(usual, asked === null ? query : "");
     else this.loading.value = false;
+    this.lost.value = lost;
   }
 
   // Shows a map with the mission of a query, or the map's own. Whether that went well.
-  async open(id: string, query = ""): Promise<boolean> {
-    this.#opening?.abort();
-    const control = (this.#opening = new AbortController());
-    this.loading.value = true;
-    try {
-      const base = await this.#maps.load(id, control.signal);
-      const usual = defaultMission(base.description, base.cells);
-      const { width, height } = base.cells;
-      const { mission, complaints } = decodeLink(query, id, usual.markers, width, height);
-      if (complaints.length > 0) this.tell("bad", `${complaints.join("; ")}. The rest of the link is shown.`);
-      batch(() => {
-        this.#show(base);
-        const history = this.history.value;
-        const enough = withEnoughRemovals(mission);
-        this.history.value = history ? step(history, enough) : begin(enough);
-      });
-      await this.#follow();
-      if (mission.time !== null) this.#seekWhenPlanned(mission.time);
-      return true;
-    } catch (error) {
-      if (this.#opening === control)
-        this.#failed(error, () => this.open(id, query), `The map “${id}” cannot be shown: `);
-      return false;
-    } finally {
-      if (this.#opening === control) this.loading.value = false;
-    }
+  async open(id: string, query = "", digest: string | null = null): Promise<boolean> {
+    const wanted = this.#lostMap(id, (now) => void this.open(now, query));
+    const name = wanted.file?.name ?? fileOfLink(query) ?? id;
+    return this.#reach({ ...wanted, name, digest }, async (base) => {
+        const usual = defaultMission(base.description, base.cells);
+        const { width, height } = base.cells;
+        const { mission, complaints } = decodeLink(query, id, usual.markers, width, height);
+        if (complaints.length > 0) this.tell("bad", `${complaints.join("; ")}. The rest of the link is shown.`);
+        batch(() => {
+          this.#show(base);
+          const history = this.history.value;
+          const enough = withEnoughRemovals(mission);
+          this.history.value = history ? step(history, enough) : begin(enough);
+        });
+        await this.follow();
+        if (mission.time !== null) this.#seekWhenPlanned(mission.time);
+    });
   }
 
   choose(id: string): void {
@@ -93,137 +94,95 @@ export class Studio extends PageState {
     void this.open(id);
   }
 
-  async upload(file: File): Promise<void> {
+  async upload(file: KeptFile): Promise<void> {
+    const sent = await this.#send(file, () => this.upload(file));
+    if (sent) await this.open(sent.id);
+  }
+
+  // Sends a map again that the service no longer has, and goes on with what was to be done with it.
+  async restore(file: KeptFile): Promise<void> {
+    const lost = this.lost.value;
+    const sent = lost && (await this.#send(file, () => this.restore(file)));
+    if (!sent || this.lost.value !== lost) return;
+    const isSame = sent.id === lost.id || (lost.digest === null ? !isUpload(lost.id) : sent.digest === lost.digest);
+    if (!isSame) return this.tell("bad", `“${file.name}” is not the map that this mission was made on.`);
+    this.lost.value = null;
+    lost.resume(sent.id);
+  }
+
+  async #send(file: KeptFile, again: () => unknown): Promise<{ id: string; digest: string } | null> {
     this.loading.value = true;
     this.notice.value = null;
     try {
-      const { id } = await this.client.upload(file);
-      this.uploads.value = new Map(this.uploads.value).set(id, file.name);
-      await this.open(id);
+      const map = await this.client.upload(file.bytes);
+      this.uploads.value = new Map(this.uploads.value).set(map.id, file);
+      return map;
     } catch (error) {
+      this.failed(error, again, `“${file.name}” cannot be used as a map: `);
+      return null;
+    } finally {
       this.loading.value = false;
-      this.#failed(error, () => this.upload(file), `“${file.name}” cannot be used as a map: `);
     }
   }
 
-  // A step that can be undone; steps of one gesture are undone together.
-  change(how: (mission: Mission) => Mission, gesture: string | null = null): void {
-    const history = this.history.value;
-    if (!history) return;
-    this.history.value = step(history, how(history.present), gesture);
-    void this.#follow();
-  }
-
-  endGesture(): void {
-    if (this.history.value) this.history.value = endGesture(this.history.value);
-  }
-
-  undo(): void {
-    this.#travel(undo);
-  }
-
-  redo(): void {
-    this.#travel(redo);
-  }
-
-  // After a plan was stopped.
-  planAgain(): void {
-    void this.#follow();
-  }
-
-  override toggleLayer(layer: LayerName): void {
-    super.toggleLayer(layer);
-    void this.#follow();
-  }
-
-  // The map sees to it that the ground robot's markers stand on free cells.
-  drag(handle: Handle, cell: Cell, done: boolean): void {
-    const old = this.mission.value?.markers[handle];
-    if (old?.[0] !== cell[0] || old?.[1] !== cell[1]) {
-      this.change((mission) => ({ ...mission, markers: { ...mission.markers, [handle]: cell } }), `drag ${handle}`);
-    }
-    if (done) this.endGesture();
-  }
-
-  bringAircraftBack(): void {
-    this.change((mission) => ({ ...mission, markers: { start: mission.markers.start, goal: mission.markers.goal } }));
-  }
-
-  draw(tool: "wall" | "erase", runs: readonly Run[]): void {
-    const shown = this.shown.value;
-    if (shown) this.change((mission) => drawn(mission, tool, runs, shown));
-  }
-
-  // `id` is an obstacle of the map shown. What has been drawn is not excluded but erased.
-  mark(id: number, mark: Mark | null): void {
-    const shown = this.shown.value;
-    if (!shown) return;
-    const key = shown.ids.toBase(id);
-    if (key === 0) return;
-    if (key < 0 && mark === "exclude") this.draw("erase", shown.map.cells.runsOf(id));
-    else this.markKey(key, mark);
-    if (mark === "exclude") this.selected.value = null;
-  }
-
-  markKey(key: number, mark: Mark | null): void {
-    const next = withMark(this.mission.value!, key, mark);
-    if (marked(next, "force").length > mostRemovals) {
-      return this.tell("bad", `No more than ${mostRemovals} obstacles can be removed.`);
-    }
-    this.change(() => withEnoughRemovals(next));
-  }
-
-  async download(format: ExportFormat, ending: string): Promise<void> {
-    const plan = this.planner.plans.value.after?.plan;
-    const map = this.shown.value?.map.description;
-    if (!plan || !map) return;
-    await this.#save(async () => ({ bytes: await this.client.exported(map.id, plan, format), name: `plan.${ending}` }));
-  }
-
-  async downloadMap(): Promise<void> {
-    const map = this.shown.value?.map.description;
-    if (map) await this.#save(() => this.client.file(map.id));
-  }
-
-  async #save(fetched: () => Promise<{ bytes: Blob; name: string }>): Promise<void> {
-    try {
-      const { bytes, name } = await fetched();
-      saveAs(bytes, name);
-    } catch (error) {
-      this.#failed(error, () => undefined);
-    }
-  }
-
-  // The query under which this page can be opened again as it is.
-  link(): string {
+  // The mission as text, under which this page can be opened again as it is.
+  query(): string {
     const mission = this.mission.value;
     const shown = this.shown.value;
-    return mission && shown
-      ? `?${encodeLink({ ...mission, time: this.clock.time.value }, shown.base.cells.width)}`
-      : "";
+    if (!mission || !shown) return "";
+    const file = this.uploads.value.get(mission.map)?.name;
+    const query = encodeLink({ ...mission, time: this.clock.time.value }, shown.base.cells.width);
+    return file ? `${query}&file=${encodeURIComponent(file)}` : query;
   }
 
-  #travel(how: (history: History<Mission>) => History<Mission>): void {
+  // A step to another map is taken once that map is there.
+  protected override travel(how: (history: History<Mission>) => History<Mission>): void {
     const history = this.history.value;
     if (!history) return;
     const next = how(history);
-    // Undo takes back what is asked, not how one looks at it.
-    this.history.value = replace(next, { ...next.present, layers: history.present.layers });
-    void this.#follow();
+    const go = (base: HeldMap | null) => {
+      batch(() => {
+        if (base) this.#show(base);
+        // Undo takes back what is asked, not how one looks at it.
+        this.history.value = replace(next, { ...next.present, layers: history.present.layers });
+      });
+      return this.follow();
+    };
+    const { map } = next.present;
+    if (map === history.present.map) return void go(null);
+    const resume = (now: string) => {
+      this.#rename(map, now);
+      this.travel(how);
+    };
+    void this.#reach(this.#lostMap(map, resume), (base) => go(base));
+  }
+
+  // Loads a map and goes on there. Whether that went well.
+  async #reach(wanted: LostMap, go: (base: HeldMap) => Promise<void>): Promise<boolean> {
+    this.#opening?.abort();
+    const control = (this.#opening = new AbortController());
+    this.loading.value = true;
+    try {
+      const base = await this.#maps.load(wanted.id, control.signal);
+      this.lost.value = null;
+      await go(base);
+      return true;
+    } catch (error) {
+      if (this.#opening !== control) return false;
+      if (isMissing(error)) this.lost.value = wanted;
+      else this.failed(error, () => this.#reach(wanted, go), `The map “${wanted.name}” cannot be shown: `);
+      return false;
+    } finally {
+      if (this.#opening === control) this.loading.value = false;
+    }
   }
 
   // Shows the map that the mission is about and asks for its plan.
-  async #follow(): Promise<void> {
+  protected override async follow(): Promise<void> {
     const mission = this.mission.value;
     const base = this.shown.value?.base;
-    if (!mission || !base) return;
+    if (!mission || !base || this.lost.value?.id === mission.map) return;
     try {
-      if (base.description.id !== mission.map) {
-        const other = await this.#maps.load(mission.map);
-        if (this.mission.value?.map !== mission.map) return;
-        this.#show(other);
-        return await this.#follow();
-      }
       const map = hasEdits(mission) ? await this.#maps.edited(base, editsOf(mission, base.cells)) : base;
       const now = this.mission.value;
       if (now !== mission) return; // a later call follows the later mission
@@ -231,7 +190,8 @@ export class Studio extends PageState {
       const { ids } = this.shown.value!;
       this.planner.ask(questionOf(mission, this.units.value, map.description.id, (key) => ids.toShown(key)));
     } catch (error) {
-      this.#failed(error, () => this.#follow());
+      if (isMissing(error)) this.#lose();
+      else this.failed(error, () => this.follow());
     }
   }
 
@@ -265,35 +225,63 @@ export class Studio extends PageState {
     });
   }
 
-  #failed(error: unknown, again: () => unknown, prefix = ""): void {
+  // Says what went wrong; if nobody answered, does it again once somebody does.
+  failed(error: unknown, again: () => unknown, prefix = ""): void {
     if (!(error instanceof ServiceError)) throw error;
-    if (error.trouble === "gone") void this.#awaitServer(again);
-    else if (error.trouble === "missing" && prefix) this.tell("bad", `${prefix}the server has no such map.`);
+    if (error.trouble === "gone") void this.#watch.await(again);
+    else if (error.trouble === "missing") this.#mapIsMissing();
     else if (error.trouble !== "stopped") this.tell("bad", `${prefix}${error.message}`);
   }
 
+  // What was drawn is drawn again, once; if that does not help, the map below is gone.
   #mapIsMissing(): void {
+    const shown = this.shown.value;
+    if (!shown || shown.map === shown.base || this.#redrawn) return this.#lose();
+    this.#redrawn = true;
     this.#maps.forget();
-    if (++this.#missing > 1) return this.tell("bad", "The server no longer has this map. Upload it again.");
-    void this.#follow().then(() => (this.#missing = 0));
+    void this.follow();
   }
 
-  // Asks until somebody answers, then for what is shown.
-  async #awaitServer(again: () => unknown = () => this.#follow()): Promise<void> {
-    this.#again = again;
-    if (this.gone.value) return;
-    this.gone.value = true;
-    for (;;) {
-      await new Promise((done) => setTimeout(done, 1500));
-      try {
-        this.mapList.value = await this.client.maps();
-        break;
-      } catch {
-        continue;
-      }
-    }
-    this.gone.value = false;
+  // The map shown is no longer there: nothing is asked until the person has sent it again.
+  #lose(): void {
+    const map = this.shown.value?.base.description;
+    if (!map || this.lost.value) return;
+    this.planner.stop();
     this.#maps.forget();
-    this.#again();
+    const resume = (now: string) => {
+      this.#rename(map.id, now);
+      void this.follow();
+    };
+    this.lost.value = { ...this.#lostMap(map.id, resume), digest: map.digest };
   }
+
+  #lostMap(id: string, resume: LostMap["resume"]): LostMap {
+    const file = this.uploads.value.get(id) ?? null;
+    return { id, name: file?.name ?? id, file, digest: null, resume };
+  }
+
+  // A file of the server's folder that was sent has another name than it had there.
+  #rename(from: string, to: string): void {
+    const { history, shown } = this;
+    if (from === to || !history.value || !shown.value) return;
+    const { base, map, ids } = shown.value;
+    const renamed = { ...base, description: { ...base.description, id: to } };
+    batch(() => {
+      history.value = mapped(history.peek()!, (old) => (old.map === from ? { ...old, map: to } : old));
+      if (base.description.id === from) shown.value = { base: renamed, map: map === base ? renamed : map, ids };
+    });
+  }
+
+  async refreshList(): Promise<boolean> {
+    try {
+      this.mapList.value = await this.client.maps();
+      return true;
+    } catch {
+      return false;
+    }
+  }
+}
+
+function isMissing(error: unknown): boolean {
+  return error instanceof ServiceError && error.trouble === "missing";
 }

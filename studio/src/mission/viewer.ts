@@ -1,11 +1,12 @@
 // The page of a single plan: everything is in the document, nobody is asked.
 import { signal } from "@preact/signals";
-import type { Background, Cell, FrontPoint, MapDescription, Obstacles, Plan } from "../api/answers";
+import type { Background, FrontPoint, MapDescription, Obstacles, Plan } from "../api/answers";
 import { CellMap } from "../map/cell_map";
 import type { LayerName } from "../map/scene";
 import { begin } from "./history";
 import { defaults, type Mission } from "./mission";
 import { PageState } from "./page_state";
+import { markersOf } from "./plan_mission";
 import type { Judged, Results } from "./planner";
 import { Translation } from "./translate";
 import { unitsOf, type Units } from "./units";
@@ -58,23 +59,12 @@ function unitsOfPlan(map: MapDescription, plan: Plan | undefined): Units {
 function missionOf(map: string, plan: Plan | undefined, layers: LayerName[]): Mission {
   const ground = plan?.agents.find((agent) => agent.kind === "ground");
   const air = plan?.agents.find((agent) => agent.kind === "air");
-  const start: Cell = ground?.start ?? [0, 0];
-  const goal: Cell = ground?.goal ?? [0, 0];
   return {
     ...defaults,
     map,
-    markers: {
-      start,
-      goal,
-      ...(air && !isSame(air.start, start) && { air_start: air.start }),
-      ...(air && !isSame(air.goal, goal) && { air_goal: air.goal }),
-    },
+    markers: ground ? markersOf(ground, air) : { start: [0, 0], goal: [0, 0] },
     removals: Math.min(plan?.options.removals ?? 0, 8),
     objective: plan?.options.objective ?? "makespan",
     layers: (["before", "after", "paper"] as const).filter((name) => layers.includes(name) && name !== "paper"),
   };
-}
-
-function isSame([ax, ay]: Cell, [bx, by]: Cell): boolean {
-  return ax === bx && ay === by;
 }

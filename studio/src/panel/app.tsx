@@ -15,6 +15,7 @@ import { DropTarget } from "./drop_target";
 import { Header } from "./header";
 import { HeadlineSection } from "./headline";
 import { Layers } from "./layers";
+import { LostMapCard } from "./lost_map";
 import { MapChoice } from "./map_choice";
 import { Attribution, Gone, Invitation, NoticeBar } from "./messages";
 import { ObstacleCard } from "./obstacle_card";
@@ -27,7 +28,7 @@ import { Tools } from "./tools";
 export function App({ page, token = null }: { page: PageState; token?: TabToken | null }) {
   const studio = page instanceof Studio ? page : null;
   return (
-    <div class={`page ${studio ? "" : "viewer"}`}>
+    <div class={`page ${studio ? "" : "viewer"} ${page.old.value ? "old" : ""}`}>
       <MapArea page={page} studio={studio} />
       <main class="panel">
         <Header studio={studio} />
@@ -66,6 +67,7 @@ function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
       <div class="map-box">
         <MapCanvas scene={scene} events={events} label={title ? `Map of ${title}` : "Map"} />
         {studio && <Gone studio={studio} />}
+        {studio && <LostMapCard studio={studio} />}
         <Attribution page={page} />
       </div>
       <ObstacleCard page={page} />

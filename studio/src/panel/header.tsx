@@ -2,10 +2,10 @@
 import { useEffect, useState } from "preact/hooks";
 import type { Tool } from "../map/scene";
 import type { Studio } from "../mission/studio";
+import { copyLink } from "../mission/taken";
 import { IconButton } from "./controls";
 import { HelpDialog } from "./dialogs";
 import { Sign } from "./icons";
-import { copyLink } from "./take_along";
 
 const toolKeys: Record<string, Tool> = { m: "move", w: "wall", e: "erase" };
 

@@ -62,9 +62,16 @@ export function HeadlineSection({ page }: { page: PageState }) {
           ))}
         </ul>
       )}
-      <Sureness judged={after} buildings={buildings} checks={page instanceof Studio} />
+      {page.old.value ? (
+        <p class="old-note">
+          <Icon name="warning" />
+          This is the plan from before your last change.
+        </p>
+      ) : (
+        <Sureness judged={after} buildings={buildings} checks={page instanceof Studio} />
+      )}
       <Working page={page} />
-      <Spoken text={spoken} />
+      <Spoken text={page.old.value ? `Out of date: ${spoken}` : spoken} />
     </section>
   );
 }

@@ -1,5 +1,6 @@
 // Which map: one of the server's, or a file of one's own.
 import { useRef } from "preact/hooks";
+import { openFiles } from "../mission/opening";
 import type { Studio } from "../mission/studio";
 import { Icon } from "./icons";
 
@@ -25,23 +26,29 @@ export function MapChoice({ studio }: { studio: Studio }) {
         ))}
         {[...uploads].map(([id, file]) => (
           <option key={id} value={id}>
-            {file}
+            {file.name}
           </option>
         ))}
       </select>
-      <button type="button" class="button" onClick={() => input.current?.click()}>
+      <button
+        type="button"
+        class="button"
+        title="A map, both files of a ROS map, a plan or a mission"
+        onClick={() => input.current?.click()}
+      >
         <Icon name="open" /> Open file…
       </button>
       <input
         ref={input}
         class="spoken"
         type="file"
+        multiple
         tabIndex={-1}
         aria-label="File to open"
         onChange={(event) => {
-          const file = event.currentTarget.files?.[0];
+          const files = [...(event.currentTarget.files ?? [])];
           event.currentTarget.value = "";
-          if (file) void studio.upload(file);
+          if (files.length > 0) void openFiles(studio, files);
         }}
       />
     </div>

@@ -26,7 +26,7 @@ const showInfo = 6000; // ms
 export function NoticeBar({ page }: { page: PageState }) {
   const notice = page.notice.value;
   useEffect(() => {
-    if (notice?.tone !== "info") return;
+    if (notice?.tone !== "info" || notice.actions.length > 0) return;
     const timer = setTimeout(() => (page.notice.value = null), showInfo);
     return () => clearTimeout(timer);
   }, [notice]);
@@ -35,12 +35,24 @@ export function NoticeBar({ page }: { page: PageState }) {
       {notice && (
         <p class={`notice ${notice.tone}`}>
           <Icon name={notice.tone === "bad" ? "warning" : "check"} />
-          <span>{notice.text}</span>
+          <span>
+            {notice.text}
+            {notice.actions.map(({ label, act }) => (
+              <button key={label} type="button" class="button" onClick={() => finish(page, act)}>
+                {label}
+              </button>
+            ))}
+          </span>
           <IconButton icon="close" label="Dismiss" onClick={() => (page.notice.value = null)} />
         </p>
       )}
     </div>
   );
+}
+
+function finish(page: PageState, act: () => void): void {
+  page.notice.value = null;
+  act();
 }
 
 const seen = "waybreaker-invited";

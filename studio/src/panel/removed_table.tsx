@@ -22,7 +22,7 @@ export function RemovedTable({ page }: { page: PageState }) {
   return (
     <Section title={title}>
       <table class="removed-table">
-        <caption class="spoken">{title}, in the order in which the aircraft opens them</caption>
+        <caption class="spoken">{title}, in the order in which the aircraft opens them{page.old.value && "; out of date"}</caption>
         <thead>
           <tr>
             <th scope="col">

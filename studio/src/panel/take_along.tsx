@@ -1,6 +1,7 @@
 // The plan and the map as files, and the mission as a link.
 import type { ExportFormat } from "../api/client";
 import type { Studio } from "../mission/studio";
+import { copyLink, downloadMap, downloadMission, downloadPlan } from "../mission/taken";
 import { Section } from "./controls";
 import { Icon } from "./icons";
 
@@ -28,27 +29,20 @@ export function TakeAlong({ studio }: { studio: Studio }) {
             key={format}
             type="button"
             class="button"
-            disabled={!solved || (format === "geojson" && !placed)}
+            disabled={!solved || studio.old.value || (format === "geojson" && !placed)}
             title={format === "geojson" && !placed ? "The map does not say where on earth it lies" : undefined}
-            onClick={() => void studio.download(format, ending)}
+            onClick={() => void downloadPlan(studio, format, ending)}
           >
             <Icon name="download" /> {label}
           </button>
         ))}
-        <button type="button" class="button" onClick={() => void studio.downloadMap()}>
+        <button type="button" class="button" onClick={() => downloadMission(studio)}>
+          <Icon name="download" /> Mission
+        </button>
+        <button type="button" class="button" onClick={() => void downloadMap(studio)}>
           <Icon name="download" /> Map file
         </button>
       </div>
     </Section>
   );
-}
-
-export async function copyLink(studio: Studio): Promise<void> {
-  const address = location.origin + location.pathname + studio.link();
-  try {
-    await navigator.clipboard.writeText(address);
-    studio.tell("info", "The link to this mission is in the clipboard.");
-  } catch {
-    studio.tell("info", `The link to this mission: ${address}`);
-  }
 }

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import type { Plan, PlanRequest } from "../../src/api/answers";
 import { ServiceError, type CheckReport, type Progress } from "../../src/api/client";
+import { freshMission } from "../../src/mission/mission";
 import { Planner, type PlanService } from "../../src/mission/planner";
 import type { Question } from "../../src/mission/request";
 import { planOf } from "./plans";
@@ -42,6 +43,7 @@ class FakeService implements PlanService {
 }
 
 const question = (x: number, more: Partial<Question> = {}): Question => ({
+  of: freshMission("m", { start: [x, 0], goal: [9, 9] }),
   map: "m",
   mission: { start: [x, 0], goal: [9, 9] },
   options: {},

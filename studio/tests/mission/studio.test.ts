@@ -1,4 +1,4 @@
-import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { MapDescription, Obstacles, PlanRequest } from "../../src/api/answers";
 import { ServiceError, type Client, type Edits } from "../../src/api/client";
 import type { CellMap } from "../../src/map/cell_map";
@@ -10,6 +10,7 @@ import { planOf } from "./plans";
 const pictures: Record<string, CellMap> = {
   "city.map": mapOf("....a.....", "....a.bb..", "....a.bb..", ".........."),
   "yard.map": mapOf("....", ".aa.", "...."),
+  "upload-1": mapOf("....", "a...", "...."),
   edited: mapOf("..........", "......aa..", "......aa..", ".........."),
 };
 
@@ -22,6 +23,8 @@ function answerOf(cells: CellMap): Obstacles {
 class FakeClient {
   readonly planned: { map: string; request: PlanRequest }[] = [];
   readonly edits: Edits[] = [];
+  readonly missing = new Set<string>(); // maps that were there
+  asks = 0;
   gone = false;
   editable = true;
 
@@ -30,30 +33,37 @@ class FakeClient {
     return ["city.map", "yard.map"].map((id) => ({ id, uploaded: false, loaded: true }));
   };
   map = async (id: string) => {
-    this.#answer();
+    this.#answer(id);
     if (!pictures[id]) throw new ServiceError("missing", "There is no such map.");
     const { width, height } = pictures[id];
-    return { id, width, height, cell_size: 1, georeference: null, start: null, goal: null } as MapDescription;
+    const usual = { cell_size: 1, georeference: null, start: null, goal: null };
+    return { id, width, height, digest: id, ...usual } as MapDescription;
   };
   obstacles = async (id: string) => answerOf(pictures[id]!);
   background = async () => ({ features: [] });
-  edit = async (_: string, edits: Edits) => {
+  edit = async (id: string, edits: Edits) => {
+    this.#answer(id);
     if (!this.editable) throw new ServiceError("refused", "No.");
     this.edits.push(edits);
     return this.map("edited");
   };
-  upload = async () => {
-    throw new ServiceError("refused", "Not a map.");
+  upload = async (bytes: Blob) => {
+    const id = await bytes.text();
+    if (!pictures[id]) throw new ServiceError("refused", "Not a map.");
+    this.missing.delete(id);
+    return this.map(id);
   };
   plan = async (map: string, request: PlanRequest) => {
-    this.#answer();
+    this.#answer(map);
     this.planned.push({ map, request });
     return planOf({ removed: [1], after: 90 });
   };
   front = async () => ({ ...planOf({}), front: [] });
   check = async () => ({ valid: true, violations: [] });
 
-  #answer(): void {
+  #answer(map = ""): void {
+    ++this.asks;
+    if (this.missing.has(map)) throw new ServiceError("missing", "There is no such map.");
     if (this.gone) throw new ServiceError("gone", "Nobody there.");
   }
 }
@@ -92,14 +102,14 @@ it("opens what a link says, and says itself the same", async () => {
       options: { paper: true, protect: [1], removals: 1 },
     },
   });
-  expect(studio.link().split("&").sort()).toEqual(link.split("&").sort());
+  expect(studio.query().split("&").sort()).toEqual(link.slice(1).split("&").sort());
 });
 
 it("shows another map where the link's is not there, and says so", async () => {
   await studio.start("?map=nowhere.map&removals=7");
   await settle();
   expect(studio.mission.value).toMatchObject({ map: "city.map", removals: 2 });
-  expect(studio.notice.value?.text).toContain("nowhere.map");
+  expect(studio.lost.value?.name).toBe("nowhere.map");
 });
 
 it("plans on the map as it is after exclusions, with its ids", async () => {
@@ -118,7 +128,7 @@ it("plans on the map as it is after exclusions, with its ids", async () => {
     },
   ]);
   expect(last()).toMatchObject({ map: "edited", request: { options: { protect: [1] } } });
-  expect(studio.link()).toContain("protect=2&exclude=1");
+  expect(studio.query()).toContain("protect=2&exclude=1");
   expect(studio.markOf(1)).toBe("protect");
 
   studio.undo();
@@ -141,7 +151,7 @@ it("says when the service does not edit, and keeps what it shows", async () => {
   client.editable = false;
   studio.mark(1, "exclude");
   await settle();
-  expect(studio.notice.value).toEqual({ tone: "bad", text: "No." });
+  expect(studio.notice.value).toEqual({ tone: "bad", text: "No.", actions: [] });
   expect(studio.results.plans.value.after).toBeDefined();
 });
 
@@ -179,7 +189,7 @@ it("allows as many removals as have to be", async () => {
 it("loses nothing to a file that is no map", async () => {
   await studio.start("");
   await settle();
-  await studio.upload(new File(["hello"], "bad.map"));
+  await studio.upload({ name: "bad.map", bytes: new Blob(["hello"]) });
   expect(studio.notice.value?.text).toBe("“bad.map” cannot be used as a map: Not a map.");
   expect(studio.loading.value).toBe(false);
   expect(studio.mission.value?.map).toBe("city.map");
@@ -201,4 +211,103 @@ it("waits for a server that is gone, and then asks for what is wanted by then", 
   await settle(2000);
   expect(studio.gone.value).toBe(false);
   expect(last().request.options?.removals).toBe(4);
+});
+
+describe("a map that is gone", () => {
+  const yard = { name: "yard.map", bytes: new Blob(["upload-1"]) };
+  const slide = async (removals: number) => {
+    studio.change((mission) => ({ ...mission, removals }));
+    await settle(1000);
+  };
+
+  beforeEach(async () => {
+    await studio.start("");
+    await studio.upload(yard);
+    await settle(1000);
+  });
+
+  it("is asked for once, said, and what is shown is said to be old", async () => {
+    client.missing.add("upload-1");
+    const before = client.asks;
+    await slide(3);
+    expect(client.asks - before).toBeLessThanOrEqual(2); // the plan, and the way without removals beside it
+    const after = client.asks;
+    for (const removals of [4, 5, 6]) await slide(removals);
+    await settle(60_000);
+    expect(client.asks).toBe(after);
+    expect(studio.lost.value).toMatchObject({ id: "upload-1", name: "yard.map", file: yard });
+    expect(studio.results.plans.value.after).toBeDefined();
+    expect(studio.old.value).toBe(true);
+  });
+
+  it("is sent again on request, and the mission goes on", async () => {
+    client.missing.add("upload-1");
+    await slide(3);
+    await slide(5);
+    await studio.restore(studio.lost.value!.file!);
+    await settle(1000);
+    expect(studio.lost.value).toBeNull();
+    expect(last()).toMatchObject({ map: "upload-1", request: { options: { removals: 5 } } });
+    expect(studio.old.value).toBe(false);
+  });
+
+  it("is not any other map", async () => {
+    client.missing.add("upload-1");
+    await slide(3);
+    await studio.restore({ name: "city.map", bytes: new Blob(["city.map"]) });
+    expect(studio.notice.value?.text).toContain("“city.map” is not the map");
+    expect(studio.lost.value?.id).toBe("upload-1");
+  });
+
+  it("is drawn on anew where only the drawing is gone", async () => {
+    studio.mark(1, "exclude");
+    await settle(1000);
+    expect(last().map).toBe("edited");
+    client.missing.add("edited");
+    client.edit = async () => (client.missing.clear(), client.map("edited"));
+    await slide(3);
+    expect(last()).toMatchObject({ map: "edited", request: { options: { removals: 3 } } });
+    expect(studio.lost.value).toBeNull();
+  });
+
+  it("is asked for when a step back leads to it, and the page stays where it is until it is there", async () => {
+    studio.choose("city.map");
+    await settle(1000);
+    client.missing.add("upload-1");
+    studio.undo();
+    await settle(1000);
+    expect(studio.mission.value?.map).toBe("city.map");
+    expect(studio.lost.value?.name).toBe("yard.map");
+    await studio.restore(studio.lost.value!.file!);
+    await settle(1000);
+    expect(studio.mission.value?.map).toBe("upload-1");
+    expect(last().map).toBe("upload-1");
+  });
+
+  it("of a link is known by the name of its file", async () => {
+    const query = studio.query();
+    expect(query).toContain("&file=yard.map");
+    client.missing.add("upload-1");
+    studio = new Studio(client as unknown as Client);
+    await studio.start(query.replace("removals=2", "removals=7"));
+    await settle(1000);
+    expect(studio.mission.value?.map).toBe("city.map");
+    expect(studio.lost.value).toMatchObject({ name: "yard.map", file: null });
+    await studio.restore(yard);
+    await settle(1000);
+    expect(last()).toMatchObject({ map: "upload-1", request: { options: { removals: 7 } } });
+  });
+});
+
+it("asks a server that breaks off every plan less and less often", async () => {
+  await studio.start("");
+  await settle();
+  let plans = 0;
+  client.plan = async () => {
+    ++plans;
+    throw new ServiceError("gone", "Nobody there.");
+  };
+  studio.change((mission) => ({ ...mission, removals: 3 }));
+  await settle(600_000);
+  expect(plans).toBeLessThan(30);
 });

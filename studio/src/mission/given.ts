@@ -1,0 +1,78 @@
+// What a person drops on the page, opens or pastes: a map, a plan, a mission, a link to one.
+import type { Plan } from "../api/answers";
+import { missionAt } from "./address";
+import { keep, type KeptFile } from "./kept_file";
+import { queryOfFile } from "./mission_file";
+import { isPlan } from "./plan_mission";
+
+export type Given =
+  | { kind: "map"; file: KeptFile }
+  | { kind: "mission"; query: string }
+  | { kind: "plan"; plan: Plan };
+
+// Its message is a sentence for people.
+export class NotUnderstood extends Error {}
+
+const mostText = 16_000_000; // bytes that may be a plan, a mission or a link
+
+export async function understood(files: readonly File[]): Promise<Given> {
+  let kept: KeptFile[];
+  try {
+    kept = await Promise.all(files.map(keep));
+  } catch {
+    throw new NotUnderstood("The file cannot be read. If it is a folder, choose the files in it.");
+  }
+  const yaml = kept.find((file) => isYaml(file.name));
+  const other = kept.find((file) => file !== yaml);
+  if (yaml) return { kind: "map", file: await rosMap(yaml, kept.length <= 2 ? other : undefined) };
+  if (kept.length !== 1) {
+    throw new NotUnderstood("One at a time: choose one file, or the YAML and the image of one ROS map.");
+  }
+  return (await inText(kept[0]!)) ?? { kind: "map", file: kept[0]! };
+}
+
+// The mission of a link that is dropped or pasted; null where the text is none.
+export async function missionInText(text: string): Promise<string | null> {
+  const link = /\bhttps?:\/\/[^\s"<>]+/.exec(text)?.[0];
+  if (!link) return null;
+  try {
+    return (await missionAt(new URL(link))) || null;
+  } catch {
+    return null;
+  }
+}
+
+async function inText({ name, bytes }: KeptFile): Promise<Given | null> {
+  if (bytes.size > mostText) return null;
+  const text = await bytes.text();
+  if (text.trimStart().startsWith("{")) return inJson(text, name);
+  const query = text.length < 500_000 ? await missionInText(text) : null;
+  return /^\s*(https?:|\[InternetShortcut\])/.test(text) && query ? { kind: "mission", query } : null;
+}
+
+function inJson(text: string, name: string): Given {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw new NotUnderstood(`“${name}” is no complete JSON.`);
+  }
+  if (isPlan(value)) return { kind: "plan", plan: value };
+  const query = queryOfFile(value);
+  if (query) return { kind: "mission", query };
+  throw new NotUnderstood(`“${name}” is neither a plan nor a mission of waybreaker.`);
+}
+
+// Both files of a ROS map in one, as the service takes them.
+async function rosMap(yaml: KeptFile, image: KeptFile | undefined): Promise<KeptFile> {
+  const text = await yaml.bytes.text();
+  if (!image) {
+    const named = /^image:\s*["']?([^"'\s#]+)/m.exec(text)?.[1];
+    throw new NotUnderstood(`“${yaml.name}” belongs to ${named ? `“${named}”` : "an image"}: choose both together.`);
+  }
+  return { name: yaml.name, bytes: new Blob([yaml.bytes, "\n...\n", image.bytes]) };
+}
+
+function isYaml(name: string): boolean {
+  return /\.ya?ml$/i.test(name);
+}

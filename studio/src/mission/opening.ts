@@ -1,0 +1,61 @@
+// Opens what a person gives: files that are dropped or chosen, links.
+import type { Plan } from "../api/answers";
+import { NotUnderstood, understood, type Given } from "./given";
+import { encodeLink, mapOfLink } from "./link";
+import { isUpload } from "./maps";
+import { mapsOfPlan, missionOfPlan } from "./plan_mission";
+import type { Studio } from "./studio";
+
+export function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
+  return take(studio, files, async (given) => {
+    if (given.kind === "map") await studio.upload(given.file);
+    else if (given.kind === "plan") await openPlan(studio, given.plan);
+    else await openMission(studio, given.query);
+  });
+}
+
+// Files of a map that the service no longer has.
+export function restoreFrom(studio: Studio, files: readonly File[]): Promise<void> {
+  return take(studio, files, async (given) => {
+    if (given.kind !== "map") throw new NotUnderstood("This file is no map.");
+    await studio.restore(given.file);
+  });
+}
+
+// A mission of a link or a file.
+export async function openMission(studio: Studio, query: string): Promise<void> {
+  const id = mapOfLink(query) ?? studio.mission.value?.map;
+  studio.notice.value = null;
+  if (id !== undefined) await studio.open(id, query);
+}
+
+async function openPlan(studio: Studio, plan: Plan): Promise<void> {
+  await studio.refreshList();
+  const [there, query] = asked(plan, new Set(studio.mapList.value.map((entry) => entry.id)));
+  if (!(await studio.open(there, query, plan.map.digest)) || studio.notice.value) return;
+  if (studio.shown.value?.base.description.digest === plan.map.digest) {
+    studio.tell("info", "The mission of the plan is planned anew.");
+  } else {
+    studio.tell("bad", `The plan was made on another state of “${there}”; its mission is planned on this one.`);
+  }
+}
+
+// The map and the mission of a plan.
+function asked(plan: Plan, there: ReadonlySet<string>): [map: string, query: string] {
+  const ids = mapsOfPlan(plan);
+  const map = ids.find((id) => there.has(id)) ?? ids[1]!;
+  const mission = missionOfPlan(plan, map);
+  if (!mission) throw new NotUnderstood("There is no plan in this file, and so no start and no goal.");
+  const file = isUpload(plan.map.source) ? "" : `&file=${encodeURIComponent(plan.map.source)}`;
+  return [map, encodeLink(mission, plan.map.width) + file];
+}
+
+async function take(studio: Studio, files: readonly File[], act: (given: Given) => Promise<void>): Promise<void> {
+  studio.notice.value = null;
+  try {
+    await act(await understood(files));
+  } catch (error) {
+    if (!(error instanceof NotUnderstood)) throw error;
+    studio.tell("bad", error.message);
+  }
+}

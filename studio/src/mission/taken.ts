@@ -1,0 +1,55 @@
+// What a person takes along: the plan, the map and the mission as files, the mission as a link.
+import type { ExportFormat } from "../api/client";
+import { fragmentOf, longestLink } from "./address";
+import { missionFile } from "./mission_file";
+import { saveAs } from "./save_as";
+import type { Studio } from "./studio";
+
+export async function downloadPlan(studio: Studio, format: ExportFormat, ending: string): Promise<void> {
+  const plan = studio.planner.plans.value.after?.plan;
+  const map = studio.shown.value?.map.description;
+  if (!plan || !map) return;
+  await save(studio, async () => ({
+    bytes: await studio.client.exported(map.id, plan, format),
+    name: `plan.${ending}`,
+  }));
+}
+
+export async function downloadMap(studio: Studio): Promise<void> {
+  const map = studio.shown.value?.map.description;
+  if (map) await save(studio, () => studio.client.file(map.id));
+}
+
+export function downloadMission(studio: Studio): void {
+  const file = new Blob([missionFile(studio.query())], { type: "application/json" });
+  saveAs(file, "mission.json");
+}
+
+export async function copyLink(studio: Studio): Promise<void> {
+  const address = location.origin + location.pathname + (await fragmentOf(studio.query()));
+  if (address.length > longestLink) {
+    const file = { label: "Save the mission as a file", act: () => downloadMission(studio) };
+    const anyway = { label: "Copy it all the same", act: () => void copy(studio, address) };
+    const letters = `${Math.round(address.length / 1000)} 000 letters`;
+    return studio.tell("info", `The link has ${letters}, more than many programs take.`, [file, anyway]);
+  }
+  await copy(studio, address);
+}
+
+async function copy(studio: Studio, address: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(address);
+    studio.tell("info", "The link to this mission is in the clipboard.");
+  } catch {
+    studio.tell("info", `The link to this mission: ${address}`);
+  }
+}
+
+async function save(studio: Studio, fetched: () => Promise<{ bytes: Blob; name: string }>): Promise<void> {
+  try {
+    const { bytes, name } = await fetched();
+    saveAs(bytes, name);
+  } catch (error) {
+    studio.failed(error, () => undefined);
+  }
+}
