@@ -41,7 +41,7 @@ Posed pose(const Task& task, const OptionsRequest& wanted, const Workplace& plac
     validate(file.map, posed.mission, posed.options);
     return posed;
 } catch (const InputError& error) {
-    throw Problem(unprocessable, error.what());
+    throw Problem(unprocessable, error.what(), "mission-unfit");
 }
 
 io::PlanContext context_of(const Task& task, const Posed& posed, std::span<const Plan> front = {}) {
@@ -80,7 +80,8 @@ io::PlanFile plan_of(const ShelvedMap& map, const std::string& bytes) {
     }();
     if (plan.connectivity != map.connectivity || plan.image != io::ImageReading()) {
         throw Problem(unprocessable,
-                      "the plan was made with another reading of the map (connectivity, threshold) than the server's");
+                      "the plan was made with another reading of the map (connectivity, threshold) than the server's",
+                      "plan-invalid");
     }
     return plan;
 }
@@ -94,7 +95,7 @@ Mission mission_of(const Plan& plan) {
 }
 
 std::string picture(const io::MapFile& file, const io::PlanFile& plan, bool as_svg) {
-    if (plan.plan.agents.empty()) throw Problem(unprocessable, "the plan has no agents to draw");
+    if (plan.plan.agents.empty()) throw Problem(unprocessable, "the plan has no agents to draw", "plan-invalid");
     const render::PictureOptions options{.cell_size = file.cell_size,
                                          .metres = file.georeference || file.cell_size != 1,
                                          .title = file.title.empty() ? file.source : file.title,
@@ -179,7 +180,8 @@ std::string check_answer(const ShelvedMap& map, const std::string& plan) {
 Document export_answer(const ShelvedMap& map, const std::string& plan, const std::string& format) try {
     const io::PlanFile file = plan_of(map, plan);
     const std::vector<Violation> violations = io::judge(file, map.file);
-    if (!violations.empty()) throw Problem(unprocessable, "the plan is not valid: " + violations.front().message);
+    if (!violations.empty())
+        throw Problem(unprocessable, "the plan is not valid: " + violations.front().message, "plan-invalid");
     return {media_type_of(format), export_body(map.file, file, plan, format)};
 } catch (const InputError& error) {
     throw Problem(unprocessable, error.what());

@@ -51,11 +51,11 @@ Failure current_failure() {
     try {
         throw;
     } catch (const Problem& problem) {
-        return {problem.status(), problem.what()};
+        return {problem.status(), problem.what(), "", problem.kind()};
     } catch (const InputError& error) {
         return {unprocessable, error.what()};
     } catch (const std::bad_alloc&) {
-        return {unavailable, "out of memory"};
+        return {unavailable, "out of memory", "", "no-memory"};
     } catch (...) {
         return {internal_error, "this is our fault; the log says more", message_in_flight()};
     }
@@ -107,7 +107,7 @@ Failure Desk::tell(Job& job, const std::function<bool(const std::string&)>& send
         return {ok, ""};
     } catch (...) {
         const Failure failure = current_failure();
-        send(event("problem", problem_json(failure.status, failure.detail)));
+        send(event("problem", problem_json(failure.status, failure.detail, failure.kind)));
         return failure;
     }
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "server/job_queue.hpp"
 #include "server/limits.hpp"
@@ -15,7 +16,8 @@ namespace waybreaker::server {
 struct Failure {
     int status;
     std::string detail;
-    std::string cause = {};  // where that must not be told: for the log
+    std::string cause = {};      // where that must not be told: for the log
+    std::string_view kind = {};  // of the problem, if it is not the usual one of its status
 };
 Failure current_failure();
 

@@ -43,7 +43,7 @@ std::optional<MapShelf::Entry> entry_of(const fs::directory_entry& file, const f
 }
 
 Problem no_such_map() {
-    return {not_found, "there is no map of that name; GET /api/v1/maps lists those there are"};
+    return {not_found, "there is no map of that name; GET /api/v1/maps lists those there are", "map-not-found"};
 }
 
 constexpr std::size_t digest_characters = 16;
@@ -142,7 +142,8 @@ SharedMap MapShelf::take(const std::string& id) {
     try {
         map = std::make_shared<const ShelvedMap>(read(id));
     } catch (const InputError&) {
-        throw Problem(unprocessable, id + " is not a map that can be read");  // the reason would name our folders
+        throw Problem(unprocessable, id + " is not a map that can be read",
+                      "map-unreadable");  // the reason would name our folders
     }
     hold(*place, map);
     return map;
@@ -163,9 +164,9 @@ MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
         io::MapFile file = io::parse_map(bytes, "the map", connectivity, {}, limits_.map_cells);
         return keep({.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)});
     } catch (const SizeError& error) {
-        throw Problem(too_large, error.what());
+        throw Problem(too_large, error.what(), "map-too-large");
     } catch (const InputError& error) {
-        throw Problem(unprocessable, error.what());
+        throw Problem(unprocessable, error.what(), "map-unreadable");
     }
 }
 
@@ -191,7 +192,7 @@ void MapShelf::remove(const std::string& id) {
     if (known != places_.end() && known->second->uploaded) {
         places_.erase(known);
     } else if (known != places_.end() || !path_of(id).empty() || built_in_map(id)) {
-        throw Problem(forbidden, "only maps that were sent here can be deleted");
+        throw Problem(forbidden, "only maps that were sent here can be deleted", "map-not-removable");
     } else {
         throw no_such_map();
     }

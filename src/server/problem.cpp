@@ -3,6 +3,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "server/problem_kind.hpp"
+
 namespace waybreaker::server {
 
 std::string title_of(int status) {
@@ -24,9 +26,13 @@ std::string title_of(int status) {
     return title == titles.end() ? "Error" : title->second;
 }
 
-std::string problem_json(int status, const std::string& detail) {
+std::string problem_json(int status, const std::string& detail, std::string_view kind) {
     using Json = nlohmann::ordered_json;
-    const Json json{{"type", "about:blank"}, {"title", title_of(status)}, {"status", status}, {"detail", detail}};
+    const ProblemKind* const known = kind.empty() ? kind_of(status) : kind_of(kind);
+    const Json json{{"type", known ? known->type() : "about:blank"},
+                    {"title", known ? std::string(known->title) : title_of(status)},
+                    {"status", status},
+                    {"detail", detail}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace waybreaker::server {
 
@@ -31,17 +32,22 @@ enum Status : int {
 // Thrown by what answers requests; what() is one line for a person.
 class Problem : public std::runtime_error {
   public:
-    Problem(Status status, const std::string& detail) : std::runtime_error(detail), status_(status) {}
+    // `kind` is one of problem_kind.hpp; empty: the usual one of the status.
+    Problem(Status status, const std::string& detail, std::string_view kind = "")
+        : std::runtime_error(detail), status_(status), kind_(kind) {}
     Status status() const { return status_; }
+    std::string_view kind() const { return kind_; }
 
   private:
     Status status_;
+    std::string_view kind_;
 };
 
 // The name of a status, "Not Found".
 std::string title_of(int status);
 
-// The document: {"type": "about:blank", "title": "Not Found", "status": 404, "detail": "..."}.
-std::string problem_json(int status, const std::string& detail);
+// The document: {"type": "/problems/map-not-found", "title": "There is no map of this name", "status": 404,
+// "detail": "..."}.
+std::string problem_json(int status, const std::string& detail, std::string_view kind = "");
 
 }  // namespace waybreaker::server

@@ -1,5 +1,7 @@
 #include "server/routes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "server/gzip.hpp"
 #include "server/map_edits.hpp"
 #include "server/problem.hpp"
+#include "server/problem_kind.hpp"
 #include "server/service.hpp"
 #include "waybreaker/error.hpp"
 
@@ -95,7 +98,8 @@ Route edits_route(MapShelf& shelf) {
 Route file_route(MapShelf& shelf) {
     const auto handle = [&shelf](const Call& call) -> Answer {
         const SharedMap map = shelf.take(call.map);
-        if (map->bytes.empty()) throw Problem(unprocessable, call.map + " is a ROS map: two files, not one");
+        if (map->bytes.empty())
+            throw Problem(unprocessable, call.map + " is a ROS map: two files, not one", "map-of-many-files");
         Response response = given({map, map->bytes}, "application/octet-stream");
         response.headers.add("Content-Disposition", "attachment; filename=\"" + file_name(call.map, *map) + "\"");
         return response;
@@ -138,6 +142,12 @@ Route get(const std::string& path, bool open, std::function<Answer(Call)> handle
     return {"GET", path, Route::Body::none, open, std::move(handle)};
 }
 
+Response described(const std::string& problem) {
+    const ProblemKind* const kind = kind_of(problem);
+    if (kind == nullptr) throw Problem(not_found, "there is no problem of that name");
+    return given(fmt::format("{}\n\n{}. {}\n", kind->name, kind->title, kind->remedy), "text/plain; charset=utf-8");
+}
+
 std::string metrics_text(const MapShelf& shelf, const Desk& desk, const Metrics& metrics) {
     const auto maps = shelf.list();
     const auto loaded = std::count_if(maps.begin(), maps.end(), [](const auto& entry) { return entry.loaded; });
@@ -163,6 +173,7 @@ std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metr
         return given(metrics_text(shelf, desk, metrics), "text/plain; version=0.0.4; charset=utf-8");
     }));
     all.push_back(get("/api/v1/openapi.json", true, [](const Call&) { return given(openapi_json()); }));
+    all.push_back(get("/problems/{id}", true, [](const Call& call) { return described(call.map); }));
     all.push_back(get("/api/v1/maps", false, [&](const Call&) { return given(maps_json(shelf.list())); }));
     all.push_back(get("/api/v1/maps/{id}", false,
                       [&](const Call& call) { return given(map_json(call.map, *shelf.take(call.map))); }));

@@ -53,8 +53,8 @@ void require_safe(const ServiceOptions& options) {
                      ": give a --token that they must bring, or say --insecure");
 }
 
-Response problem(int status, const std::string& detail) {
-    Response response{.status = status, .type = "application/problem+json", .body = problem_json(status, detail)};
+Response problem(int status, const std::string& detail, std::string_view kind = "") {
+    Response response{.status = status, .type = "application/problem+json", .body = problem_json(status, detail, kind)};
     if (status == unavailable) response.headers.add("Retry-After", "1");
     if (status == unauthorized) response.headers.add("WWW-Authenticate", "Bearer");
     return response;
@@ -275,7 +275,7 @@ void Service::House::serve(const httplib::Request& request, httplib::Response& r
     } catch (...) {
         const Failure failure = current_failure();
         detail = told_to_log(failure);
-        give(problem(failure.status, failure.detail), response);
+        give(problem(failure.status, failure.detail, failure.kind), response);
     }
     finish(route.path, head, response.status, began, detail);
 }

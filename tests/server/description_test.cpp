@@ -70,6 +70,7 @@ TEST_F(DescriptionTest, EveryAnswerOfItIsGiven) {
             provoke(method, path);
         }
     }
+    get("/problems/map-not-found");
     const std::string house = maps + "/house.map";
     for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission);
     const Json plan = post_json(house + "/plan", house_mission);

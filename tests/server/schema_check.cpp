@@ -43,15 +43,26 @@ std::vector<std::string> schema_faults(const Json& api, const Json& given, const
         std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end()) {
         faults.push_back(place + " is none of the words");
     }
+    if (value.is_number()) {
+        const auto number = value.get<double>();
+        if (number < schema.value("minimum", number)) faults.push_back(place + " is too small");
+        if (number > schema.value("maximum", number)) faults.push_back(place + " is too large");
+        if (schema.contains("exclusiveMinimum") && number <= schema["exclusiveMinimum"].get<double>()) {
+            faults.push_back(place + " is too small");
+        }
+    }
     if (value.is_object()) {
         for (const Json& name : schema.value("required", Json::array())) {
             if (!value.contains(name.get<std::string>())) faults.push_back(place + " lacks " + name.get<std::string>());
         }
         const Json properties = schema.value("properties", Json::object());
+        const Json others = schema.value("additionalProperties", Json(true));
         for (const auto& [name, part] : value.items()) {
             if (properties.contains(name)) {
                 descend(properties.at(name), part, place + "." + name);
-            } else if (!schema.value("additionalProperties", true)) {
+            } else if (others.is_object()) {
+                descend(others, part, place + "." + name);
+            } else if (others == false) {
                 faults.push_back(place + " has an unknown " + name);
             }
         }

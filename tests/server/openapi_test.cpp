@@ -1,0 +1,134 @@
+// The description is one that tools take: what Redocly's recommended rules demand, and that numbers say their units.
+#include <functional>
+
+#include "live_server.hpp"
+#include "schema_check.hpp"
+#include "server/problem_kind.hpp"
+
+namespace waybreaker::server {
+namespace {
+
+const Json& api() {
+    static const Json description = Json::parse(openapi_json());
+    return description;
+}
+
+void for_each_operation(const std::function<void(const std::string&, const Json&, const Json&)>& visit) {
+    for (const auto& [path, item] : api()["paths"].items()) {
+        for (const auto& [method, operation] : item.items()) {
+            if (method != "parameters") visit(path + ' ' + method, item, operation);
+        }
+    }
+}
+
+// Every schema in a part of the description.
+void for_each_schema(const Json& part, const std::string& place,
+                     const std::function<void(const std::string&, const Json&)>& visit) {
+    if (!part.is_structured()) return;
+    if (part.is_object() && (part.contains("type") || part.contains("enum"))) visit(place, part);
+    for (const auto& [name, inner] : part.items()) for_each_schema(inner, place + "." + name, visit);
+}
+
+bool is_number(const Json& type) {
+    if (type.is_array()) return is_number(type.front());
+    return type == "number" || type == "integer";
+}
+
+TEST(OpenApi, SaysWhoseItIsAndWhereItIsServed) {
+    EXPECT_FALSE(api()["servers"].empty());
+    EXPECT_TRUE(api()["info"]["license"].contains("identifier"));
+    for (const Json& choice : api()["security"]) {
+        for (const auto& [scheme, scopes] : choice.items()) {
+            EXPECT_TRUE(api()["components"]["securitySchemes"].contains(scheme)) << scheme;
+        }
+    }
+}
+
+TEST(OpenApi, NamesAndSumsUpEveryOperation) {
+    std::set<std::string> ids;
+    for_each_operation([&](const std::string& name, const Json& item, const Json& operation) {
+        EXPECT_TRUE(ids.insert(operation.value("operationId", "")).second) << name;
+        EXPECT_NE(operation.value("summary", ""), "") << name;
+        bool refuses = false;
+        for (const auto& [status, answer] : operation["responses"].items()) {
+            EXPECT_NE(resolved(api(), answer).value("description", ""), "") << name << ' ' << status;
+            refuses = refuses || status.front() == '4';
+        }
+        EXPECT_TRUE(refuses) << name;
+        if (name.find("{id}") == std::string::npos) return;
+        EXPECT_EQ(resolved(api(), item["parameters"][0]).value("in", ""), "path") << name;
+    });
+    EXPECT_FALSE(ids.contains(""));
+}
+
+TEST(OpenApi, SaysTheUnitOfEveryNumber) {
+    for_each_schema(api()["components"]["schemas"], "schemas", [](const std::string& place, const Json& schema) {
+        const Json& properties = schema.value("properties", Json::object());
+        for (const Json& name : schema.value("required", Json::array())) {
+            EXPECT_TRUE(properties.contains(name.get<std::string>())) << place << ' ' << name;
+        }
+        for (const auto& [name, property] : properties.items()) {
+            const Json type = property.value("type", Json());
+            const bool numbers = is_number(type) || (property.contains("items") && property["items"].contains("type") &&
+                                                     is_number(property["items"]["type"]));
+            EXPECT_TRUE(!numbers || property.contains("description")) << place << '.' << name;
+        }
+    });
+    for (const char* name : {"Options", "Request"}) {
+        for_each_schema(api()["components"]["schemas"][name], name, [](const std::string& place, const Json& schema) {
+            if (schema.contains("type") && (schema["type"] == "number" || schema["type"] == "integer") &&
+                !place.ends_with("items")) {
+                EXPECT_TRUE(schema.contains("minimum") || schema.contains("exclusiveMinimum")) << place;
+            }
+        });
+    }
+}
+
+class ProblemTest : public LiveServer {};
+
+TEST_F(ProblemTest, TypesAreAddressesThatTheServerAnswers) {
+    begin();
+    std::set<std::string> types;
+    for (const ProblemKind& kind : problem_kinds()) {
+        types.insert(kind.type());
+        EXPECT_EQ(get(kind.type()).status, 200) << kind.name;
+        EXPECT_NE(get(kind.type()).body.find(kind.title), std::string::npos);
+    }
+    const Json& described = api()["components"]["schemas"]["Problem"]["properties"]["type"]["enum"];
+    EXPECT_EQ(types, described.get<std::set<std::string>>());
+    EXPECT_EQ(types.size(), problem_kinds().size());
+    get_json("/problems/none-of-these", 404);
+}
+
+TEST_F(ProblemTest, TellsApartWhatHasOneStatus) {
+    put("maps/broken.map", "type octile\nheight 2\nwidth 2\nmap\n.\n");
+    begin();
+    const std::string maps = "/api/v1/maps";
+    const auto type = [](const Json& problem) { return problem["type"].get<std::string>(); };
+    EXPECT_EQ(type(get_json(maps + "/nowhere.map", 404)), "/problems/map-not-found");
+    EXPECT_EQ(type(get_json("/api/v2", 404)), "/problems/path-not-found");
+    EXPECT_EQ(type(get_json(maps + "/broken.map", 422)), "/problems/map-unreadable");
+    const std::string house = maps + "/house.map";
+    EXPECT_EQ(type(post_json(house + "/plan", Json::object(), 422)), "/problems/mission-unfit");
+    EXPECT_EQ(type(post_json(house + "/plan", Json::array(), 400)), "/problems/invalid-request");
+    Json plan = post_json(house + "/plan", house_mission);
+    plan["after"]["makespan"] = 1;
+    EXPECT_EQ(type(post_json(house + "/export?format=csv", plan, 422)), "/problems/plan-invalid");
+    EXPECT_EQ(Json::parse(remove(house).body)["type"], "/problems/map-not-removable");
+}
+
+TEST_F(ProblemTest, SaysLineAndColumnOfTheBody) {
+    begin();
+    const std::string house = "/api/v1/maps/house.map";
+    const auto detail = [&](const std::string& route, const std::string& body) {
+        return Json::parse(post(house + route, body).body)["detail"].get<std::string>();
+    };
+    EXPECT_EQ(detail("/plan", "{\n  \"mission\": {\"start\": [1]}}"),
+              "request:2:24: mission.start is not a cell, [x, y]");
+    EXPECT_EQ(detail("/edits", "{\"free\":\n[7]}"), "edits:2:2: free[0] is not an array");
+    EXPECT_EQ(detail("/check", "{\"format\":\n\n 7}"), "the plan:3:2: format is not a text");
+    EXPECT_EQ(detail("/export?format=csv", "{"), "the plan:1:2: this is not JSON: it ends too early");
+}
+
+}  // namespace
+}  // namespace waybreaker::server
