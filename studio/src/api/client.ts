@@ -95,10 +95,6 @@ export class Client {
     return this.stream(mapPath(id, "plan"), request, signal, tell);
   }
 
-  front(id: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan> {
-    return this.stream(mapPath(id, "front"), request, signal, tell);
-  }
-
   compare(id: string, request: PlanRequest, signal?: AbortSignal): Promise<Comparison> {
     return this.stream(mapPath(id, "compare"), request, signal);
   }

@@ -15,6 +15,7 @@ const numbers = [
   ["breach_time", "breachTime", 0, 1e6],
   ["breach_time_per_cell", "breachTimePerCell", 0, 1e6],
   ["radius", "radius", 0, 100],
+  ["price", "price", 0, 1e6],
 ] as const;
 
 export function encodeLink(mission: Mission, width: number): string {

@@ -10,7 +10,8 @@ export const mostRemovals = 8;
 export interface Mission {
   map: string; // the map as it was before anything is drawn; obstacle ids are those of this map
   markers: Markers;
-  removals: number | "auto";
+  removals: number | "auto"; // auto: as many as save at least the price each
+  price: number;
   method: Method;
   objective: Objective;
   groundSpeed: number;
@@ -27,6 +28,7 @@ export interface Mission {
 
 export const defaults = {
   removals: 2,
+  price: 10,
   method: "exact",
   objective: "makespan",
   groundSpeed: 1,

@@ -2,24 +2,24 @@
 // dropped. When nothing changes for a moment, the rest is asked: whether the plans hold, what each removal saves, what
 // other numbers of removals reach, what the paper would do.
 import { signal, type Signal } from "@preact/signals";
-import type { FrontPoint, Plan, PlanRequest } from "../api/answers";
+import type { Plan, PlanRequest } from "../api/answers";
 import { pause, ServiceError, type CheckReport, type Progress } from "../api/client";
 import type { LayerName } from "../map/scene";
 import {
   beforeRequest,
-  frontRequest,
   keyOf,
   paperRequest,
   planRequest,
   quick,
+  stepRequest,
   thoroughRequest,
   type Question,
 } from "./request";
-import { valueOf } from "./words";
+import { bestAtPrice, Curve, type Front } from "./curve";
+import { objectiveOf, valueOf } from "./words";
 
 export interface PlanService {
   plan(map: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan>;
-  front(map: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan>;
   check(map: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport>;
 }
 
@@ -29,12 +29,6 @@ export type Verdict = { valid: true } | { valid: false; reason: string } | null;
 export interface Judged {
   plan: Plan;
   verdict: Verdict;
-}
-
-export interface Front {
-  points: FrontPoint[]; // for `from` removals, one more, ...
-  from: number;
-  key: string;
 }
 
 export interface Pace {
@@ -61,6 +55,7 @@ export class Planner implements Results {
   #wanted: Question | null = null;
   #working: { control: AbortController; began: number } | null = null;
   #resting: AbortController | null = null;
+  #curve: Curve | null = null;
 
   constructor(
     private readonly service: PlanService,
@@ -97,6 +92,7 @@ export class Planner implements Results {
     this.stop();
     this.plans.value = {};
     this.front.value = null;
+    this.#curve = null;
     this.answered.value = null;
     this.failure.value = null;
   }
@@ -142,11 +138,12 @@ export class Planner implements Results {
     const tell = (progress: Progress) => (this.progress.value = progress);
     const last = this.answered.value;
     const sameBefore = last !== null && keyOf.before(last) === keyOf.before(question);
-    const auto = question.removals === "auto";
+    const { removals } = question;
     const [after, before] = await Promise.all([
-      auto
-        ? this.service.front(question.map, frontRequest(question), stop, tell)
-        : this.service.plan(question.map, planRequest(question, Number(question.removals)), stop, tell),
+      removals === "auto"
+        ? this.#trace(question, stop, tell).then((plans) => bestAtPrice(plans, question.price))
+        : (this.#traced(question, removals) ??
+          this.service.plan(question.map, planRequest(question, removals), stop, tell)),
       sameBefore || !question.withBefore ? null : this.service.plan(question.map, beforeRequest(question), stop),
     ]);
     if (stop.aborted) throw new ServiceError("stopped", "Stopped.");
@@ -154,7 +151,6 @@ export class Planner implements Results {
     const beside = before ? { plan: before, verdict: null } : kept;
     this.answered.value = question;
     this.plans.value = { after: { plan: after, verdict: null }, ...(beside && { before: beside }) };
-    if (auto && after.front) this.front.value = frontOf(after.front, question);
     this.progress.value = null;
   }
 
@@ -169,7 +165,7 @@ export class Planner implements Results {
         this.#show("before", await this.service.plan(question.map, beforeRequest(question), stop), stop);
       }
       await this.#judge("before", question, stop);
-      await this.#fetchFront(question, stop); // late: on large maps it takes longest
+      await this.#trace(question, stop); // late: on large maps it takes longest
       await this.#fetchPaper(question, stop);
     } catch (error) {
       // What is beside the plan may be missing; but that nobody answers has to be said.
@@ -178,11 +174,37 @@ export class Planner implements Results {
     }
   }
 
-  async #fetchFront(question: Question, stop: AbortSignal): Promise<void> {
+  // What each number of removals reaches, one after the other: each is shown as soon as it is known, and what is known
+  // of an unchanged question is not asked again.
+  async #trace(question: Question, stop: AbortSignal, tell?: (progress: Progress) => void): Promise<readonly Plan[]> {
     const key = keyOf.front(question);
-    if (this.front.value?.key === key) return;
-    const plan = await this.service.front(question.map, frontRequest(question), stop);
-    if (!stop.aborted && plan.front) this.front.value = frontOf(plan.front, question);
+    if (this.#curve?.key !== key) this.#curve = new Curve(key, question.options.force?.length ?? 0);
+    const curve = this.#curve;
+    const began = performance.now();
+    const tellAll = (progress: Progress) => tell?.({ ...progress, seconds: (performance.now() - began) / 1000 });
+    while (!curve.isDone) {
+      const plan =
+        this.#shownFor(question, curve.next) ??
+        (await this.service.plan(question.map, stepRequest(question, curve.next), stop, tellAll));
+      if (stop.aborted) throw new ServiceError("stopped", "Stopped.");
+      curve.add(plan);
+      this.front.value = curve.front();
+    }
+    return curve.plans;
+  }
+
+  #traced(question: Question, removals: number): Plan | null {
+    const curve = this.#curve;
+    const plan = curve?.key === keyOf.front(question) ? curve.plans[removals - curve.from] : undefined;
+    return plan?.options.removals === removals ? plan : null;
+  }
+
+  // The plan that is shown anyway, so that curve and headline agree.
+  #shownFor(question: Question, removals: number): Plan | null {
+    const last = this.answered.value;
+    const plan = this.plans.value.after?.plan;
+    const fits = last && keyOf.front(last) === keyOf.front(question) && last.removals === removals;
+    return fits && plan ? plan : null;
   }
 
   // The plan again with what each removal saves; where time was short, perhaps a better one.
@@ -230,13 +252,8 @@ export class Planner implements Results {
   }
 }
 
-// With fewer removals than have to be there is nothing to compare.
-function frontOf(points: FrontPoint[], question: Question): Front {
-  return { points, from: question.options.force?.length ?? 0, key: keyOf.front(question) };
-}
-
 function isAsGood(plan: Plan, than: Plan): boolean {
-  const value = (one: Plan) => valueOf(one.after, one.options.objective ?? "makespan") ?? Infinity;
+  const value = (one: Plan) => valueOf(one.after, objectiveOf(one)) ?? Infinity;
   return value(plan) <= value(than) * (1 + 1e-9);
 }
 

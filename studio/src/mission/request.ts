@@ -1,6 +1,6 @@
 // A mission as the service is asked about it.
 import type { PlanOptions, PlanRequest } from "../api/answers";
-import { marked, mostRemovals, type Method, type Mission } from "./mission";
+import { marked, type Method, type Mission } from "./mission";
 import { cellsPerUnit, type Units } from "./units";
 
 // What a plan is asked for with. Obstacles are those of the map that is planned on.
@@ -11,6 +11,7 @@ export interface Question {
   options: PlanOptions; // but for method and removals
   method: Method;
   removals: number | "auto";
+  price: number; // what a removal has to save where their number is left open
   withBefore: boolean; // whether the way without removals is on the map, and has to follow at once
 }
 
@@ -37,6 +38,7 @@ export function questionOf(mission: Mission, units: Units, map: string, toShown:
     options,
     method: mission.method,
     removals: mission.removals,
+    price: mission.price,
     withBefore: mission.layers.includes("before"),
   };
 }
@@ -48,6 +50,7 @@ function request(question: Question, method: Method, options: PlanOptions): Plan
 
 // The first plan has to come soon, and is asked for again, with more time, when nothing changes for a moment.
 export const quick = 2; // seconds
+const patient = 10;
 
 export function planRequest(question: Question, removals: number): PlanRequest {
   return request(question, question.method, { removals, time_limit: quick });
@@ -58,8 +61,9 @@ export function thoroughRequest(question: Question, removals: number): PlanReque
   return request(question, question.method, { removals, explain: true });
 }
 
-export function frontRequest(question: Question): PlanRequest {
-  return request(question, question.method, { removals: mostRemovals });
+// A step of the curve: there are many, and the next waits.
+export function stepRequest(question: Question, removals: number): PlanRequest {
+  return request(question, question.method, { removals, time_limit: patient });
 }
 
 // The way with nothing removed; what has to go or stay is no matter then.
@@ -74,7 +78,7 @@ export function paperRequest(question: Question, removals: number): PlanRequest 
 
 // Which questions have the same answer.
 export const keyOf = {
-  plan: (q: Question) => JSON.stringify([q.map, q.mission, q.options, q.method, q.removals]),
+  plan: (q: Question) => JSON.stringify([q.map, q.mission, q.options, q.method, q.removals, q.removals === "auto" && q.price]),
   front: (q: Question) => JSON.stringify([q.map, q.mission, q.options, q.method]),
   before: (q: Question) => JSON.stringify([q.map, beforeRequest(q)]),
 };

@@ -26,7 +26,7 @@ export function viewerOf(document: PlanDocument): PageState {
   const front = document.front ?? plan?.front ?? [];
   const results: Results = {
     plans: signal(plans),
-    front: signal(front.length > 0 ? { points: front, from: plan?.options.force?.length ?? 0, key: "" } : null),
+    front: signal(front.length > 0 ? { points: front, from: plan?.options.force?.length ?? 0, key: "", isDone: true } : null),
     answered: signal(null),
     progress: signal(null),
     failure: signal(null),

@@ -27,12 +27,16 @@ export function counted(count: number, buildings: boolean): string {
   return `${few[count] ?? count} ${nounOf(count, buildings)}`;
 }
 
+export function objectiveOf(plan: Plan): Objective {
+  return plan.options.objective ?? "makespan";
+}
+
 export function valueOf(outcome: Plan["after"], objective: Objective): number | null {
   return objective === "makespan" ? outcome.makespan : outcome.flowtime;
 }
 
 export function headline(plan: Plan, buildings: boolean): Headline {
-  const objective = plan.options.objective ?? "makespan";
+  const objective = objectiveOf(plan);
   const before = valueOf(plan.before, objective);
   const after = valueOf(plan.after, objective);
   const count = plan.removed.length;

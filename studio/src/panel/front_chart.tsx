@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Objective } from "../api/answers";
 import { mostRemovals } from "../mission/mission";
-import type { Front } from "../mission/planner";
+import type { Front } from "../mission/curve";
 import type { PageState } from "../mission/page_state";
 import { keyOf } from "../mission/request";
 import { clockTime, duration, type Units } from "../mission/units";
@@ -12,20 +12,26 @@ const thumb = 22; // width of the slider's knob: its middle is what the columns 
 
 interface Column {
   n: number;
-  value: number | null; // null: no way with so few
+  value: number | null; // null: no way with so few, or not yet known
   bound: number | null;
   further: boolean; // beyond where removals gain
+  pending: boolean; // still being worked out
 }
 
-function columnsOf({ points, from }: Front, objective: Objective): Column[] {
+// Where the curve ends before the slider does, nothing further gains.
+function columnsOf({ points, from, isDone }: Front, objective: Objective): Column[] {
   const last = points.length - 1;
+  const values = points.map((point) => point[objective]);
+  const gains = values.findIndex((value) => value !== null && value <= values[last]! * (1 + 1e-9));
   return Array.from({ length: Math.max(0, mostRemovals + 1 - from) }, (_, i) => {
-    const point = points[Math.min(i, last)];
+    const pending = i > last && !isDone;
+    const point = pending ? undefined : points[Math.min(i, last)];
     return {
       n: from + i,
       value: point?.[objective] ?? null,
       bound: point?.bound?.[objective] ?? null,
-      further: i > last,
+      further: isDone && gains >= 0 && i > gains,
+      pending,
     };
   });
 }
@@ -55,7 +61,7 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
   if (!front || !mission) {
     return (
       <div ref={box} class="front-chart empty">
-        <p>What other numbers reach is being worked out…</p>
+        <p>What each number reaches is being worked out…</p>
       </div>
     );
   }
@@ -64,7 +70,7 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
   const columns = columnsOf(front, mission.objective);
   const place = placer(columns, width);
   const line = (of: "value" | "bound", part: (column: Column) => boolean) => pathOf(columns.filter(part), of, place);
-  const gains = front.from + front.points.length - 1;
+  const gains = columns.findLast((column) => !column.further)?.n ?? front.from;
   return (
     <div
       ref={box}
@@ -103,9 +109,9 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
             <span
               class="front-value"
               aria-hidden="true"
-              style={{ top: `${column.value === null ? top : place.y(column.value) - 24}px` }}
+              style={{ top: `${column.value === null ? (column.pending ? height / 2 : top) : place.y(column.value) - 24}px` }}
             >
-              {column.value === null ? "no way" : clockTime(column.value, units)}
+              {column.pending ? "…" : column.value === null ? "no way" : clockTime(column.value, units)}
             </span>
           )}
           <span class="front-tick" aria-hidden="true">
@@ -117,8 +123,9 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
   );
 }
 
-function columnLabel({ n, value }: Column, units: Units): string {
+function columnLabel({ n, value, pending }: Column, units: Units): string {
   const what = n === 1 ? "1 removal" : `${n} removals`;
+  if (pending) return `${what}: being worked out`;
   return value === null ? `${what}: no way` : `${what}: ${duration(value, units)}`;
 }
 

@@ -3,6 +3,8 @@ import { mostRemovals, withEnoughRemovals } from "../mission/mission";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { nounOf } from "../mission/words";
+import { duration } from "../mission/units";
+import { NumberField } from "./controls";
 import { FrontChart } from "./front_chart";
 import { hasBuildings } from "./obstacle_words";
 
@@ -13,6 +15,7 @@ export function Removals({ page }: { page: PageState }) {
   const studio = page instanceof Studio ? page : null;
   if (!studio && !page.results.front.value) return null;
   const auto = mission.removals === "auto";
+  const price = `≥ ${duration(mission.price, page.units.value)}`;
   const count =
     mission.removals === "auto" ? (page.results.plans.value.after?.plan.removed.length ?? 0) : mission.removals;
   const set = (removals: number | "auto") =>
@@ -25,18 +28,30 @@ export function Removals({ page }: { page: PageState }) {
     <section class="section removals" aria-labelledby="removals-title">
       <div class="removals-head">
         <h2 id="removals-title">{studio ? <label for="removals">Removals</label> : "Removals"}</h2>
-        <output class="removals-count">{auto ? `${count}, as many as pay off` : `up to ${count}`}</output>
+        <output class="removals-count">{auto ? count : `up to ${count}`}</output>
         {studio && (
-          <label class="switch" title="As many removals as pay off">
+          <label class="switch" title={`As many removals as save at least ${price} each`}>
             <input
               type="checkbox"
               checked={auto}
               onChange={(event) => setAtOnce(event.currentTarget.checked ? "auto" : count)}
             />
-            <span>Auto</span>
+            <span>Auto: {price} each</span>
           </label>
         )}
       </div>
+      {studio && auto && (
+        <NumberField
+          label="Only if each saves at least"
+          unit={page.units.value.metric ? "s" : "steps"}
+          min={0}
+          max={1_000_000}
+          step="any"
+          value={mission.price}
+          onInput={(price) => studio.change((old) => ({ ...old, price }), "price")}
+          onDone={() => studio.endGesture()}
+        />
+      )}
       {studio && (
         <input
           id="removals"

@@ -35,6 +35,7 @@ function randomMission(random: Random): Mission {
       ...(random.chance(0.3) && { air_goal: cell() }),
     },
     removals: random.oneOf([0, 1, 2, 8, "auto"] as const),
+    price: random.oneOf([10, 0, 0.5]),
     method: random.oneOf(["exact", "paper"] as const),
     objective: random.oneOf(["makespan", "flowtime"] as const),
     groundSpeed: random.oneOf([1, 2.5, 0.1 + 0.2]),

@@ -7,7 +7,7 @@ import type { Question } from "../../src/mission/request";
 import { planOf } from "./plans";
 
 interface Asked {
-  what: "plan" | "front" | "check";
+  what: "plan" | "check";
   request: PlanRequest | null;
   signal: AbortSignal | undefined;
   answer(plan: Plan): void;
@@ -21,7 +21,6 @@ class FakeService implements PlanService {
   readonly asked: Asked[] = [];
 
   plan: PlanService["plan"] = (_, request, signal, tell) => this.#note<Plan>("plan", request, signal, tell);
-  front: PlanService["front"] = (_, request, signal, tell) => this.#note<Plan>("front", request, signal, tell);
   check = (_: string, __: Plan, signal?: AbortSignal) => this.#note<CheckReport>("check", null, signal);
 
   last(): Asked {
@@ -49,6 +48,7 @@ const question = (x: number, more: Partial<Question> = {}): Question => ({
   options: {},
   method: "exact",
   removals: 2,
+  price: 10,
   withBefore: false,
   ...more,
 });
@@ -148,11 +148,11 @@ it("asks for the rest when it is calm, and not before", async () => {
   service.last().report({ valid: true, violations: [] });
   await settle();
 
-  expect(service.last().what).toBe("front");
-  service.last().answer({ ...planOf({}), front: [{ makespan: 100, flowtime: 200, bound: null, removed: [] }] });
-  await settle();
-  expect(planner.front.value?.points).toHaveLength(1);
-
+  for (const removals of [0, 1, 3, 4, 5, 6, 7, 8]) {
+    expect(service.last().request?.options?.removals).toBe(removals);
+    service.last().answer(planOf({}));
+    await settle();
+  }
   expect(service.last().request?.options?.paper).toBe(true);
   service.last().answer(planOf({ removed: [4] }));
   await settle();
@@ -217,13 +217,58 @@ it("fetches the way without removals at once where it is shown, and keeps it whi
   expect(planner.plans.value.before?.plan).toBe(before);
 });
 
-it("takes the last plan of the front where the number of removals is left to it", async () => {
+// What 0, 1, 2, ... removals reach; the last is reached by all further ones.
+async function answerCurve(values: (number | null)[]): Promise<void> {
+  for (let next = service.last(); next.request?.options?.removals !== undefined; next = service.last()) {
+    const { removals } = next.request.options;
+    const after = values[Math.min(removals, values.length - 1)]!;
+    next.answer(planOf({ removed: Array.from({ length: removals }, (_, i) => i + 1), after, options: { removals } }));
+    await settle();
+    if (service.last() === next) return;
+  }
+}
+
+it("shows each step of the curve as soon as it is known, and asks none of them twice", async () => {
   planner.ask(question(1, { removals: "auto" }));
-  expect(service.last().what).toBe("front");
-  const plan = { ...planOf({ removed: [4] }), front: [] };
-  service.last().answer(plan);
+  const asked = () => service.asked.map((one) => one.request?.options?.removals);
+  service.last().answer(planOf({ after: 100 }));
   await settle();
-  expect(planner.plans.value.after?.plan).toBe(plan);
+  expect(planner.front.value).toMatchObject({ points: [{ makespan: 100 }], from: 0, isDone: false });
+  expect(planner.plans.value.after).toBeUndefined();
+  service.last().answer(planOf({ after: 90 }));
+  await settle();
+  expect(planner.front.value?.points.map((point) => point.makespan)).toEqual([100, 90]);
+  planner.ask(question(1, { removals: "auto", price: 3 })); // the same curve at another price
+  await vi.advanceTimersByTimeAsync(pace.patience + 1);
+  await answerCurve([0, 0, 85, 80]);
+  expect(planner.front.value?.isDone).toBe(true);
+  expect(asked()).toEqual([0, 1, 2, 2, 3, 4, 5, 6, 7, 8]); // the third was dropped on the way
+});
+
+it("takes as many removals as save their price, where the number is left to it", async () => {
+  const chosen = () => planner.plans.value.after?.plan.options.removals;
+  planner.ask(question(1, { removals: "auto", price: 10 }));
+  await answerCurve([100, 95, 75, 66, 60]);
+  expect(chosen()).toBe(2); // the first alone is not worth it, with the second it is
+  const steps = service.asked.length;
+  for (const [price, removals] of [[9, 3], [6.5, 3], [5, 4], [13, 0], [0, 4]] as const) {
+    planner.ask(question(1, { removals: "auto", price }));
+    await settle();
+    expect(chosen()).toBe(removals);
+  }
+  planner.ask(question(1, { removals: 1 }));
+  await settle();
+  expect(chosen()).toBe(1);
+  expect(service.asked).toHaveLength(steps); // all of them are known
+  planner.ask(question(2, { removals: "auto", price: 1000 }));
+  await answerCurve([null, null, 80, 70]);
+  expect(chosen()).toBe(2); // there is no way with fewer
+});
+
+it("never lets the curve rise where the time did not do", async () => {
+  planner.ask(question(1, { removals: "auto", price: 0 }));
+  await answerCurve([100, 90, 95]);
+  expect(planner.front.value?.points.map((point) => point.makespan)).toEqual([100, ...Array(8).fill(90)]);
 });
 
 it("keeps what it shows when the service refuses or is gone", async () => {

@@ -58,7 +58,6 @@ class FakeClient {
     this.planned.push({ map, request });
     return planOf({ removed: [1], after: 90 });
   };
-  front = async () => ({ ...planOf({}), front: [] });
   check = async () => ({ valid: true, violations: [] });
 
   #answer(map = ""): void {

@@ -1,0 +1,55 @@
+// The curve: what each number of removals reaches, as far as it is known.
+import type { FrontPoint, Plan } from "../api/answers";
+import { mostRemovals } from "./mission";
+import { objectiveOf, valueOf } from "./words";
+
+export interface Front {
+  points: readonly FrontPoint[]; // for `from` removals, one more, ...
+  from: number;
+  key: string; // of the question
+  isDone: boolean;
+}
+
+export class Curve {
+  readonly plans: Plan[] = []; // for `from` removals, one more, ...
+
+  // With fewer removals than have to be there is nothing to compare.
+  constructor(
+    readonly key: string,
+    readonly from: number,
+  ) {}
+
+  get next(): number {
+    return this.from + this.plans.length;
+  }
+
+  get isDone(): boolean {
+    return this.next > mostRemovals;
+  }
+
+  // One removal more may stay unused: where the time did not do for a plan as good as the last, the last is kept.
+  add(plan: Plan): void {
+    const last = this.plans.at(-1);
+    this.plans.push(last && reached(last) < reached(plan) ? last : plan);
+  }
+
+  front(): Front {
+    const points = this.plans.map(({ after, bound, removed }): FrontPoint => {
+      return { ...after, bound, removed: removed.map((one) => one.obstacle) };
+    });
+    return { points, from: this.from, key: this.key, isDone: this.isDone };
+  }
+}
+
+// As many removals as save at least the price each: whatever number of the last is left out, it would cost more.
+export function bestAtPrice(plans: readonly Plan[], price: number): Plan {
+  const isWorth = (i: number, best: number) => {
+    const saved = reached(plans[best]!) - reached(plans[i]!);
+    return Number.isNaN(saved) || (saved > 1e-9 && saved > price * (i - best) - 1e-9); // NaN: no way with either
+  };
+  return plans[plans.reduce((best, _, i) => (isWorth(i, best) ? i : best), 0)]!;
+}
+
+function reached(plan: Plan): number {
+  return valueOf(plan.after, objectiveOf(plan)) ?? Infinity;
+}
