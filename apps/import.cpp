@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -50,8 +51,19 @@ const char* things_of(const ImportOptions& options) {
     return options.window.choice.obstacles.empty() ? "buildings" : "features";
 }
 
+// What lies beyond the source's data looks as if it were free.
+void warn_of_gaps(const ImportOptions& options, double covered) {
+    const double percent = 100 * covered;
+    if (percent >= 99.5) return;
+    std::fputs(fmt::format("waybreaker: warning: {} covers only {:.2g} % of the window; the rest is free on the map\n",
+                           options.source, percent)
+                   .c_str(),
+               stderr);
+}
+
 void import_one(const ImportOptions& options) {
     const geo::ImportReport report = import_with_progress(options);
+    warn_of_gaps(options, report.covered);
     io::write_whole(options.output, geo::label_tiff_bytes(report.tiff));
     if (options.output != "-") io::write_whole("-", summary_line(options.output, report, things_of(options)));
 }
@@ -66,10 +78,12 @@ void import_folder(const ImportOptions& options) {
     }
     std::string lines;
     std::size_t count = 0;
+    double covered = 1;
     const auto write = [&](const geo::ImportTile& tile) {
         const std::string name = fmt::format("{:02}_{:02}.tif", tile.row, tile.column);
         io::write_whole((fs::path(options.output) / name).string(), geo::label_tiff_bytes(tile.report.tiff));
         lines += summary_line(name, tile.report, things_of(options));
+        covered = tile.report.covered;
         ++count;
     };
     std::size_t all = 0;
@@ -77,6 +91,7 @@ void import_folder(const ImportOptions& options) {
         const Progress progress("reading " + options.source);
         all = geo::import_tiles(options.source, options.window, *options.tile, write);
     }
+    warn_of_gaps(options, covered);
     io::write_whole("-", lines + fmt::format("{}: {} maps; {} of {} tiles have no obstacle\n", options.output, count,
                                              all - count, all));
 }
@@ -97,13 +112,13 @@ void add_filters(CLI::App& command, const std::string& name, std::vector<geo::Ta
             name,
             [name, &filters](const std::string& given) {
                 try {
-                    filters.push_back(geo::parse_tag_filter(given));
+                    for (geo::TagFilter& filter : geo::parse_tag_filters(given)) filters.push_back(std::move(filter));
                 } catch (const InputError& error) {
                     throw CLI::ValidationError(name, error.what());
                 }
             },
             text)
-        ->type_name("TAG")
+        ->type_name("TAG,...")
         ->trigger_on_parse();
 }
 
@@ -140,9 +155,13 @@ void add_window_options(CLI::App& command, const std::shared_ptr<ImportOptions>&
 }
 
 void add_choice_options(CLI::App& command, geo::ObstacleChoice& choice) {
-    add_filters(command, "--obstacles", choice.obstacles,
-                "What is an obstacle: a tag, building or natural=water or barrier=wall,fence, or * for everything; can "
-                "be given several times (default: building)");
+    add_filters(
+        command, "--obstacles", choice.obstacles,
+        "What is an obstacle: tags such as building, natural=water and barrier=wall,fence, with commas between, "
+        "or * for everything; can be given several times (default: building)");
+    add_file(command, "--layer", choice.layer,
+             "The layer with the obstacles, of a source that has several, such as a folder of shapefiles")
+        ->type_name("NAME");
     add_number(
         command, "--wall-width", [&choice](double width) { choice.wall_width = width; }, 0, "METRES",
         "Width of obstacles that are lines in the source, such as walls (default, and least: a cell)");

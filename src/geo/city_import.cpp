@@ -135,12 +135,41 @@ std::string title_of(const std::string& source, const CellWindow& window, double
 struct Material {
     Footprints footprints;
     std::vector<Sight> scenery;
+    double covered = 1;
 };
 
-Material read(const std::string& source, const Window& window, const ImportOptions& options) {
+// The share of the window that the source has data of: of the box it states, or else of the one around what was found.
+double covered_share(const Material& material, const OGREnvelope& window) {
+    OGREnvelope data = material.footprints.extent;
+    const auto merge = [&data](const OGRGeometry& shape) {
+        OGREnvelope box;
+        shape.getEnvelope(&box);
+        data.Merge(box);
+    };
+    if (!data.IsInit()) {
+        for (const Footprint& footprint : material.footprints.list) merge(*footprint.shape);
+        for (const Sight& sight : material.scenery) merge(*sight.shape);
+    }
+    if (!data.Intersects(window)) return 0;
+    data.Intersect(window);
+    return (data.MaxX - data.MinX) * (data.MaxY - data.MinY) /
+           ((window.MaxX - window.MinX) * (window.MaxY - window.MinY));
+}
+
+Material read_in_order(const std::string& source, const Window& window, const ImportOptions& options) {
     Material material{.footprints = read_footprints(source, window, options.choice, options.cell), .scenery = {}};
     if (options.background) material.scenery = read_scenery(source, window);
+    material.covered = covered_share(material, window.bounds);
     return material;
+}
+
+Material read(const std::string& source, const Window& window, const ImportOptions& options) {
+    try {
+        return read_in_order(source, window, options);
+    } catch (const NodesOutOfOrder&) {
+        const AnyOrderOfNodes slow;
+        return read_in_order(source, window, options);
+    }
 }
 
 ImportReport report_of(const Material& material, const std::vector<Seen>& seen, const CellWindow& window,
@@ -160,7 +189,7 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
                    .title = title_of(source, window, options.cell),
                    .background = background_within(material.scenery, window.window.bounds, options.cell)};
     tiff.names = obstacle_names(tiff.map, std::move(named));
-    return {.tiff = std::move(tiff), .buildings = seen.size(), .area = area};
+    return {.tiff = std::move(tiff), .buildings = seen.size(), .area = area, .covered = material.covered};
 }
 
 std::vector<Seen> seen_in(const Footprints& footprints, const OGREnvelope& bounds) {

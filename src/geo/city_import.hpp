@@ -29,12 +29,13 @@ struct ImportReport {
     LabelTiff tiff;
     std::size_t buildings = 0;  // that have some area inside the window; those that own no cell are no obstacle
     double area = 0;            // of their parts inside the window, in square metres; overlaps count twice
+    double covered = 1;         // the share of the window that the source has data of, by its extent
 };
 
 // Buildings, or what else is chosen, become obstacles, one each unless merged, with their source ids (OSM ways
 // positive, relations negative) and names; projected to the local UTM zone. A cell belongs to the building that covers
 // its centre; the first in the source's order where several do. Throws InputError (source and remedy) if there is
-// nothing to import.
+// nothing to import, or a filter matches nothing in all of the source.
 ImportReport import_city(const std::string& source, const ImportOptions& options);
 
 struct ImportTile {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/quoted.hpp"
 #include "geo/feature_tags.hpp"
+#include "geo/filter_use.hpp"
 #include "geo/gdal_scope.hpp"
 #include "geo/obstacle_names.hpp"
 #include "geo/vector_source.hpp"
@@ -21,12 +23,45 @@ bool is_of(Kind kind, OGRwkbGeometryType type) {
     return kind == Kind::areas ? is_area(type) : is_line(type);
 }
 
-std::vector<OGRLayer*> layers_of(GDALDataset& file, Kind kind) {
-    std::vector<OGRLayer*> layers;
-    for (OGRLayer* layer : file.GetLayers()) {
-        const OGRwkbGeometryType type = layer->GetGeomType();
-        if (is_of(kind, type) || wkbFlatten(type) == wkbUnknown) layers.push_back(layer);
+std::string names_of(const std::vector<OGRLayer*>& layers) {
+    constexpr std::size_t most = 12;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(layers.size(), most); ++i) {
+        names += fmt::format("{}{}", i == 0 ? "" : ", ", layers[i]->GetName());
     }
+    return names + (layers.size() > most ? ", ..." : "");
+}
+
+// In a source of several layers, such as a folder of shapefiles, those that know what a building is hold the buildings;
+// else somebody has to say which.
+void choose_buildings(std::vector<OGRLayer*>& layers, const std::string& source) {
+    if (layers.size() < 2) return;
+    const auto knows = [](OGRLayer* layer) { return FeatureTags(*layer).can_have("building"); };
+    if (std::any_of(layers.begin(), layers.end(), knows)) {
+        std::erase_if(layers, [&](OGRLayer* layer) { return !knows(layer); });
+        return;
+    }
+    throw refusal(source,
+                  fmt::format("has {} layers of areas ({}) and none says what is a building; name one by --layer",
+                              layers.size(), names_of(layers)));
+}
+
+// The layer of that name alone.
+void choose_layer(std::vector<OGRLayer*>& layers, const std::string& name, const std::string& source) {
+    const std::vector<OGRLayer*> all = layers;
+    std::erase_if(layers, [&](OGRLayer* layer) { return layer->GetName() != name; });
+    if (!layers.empty()) return;
+    throw refusal(source, fmt::format("has no layer {}; it has {}", quoted(name), names_of(all)));
+}
+
+std::vector<OGRLayer*> layers_of(GDALDataset& file, Kind kind, const ObstacleChoice& choice,
+                                 const std::string& source) {
+    std::vector<OGRLayer*> layers(file.GetLayers().begin(), file.GetLayers().end());
+    if (!choice.layer.empty()) choose_layer(layers, choice.layer, source);
+    std::erase_if(layers, [&](OGRLayer* layer) {
+        const OGRwkbGeometryType type = layer->GetGeomType();
+        return !is_of(kind, type) && wkbFlatten(type) != wkbUnknown;
+    });
     // The OSM driver sorts a file's objects into five layers at once and would hoard those nobody reads. Other lines
     // than those of its layer `lines` come in layers of relations.
     if (EQUAL(file.GetDriverName(), "OSM")) {
@@ -35,6 +70,7 @@ std::vector<OGRLayer*> layers_of(GDALDataset& file, Kind kind) {
         const std::string only = std::string("SET interest_layers = ") + name;
         file.ReleaseResultSet(file.ExecuteSQL(only.c_str(), nullptr, nullptr));
     }
+    if (choice.obstacles.empty()) choose_buildings(layers, source);
     return layers;
 }
 
@@ -83,7 +119,7 @@ void for_each_obstacle(OGRLayer& layer, Kind kind, const ObstacleChoice& choice,
     for (const OGRFeatureUniquePtr& feature : layer) {
         if (selection.takes(*feature)) visit(*feature, tags);
     }
-    if (gdal.failed()) throw refusal(source, "is damaged or cut short: " + gdal.failure());
+    require_read(gdal, source);
 }
 
 ObstacleAttributes attributes_of(const OGRFeature& feature, const FeatureTags& tags, const ObstacleChoice& choice) {
@@ -114,10 +150,11 @@ std::string name_of(const OGRFeature& feature, const FeatureTags& tags) {
 
 // The obstacles of a layer whose bounding boxes meet `bounds`, in the layer's own coordinates, not measured yet.
 std::vector<Footprint> scan(OGRLayer& layer, Kind kind, const ObstacleChoice& choice, const OGREnvelope& bounds,
-                            const std::string& source) {
+                            const std::string& source, FilterUse& use) {
     std::vector<Footprint> found;
     layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);
     for_each_obstacle(layer, kind, choice, source, [&](OGRFeature& feature, const FeatureTags& tags) {
+        use.see(feature, tags);
         Footprint& footprint = found.emplace_back();
         footprint.attributes = attributes_of(feature, tags, choice);
         footprint.name = name_of(feature, tags);
@@ -151,7 +188,7 @@ std::string whereabouts(const std::vector<Kind>& kinds, const ObstacleChoice& ch
     OGREnvelope everywhere;
     for (const Kind kind : kinds) {
         const GDALDatasetUniquePtr file = open_source(source);
-        for (OGRLayer* layer : layers_of(*file, kind)) {
+        for (OGRLayer* layer : layers_of(*file, kind, choice, source)) {
             OGREnvelope extent;
             for_each_obstacle(*layer, kind, choice, source, [&](const OGRFeature& feature, const FeatureTags&) {
                 OGREnvelope box;
@@ -168,15 +205,45 @@ std::string whereabouts(const std::vector<Kind>& kinds, const ObstacleChoice& ch
                        everywhere.MinY, everywhere.MaxX, everywhere.MaxY);
 }
 
+// A filter without a match in the window may have one elsewhere: looks through the whole source.
+void require_matches(const std::vector<Kind>& kinds, const ObstacleChoice& choice, const std::string& source,
+                     FilterUse& use) {
+    for (const Kind kind : kinds) {
+        if (use.all_used()) return;
+        const GDALDatasetUniquePtr file = open_source(source);
+        for (OGRLayer* layer : layers_of(*file, kind, choice, source)) {
+            for_each_obstacle(*layer, kind, choice, source,
+                              [&](const OGRFeature& feature, const FeatureTags& tags) { use.see(feature, tags); });
+        }
+    }
+    use.require_all(source);
+}
+
+// The part of the world that the source has data of, as far as it says so without being read, in the window's system.
+OGREnvelope extent_of(GDALDataset& file, const Window& window) {
+    const GdalScope gdal;
+    const bool osm = EQUAL(file.GetDriverName(), "OSM");
+    OGREnvelope all;
+    for (OGRLayer* layer : file.GetLayers()) {
+        OGREnvelope extent;
+        const OGRSpatialReference* system = layer->GetSpatialRef();
+        if (!system || layer->GetExtent(&extent, osm ? FALSE : TRUE) != OGRERR_NONE) continue;
+        if (const auto box = transformed(extent, *system, window.system)) all.Merge(*box);
+    }
+    return all;
+}
+
 // Appends what one scan finds; false if the source has no layer of that kind.
 bool read(Kind kind, const std::string& source, const Window& window, const ObstacleChoice& choice, double line_width,
-          Footprints& result) {
+          FilterUse& use, Footprints& result) {
     const GDALDatasetUniquePtr file = open_source(source);
-    const std::vector<OGRLayer*> layers = layers_of(*file, kind);
+    const std::vector<OGRLayer*> layers = layers_of(*file, kind, choice, source);
+    result.extent.Merge(extent_of(*file, window));
     for (OGRLayer* layer : layers) {
         const OGRSpatialReference& system = system_of(*layer, source);
         const OGREnvelope bounds = bounds_in(system, window, source);
-        for (Footprint& footprint : placed(scan(*layer, kind, choice, bounds, source), system, window, line_width)) {
+        for (Footprint& footprint :
+             placed(scan(*layer, kind, choice, bounds, source, use), system, window, line_width)) {
             result.list.push_back(std::move(footprint));
         }
         result.from_osm = result.from_osm || FeatureTags(*layer).from_osm();
@@ -204,11 +271,13 @@ Footprints read_footprints(const std::string& source, const Window& window, cons
     std::vector<Kind> kinds{Kind::areas};
     if (choice.wants_lines()) kinds.push_back(Kind::lines);
     Footprints result;
+    FilterUse use(choice);
     bool any = false;
     for (const Kind kind : kinds) {
-        any = read(kind, source, window, choice, std::max(choice.wall_width, cell), result) || any;
+        any = read(kind, source, window, choice, std::max(choice.wall_width, cell), use, result) || any;
     }
     if (!any) throw refusal(source, "has no polygons; buildings are expected as polygons");
+    require_matches(kinds, choice, source, use);
     if (result.list.empty()) {
         throw refusal(source, fmt::format("has no {} in the window; {}",
                                           choice.obstacles.empty() ? "building" : "obstacle of that kind",

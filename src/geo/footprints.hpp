@@ -23,10 +23,12 @@ struct Footprint {
 struct Footprints {
     std::vector<Footprint> list;  // in the source's order, areas before lines
     bool from_osm = false;        // the source is made of OpenStreetMap data
+    OGREnvelope extent = {};      // what the source has data of, in the window's system; empty if it does not say
 };
 
 // One scan of the source, and another for lines if they are wanted; `cell` is the least width of lines. Throws
-// InputError if it cannot be read, holds nothing of that kind, or nothing in the window: then says where its data lies.
+// InputError if it cannot be read, holds nothing of that kind, or nothing in the window: then says where its data lies;
+// also if a filter matches nothing in the whole source.
 Footprints read_footprints(const std::string& source, const Window& window, const ObstacleChoice& choice, double cell);
 
 // Of a shape's part within a rectangle.

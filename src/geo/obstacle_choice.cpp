@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/quoted.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -12,19 +13,38 @@ bool TagFilter::accepts(const std::string& value) const {
     return value != "no" && (values.empty() || std::find(values.begin(), values.end(), value) != values.end());
 }
 
-TagFilter parse_tag_filter(const std::string& text) {
-    const std::size_t equals = std::min(text.find('='), text.size());
-    TagFilter filter{.key = text.substr(0, equals)};
-    const bool quote = filter.key.find_first_of("\"'\\") != std::string::npos;
-    for (std::size_t begin = equals + 1; begin <= text.size();) {
+std::string TagFilter::text() const {
+    std::string text = key;
+    for (std::size_t i = 0; i < values.size(); ++i) text += (i == 0 ? "=" : ",") + values[i];
+    return text;
+}
+
+std::vector<TagFilter> parse_tag_filters(const std::string& text) {
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(quoted(text) + why + ": a filter is KEY or KEY=VALUE,... such as barrier=wall,fence");
+    };
+    std::vector<TagFilter> filters;
+    for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
-        filter.values.push_back(text.substr(begin, end - begin));
+        const std::string part = text.substr(begin, end - begin);
         begin = end + 1;
+        const std::size_t equals = part.find('=');
+        if (equals == std::string::npos && !filters.empty() && !filters.back().values.empty()) {
+            if (part == "building") {
+                refuse(" takes building for a value of " + filters.back().key +
+                       "; put it first, or in an option of its own");
+            }
+            filters.back().values.push_back(part);
+        } else {
+            filters.push_back({.key = part.substr(0, equals)});
+            if (equals != std::string::npos) filters.back().values.push_back(part.substr(equals + 1));
+        }
+        const TagFilter& filter = filters.back();
+        const bool quote = filter.key.find_first_of("\"'\\") != std::string::npos;
+        const bool nothing = filter.key.empty() || (!filter.values.empty() && filter.values.back().empty());
+        if (quote || nothing) refuse(" is no filter for tags");
     }
-    if (filter.key.empty() || quote || std::count(filter.values.begin(), filter.values.end(), "") > 0) {
-        throw InputError("'" + text + "' is no filter for tags: KEY or KEY=VALUE,... such as barrier=wall,fence");
-    }
-    return filter;
+    return filters;
 }
 
 Quantity parse_quantity(const std::string& text) {
@@ -36,7 +56,7 @@ Quantity parse_quantity(const std::string& text) {
         if (error != std::errc() || rest != end) quantity.factor = 0;
     }
     if (quantity.of.empty() || !std::isfinite(quantity.factor) || !(quantity.factor > 0)) {
-        throw InputError("'" + text + "' is no quantity: area or a tag, with *FACTOR if it is to be scaled");
+        throw InputError(quoted(text) + " is no quantity: area or a tag, with *FACTOR if it is to be scaled");
     }
     return quantity;
 }

@@ -14,10 +14,12 @@ struct TagFilter {
     std::string key;
     std::vector<std::string> values = {};  // any, if empty
     bool accepts(const std::string& value) const;
+    std::string text() const;  // KEY or KEY=VALUE,...
 };
 
-// Throws InputError unless the text is KEY or KEY=VALUE,...
-TagFilter parse_tag_filter(const std::string& text);
+// One or more of KEY and KEY=VALUE,... with commas between: what follows a KEY=VALUE and has no = is another value of
+// that key. Throws InputError if it is something else.
+std::vector<TagFilter> parse_tag_filters(const std::string& text);
 
 // A number of each obstacle: its area in the window, in square metres, or what a tag says, times a factor.
 struct Quantity {
@@ -35,6 +37,7 @@ struct ObstacleChoice {
     Quantity weight = {};                      // 1 where the tag says no number above 0
     Quantity breach_time = {};                 // 0 where the tag says no number
     double wall_width = 0;                     // of features that are lines, in metres; at least a cell
+    std::string layer = {};                    // of the source, the only one that is read for obstacles; empty: all
 
     // Whether lines can be obstacles; buildings are areas.
     bool wants_lines() const;

@@ -172,7 +172,7 @@ std::vector<Sight> read_scenery(const std::string& source, const Window& window)
         if (layer == layers.end()) continue;
         if (std::optional<Sight> sight = layer->second.sight(*read.feature)) scenery.push_back(std::move(*sight));
     }
-    if (gdal.failed()) throw refusal(source, "is damaged or cut short: " + gdal.failure());
+    require_read(gdal, source);
     return scenery;
 }
 

@@ -1,21 +1,49 @@
 #include "geo/vector_source.hpp"
 
-#include <array>
+#include <string>
 
 #include "geo/gdal_scope.hpp"
+#include "geo/osm_root.hpp"
 
 namespace waybreaker::geo {
 namespace {
 
-// GDAL finds out about compressed files by the prefix of their path only.
-std::string gdal_path(const std::string& source) {
-    std::array<unsigned char, 2> magic{};
-    if (VSILFILE* file = VSIFOpenL(source.c_str(), "rb")) {
-        VSIFReadL(magic.data(), 1, magic.size(), file);
+constexpr const char* index_option = "OSM_USE_CUSTOM_INDEXING";
+
+// The first bytes of a file, unpacked where the path says so.
+std::string head_of(const std::string& path, std::size_t bytes) {
+    std::string head(bytes, '\0');
+    std::size_t length = 0;
+    if (VSILFILE* file = VSIFOpenL(path.c_str(), "rb")) {
+        length = VSIFReadL(head.data(), 1, head.size(), file);
         VSIFCloseL(file);
     }
-    const bool gzip = magic == std::array<unsigned char, 2>{0x1f, 0x8b};
-    return gzip ? "/vsigzip/" + source : source;
+    head.resize(length);
+    return head;
+}
+
+// GDAL finds out about compressed files by the prefix of their path only, and about OpenStreetMap's XML only if its
+// root stands in the first kilobyte.
+std::string gdal_path(const std::string& source) {
+    constexpr std::size_t longest_prologue = std::size_t{1} << 20;
+    constexpr std::size_t seen_by_gdal = 1000;
+    const GdalScope gdal;
+    const bool gzip = head_of(source, 2) == "\x1f\x8b";
+    const std::string path = gzip ? "/vsigzip/" + source : source;
+    const std::optional<std::size_t> root = osm_root(head_of(path, longest_prologue));
+    return root && *root > seen_by_gdal ? "/vsisubfile/" + std::to_string(*root) + "," + path : path;
+}
+
+// What can be done about a file that GDAL does not read.
+std::string remedy(const std::string& source) {
+    const GdalScope gdal;
+    const std::string head = head_of(source, 6);
+    if (head.starts_with("BZh")) return "is packed with bzip2; unpack it with 'bunzip2 -k'";
+    if (head.starts_with("\xfd"
+                         "7zXZ"))
+        return "is packed with xz; unpack it with 'unxz -k'";
+    if (head.starts_with("\x28\xb5\x2f\xfd")) return "is packed with Zstandard; unpack it with 'unzstd -k'";
+    return "";
 }
 
 }  // namespace
@@ -25,14 +53,34 @@ InputError refusal(const std::string& source, const std::string& message) {
 }
 
 GDALDatasetUniquePtr open_source(const std::string& source) {
+    VSIStatBufL status;
+    if (VSIStatL(source.c_str(), &status) != 0) throw refusal(source, "no such file");
+    if (const std::string what = remedy(source); !what.empty()) throw refusal(source, what);
     const GdalScope gdal;
     GDALAllRegister();
     GDALDatasetUniquePtr file(GDALDataset::Open(gdal_path(source).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
     if (file) return file;
-    VSIStatBufL status;
-    if (VSIStatL(source.c_str(), &status) != 0) throw refusal(source, "no such file");
+    if (VSI_ISDIR(status.st_mode))
+        throw refusal(source, "is a folder that is no map data as a whole; name one of its files");
     throw refusal(source, "cannot be read as map data (.osm.pbf, .osm, .osm.gz, shapefile, GeoJSON, ...)" +
                               (gdal.failed() ? ": " + gdal.failure() : std::string()));
+}
+
+AnyOrderOfNodes::AnyOrderOfNodes() {
+    if (const char* former = CPLGetThreadLocalConfigOption(index_option, nullptr)) former_ = former;
+    CPLSetThreadLocalConfigOption(index_option, "NO");
+}
+
+AnyOrderOfNodes::~AnyOrderOfNodes() {
+    CPLSetThreadLocalConfigOption(index_option, former_ ? former_->c_str() : nullptr);
+}
+
+void require_read(const GdalScope& gdal, const std::string& source) {
+    if (!gdal.failed()) return;
+    const std::string failure = gdal.failure();
+    const std::string message = source + ": is damaged or cut short: " + failure;
+    if (failure.find(index_option) != std::string::npos) throw NodesOutOfOrder(message);
+    throw InputError(message);
 }
 
 bool is_area(OGRwkbGeometryType type) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "geo/gdal_scope.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -20,8 +21,31 @@ struct Window {
 
 InputError refusal(const std::string& source, const std::string& message);
 
-// Also of gzipped files. Throws InputError if it cannot be read.
+// Also of gzipped files, and of OpenStreetMap's XML that begins with long comments. Throws InputError if it cannot be
+// read.
 GDALDatasetUniquePtr open_source(const std::string& source);
+
+// What GDAL stumbles over in an OpenStreetMap file whose nodes are not in the order of their ids, or new ones, with ids
+// below 0, of an editor: its own index of nodes, which is fast, but does not take these.
+class NodesOutOfOrder : public InputError {
+  public:
+    using InputError::InputError;
+};
+
+// While it lives, GDAL on this thread does without that index.
+class AnyOrderOfNodes {
+  public:
+    AnyOrderOfNodes();
+    ~AnyOrderOfNodes();
+    AnyOrderOfNodes(const AnyOrderOfNodes&) = delete;
+    AnyOrderOfNodes& operator=(const AnyOrderOfNodes&) = delete;
+
+  private:
+    std::optional<std::string> former_;
+};
+
+// Throws NodesOutOfOrder or InputError if GDAL has failed while it read the source.
+void require_read(const GdalScope& gdal, const std::string& source);
 
 bool is_area(OGRwkbGeometryType type);
 bool is_line(OGRwkbGeometryType type);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/quoted.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -60,13 +61,6 @@ std::optional<Number> number(std::string_view word) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
     return value;
-}
-
-// A foreign word for an error message: its first characters, with nothing that a terminal would obey.
-inline std::string quoted(std::string_view word) {
-    std::string text = "'";
-    for (const char c : word.substr(0, 32)) text += c >= ' ' && c <= '~' ? c : '?';
-    return text + (word.size() > 32 ? "...'" : "'");
 }
 
 }  // namespace waybreaker

@@ -9,6 +9,7 @@
 
 #include "geo/city_import.hpp"
 #include "geo/feature_tags.hpp"
+#include "input_error.hpp"
 #include "temporary_folder.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/plan.hpp"
@@ -236,16 +237,33 @@ TEST_F(ObstacleChoices, AreTheSameInTiles) {
     EXPECT_THROW(import_tiles(source_, options, 130, [](const ImportTile&) {}), InputError);
 }
 
+std::vector<std::string> filters_in(const std::string& text) {
+    std::vector<std::string> texts;
+    for (const TagFilter& filter : parse_tag_filters(text)) texts.push_back(filter.text());
+    return texts;
+}
+
 TEST(TagFilters, AreKeysWithOrWithoutValues) {
-    EXPECT_EQ(parse_tag_filter("building").key, "building");
-    EXPECT_TRUE(parse_tag_filter("building").values.empty());
-    EXPECT_EQ(parse_tag_filter("barrier=wall,fence").values, (std::vector<std::string>{"wall", "fence"}));
-    EXPECT_TRUE(parse_tag_filter("building").accepts("yes"));
-    EXPECT_FALSE(parse_tag_filter("building").accepts("no"));
-    EXPECT_FALSE(parse_tag_filter("barrier=wall").accepts("fence"));
-    for (const char* bad : {"", "=", "=wall", "barrier=", "barrier=wall,", "a\"b", "a'b=c"}) {
-        EXPECT_THROW(parse_tag_filter(bad), InputError) << bad;
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(filters_in("building"), Texts{"building"});
+    EXPECT_EQ(filters_in("barrier=wall,fence"), Texts{"barrier=wall,fence"});
+    EXPECT_EQ(filters_in("building,natural=water"), (Texts{"building", "natural=water"}));
+    EXPECT_EQ(filters_in("building,man_made,natural=water,wood,barrier=wall,fence"),
+              (Texts{"building", "man_made", "natural=water,wood", "barrier=wall,fence"}));
+    EXPECT_TRUE(parse_tag_filters("building")[0].accepts("yes"));
+    EXPECT_FALSE(parse_tag_filters("building")[0].accepts("no"));
+    EXPECT_FALSE(parse_tag_filters("barrier=wall")[0].accepts("fence"));
+    for (const char* bad : {"", "=", "=wall", "barrier=", "barrier=wall,", "a\"b", "a'b=c", ",", "building,",
+                            ",building", "a=b,,c", "building,=water"}) {
+        EXPECT_THROW(parse_tag_filters(bad), InputError) << bad;
     }
+    // A building is hardly meant to be a kind of water.
+    EXPECT_NE(input_error([] {
+                  parse_tag_filters("natural=water,building");
+              }).find("takes building for a value of natural; put it first"),
+              std::string::npos);
+    EXPECT_LT(input_error([] { parse_tag_filters(std::string(100000, '=')); }).size(), 200U);
+    EXPECT_LT(input_error([] { parse_quantity(std::string(100000, '*')); }).size(), 200U);
 }
 
 TEST(TagFilters, ReadQuantities) {

@@ -1,0 +1,17 @@
+// What somebody else wrote, in a message of ours.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace waybreaker {
+
+// A foreign word for an error message: its first characters, with nothing that a terminal would obey.
+inline std::string quoted(std::string_view word) {
+    constexpr std::size_t most = 32;
+    std::string text = "'";
+    for (const char c : word.substr(0, most)) text += c >= ' ' && c <= '~' ? c : '?';
+    return text + (word.size() > most ? "...'" : "'");
+}
+
+}  // namespace waybreaker

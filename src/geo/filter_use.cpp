@@ -1,0 +1,38 @@
+#include "geo/filter_use.hpp"
+
+#include <fmt/format.h>
+
+#include "core/quoted.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::geo {
+
+FilterUse::FilterUse(const ObstacleChoice& choice) {
+    for (const TagFilter& tag : choice.obstacles) unused_.push_back({"--obstacles", tag});
+    for (const TagFilter& tag : choice.destructible) unused_.push_back({"--destructible", tag});
+    for (const TagFilter& tag : choice.protect) unused_.push_back({"--protected", tag});
+    const auto add = [this](const char* option, const Quantity& quantity) {
+        if (!quantity.of.empty() && quantity.of != "area") unused_.push_back({option, {.key = quantity.of}, true});
+    };
+    add("--obstacle-weight", choice.weight);
+    add("--obstacle-breach-time", choice.breach_time);
+}
+
+void FilterUse::see(const OGRFeature& feature, const FeatureTags& tags) {
+    std::erase_if(unused_, [&](const Filter& filter) {
+        return filter.number ? tags.number(feature, filter.tag.key).value_or(0) > 0
+                             : tags.matches_any(feature, {filter.tag});
+    });
+}
+
+void FilterUse::require_all(const std::string& source) const {
+    if (all_used()) return;
+    const Filter& filter = unused_.front();
+    const char* const nothing = filter.option == "--obstacles" ? "no area or line of {} is that"
+                                : filter.number                ? "no obstacle of {} says a number above 0 there"
+                                                               : "no obstacle of {} is that";
+    throw InputError(fmt::format("{} {}: {}; is it spelt as the source has it?", filter.option,
+                                 quoted(filter.tag.text()), fmt::format(fmt::runtime(nothing), source)));
+}
+
+}  // namespace waybreaker::geo

@@ -1,0 +1,31 @@
+// Which of somebody's filters have matched anything yet, so that a misspelt one is told from one that is only rare.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geo/feature_tags.hpp"
+#include "geo/obstacle_choice.hpp"
+
+namespace waybreaker::geo {
+
+class FilterUse {
+  public:
+    explicit FilterUse(const ObstacleChoice& choice);
+
+    // Takes note of an obstacle.
+    void see(const OGRFeature& feature, const FeatureTags& tags);
+    bool all_used() const { return unused_.empty(); }
+    // Throws InputError that names the first filter that matched nothing; `source` is all that was seen.
+    void require_all(const std::string& source) const;
+
+  private:
+    struct Filter {
+        std::string option;
+        TagFilter tag;
+        bool number = false;  // what is wanted is a number above 0 there
+    };
+    std::vector<Filter> unused_;
+};
+
+}  // namespace waybreaker::geo
