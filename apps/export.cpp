@@ -48,7 +48,7 @@ void run(const ExportOptions& options) {
     outputs.emplace_back("--html", options.html);
     require_distinct(outputs);
     if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
-        throw InputError("nothing to write: give --geojson, --csv, --ros-path, --xml or --html");
+        throw InputError("nothing to write: give --geojson, --csv, --ros-path, --opened-map, --xml or --html");
     }
     const std::string text = io::read_whole(options.plan, io::max_plan_bytes);
     const io::PlanFile plan = io::parse_plan(text, options.plan);

@@ -1,12 +1,10 @@
 // `waybreaker map convert`: a map in another format.
-#include <fmt/format.h>
-
-#include <cstdio>
-
 #include "commands.hpp"
+#include "format_losses.hpp"
 #include "help.hpp"
 #include "io/map_writer.hpp"
 #include "io/output_file.hpp"
+#include "io/relabelled_map.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 
@@ -18,6 +16,7 @@ struct MapConvertOptions {
     std::string out;
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;
+    std::vector<ObstacleId> without;
 };
 
 io::MapFile read_map(const MapConvertOptions& options) {
@@ -26,11 +25,10 @@ io::MapFile read_map(const MapConvertOptions& options) {
 }
 
 void run(const MapConvertOptions& options) {
-    const io::WrittenMap written = io::write_map(read_map(options), options.out);
+    const io::WrittenMap written =
+        io::write_map(io::without_obstacles(read_map(options), options.without), options.out);
     for (const io::OutputFile& file : written.files) io::write_whole(file.path, file.bytes);
-    for (const std::string& loss : written.losses) {
-        std::fputs(fmt::format("waybreaker: note: {}: {}\n", options.out, loss).c_str(), stderr);
-    }
+    tell_losses(options.out, written.losses);
 }
 
 }  // namespace
@@ -48,7 +46,9 @@ void setup_map_convert(CLI::App& map, Run& run_chosen) {
     add_file(*command, "OUT", options->out, "The map to write")->required();
     add_connectivity(*command, options->connectivity);
     add_image_reading(*command, options->image);
+    add_obstacles(*command, "--without", options->without, "Leave these obstacles out: the map after their removal");
     set_examples(*command, {"waybreaker map convert data/turin.tif turin.yaml",
+                            "waybreaker map convert floor.yaml opened.yaml --without 4,17",
                             "waybreaker map convert floor.png floor.map --threshold 0.8"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }

@@ -57,9 +57,9 @@ std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
         text += line("projection", file.georeference->crs_name());
         text += line("centre", fmt::format("longitude {:.6f}, latitude {:.6f}", longitude, latitude));
     }
-    if (file.ros) {
-        text += line("origin", fmt::format("{:.6g}, {:.6g} (lower left, in metres)", file.ros->yaml.origin[0],
-                                           file.ros->yaml.origin[1]));
+    if (file.origin) {
+        const auto [x, y] = *file.origin;
+        text += line("origin", fmt::format("{:.6g}, {:.6g} (lower left, in metres)", x, y));
     }
     if (file.task && file.task->start)
         text += line("start", fmt::format("{},{}", file.task->start->x, file.task->start->y));

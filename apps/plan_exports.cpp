@@ -2,21 +2,41 @@
 
 #include <fmt/format.h>
 
+#include "format_losses.hpp"
+#include "io/map_writer.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_ros_path.hpp"
 #include "io/plan_xml.hpp"
+#include "io/relabelled_map.hpp"
 #include "option.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
+namespace {
+
+std::vector<io::OutputFile> opened_map(const std::string& path, const Plan& plan, const io::MapFile& map) {
+    std::vector<ObstacleId> removed;
+    for (const Removal& removal : plan.removed) removed.push_back(removal.obstacle);
+    io::WrittenMap written = io::write_map(io::without_obstacles(map, removed), path);
+    tell_losses(path, written.losses);
+    return std::move(written.files);
+}
+
+}  // namespace
 
 void add_plan_exports(CLI::App& command, PlanExports& exports) {
     add_file(command, "--geojson", exports.geojson,
              "Write paths, breach points and removed obstacles in longitude and latitude, for GIS");
     add_file(command, "--csv", exports.csv, "Write the timed waypoints: cells, metres, longitude and latitude");
     add_file(command, "--ros-path", exports.ros_path,
-             "Write the paths as YAML of ROS's nav_msgs/Path, in metres of the map's frame");
+             "Write the paths as YAML of ROS's nav_msgs/Path, one for each agent, in metres of the map's frame");
+    add_number(
+        command, "--step", [&exports](double metres) { exports.step = metres; }, 0, "METRES",
+        "Most distance between two poses of --ros-path; corners have one in any case (default: the side of a cell)")
+        ->needs("--ros-path");
+    add_file(command, "--opened-map", exports.opened_map,
+             "Write the map after the removals, in the format that the file's name ends in, as waybreaker map convert");
     add_file(command, "--xml", exports.xml, "Write the log of the authors' program");
 }
 
@@ -24,6 +44,7 @@ std::vector<std::pair<std::string, std::string>> named_outputs(const PlanExports
     return {{"--geojson", exports.geojson},
             {"--csv", exports.csv},
             {"--ros-path", exports.ros_path},
+            {"--opened-map", exports.opened_map},
             {"--xml", exports.xml}};
 }
 
@@ -44,8 +65,13 @@ std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& 
     std::vector<std::pair<std::string, std::string>> files;
     if (!exports.geojson.empty()) files.emplace_back(exports.geojson, io::plan_geojson(plan, map));
     if (!exports.csv.empty()) files.emplace_back(exports.csv, io::plan_csv(plan, map));
-    if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map));
+    if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map, exports.step));
     if (!exports.xml.empty()) files.emplace_back(exports.xml, io::plan_xml(plan, map, search));
+    if (!exports.opened_map.empty()) {
+        for (io::OutputFile& file : opened_map(exports.opened_map, plan, map)) {
+            files.emplace_back(std::move(file.path), std::move(file.bytes));
+        }
+    }
     return files;
 }
 

@@ -1,6 +1,7 @@
 // The formats that others take plans in: what `waybreaker plan` and `waybreaker export` have in common.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,8 @@ struct PlanExports {
     std::string geojson;
     std::string csv;
     std::string ros_path;
+    std::optional<double> step;  // of the ROS path, in metres
+    std::string opened_map;
     std::string xml;
 };
 

@@ -134,7 +134,14 @@ Grid grid_of(int width, int height, const std::vector<std::uint32_t>& labels) {
 struct Place {
     double cell_size = 1;
     std::optional<Georeference> georeference;
+    std::optional<std::array<double, 2>> origin;
 };
+
+// To a nanometre: the file holds the upper-left corner, and the way from there and back rounds.
+double as_written(double metres) {
+    constexpr double nanometres = 1e9;
+    return std::round(metres * nanometres) / nanometres + 0.0;
+}
 
 Place read_place(GDALDataset& file, const std::string& name) {
     Place place;
@@ -155,7 +162,10 @@ Place read_place(GDALDataset& file, const std::string& name) {
     }
     place.cell_size = cell_x;
     const OGRSpatialReference* system = file.GetSpatialRef();
-    if (system == nullptr) return place;
+    if (system == nullptr) {
+        place.origin = {as_written(west), as_written(north + file.GetRasterYSize() * cell_y)};
+        return place;
+    }
     if (system->IsGeographic()) {
         throw refusal(name,
                       "has cells in degrees, which are not square on the ground; project it with "
@@ -206,6 +216,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
                                : Map::from_labels(width, height, std::move(labels), attributes),
                    .cell_size = place.cell_size,
                    .georeference = std::move(place.georeference),
+                   .origin = place.origin,
                    .attribution = metadata(*file, attribution_item),
                    .title = metadata(*file, title_item),
                    .background = std::move(background),
@@ -233,7 +244,8 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
         driver.Create(memory.path().c_str(), width, height, 1, short_ids ? GDT_UInt16 : GDT_UInt32, options.List()));
     if (!file) throw InputError("cannot make a GeoTIFF: " + gdal.failure());
 
-    std::array<double, 6> transform{0, tiff.cell_size, 0, 0, 0, -tiff.cell_size};
+    const auto [west, south] = tiff.origin.value_or(std::array<double, 2>{});
+    std::array<double, 6> transform{west, tiff.cell_size, 0, south + height * tiff.cell_size, 0, -tiff.cell_size};
     if (tiff.georeference) {
         transform = tiff.georeference->transform;
         const OGRSpatialReference system(tiff.georeference->crs.c_str());

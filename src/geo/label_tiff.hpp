@@ -6,6 +6,7 @@
 // items, which gdal_translate copies too: see docs/data.md.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,8 @@ struct LabelTiff {
     Map map;
     double cell_size = 1;  // metres per cell
     std::optional<Georeference> georeference = {};
+    // Without a coordinate system: the lower-left corner, in metres of the frame that a robot knows the map in.
+    std::optional<std::array<double, 2>> origin = {};
     std::string attribution = {};  // of the source data; may be empty
     std::string title = {};        // place and window, for captions; may be empty
     ObstacleNames names = {};      // what people call the obstacles

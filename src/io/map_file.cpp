@@ -28,11 +28,17 @@ bool is_xml(std::string_view bytes) {
     return first != std::string_view::npos && bytes[first] == '<';
 }
 
-MapFile labelled(Grid grid, Connectivity connectivity, std::string format) {
+// The map that `make` makes, with the time that takes.
+template <class Make>
+MapFile timed(Make make, std::string format) {
     const auto start = std::chrono::steady_clock::now();
-    MapFile file{.map = Map(std::move(grid), connectivity), .format = std::move(format)};
+    MapFile file{.map = make(), .format = std::move(format)};
     file.label_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return file;
+}
+
+MapFile labelled(Grid grid, Connectivity connectivity, std::string format) {
+    return timed([&] { return Map(std::move(grid), connectivity); }, std::move(format));
 }
 
 // Text holds each cell as a byte at least, so that its grid is small; labels are not.
@@ -53,6 +59,7 @@ MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity 
             .format = tiff.mask ? "GeoTIFF occupancy map" : "GeoTIFF label map",
             .cell_size = tiff.cell_size,
             .georeference = std::move(tiff.georeference),
+            .origin = tiff.origin,
             .attribution = std::move(tiff.attribution),
             .title = std::move(tiff.title),
             .names = std::move(tiff.names),
@@ -84,11 +91,12 @@ MapFile read_ros_map(std::string& text, const std::string& path, Connectivity co
     RosYaml yaml = parse_ros_yaml(text, path);
     const std::string image_path = (std::filesystem::path(path).parent_path() / yaml.image).string();
     std::string image = read_whole(image_path);
-    RosGrid cells = ros_grid(read_image(image, image_path), yaml, reading.threshold.value_or(1), reading.unknown_free);
-    MapFile file = labelled(std::move(cells.grid), connectivity, "ROS map");
+    const RosCells cells = ros_cells(read_image(image, image_path), yaml, reading.threshold.value_or(1));
+    MapFile file = timed([&] { return ros_map(cells, connectivity, reading.unknown_free); }, "ROS map");
     file.digest = sha256_digest(text + image);
     file.cell_size = yaml.resolution;
-    file.unknown = cells.unknown;
+    file.origin = yaml.origin;
+    file.unknown = cells.unknown_count;
     if (cells.frees_unknown) {
         file.notes.push_back(
             "its free_thresh takes the grey of 205, which map savers write for unknown, for free; "

@@ -1,6 +1,7 @@
 // Any map file waybreaker reads, told apart by its content.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,6 +38,8 @@ struct MapFile {
     double cell_size = 1;     // metres per cell
     double label_seconds = 0;
     std::optional<geo::Georeference> georeference = {};
+    // Without a georeference: the lower-left corner, in metres of the frame that a robot knows the map in.
+    std::optional<std::array<double, 2>> origin = {};
     std::string attribution = {};
     std::string title = {};
     geo::ObstacleNames names = {};     // what people call the obstacles

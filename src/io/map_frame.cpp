@@ -4,7 +4,7 @@ namespace waybreaker::io {
 namespace {
 
 Point origin_of(const MapFile& map) {
-    if (map.ros) return {map.ros->yaml.origin[0], map.ros->yaml.origin[1]};
+    if (map.origin) return {map.origin->at(0), map.origin->at(1)};
     if (!map.georeference) return {0, 0};
     const std::array<double, 6>& transform = map.georeference->transform;
     const double metres = map.cell_size / transform[1];  // of a unit of the coordinate system

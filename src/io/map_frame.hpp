@@ -9,7 +9,7 @@ class MapFrame {
   public:
     explicit MapFrame(const MapFile& map);
 
-    // The lower-left corner of the map: as its YAML says, else in the metres of its coordinate system, else 0, 0.
+    // The lower-left corner of the map: as its file says, else in the metres of its coordinate system, else 0, 0.
     Point origin() const { return origin_; }
 
     // Of a point in cell units.

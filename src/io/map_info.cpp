@@ -39,7 +39,7 @@ std::string map_info_json(const MapFile& file) {
         count = count.get<int>() + 1;
     }
     json["unknown"] = file.unknown;
-    json["origin"] = file.ros ? Json(file.ros->yaml.origin) : Json();
+    json["origin"] = file.origin ? Json(*file.origin) : Json();
     json["georeference"] = nullptr;
     if (file.georeference) {
         const auto affine = geo::affine_to_lon_lat(*file.georeference, file.map.width(), file.map.height());

@@ -26,6 +26,7 @@ struct Format {
     const char* name;
     bool obstacles;  // which cell belongs to which, their source ids and names, what cannot be destroyed
     bool place;      // coordinate system
+    bool origin;     // in a robot's frame
     bool cell_size;
     bool mission;  // start, goal, search options
     bool title;
@@ -34,15 +35,15 @@ struct Format {
 };
 
 constexpr std::array<Format, 9> formats{{
-    {".map", "MovingAI map", false, false, false, false, false, false, false},
-    {".xml", "XML task file", false, false, true, true, true, false, false},
-    {".tif", "GeoTIFF", true, true, true, false, true, true, true},
-    {".tiff", "GeoTIFF", true, true, true, false, true, true, true},
-    {".geojson", "GeoJSON", true, true, false, false, true, true, false},
-    {".yaml", "ROS map", false, false, true, false, false, false, false},
-    {".yml", "ROS map", false, false, true, false, false, false, false},
-    {".png", "PNG", false, false, false, false, false, false, false},
-    {".pgm", "PGM", false, false, false, false, false, false, false},
+    {".map", "MovingAI map", false, false, false, false, false, false, false, false},
+    {".xml", "XML task file", false, false, false, true, true, true, false, false},
+    {".tif", "GeoTIFF", true, true, true, true, false, true, true, true},
+    {".tiff", "GeoTIFF", true, true, true, true, false, true, true, true},
+    {".geojson", "GeoJSON", true, true, false, false, false, true, true, false},
+    {".yaml", "ROS map", false, false, true, true, false, false, false, false},
+    {".yml", "ROS map", false, false, true, true, false, false, false, false},
+    {".png", "PNG", false, false, false, false, false, false, false, false},
+    {".pgm", "PGM", false, false, false, false, false, false, false, false},
 }};
 
 const Format& format_of(const std::string& path) {
@@ -82,10 +83,11 @@ std::vector<std::string> losses_of(const MapFile& map, const Format& format) {
         if (!held && !what.empty()) losses.push_back(std::string("a ") + format.name + " does not hold " + what);
     };
     const bool as_ros = map.ros && std::string_view(format.name) == "ROS map";
-    lose(format.obstacles, lost_obstacles(map));
+    lose(format.obstacles || as_ros, lost_obstacles(map));
     lose(format.place || !map.georeference, "the coordinate system");
     lose(format.cell_size || map.cell_size == 1, "the size of a cell");
-    lose(as_ros || !map.ros, "the origin of the map");
+    constexpr std::array<double, 2> usual_origin{};
+    lose(format.origin || map.origin.value_or(usual_origin) == usual_origin, "the origin of the map");
     lose(as_ros || map.unknown == 0, "that cells are unknown: they are written as they were taken, blocked or free");
     lose(format.mission || !map.task || !map.task->start, "start, goal and search options");
     lose(format.background || map.background.features.empty(),
@@ -145,6 +147,7 @@ std::string bytes_of(const MapFile& map, std::string_view extension) {
     return geo::label_tiff_bytes({.map = map.map,
                                   .cell_size = map.cell_size,
                                   .georeference = map.georeference,
+                                  .origin = map.origin,
                                   .attribution = map.attribution,
                                   .title = map.title,
                                   .names = map.names,

@@ -1,73 +1,133 @@
 #include "io/plan_ros_path.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "io/map_frame.hpp"
 #include "io/shortest_text.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
 namespace {
 
-// To a millionth, which is enough for metres and quaternions; always with a decimal point, as ROS asks of a float.
-std::string real(double value) {
-    constexpr double millionths = 1e6;
-    const std::string text = shortest_text(std::round(value * millionths) / millionths + 0.0);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+constexpr double most_poses = 1e6;
+constexpr double last_second = 2147483647;  // that a stamp can say
+
+// A point of the way, in metres.
+struct Pose {
+    Point at;
+    double t = 0;  // seconds
+    double yaw = 0;
+};
+
+// Always with a decimal point and never with an exponent: YAML 1.1 takes 1 for a whole number and 1e-06 for a text.
+std::string real(double value, int digits) {
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    text.erase(std::max(text.find_last_not_of('0'), text.find('.') + 1) + 1);
+    return text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos ? text.substr(1) : text;
 }
 
-std::string header(double seconds, const std::string& indent) {
-    constexpr double last = 2147483647;  // what ROS counts to
-    const auto all = std::int64_t(std::clamp(seconds, 0.0, last) * 1e9);
-    const std::int64_t second = 1000000000;
-    return "header:\n" + indent + "  stamp: {sec: " + std::to_string(all / second) +
-           ", nanosec: " + std::to_string(all % second) + "}\n" + indent + "  frame_id: map\n";
+std::string header(double seconds) {
+    constexpr std::int64_t second = 1000000000;
+    const std::int64_t all = std::llround(seconds * double(second));
+    return fmt::format("header: {{stamp: {{sec: {}, nanosec: {}}}, frame_id: map}}", all / second, all % second);
 }
 
-// The direction from each point to the next one elsewhere; at the end, that it came in.
-std::vector<double> headings(const std::vector<Point>& points) {
-    std::vector<double> result(points.size(), 0);
-    for (std::size_t i = points.size(); i-- > 0;) {
-        const bool moves = i + 1 < points.size() && (points[i + 1].x != points[i].x || points[i + 1].y != points[i].y);
-        if (moves) {
-            result[i] = std::atan2(points[i + 1].y - points[i].y, points[i + 1].x - points[i].x);
-        } else if (i + 1 < points.size()) {
-            result[i] = result[i + 1];
+std::string pose_text(const Pose& pose) {
+    constexpr int micrometres = 6;
+    constexpr int of_a_quaternion = 9;
+    return fmt::format(
+        "{{{}, pose: {{position: {{x: {}, y: {}, z: 0.0}}, orientation: {{x: 0.0, y: 0.0, z: {}, w: {}}}}}}}",
+        header(pose.t), real(pose.at.x, micrometres), real(pose.at.y, micrometres),
+        real(std::sin(pose.yaw / 2), of_a_quaternion), real(std::cos(pose.yaw / 2), of_a_quaternion));
+}
+
+// Makes each pose look to the next one elsewhere, and those at the end where the agent came from.
+void turn(std::vector<Pose>& poses) {
+    const auto last_move =
+        std::adjacent_find(poses.rbegin(), poses.rend(), [](const Pose& b, const Pose& a) { return a.at != b.at; });
+    if (last_move == poses.rend()) return;
+    const auto direction = [](const Pose& a, const Pose& b) { return std::atan2(b.at.y - a.at.y, b.at.x - a.at.x); };
+    double yaw = direction(*(last_move + 1), *last_move);
+    for (std::size_t i = poses.size(); i-- > 0;) {
+        if (i + 1 < poses.size() && poses[i].at != poses[i + 1].at) yaw = direction(poses[i], poses[i + 1]);
+        poses[i].yaw = yaw;
+    }
+}
+
+// The corners of the way.
+std::vector<Pose> corners_of(const AgentPlan& agent, const MapFrame& frame) {
+    std::vector<Pose> corners;
+    for (const Waypoint& point : agent.path) corners.push_back({frame.metres({point.x, point.y}), point.t});
+    turn(corners);
+    return corners;
+}
+
+double pieces_between(const Pose& a, const Pose& b, double step) {
+    constexpr double slack = 1e-9;  // of a piece, so that rounding makes no further one
+    return std::max(1.0, std::ceil(std::hypot(b.at.x - a.at.x, b.at.y - a.at.y) / step - slack));
+}
+
+std::string path_text(const AgentPlan& agent, const std::vector<Pose>& corners, double step) {
+    const bool plain = agent.id == "ground" || agent.id == "air";
+    std::string text =
+        plain ? agent.id : nlohmann::json(agent.id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    text += ":\n  " + header(0) + "\n  poses:\n";
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Pose& a = corners[i];
+        text += "  - " + pose_text(a) + "\n";
+        if (i + 1 == corners.size()) break;
+        const Pose& b = corners[i + 1];
+        const double pieces = pieces_between(a, b, step);
+        for (double k = 1; k < pieces; ++k) {
+            const double part = k / pieces;
+            text += "  - " +
+                    pose_text({{a.at.x + (b.at.x - a.at.x) * part, a.at.y + (b.at.y - a.at.y) * part},
+                               a.t + (b.t - a.t) * part,
+                               a.yaw}) +
+                    "\n";
         }
     }
-    std::size_t last = points.size();
-    while (last > 1 && points[last - 1].x == points.back().x && points[last - 1].y == points.back().y) --last;
-    for (std::size_t i = last; last > 0 && i < points.size(); ++i) result[i] = result[last - 1];
-    return result;
+    return text;
 }
 
-std::string path_text(const AgentPlan& agent, const MapFrame& frame) {
-    std::vector<Point> points;
-    for (const Waypoint& point : agent.path) points.push_back(frame.metres({point.x, point.y}));
-    const std::vector<double> yaw = headings(points);
-    std::string text = "# " + agent.id + "\n" + header(0, "") + "poses:\n";
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        text += "- " + header(agent.path[i].t, "  ") + "  pose:\n    position: {x: " + real(points[i].x) +
-                ", y: " + real(points[i].y) +
-                ", z: 0.0}\n    orientation: {x: 0.0, y: 0.0, z: " + real(std::sin(yaw[i] / 2)) +
-                ", w: " + real(std::cos(yaw[i] / 2)) + "}\n";
+void require_bounded(const std::vector<Pose>& corners, double step) {
+    double poses = 1;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) poses += pieces_between(corners[i], corners[i + 1], step);
+    if (!(poses <= most_poses)) {
+        throw InputError("a pose every " + shortest_text(step) +
+                         " m makes more than a million of them; give a larger --step");
     }
-    return text;
+    const auto late = [](const Pose& pose) { return !(pose.t >= 0 && pose.t <= last_second); };
+    if (std::any_of(corners.begin(), corners.end(), late)) {
+        throw InputError("the plan takes longer than the 2^31 s that stamps of ROS can count; give higher speeds");
+    }
 }
 
 }  // namespace
 
-std::string plan_ros_path(const Plan& plan, const MapFile& map) {
+std::string plan_ros_path(const Plan& plan, const MapFile& map, std::optional<double> step) {
     const MapFrame frame(map);
+    const double metres = step.value_or(map.cell_size);
     std::string text;
+    std::set<std::string> ids;
     for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {
         for (const AgentPlan& agent : plan.agents) {
-            if (agent.kind == kind) text += (text.empty() ? "" : "---\n") + path_text(agent, frame);
+            if (agent.kind != kind) continue;
+            if (!ids.insert(agent.id).second)
+                throw InputError("two agents have the same id, which is what paths of ROS are told apart by");
+            const std::vector<Pose> corners = corners_of(agent, frame);
+            require_bounded(corners, metres);
+            text += path_text(agent, corners, metres);
         }
     }
-    return text;
+    return text.empty() ? "{}\n" : text;
 }
 
 }  // namespace waybreaker::io

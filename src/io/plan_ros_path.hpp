@@ -1,10 +1,17 @@
-// The paths of a plan as ROS knows them: YAML of nav_msgs/Path, one document for each agent, the ground agent's first.
+// The paths of a plan as ROS 2 knows them: a YAML document with a nav_msgs/msg/Path for each agent, by its id, the
+// ground agent's first.
 //
-// Positions are metres in the map's frame (`frame_id: map`; map_frame.hpp), the orientation is where the agent goes
-// next. A stamp is when it is there, from 0 on: a unit of the plan's time counts as a second, so that a speed of 1 is
-// one cell a second.
+//     ground:
+//       header: {stamp: {sec: 0, nanosec: 0}, frame_id: map}
+//       poses:
+//       - {header: {stamp: {sec: 0, nanosec: 0}, frame_id: map}, pose: {position: {...}, orientation: {...}}}
+//
+// Positions are metres in the map's frame (map_frame.hpp); the orientation is where the agent goes next. A stamp is
+// when it is there, from 0 on: a unit of the plan's time counts as a second, so that a speed of 1 is one cell a second.
+// A wait is two poses at one place.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "io/map_file.hpp"
@@ -12,6 +19,8 @@
 
 namespace waybreaker::io {
 
-std::string plan_ros_path(const Plan& plan, const MapFile& map);
+// Poses lie at most `step` metres apart (empty: the side of a cell), one at each corner. Throws InputError if these are
+// too many, or the plan takes longer than ROS can count.
+std::string plan_ros_path(const Plan& plan, const MapFile& map, std::optional<double> step = {});
 
 }  // namespace waybreaker::io

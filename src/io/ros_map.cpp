@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "io/shortest_text.hpp"
+#include "map/label.hpp"
 #include "movingai/text_lines.hpp"
 #include "waybreaker/error.hpp"
 
@@ -164,19 +167,39 @@ std::optional<int> occupancy(GreyImage::Pixel pixel, bool transparency, const Ro
     return width > 0 ? int(std::rint((occupied - yaml.free_thresh) / width * 100)) : 100;
 }
 
-RosGrid ros_grid(const GreyImage& image, const RosYaml& yaml, double threshold, bool unknown_free) {
+RosCells ros_cells(const GreyImage& image, const RosYaml& yaml, double threshold) {
     constexpr int savers_unknown = 3 * 205;
-    RosGrid result{.grid = Grid(image.width, image.height)};
+    RosCells cells{.occupied = Grid(image.width, image.height), .unknown = Grid(image.width, image.height)};
     const GreyImage::Pixel* pixel = image.pixels.data();
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x, ++pixel) {
             const std::optional<int> percent = occupancy(*pixel, image.transparency, yaml);
-            if (!percent) ++result.unknown;
-            if (percent ? *percent >= 100 * threshold : !unknown_free) result.grid.set_blocked({x, y}, true);
-            if (percent == 0 && pixel->sum == savers_unknown && yaml.mode != RosMode::raw) result.frees_unknown = true;
+            if (!percent) {
+                cells.unknown.set_blocked({x, y}, true);
+                ++cells.unknown_count;
+            } else if (*percent >= 100 * threshold) {
+                cells.occupied.set_blocked({x, y}, true);
+            }
+            if (percent == 0 && pixel->sum == savers_unknown && yaml.mode != RosMode::raw) cells.frees_unknown = true;
         }
     }
-    return result;
+    return cells;
+}
+
+Map ros_map(const RosCells& cells, Connectivity connectivity, bool unknown_free) {
+    if (unknown_free || cells.unknown_count == 0) return Map(Grid(cells.occupied), connectivity);
+    std::vector<std::uint32_t> labels = label_components(cells.occupied, connectivity);
+    const std::uint32_t walls = *std::max_element(labels.begin(), labels.end());
+    std::uint32_t last = walls;
+    const std::vector<std::uint32_t> unknown = label_components(cells.unknown, connectivity);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (unknown[i] == 0) continue;
+        labels[i] = walls + unknown[i];
+        last = std::max(last, labels[i]);
+    }
+    std::vector<ObstacleAttributes> attributes(last + 1);
+    std::for_each(attributes.begin() + walls + 1, attributes.end(), [](auto& a) { a.destructible = false; });
+    return Map::from_labels(cells.occupied.width(), cells.occupied.height(), std::move(labels), attributes);
 }
 
 std::string ros_yaml_text(const RosYaml& yaml) {

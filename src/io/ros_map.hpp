@@ -18,7 +18,7 @@
 #include <string_view>
 
 #include "io/grey_image.hpp"
-#include "waybreaker/grid.hpp"
+#include "waybreaker/map.hpp"
 
 namespace waybreaker::io {
 
@@ -44,16 +44,20 @@ RosYaml parse_ros_yaml(std::string_view bytes, const std::string& name);
 // In percent, 0 (free) to 100 (occupied); empty for unknown. `transparency`: the image says how opaque its pixels are.
 std::optional<int> occupancy(GreyImage::Pixel pixel, bool transparency, const RosYaml& yaml);
 
-struct RosGrid {
-    Grid grid;
-    std::size_t unknown = 0;  // cells of unknown occupancy
+struct RosCells {
+    Grid occupied;
+    Grid unknown;
+    std::size_t unknown_count = 0;
     // Whether free_thresh makes free of the grey of 205 that map savers write for unknown.
     bool frees_unknown = false;
 };
 
-// Cells are blocked from an occupancy of `threshold` (a share, 1 in nav2's costmap) on, and unknown ones unless they
-// are to be free.
-RosGrid ros_grid(const GreyImage& image, const RosYaml& yaml, double threshold, bool unknown_free);
+// Cells are occupied from an occupancy of `threshold` (a share, 1 in nav2's costmap) on.
+RosCells ros_cells(const GreyImage& image, const RosYaml& yaml, double threshold);
+
+// Obstacles are connected sets of occupied cells, and connected sets of unknown ones: these cannot be destroyed, as
+// nobody knows what stands there, and never are one obstacle with a wall that they touch.
+Map ros_map(const RosCells& cells, Connectivity connectivity, bool unknown_free);
 
 // The text of such a file, as nav2's map saver writes it; numbers come back the same.
 std::string ros_yaml_text(const RosYaml& yaml);

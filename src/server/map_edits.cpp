@@ -6,6 +6,7 @@
 
 #include "io/json_field.hpp"
 #include "io/map_writer.hpp"
+#include "io/relabelled_map.hpp"
 #include "server/plan_request.hpp"
 #include "waybreaker/error.hpp"
 
@@ -85,20 +86,6 @@ std::vector<std::uint32_t> edited_labels(const Map& map, const MapEdits& edits, 
     return labels;
 }
 
-// The obstacles of the map, as far as they are left, and what is drawn. Their labels are what their ids were.
-void draw_walls(io::MapFile& file, const MapEdits& edits) {
-    std::vector<ObstacleAttributes> attributes(1);
-    geo::LabelNames names;
-    for (const Obstacle& o : file.map.obstacles()) {
-        attributes.push_back({o.destructible, o.source_id, o.weight, o.breach_time});
-        if (const auto name = file.name_of(o.id); !name.empty()) names.emplace(o.id.value, name);
-    }
-    std::vector<std::uint32_t> labels = edited_labels(file.map, edits, std::uint32_t(attributes.size()));
-    std::vector<geo::NamedCell> named = geo::named_cells(std::move(names), labels);
-    file.map = Map::from_labels(file.map.width(), file.map.height(), std::move(labels), attributes);
-    file.names = geo::obstacle_names(file.map, std::move(named));
-}
-
 }  // namespace
 
 MapEdits parse_map_edits(std::string_view bytes, const std::string& name) {
@@ -118,15 +105,15 @@ ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits) {
     if (plain) {
         drawn.map = Map(edited_grid(before, edits), map.connectivity);
     } else {
-        draw_walls(drawn, edits);
+        io::relabel(drawn, edited_labels(before, edits, std::uint32_t(before.obstacles().size()) + 1));
     }
     // MovingAI's format holds cells and nothing else.
-    const bool cells_alone = plain && !drawn.georeference && drawn.cell_size == 1;
+    const bool cells_alone = plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1;
     std::string bytes = io::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
     // As everybody reads it, and what the file does not hold.
     io::MapFile file = io::parse_map(bytes, "the map", map.connectivity);
     file.task = map.file.task;
-    file.ros = map.file.ros;
+    file.origin = map.file.origin;
     file.title = map.file.title;
     file.attribution = map.file.attribution;
     return {.file = std::move(file), .connectivity = map.connectivity, .bytes = std::move(bytes)};

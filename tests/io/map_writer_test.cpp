@@ -7,6 +7,8 @@
 #include "geo/city_import.hpp"
 #include "input_error.hpp"
 #include "io/output_file.hpp"
+#include "io/relabelled_map.hpp"
+#include "io/shortest_text.hpp"
 #include "project_folder.hpp"
 #include "shared_data.hpp"
 #include "temporary_folder.hpp"
@@ -163,6 +165,65 @@ TEST_F(WrittenMaps, OfRosAreTheSameToTheByte) {
     write(map, "out/hall.yaml");
     EXPECT_EQ(bytes_of("out/hall.pgm"), image);
     EXPECT_EQ(bytes_of("out/hall.yaml"), "image: hall.pgm" + yaml.substr(16));
+}
+
+// A robot's map keeps its place in the robot's frame by way of a label map, where its walls get names and prices.
+TEST_F(WrittenMaps, KeepTheOriginOfARobotsFrame) {
+    for (const std::array<double, 2> origin :
+         {std::array{-12.2, -7.5}, {0.1, 0.2}, {0.0, -1.5}, {51234.567891, 1e-3}}) {
+        const std::string yaml = "image: floor.pgm\nresolution: 0.05\norigin: [" + shortest_text(origin[0]) + ", " +
+                                 shortest_text(origin[1]) + ", 0]\n";
+        put("floor.pgm", "P2 4 3 255 254 254 0 254  254 254 0 254  254 0 254 254");
+        write(read_map_file(put("floor.yaml", yaml)), "floor.tif");
+        const MapFile tiff = read_map_file(path("floor.tif"));
+        EXPECT_EQ(tiff.cell_size, 0.05);
+        EXPECT_EQ(tiff.origin, origin);
+        EXPECT_TRUE(write(tiff, "back.yaml").losses.empty());
+        const MapFile back = read_map_file(path("back.yaml"));
+        EXPECT_EQ(back.origin, origin);
+        EXPECT_EQ(back.map.grid(), tiff.map.grid());
+    }
+}
+
+// What is opened is free, and nothing else changes: unknown stays unknown, half occupied half occupied.
+TEST_F(WrittenMaps, OfRosWithoutObstacles) {
+    const std::string walls = "P2 5 2 255 0 254 205 254 100  0 254 205 254 100";
+    put("floor.pgm", walls);
+    for (const std::string mode : {"trinary", "scale", "raw"}) {
+        SCOPED_TRACE(mode);
+        put("floor.yaml", "image: floor.pgm\nmode: " + mode + "\nresolution: 0.05\norigin: [-1.5, 2, 0]\n");
+        const MapFile before = read_map_file(path("floor.yaml"));
+        const ObstacleId wall = before.map.obstacle_at(mode == "raw" ? Cell{4, 0} : Cell{0, 0});
+        ASSERT_TRUE(before.map.obstacle(wall).destructible);
+        EXPECT_TRUE(write_map(without_obstacles(before, std::array{wall}), "x.yaml").losses.empty());
+        write(without_obstacles(before, std::array{wall}), "opened.yaml");
+        const MapFile after = read_map_file(path("opened.yaml"));
+        EXPECT_EQ(after.origin, before.origin);
+        EXPECT_EQ(after.cell_size, before.cell_size);
+        EXPECT_EQ(after.unknown, before.unknown);
+        const GreyImage image = read_image(before.ros->image, "before");
+        const GreyImage opened = read_image(after.ros->image, "after");
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            const auto expected = before.map.labels()[i] == wall.value
+                                      ? std::optional(0)
+                                      : occupancy(image.pixels[i], false, before.ros->yaml);
+            EXPECT_EQ(occupancy(opened.pixels[i], false, after.ros->yaml), expected) << i;
+        }
+    }
+}
+
+TEST_F(WrittenMaps, WithoutObstaclesKeepTheOthers) {
+    MapFile map = labelled_yard();
+    map.names = {"", "Shed", "Barn", "", "Wall"};
+    const MapFile opened = without_obstacles(map, std::array{ObstacleId{1}});
+    EXPECT_EQ(opened.map.grid(), map_from_ascii("...#. ...## ..#.#").grid());
+    ASSERT_EQ(opened.map.obstacles().size(), 3U);
+    EXPECT_EQ(opened.map.obstacles()[0].source_id, -4711);
+    EXPECT_EQ(opened.names, (geo::ObstacleNames{"", "Barn", "", "Wall"}));
+    EXPECT_EQ(input_error([&] { without_obstacles(map, std::array{ObstacleId{5}}); }),
+              "there is no obstacle 5: the map has 4 obstacles");
+    EXPECT_EQ(input_error([&] { without_obstacles(map, std::array{ObstacleId{2}}); }),
+              "obstacle 2 cannot be destroyed");
 }
 
 TEST_F(WrittenMaps, OfCitiesComeBack) {

@@ -71,8 +71,8 @@ TEST(RosMaps, GreyOf205IsATrap) {
     EXPECT_EQ(occupancy_of_grey(205, {.free_thresh = 0.196}), unknown);
     EXPECT_EQ(occupancy_of_grey(205, {.free_thresh = 0.25}), "0");
     const GreyImage image{3, 1, false, {{615}, {765}, {0}}};
-    EXPECT_FALSE(ros_grid(image, {.free_thresh = 0.196}, 1, false).frees_unknown);
-    EXPECT_TRUE(ros_grid(image, {.free_thresh = 0.25}, 1, false).frees_unknown);
+    EXPECT_FALSE(ros_cells(image, {.free_thresh = 0.196}, 1).frees_unknown);
+    EXPECT_TRUE(ros_cells(image, {.free_thresh = 0.25}, 1).frees_unknown);
 }
 
 TEST(RosMaps, TransparencyCountsInItsModes) {
@@ -88,7 +88,7 @@ TEST(RosMaps, TransparencyCountsInItsModes) {
 TEST(RosMaps, BlockWhatIsOccupiedAndUnknown) {
     const GreyImage image{5, 1, false, {{0}, {3 * 100}, {3 * 150}, {3 * 205}, {765}}};
     const auto cells = [&](RosMode mode, double threshold, bool unknown_free) {
-        return ros_grid(image, {.mode = mode}, threshold, unknown_free).grid;
+        return ros_map(ros_cells(image, {.mode = mode}, threshold), Connectivity::four, unknown_free).grid();
     };
     EXPECT_EQ(cells(RosMode::trinary, 1, false), map_from_ascii("####.").grid());
     EXPECT_EQ(cells(RosMode::trinary, 1, true), map_from_ascii("#....").grid());
@@ -96,7 +96,49 @@ TEST(RosMaps, BlockWhatIsOccupiedAndUnknown) {
     EXPECT_EQ(cells(RosMode::scale, 0.9, false), map_from_ascii("##...").grid());
     EXPECT_EQ(cells(RosMode::raw, 1, false), map_from_ascii(".####").grid());
     EXPECT_EQ(cells(RosMode::raw, 1, true), map_from_ascii(".#...").grid());
-    EXPECT_EQ(ros_grid(image, {}, 1, false).unknown, 3U);
+    EXPECT_EQ(ros_cells(image, {}, 1).unknown_count, 3U);
+}
+
+// Nobody knows what stands where nothing has been seen: it cannot be removed, nor be one with a wall it touches.
+TEST(RosMaps, UnknownIsNoWall) {
+    const std::string_view picture = R"(
+        ##uu.
+        #.u.#
+        ..uuu)";
+    GreyImage image{5, 3, false, {}};
+    for (const std::string& row : ascii_rows(picture)) {
+        for (const char c : row) image.pixels.push_back({std::uint16_t(c == '#' ? 0 : c == 'u' ? 3 * 205 : 765)});
+    }
+    for (const RosMode mode : {RosMode::trinary, RosMode::scale, RosMode::raw}) {
+        SCOPED_TRACE(int(mode));
+        GreyImage seen = image;
+        RosYaml yaml{.mode = mode};
+        for (GreyImage::Pixel& pixel : seen.pixels) {
+            const bool is_unknown = pixel.sum == 3 * 205;
+            if (mode == RosMode::scale && is_unknown) pixel.alpha = 0;
+            if (mode == RosMode::raw) pixel.sum = is_unknown ? 3 * 255 : pixel.sum == 0 ? 300 : 0;
+        }
+        seen.transparency = mode == RosMode::scale;
+        const Map map = ros_map(ros_cells(seen, yaml, 1), Connectivity::four, false);
+        EXPECT_EQ(map.grid(), map_from_ascii("####. #.#.# ..###").grid());
+        ASSERT_EQ(map.obstacles().size(), 3U);
+        const Obstacle& wall = map.obstacle(map.obstacle_at({0, 0}));
+        const Obstacle& unseen = map.obstacle(map.obstacle_at({2, 0}));
+        const Obstacle& pillar = map.obstacle(map.obstacle_at({4, 1}));
+        EXPECT_EQ(wall.cells, 3U);
+        EXPECT_TRUE(wall.destructible);
+        EXPECT_EQ(unseen.cells, 6U);
+        EXPECT_FALSE(unseen.destructible);
+        EXPECT_EQ(pillar.cells, 1U);
+        EXPECT_TRUE(pillar.destructible);
+        EXPECT_EQ(ros_map(ros_cells(seen, yaml, 1), Connectivity::four, true).obstacles().size(), 2U);
+    }
+}
+
+TEST(RosMaps, UnknownIsLabelledAsWallsAre) {
+    const GreyImage image{2, 2, false, {{615}, {765}, {765}, {615}}};
+    EXPECT_EQ(ros_map(ros_cells(image, {}, 1), Connectivity::four, false).obstacles().size(), 2U);
+    EXPECT_EQ(ros_map(ros_cells(image, {}, 1), Connectivity::eight, false).obstacles().size(), 1U);
 }
 
 constexpr const char* saved =
