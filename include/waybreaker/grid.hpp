@@ -35,6 +35,7 @@ class Grid {
         const std::size_t bit = std::size_t(c.x + 1);
         return (row(c.y)[bit / 64] >> (bit % 64)) & 1U;
     }
+    // Throws InputError if the cell is off the map.
     void set_blocked(Cell c, bool blocked);
 
     // The words of row y, -1 <= y <= height; cell x is bit x + 1. Two words more than the row needs can be read.

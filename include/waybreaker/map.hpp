@@ -3,6 +3,7 @@
 // Paper, section 3: "a grid pre-processing is needed in order to assign the unique identifiers to all the obstacles".
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -54,9 +55,14 @@ class Map {
     // All obstacles, in id order: obstacles()[0] has id 1.
     std::span<const Obstacle> obstacles() const { return obstacles_; }
     // Precondition: 1 <= id.value <= obstacles().size().
-    const Obstacle& obstacle(ObstacleId id) const { return obstacles_[id.value - 1]; }
-    // The obstacle at a cell of the map; id 0 where it is free.
+    const Obstacle& obstacle(ObstacleId id) const {
+        assert(id.value >= 1 && id.value <= obstacles_.size());
+        return obstacles_[id.value - 1];
+    }
+    // The obstacle at a cell; id 0 where it is free. Precondition: the cell is on the map (grid().contains(c)), which
+    // builds with assertions check.
     ObstacleId obstacle_at(Cell c) const {
+        assert(grid_.contains(c));
         return ObstacleId{labels_[std::size_t(c.y) * std::size_t(width()) + std::size_t(c.x)]};
     }
     // Whether cells of different obstacles lie side by side, as they can in a label layer.

@@ -50,6 +50,11 @@ Grid::Grid(int width, int height)
 }
 
 void Grid::set_blocked(Cell c, bool blocked) {
+    if (!contains(c)) {
+        throw InputError("cell " + std::to_string(c.x) + "," + std::to_string(c.y) +
+                         " is off the map: x goes from 0 to " + std::to_string(width_ - 1) + ", y from 0 to " +
+                         std::to_string(height_ - 1));
+    }
     const std::size_t bit = std::size_t(c.x + 1);
     std::uint64_t& word = mutable_row(c.y)[bit / 64];
     const std::uint64_t mask = std::uint64_t{1} << (bit % 64);

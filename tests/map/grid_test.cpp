@@ -67,5 +67,15 @@ RC_GTEST_PROP(BitRun, FindsAnySetBit, ()) {
     RC_ASSERT(any_bit(line.data(), first, last) == expected);
 }
 
+TEST(Grid, RefusesCellsOffTheMap) {
+    Grid grid(5, 3);
+    const Grid untouched = grid;
+    for (const Cell c : {Cell{-1, 0}, Cell{5, 0}, Cell{0, -1}, Cell{0, 3}, Cell{1 << 30, 1}, Cell{-(1 << 30), 1}}) {
+        EXPECT_THROW(grid.set_blocked(c, true), InputError) << c.x << "," << c.y;
+        EXPECT_THROW(grid.set_blocked(c, false), InputError) << c.x << "," << c.y;
+    }
+    EXPECT_EQ(grid, untouched);
+}
+
 }  // namespace
 }  // namespace waybreaker
