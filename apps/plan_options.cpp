@@ -82,7 +82,9 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
                "An obstacle is solid until it has been breached, so that the ground agent waits or drives around; or, "
                "as in the paper, removed obstacles are taken as never there (default: enforce)");
     add_choice(command, "--objective", io::objective_words, options.objective,
-               "When the last agent arrives, or the sum of all arrival times (default: makespan)");
+               "What the plan makes small: when the last agent arrives, the sum of all arrival times, or when the "
+               "ground agent "
+               "arrives, whenever the aircraft is home (default: makespan)");
 }
 
 void add_search_options(CLI::App& command, PlanOptions& options) {

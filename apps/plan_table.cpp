@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "io/option_words.hpp"
+
 namespace waybreaker::apps {
 namespace {
 
@@ -130,14 +132,19 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
                                                                : "nothing removed: no removal gains anything\n";
 }
 
+// The objective as a person says it.
+std::string words(Objective objective) {
+    return objective == Objective::ground_makespan ? "ground agent's arrival"
+                                                   : std::string(io::word_of(io::objective_words, objective));
+}
+
 // What each further removal saves.
 std::string front(const io::PlanContext& context, const TableStyle& style) {
     if (context.front.empty()) return "";
-    const bool makespan = context.options.objective == Objective::makespan;
-    std::vector<Row> rows{{"removals", makespan ? "makespan" : "flowtime", "saves", "no plan below", "obstacles"}};
+    std::vector<Row> rows{{"removals", words(context.options.objective), "saves", "no plan below", "obstacles"}};
     std::optional<double> before;
     for (const Plan& plan : context.front) {
-        const std::optional<double> reached = makespan ? plan.after.makespan : plan.after.flowtime;
+        const std::optional<double> reached = value(plan.after, context.options.objective);
         const std::optional<double> saves = before && reached ? std::optional(*before - *reached) : std::nullopt;
         std::vector<std::uint32_t> ids;
         for (const Removal& removal : plan.removed) ids.push_back(removal.obstacle.value);
@@ -181,10 +188,9 @@ std::string waits(const Plan& plan) {
 
 // How far the plan can be from the best.
 std::string bound(const Plan& plan, const io::PlanContext& context) {
-    const bool makespan = context.options.objective == Objective::makespan;
-    const std::optional<double> reached = makespan ? plan.after.makespan : plan.after.flowtime;
+    const std::optional<double> reached = value(plan.after, context.options.objective);
     if (!plan.bound || !reached) return "";
-    const std::string_view objective = makespan ? "makespan" : "flowtime";
+    const std::string objective = words(context.options.objective);
     const double gap = *plan.bound > 0 ? *reached / *plan.bound - 1 : 0;
     const int n = context.options.removals;
     const std::string removals = n == 1 ? "1 removal" : fmt::format("{} removals", n);
@@ -195,12 +201,11 @@ std::string bound(const Plan& plan, const io::PlanContext& context) {
 
 // The paper's choice of obstacles can be worse than none.
 std::string warning(const Plan& plan, const io::PlanContext& context) {
-    const bool makespan = context.options.objective == Objective::makespan;
-    const std::optional<double> before = makespan ? plan.before.makespan : plan.before.flowtime;
-    const std::optional<double> after = makespan ? plan.after.makespan : plan.after.flowtime;
+    const std::optional<double> before = value(plan.before, context.options.objective);
+    const std::optional<double> after = value(plan.after, context.options.objective);
     if (!before || !after || *after <= *before) return "";
     return fmt::format("\nnote: this plan is worse than removing nothing: {} {:.3f} instead of {:.3f}\n",
-                       makespan ? "makespan" : "flowtime", *after, *before);
+                       words(context.options.objective), *after, *before);
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ enum class Rule {
     length,
     makespan,
     flowtime,
+    ground_makespan,
     before,  // the figures without removal fit together
     bound,   // not above what the plan reaches, nor what is reached without removals
     gap,

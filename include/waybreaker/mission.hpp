@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -57,7 +58,8 @@ struct MissionOptions {
     double budget = std::numeric_limits<double>::infinity();
     bool bound = false;    // prove a bound whatever the method (`exact` always does)
     bool explain = false;  // what each removal saves, and which would come next
-    // Seconds, of the selection, bound included: then the best known. search.expansion_limit ends single searches.
+    // Time limit for the whole call, in seconds; on expiry the best plan found so far is returned, with
+    // Plan::limit_reached. search.expansion_limit ends single searches.
     double time_limit = std::numeric_limits<double>::infinity();
     SearchOptions search = {.planner = Planner::optimal};  // of the ground agent; see planner_of
     // Told by `exact` now and then, on the thread that plans.
@@ -94,10 +96,17 @@ class MissionPlanner {
     CrossingSearcher crossing_;
 };
 
-// Plans each mission as MissionPlanner::plan does, over that many threads (0: all cores), and gives the plans in the
-// order of the missions: the same whatever the number of threads, measured seconds aside. Throws what the first mission
-// that cannot be planned throws, once all others are done.
-std::vector<Plan> plan_all(const Map& map, std::span<const Mission> missions, const MissionOptions& options = {},
-                           unsigned threads = 0);
+// A mission of a batch: its plan, or why it cannot be planned (the message of the InputError).
+struct BatchPlan {
+    std::optional<Plan> plan;
+    std::string error;  // empty if there is a plan
+};
+
+// Plans each mission as MissionPlanner::plan does, over that many threads (0: all cores), and gives the results in the
+// order of the missions: the same whatever the number of threads, measured seconds aside. A mission that cannot be put
+// on the map costs the others nothing. options.time_limit holds for each mission; options.progress is called on several
+// threads at a time.
+std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> missions, const MissionOptions& options = {},
+                                unsigned threads = 0);
 
 }  // namespace waybreaker

@@ -11,7 +11,9 @@
 namespace waybreaker {
 
 enum class AgentKind { ground, air };
-enum class Objective { makespan, flowtime };
+// What a plan is to make small: when the last agent reaches its goal; the sum over agents of when each reaches its
+// goal; or when the last ground agent does, whenever the aircraft is home.
+enum class Objective { makespan, flowtime, ground_makespan };
 // `enforce`: an obstacle is solid until it has been breached; `ignore`: removed obstacles never were there (the paper).
 enum class Timing { enforce, ignore };
 
@@ -76,9 +78,13 @@ struct Outcome {
         double length = 0;
         std::vector<Cell> path;
     } air;
-    std::optional<double> makespan;  // when the last agent reaches its goal
-    std::optional<double> flowtime;  // sum over agents of when each reaches its goal
+    std::optional<double> makespan;         // when the last agent reaches its goal
+    std::optional<double> flowtime;         // sum over agents of when each reaches its goal
+    std::optional<double> ground_makespan;  // when the last ground agent reaches its goal
 };
+
+// The figure of an outcome that the objective speaks of; empty where there is no path.
+std::optional<double> value(const Outcome& outcome, Objective objective);
 
 // `no_plan`: valid input, but the ground agent cannot reach its goal. `limit_reached`, `stopped`: a search ended early.
 enum class PlanStatus { solved, no_plan, limit_reached, stopped };
@@ -87,6 +93,9 @@ struct Plan {
     PlanStatus status = PlanStatus::no_plan;
     Outcome before;
     Outcome after;
+    // A time or expansion limit ended the choice: the plan is the best one found by then, and the bound what was
+    // proven.
+    bool limit_reached = false;
     std::optional<double> bound;    // proven lower limit of the objective; empty where the method proves none
     std::vector<Removal> removed;   // in the order of the flight
     std::vector<NextRemoval> next;  // if asked for: at most one

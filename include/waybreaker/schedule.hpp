@@ -5,6 +5,7 @@
 //     fly(s.air);       // stays at each breach point until the obstacle is gone
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,6 +29,8 @@ struct ScheduleTask {
     BreachTime breach_time = {};
     Timing timing = Timing::enforce;  // ignore: the ground agent waits for nothing
     Objective objective = Objective::makespan;
+    // Seconds that best_schedule may take; then it gives the best flight found by then. It always finds one.
+    double time_limit = std::numeric_limits<double>::infinity();
 };
 
 struct Schedule {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -33,10 +34,11 @@ struct SearchOptions {
     double weight = 1.0;  // of the heuristic, >= 1
     TieBreak tie_break = TieBreak::g_max;
     Motion motion = {};
-    bool count_hits = false;                     // fill SearchResult::hits
-    std::uint64_t expansion_limit = UINT64_MAX;  // stop after so many expansions
-    std::stop_token stop = {};                   // stop when asked to, checked every 1024 expansions
-    SearchListener* listener = nullptr;          // not owned; told of every step
+    bool count_hits = false;                                      // fill SearchResult::hits
+    std::uint64_t expansion_limit = UINT64_MAX;                   // stop after so many expansions
+    double time_limit = std::numeric_limits<double>::infinity();  // stop after so many seconds
+    std::stop_token stop = {};           // stop when asked to; both are checked every 1024 expansions
+    SearchListener* listener = nullptr;  // not owned; told of every step
 };
 
 // The heuristic that a search with these options uses.

@@ -64,6 +64,9 @@ class FiguresJudge {
         const double flight = straight(*air) / air->speed;
         expect(Rule::before, "before removal the makespan", before.makespan, std::max(drive, flight));
         expect(Rule::before, "before removal the flowtime", before.flowtime, drive + flight);
+        if (before.ground_makespan || rules_.objective == Objective::ground_makespan) {
+            expect(Rule::before, "before removal the ground agent's arrival", before.ground_makespan, drive);
+        }
     }
 
     void judge_after(const AgentPlan& ground, const AgentPlan& air) {
@@ -82,12 +85,14 @@ class FiguresJudge {
         expect(Rule::length, "the air agent's length", after.air.length, length(air), air_end);
         expect(Rule::makespan, "the makespan", after.makespan, end, end);
         expect(Rule::flowtime, "the flowtime", after.flowtime, ground_end + air_end, end);
+        // Older plan files do not state it.
+        if (after.ground_makespan || rules_.objective == Objective::ground_makespan) {
+            expect(Rule::ground_makespan, "the ground agent's arrival", after.ground_makespan, ground_end, ground_end);
+        }
     }
 
     void judge_bound() {
-        const auto objective = [&](const Outcome& outcome) {
-            return rules_.objective == Objective::makespan ? outcome.makespan : outcome.flowtime;
-        };
+        const auto objective = [&](const Outcome& outcome) { return value(outcome, rules_.objective); };
         const std::optional<double> reached = objective(plan_.after);
         judge_bound_below(reached, "what the plan reaches");
         // To remove nothing is one of the plans that the bound speaks of, unless something must go.

@@ -3,12 +3,12 @@
 #include "waybreaker/crossing.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <optional>
 
 #include "crossing/dominance.hpp"
 #include "crossing/fan.hpp"
+#include "crossing/interrupt.hpp"
 #include "crossing/labels.hpp"
 #include "crossing/validate.hpp"
 
@@ -32,6 +32,7 @@ class CrossingSearcher::Search {
     void expand(std::uint32_t index);
     double least_cost(std::uint32_t parent, const Reached& reached) const;
     void push(std::uint32_t parent, const Reached& reached);
+    void insert(std::uint32_t label);
     bool earlier(std::uint32_t a, std::uint32_t b) const;
     std::optional<Outcome> interrupted();
     CrossingPath path_of(std::uint32_t index);
@@ -46,9 +47,9 @@ class CrossingSearcher::Search {
     double weight_capacity_ = infinity;
     double limit_ = infinity;  // half cells; dearer paths are left out
     double told_ = 0;          // half cells; cheaper paths have been told to `accept`
-    std::chrono::steady_clock::time_point began_;
     CrossingResult result_;
 
+    Interrupt interrupt_;
     Fan fan_;
     ObstacleSets sets_;
     Places places_;
@@ -107,7 +108,11 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
     label.next = places_[place].labels;
     places_[place].labels = std::uint32_t(labels_.size());
     labels_.push_back(label);
-    open_.push_back(std::uint32_t(labels_.size() - 1));
+    insert(std::uint32_t(labels_.size() - 1));
+}
+
+void CrossingSearcher::Search::insert(std::uint32_t label) {
+    open_.push_back(label);
     std::push_heap(open_.begin(), open_.end(), [this](auto a, auto b) { return earlier(b, a); });
 }
 
@@ -129,7 +134,9 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
         if (label.fronts_begin != 0) {
             from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
         }
-        for (const Reached& reached : fan_.look(from, alternatives)) {
+        const std::span<const Reached> all = fan_.look(from, alternatives);
+        if (interrupt_.cause() != Interrupt::Cause::none) return;
+        for (const Reached& reached : all) {
             push(index, reached);
             if (reached.at == goal_)
                 dear = dear || least_cost(index, reached) > label.length + length(goal_ - label.at);
@@ -140,11 +147,8 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
 
 std::optional<CrossingSearcher::Search::Outcome> CrossingSearcher::Search::interrupted() {
     if (result_.expanded >= options_->expansion_limit) return Outcome::limit_reached;
-    if (result_.expanded % 64 != 0) return std::nullopt;
-    if (options_->stop.stop_requested()) return Outcome::stopped;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began_;
-    if (spent.count() > options_->time_limit) return Outcome::limit_reached;
-    return std::nullopt;
+    if (!interrupt_.due()) return std::nullopt;
+    return interrupt_.cause() == Interrupt::Cause::stop ? Outcome::stopped : Outcome::limit_reached;
 }
 
 CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
@@ -184,6 +188,7 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
             continue;
         }
         expand(index);
+        if (interrupt_.cause() != Interrupt::Cause::none) insert(index);  // it is not all expanded
     }
     return Outcome::exhausted;
 }
@@ -228,7 +233,7 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
     start_ = centre(start);
     goal_ = centre(goal);
     told_ = -1;
-    began_ = std::chrono::steady_clock::now();
+    interrupt_ = Interrupt(options.time_limit, options.stop);
     result_ = {};
     result_.lower_bound = infinity;
     const auto stands = [&](Cell c) {
@@ -237,7 +242,7 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
         return !id || std::find(options.removed.begin(), options.removed.end(), id) != options.removed.end();
     };
     if (!stands(start) || !stands(goal)) return result_;
-    fan_.start_query(map, goal_, options);
+    fan_.start_query(map, goal_, options, interrupt_);
     search_ellipses(2 * options.length_limit);
     result_.generated = result_.expanded + open_.size();
     return result_;

@@ -5,8 +5,9 @@
 
 namespace waybreaker {
 
-void Fan::start_query(const Map& map, Vertex goal, const CrossingOptions& options) {
+void Fan::start_query(const Map& map, Vertex goal, const CrossingOptions& options, Interrupt& interrupt) {
     map_ = &map;
+    interrupt_ = &interrupt;
     body_ = options.body;
     goal_ = goal;
     bends_ = &bends_of_[body_ == Body::square ? 0 : 1];
@@ -17,6 +18,7 @@ void Fan::start_query(const Map& map, Vertex goal, const CrossingOptions& option
 std::span<const Reached> Fan::look(const Viewpoint& from, bool alternatives) {
     from_ = from;
     ellipse_ = Ellipse(from.at, goal_, from.range);
+    aims_.clear();  // of a look that was interrupted
     reached_.clear();
     fronts_.resize(1);
     ray_.set_open(from.open);
@@ -67,7 +69,7 @@ void Fan::look_into(const Sector& sector) {
         if (!scan(outline, {sector.around.cell, outward, sector.sliding}, -sector.turn))
             look_along(sector.sliding, -sector.turn);
     }
-    while (!aims_.empty()) {
+    while (!aims_.empty() && !interrupt_->due()) {
         const Aim aim = aims_.back();
         aims_.pop_back();
         look_at(aim);

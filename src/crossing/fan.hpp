@@ -14,6 +14,7 @@
 #include "crossing/bends.hpp"
 #include "crossing/done.hpp"
 #include "crossing/ellipse.hpp"
+#include "crossing/interrupt.hpp"
 #include "crossing/outline.hpp"
 #include "crossing/ray.hpp"
 
@@ -54,10 +55,11 @@ struct Reached {
 
 class Fan {
   public:
-    void start_query(const Map& map, Vertex goal, const CrossingOptions& options);
+    // Keeps the interrupt for as long as the query lasts.
+    void start_query(const Map& map, Vertex goal, const CrossingOptions& options, Interrupt& interrupt);
 
-    // All corners and the goal that a shortest path can go to next. `alternatives`: also when the goal itself is in
-    // reach. What is returned lives until the next call.
+    // All corners and the goal that a shortest path can go to next; some of them if it is interrupted. `alternatives`:
+    // also when the goal itself is in reach. What is returned lives until the next call.
     std::span<const Reached> look(const Viewpoint& from, bool alternatives);
     // What the last look met straight on from what it reached, if that is known.
     std::optional<std::span<const Front>> ahead(const Reached& reached) const;
@@ -102,6 +104,7 @@ class Fan {
     void reach(Vertex v, double share, std::size_t squeeze, std::vector<std::uint32_t>& crossed);
 
     const Map* map_ = nullptr;
+    Interrupt* interrupt_ = nullptr;
     Body body_ = Body::square;
     Vertex goal_;
     Ray ray_;

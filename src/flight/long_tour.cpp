@@ -53,11 +53,11 @@ bool replan_part(Cell start, Tour& tour, Cell goal, std::span<const Target> targ
     return true;
 }
 
-// Replans overlapping parts until none gains.
-Tour by_windows(Cell start, Tour tour, Cell goal, std::span<const Target> targets) {
+// Replans overlapping parts until none gains, or the time is over.
+Tour by_windows(Cell start, Tour tour, Cell goal, std::span<const Target> targets, const Deadline& deadline) {
     for (bool better = true; better;) {
         better = false;
-        for (std::size_t first = 0; first < tour.size(); first += exact_window / 2) {
+        for (std::size_t first = 0; first < tour.size() && !deadline.passed(); first += exact_window / 2) {
             better = replan_part(start, tour, goal, targets, first) || better;
         }
         if (better) tour = improved_tour(start, std::move(tour), goal, targets);
@@ -67,10 +67,11 @@ Tour by_windows(Cell start, Tour tour, Cell goal, std::span<const Target> target
 
 }  // namespace
 
-Tour good_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known) {
-    const Tour first = by_windows(start, improved_tour(start, known, goal, targets), goal, targets);
+Tour good_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known, const Deadline& deadline) {
+    const Tour first = by_windows(start, improved_tour(start, known, goal, targets), goal, targets, deadline);
+    if (deadline.passed()) return first;
     const Tour inserted = by_insertion(start, known, goal);
-    const Tour second = by_windows(start, improved_tour(start, inserted, goal, targets), goal, targets);
+    const Tour second = by_windows(start, improved_tour(start, inserted, goal, targets), goal, targets, deadline);
     return tour_length(start, second, goal) < tour_length(start, first, goal) ? second : first;
 }
 

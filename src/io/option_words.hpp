@@ -16,7 +16,13 @@ using Words = std::vector<std::pair<std::string, Value>>;
 inline const Words<Selection> selection_words{{"exact", Selection::exact}, {"hits", Selection::hits}};
 inline const Words<FlightRule> flight_words{{"optimal", FlightRule::optimal}, {"nearest", FlightRule::nearest}};
 inline const Words<Timing> timing_words{{"enforce", Timing::enforce}, {"ignore", Timing::ignore}};
-inline const Words<Objective> objective_words{{"makespan", Objective::makespan}, {"flowtime", Objective::flowtime}};
+inline const Words<Objective> objective_words{{"makespan", Objective::makespan},
+                                              {"flowtime", Objective::flowtime},
+                                              {"ground-makespan", Objective::ground_makespan}};
+// The members of plan files that hold what these speak of.
+inline const Words<Objective> objective_keys{{"makespan", Objective::makespan},
+                                             {"flowtime", Objective::flowtime},
+                                             {"ground_makespan", Objective::ground_makespan}};
 inline const Words<Planner> planner_words{{"theta", Planner::theta},       {"lazy-theta", Planner::lazy_theta},
                                           {"astar", Planner::astar},       {"jps", Planner::jps},
                                           {"dijkstra", Planner::dijkstra}, {"bfs", Planner::bfs},

@@ -91,6 +91,7 @@ Outcome outcome(const JsonField& field) {
     result.air.length = field["air"]["length"].number();
     result.makespan = field["makespan"].number_or_null();
     result.flowtime = field["flowtime"].number_or_null();
+    result.ground_makespan = number_or_null(field.find("ground_makespan"));
     return result;
 }
 
@@ -146,6 +147,9 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     if (root["format"].text() != "waybreaker-plan/1") root["format"].fail("is not waybreaker-plan/1");
     PlanFile file;
     file.plan.status = root["status"].one_of(status_words);
+    if (const auto limited = root.find("limit_reached")) {
+        file.plan.limit_reached = limited->truth();
+    }
     file.width = int(root["map"]["width"].whole_number(1, max_side));
     file.height = int(root["map"]["height"].whole_number(1, max_side));
     file.digest = root["map"]["digest"].text();
@@ -160,8 +164,7 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     file.plan.before = outcome(root["before"]);
     file.plan.after = outcome(root["after"]);
     if (const auto bound = root.find("bound")) {
-        file.plan.bound =
-            (*bound)[file.rules.objective == Objective::makespan ? "makespan" : "flowtime"].number_or_null();
+        file.plan.bound = (*bound)[word_of(objective_keys, file.rules.objective).data()].number_or_null();
         file.rules.gap = number_or_null(bound->find("gap"));
     }
     for (const JsonField& field : root["removed"].items()) {

@@ -65,13 +65,14 @@ Json outcome_json(const Outcome& outcome, bool timing_fields) {
     return {{"ground", std::move(ground)},
             {"air", {{"length", number(outcome.air.length)}}},
             {"makespan", number(outcome.makespan)},
-            {"flowtime", number(outcome.flowtime)}};
+            {"flowtime", number(outcome.flowtime)},
+            {"ground_makespan", number(outcome.ground_makespan)}};
 }
 
 Json bound_json(const Plan& plan, Objective objective) {
     if (!plan.bound) return nullptr;
-    const std::optional<double> reached = objective == Objective::makespan ? plan.after.makespan : plan.after.flowtime;
-    Json bound{{word_of(objective_words, objective), number(plan.bound)}, {"gap", nullptr}};
+    const std::optional<double> reached = value(plan.after, objective);
+    Json bound{{word_of(objective_keys, objective), number(plan.bound)}, {"gap", nullptr}};
     if (reached) bound["gap"] = number(*plan.bound > 0 ? *reached / *plan.bound - 1 : 0);
     return bound;
 }
@@ -120,6 +121,7 @@ Json step_json(const Plan& plan, Objective objective) {
     for (const Removal& removal : plan.removed) removed.push_back(removal.obstacle.value);
     return {{"makespan", number(plan.after.makespan)},
             {"flowtime", number(plan.after.flowtime)},
+            {"ground_makespan", number(plan.after.ground_makespan)},
             {"bound", bound_json(plan, objective)},
             {"removed", std::move(removed)}};
 }
@@ -150,14 +152,14 @@ std::string pretty(const Json& json, const std::string& indent = "") {
 }  // namespace
 
 std::string plan_json(const Plan& plan, const PlanContext& context) {
-    Json json{{"format", "waybreaker-plan/1"},
-              {"status", word_of(status_words, plan.status)},
-              {"map", map_json(context.map, context.image)},
-              {"options", options_json(context)},
-              {"before", outcome_json(plan.before, context.timing_fields)},
-              {"after", outcome_json(plan.after, context.timing_fields)},
-              {"bound", bound_json(plan, context.options.objective)},
-              {"removed", Json::array()}};
+    Json json{{"format", "waybreaker-plan/1"}, {"status", word_of(status_words, plan.status)}};
+    if (plan.limit_reached) json["limit_reached"] = true;
+    json.update(Json{{"map", map_json(context.map, context.image)},
+                     {"options", options_json(context)},
+                     {"before", outcome_json(plan.before, context.timing_fields)},
+                     {"after", outcome_json(plan.after, context.timing_fields)},
+                     {"bound", bound_json(plan, context.options.objective)},
+                     {"removed", Json::array()}});
     for (const Removal& removal : plan.removed) {
         json["removed"].push_back(removal_json(removal, context));
     }

@@ -4,23 +4,26 @@
 #include <exception>
 #include <thread>
 
+#include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
 
 namespace waybreaker {
 
-std::vector<Plan> plan_all(const Map& map, std::span<const Mission> missions, const MissionOptions& options,
-                           unsigned threads) {
-    std::vector<Plan> plans(missions.size());
-    std::vector<std::exception_ptr> errors(missions.size());
+std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> missions, const MissionOptions& options,
+                                unsigned threads) {
+    std::vector<BatchPlan> plans(missions.size());
+    std::vector<std::exception_ptr> failures(missions.size());  // no fault of the missions: memory ran out, say
     std::atomic<std::size_t> next = 0;
     // Each thread takes the next mission; where a plan lands does not depend on who makes it.
     const auto work = [&] {
         MissionPlanner planner;
         for (std::size_t i = next++; i < missions.size(); i = next++) {
             try {
-                plans[i] = planner.plan(map, missions[i], options);
+                plans[i].plan = planner.plan(map, missions[i], options);
+            } catch (const InputError& error) {
+                plans[i].error = error.what();
             } catch (...) {
-                errors[i] = std::current_exception();
+                failures[i] = std::current_exception();
             }
         }
     };
@@ -29,8 +32,8 @@ std::vector<Plan> plan_all(const Map& map, std::span<const Mission> missions, co
     for (std::size_t i = 1; i < std::min(wanted, missions.size()); ++i) others.emplace_back(work);
     work();
     others.clear();  // joins them
-    for (const std::exception_ptr& error : errors) {
-        if (error) std::rethrow_exception(error);
+    for (const std::exception_ptr& failure : failures) {
+        if (failure) std::rethrow_exception(failure);
     }
     return plans;
 }

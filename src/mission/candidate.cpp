@@ -4,7 +4,7 @@
 #include <iterator>
 #include <limits>
 
-#include "mission/stopwatch.hpp"
+#include "core/stopwatch.hpp"
 #include "waybreaker/flight.hpp"
 
 namespace waybreaker {
@@ -14,21 +14,27 @@ const Agent& agent_of(const Mission& mission, AgentKind kind) {
     return *std::ranges::find(mission.agents, kind, &Agent::kind);
 }
 
-double least_flight(const Map& map, const Agent& flyer, const MissionOptions& options) {
-    double time = fly_optimal(map, flyer.start, flyer.goal, options.force).length / flyer.speed;
-    for (const ObstacleId id : options.force) time += options.breach_time.of(map.obstacle(id));
+}  // namespace
+
+double least_flight_time(const Map& map, const Agent& flyer, std::span<const ObstacleId> removed,
+                         const MissionOptions& options) {
+    // The flight past all of them is no shorter than the one past as many as are solved with proof.
+    const auto solved = removed.first(std::min(removed.size(), exact_flight_limit));
+    double time = fly_optimal(map, flyer.start, flyer.goal, solved).length / flyer.speed;
+    for (const ObstacleId id : removed) time += options.breach_time.of(map.obstacle(id));
     return time;
 }
 
-}  // namespace
-
 Task task_of(const Map& map, const Mission& mission, const MissionOptions& options) {
     const Agent& flyer = agent_of(mission, AgentKind::air);
-    return {map, agent_of(mission, AgentKind::ground), flyer, options, least_flight(map, flyer, options)};
+    const Deadline deadline(options.time_limit);
+    const double least_flight = least_flight_time(map, flyer, options.force, options);
+    return {map, agent_of(mission, AgentKind::ground), flyer, options, deadline, least_flight};
 }
 
 Task task_of(const Task& task, const MissionOptions& options) {
-    return {task.map, task.driver, task.flyer, options, least_flight(task.map, task.flyer, options)};
+    const double least_flight = least_flight_time(task.map, task.flyer, options.force, options);
+    return {task.map, task.driver, task.flyer, options, task.deadline, least_flight};
 }
 
 double Task::radius() const {
@@ -37,7 +43,15 @@ double Task::radius() const {
 }
 
 double Task::objective(double ground_time, double air_time) const {
-    return options.objective == Objective::makespan ? std::max(ground_time, air_time) : ground_time + air_time;
+    switch (options.objective) {
+        case Objective::makespan:
+            return std::max(ground_time, air_time);
+        case Objective::flowtime:
+            return ground_time + air_time;
+        case Objective::ground_makespan:
+            break;
+    }
+    return ground_time;
 }
 
 std::vector<ObstacleId> Task::with_forced(std::span<const ObstacleId> others) const {
@@ -45,6 +59,16 @@ std::vector<ObstacleId> Task::with_forced(std::span<const ObstacleId> others) co
     std::ranges::copy_if(others, std::back_inserter(all),
                          [&](ObstacleId id) { return std::ranges::find(options.force, id) == options.force.end(); });
     return all;
+}
+
+SearchOptions cell_search(const Task& task) {
+    SearchOptions search = task.options.search;
+    if (search.planner == Planner::optimal) {
+        search.planner = Planner::theta;
+        if (task.radius() == 0) search.motion = {.corners = Corners::squeeze};  // as a point goes
+    }
+    search.time_limit = std::min(search.time_limit, task.deadline.left());
+    return search;
 }
 
 Candidate candidate_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds) {
@@ -70,7 +94,8 @@ Draft draft_of(const Task& task, Candidate candidate) {
                             .removed = candidate.removed,
                             .breach_time = task.options.breach_time,
                             .timing = task.options.timing,
-                            .objective = task.options.objective};
+                            .objective = task.options.objective,
+                            .time_limit = task.deadline.left()};
     Schedule schedule =
         task.options.flight == FlightRule::optimal
             ? best_schedule(task.map, wish)
@@ -80,7 +105,7 @@ Draft draft_of(const Task& task, Candidate candidate) {
 
 double cost(const Task& task, const Draft& draft) {
     if (!draft.candidate.ground.length) return std::numeric_limits<double>::infinity();
-    return task.options.objective == Objective::makespan ? draft.schedule.makespan : draft.schedule.flowtime;
+    return task.objective(draft.schedule.ground.back().t, draft.schedule.air.back().t);
 }
 
 const Draft& best_of(const Task& task, const Draft& nothing, const std::vector<Draft>& drafts) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/stopwatch.hpp"
 #include "waybreaker/mission.hpp"
 
 namespace waybreaker {
@@ -16,6 +17,7 @@ struct Task {
     const Agent& driver;
     const Agent& flyer;
     const MissionOptions& options;
+    Deadline deadline;  // of the whole call
     // When the air agent ends at the earliest: straight, or past what is removed in any case.
     double least_flight;
 
@@ -32,16 +34,25 @@ struct Task {
     std::vector<ObstacleId> with_forced(std::span<const ObstacleId> others) const;
 };
 
-// The task of a valid mission.
+// The task of a valid mission. The call's time begins now.
 Task task_of(const Map& map, const Mission& mission, const MissionOptions& options);
 // The same mission under other options.
 Task task_of(const Task& task, const MissionOptions& options);
+
+// A lower bound of the time that the air agent takes to breach all these, and to get home.
+double least_flight_time(const Map& map, const Agent& flyer, std::span<const ObstacleId> removed,
+                         const MissionOptions& options);
 
 struct Candidate {
     std::vector<ObstacleId> removed;  // each once
     SearchStatus status = SearchStatus::no_path;
     Outcome::Ground ground;
+    bool limited = false;  // there was no time for the shortest path
 };
+
+// The options of a ground search on cells that ends with the call's time: Theta*, for an agent that goes as the task's
+// does, where the task's planner is the optimal one.
+SearchOptions cell_search(const Task& task);
 
 // A ground path found by a search on the map without some obstacles.
 Candidate candidate_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds);
@@ -52,7 +63,7 @@ struct Draft {
     double flight_seconds = 0;  // what it took to make the schedule
 };
 
-// Flies as the options say.
+// Flies as the options say, with the time that is left to find out how.
 Draft draft_of(const Task& task, Candidate candidate);
 
 // The objective; infinity where there is no ground path.

@@ -2,11 +2,18 @@
 
 #include <utility>
 
+#include "core/stopwatch.hpp"
 #include "mission/exact.hpp"
 #include "mission/hits.hpp"
-#include "mission/stopwatch.hpp"
 
 namespace waybreaker {
+namespace {
+
+// Of the time that is left when choosing begins; the rest is for sets that are likely to be good, if the proof is not
+// done by then.
+constexpr double share_of_proof = 0.8;
+
+}  // namespace
 
 Draft Chooser::nothing() {
     if (task_.options.select == Selection::exact)
@@ -32,14 +39,18 @@ std::vector<Draft> Chooser::drafts(const MissionOptions& options, const Draft& l
     const Task task = task_of(task_, options);
     bound_.reset();
     if (options.select == Selection::exact) {
-        const Deadline deadline(options.time_limit);
+        const Deadline deadline = task.deadline.share(share_of_proof);
         task.tell(cost(task, least), 0);
         const Bound bound = bound_of(task, crossing_, cost(task, least), deadline);
         bound_ = bound.objective;
         task.tell(cost(task, least), bound.objective);
-        return drafts_by_proof(task, crossing_, searcher_, least, bound, deadline);
+        Choice choice = choice_by_proof(task, crossing_, searcher_, least, bound, deadline);
+        limited_ = limited_ || bound.limited || choice.limited;
+        return std::move(choice.drafts);
     }
-    return drafts_by_hits(task, searcher_, least, chosen_by_hits(task, hits_));
+    std::vector<Draft> drafts = drafts_by_hits(task, searcher_, least, chosen_by_hits(task, hits_));
+    limited_ = limited_ || task.deadline.passed();
+    return drafts;
 }
 
 }  // namespace waybreaker

@@ -25,6 +25,8 @@ class Chooser {
     std::vector<Draft> drafts(const MissionOptions& options, const Draft& least);
     // Of the objective, over all plans the last drafts() could have made, if its way proves one.
     std::optional<double> bound() const { return bound_; }
+    // Whether a limit ended what has been chosen so far.
+    bool limited() const { return limited_; }
     // By obstacle, for the paper's way; else empty.
     std::span<const std::uint32_t> hits() const { return hits_; }
 
@@ -34,6 +36,7 @@ class Chooser {
     CrossingSearcher& crossing_;
     std::vector<std::uint32_t> hits_;
     std::optional<double> bound_;
+    bool limited_ = false;
 };
 
 }  // namespace waybreaker

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "mission/hits.hpp"
 #include "mission/shortcuts.hpp"
-#include "waybreaker/flight.hpp"
 
 namespace waybreaker {
 namespace {
@@ -26,6 +26,10 @@ int patience(const Task& task) {
     return task.options.removals <= 3 ? 256 : 16;
 }
 constexpr std::uint64_t patient_expansions = 10'000;
+// Of the time that is left: for the optimal ground path, before a quick search takes over.
+constexpr double share_of_optimal_path = 0.5;
+// Seconds: a search among few obstacles is short, so that it may be a little late.
+constexpr double grace = 0.01;
 
 Body body_of(const Task& task) {
     return drives_itself(task) && task.radius() > 0 ? Body::square : Body::point;
@@ -39,7 +43,7 @@ double gap(Cell c, const Box& box) {
 
 // The longest ground path, in cells, that could still lead to an objective.
 double longest_path(const Task& task, double objective) {
-    const double left = task.options.objective == Objective::makespan ? objective : objective - task.least_flight;
+    const double left = task.options.objective == Objective::flowtime ? objective - task.least_flight : objective;
     return left * task.driver.speed;
 }
 
@@ -89,7 +93,7 @@ Candidate candidate_of(std::vector<ObstacleId> removed, const CrossingResult& re
 CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
                            double longest) {
     if (obstacles.empty()) return {};
-    CrossingOptions options = crossing_options(task, body_of(task), longest, infinity);
+    CrossingOptions options = crossing_options(task, body_of(task), longest, std::max(task.deadline.left(), grace));
     options.only = obstacles;
     return crossing.find(task.map, task.driver.start, task.driver.goal, options);
 }
@@ -99,25 +103,31 @@ CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::sp
 Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searcher& searcher,
                            std::vector<ObstacleId> removed) {
     const Stopwatch watch;
-    if (!drives_itself(task)) {
-        const SearchResult found =
-            searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, task.options.search);
-        return candidate_of(std::move(removed), found, watch.seconds());
+    if (drives_itself(task)) {
+        CrossingOptions options;
+        options.body = body_of(task);
+        options.removed = removed;
+        options.stop = task.options.search.stop;
+        options.expansion_limit = task.options.search.expansion_limit;
+        options.time_limit = task.deadline.share(share_of_optimal_path).left();
+        const CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        const bool out_of_time = found.status == SearchStatus::limit_reached && found.best.path.empty() &&
+                                 found.expanded < options.expansion_limit;
+        if (!out_of_time) return candidate_of(std::move(removed), found, watch.seconds());
     }
-    CrossingOptions options;
-    options.body = body_of(task);
-    options.removed = removed;
-    options.stop = task.options.search.stop;
-    options.expansion_limit = task.options.search.expansion_limit;
-    const CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
-    return candidate_of(std::move(removed), found, watch.seconds());
+    const SearchResult found =
+        searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, cell_search(task));
+    Candidate candidate = candidate_of(std::move(removed), found, watch.seconds());
+    candidate.limited = drives_itself(task);
+    return candidate;
 }
 
-std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher, const Draft& least,
-                                   const Bound& bound, const Deadline& deadline) {
+Choice choice_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& searcher, const Draft& least,
+                       const Bound& bound, const Deadline& deadline) {
     if (task.spare_removals() == 0) return {};
     Stopwatch searching;  // since the last draft
-    std::vector<Draft> drafts;
+    Choice choice;
+    std::vector<Draft>& drafts = choice.drafts;
     double best = cost(task, least);
     const auto beats_best = [&](const CrossingPath& path) {
         return task.objective(path.cost / task.driver.speed, task.least_flight) < best * (1 - rounding);
@@ -149,16 +159,17 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
     const CrossingResult first = crossing.find(task.map, task.driver.start, task.driver.goal, options);
     if (!first.best.path.empty() && beats_best(first.best)) try_out(first.best, first);
     if (first.status == SearchStatus::limit_reached) {
+        choice.limited = true;
         const std::vector<Point>& closed = least.candidate.ground.path;
         try_within(closed.empty() ? chosen_by_hits(task, search_counting_hits(task, searcher).hits)
                                   : chosen_by_shortcuts(task, closed));
     }
-    if (first.status != SearchStatus::found || !beats_best(first.best)) return drafts;
+    if (first.status != SearchStatus::found || !beats_best(first.best)) return choice;
 
     options.length_limit = longest_path(task, best);
     options.time_limit = deadline.left();
     options.expansion_limit = std::min(options.expansion_limit, patient_expansions);
-    CrossingSearcher others;
+    CrossingSearcher enumerator;
     int tried = 0;
     bool gave_up = false;
     const auto try_next = [&](const CrossingPath& path) {
@@ -169,24 +180,28 @@ std::vector<Draft> drafts_by_proof(const Task& task, CrossingSearcher& crossing,
         try_out(path, first);
         return !deadline.passed();
     };
-    const CrossingResult rest = others.enumerate(task.map, task.driver.start, task.driver.goal, options, try_next);
-    if (gave_up || rest.status == SearchStatus::limit_reached) {  // what fewer removals reach, more must reach as well
+    const CrossingResult rest = enumerator.enumerate(task.map, task.driver.start, task.driver.goal, options, try_next);
+    choice.limited = deadline.passed();
+    const bool ended_early = gave_up || rest.status == SearchStatus::limit_reached;
+    if (ended_early && !deadline.passed()) {  // what fewer removals reach, more must reach as well
         MissionOptions fewer = task.options;
         --fewer.removals;
         fewer.progress = {};  // of these, more is known already
         const Task less = task_of(task, fewer);
-        for (Draft& draft : drafts_by_proof(less, crossing, searcher, least, bound, deadline))
-            drafts.push_back(std::move(draft));
+        Choice fewer_removals = choice_by_proof(less, crossing, searcher, least, bound, deadline);
+        std::ranges::move(fewer_removals.drafts, std::back_inserter(drafts));
+        choice.limited = choice.limited || fewer_removals.limited;
     }
-    return drafts;
+    return choice;
 }
 
 Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
     const CrossingOptions options = crossing_options(task, Body::point, longest_path(task, reached), deadline.left());
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
-    if (task.options.objective == Objective::makespan) {
+    if (task.options.objective != Objective::flowtime) {
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
-        return {std::min(least(found.lower_bound, task.least_flight), reached), std::move(found.best.crossed)};
+        return {std::min(least(found.lower_bound, task.least_flight), reached), std::move(found.best.crossed),
+                found.status == SearchStatus::limit_reached};
     }
     // The flight past the obstacles of a set counts as well.
     Bound best{infinity, {}};
@@ -197,13 +212,12 @@ Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, con
                 return false;
             ++tried;
             const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
-            double flight = fly_optimal(task.map, task.flyer.start, task.flyer.goal, removed).length / task.flyer.speed;
-            for (const ObstacleId id : removed) flight += task.options.breach_time.of(task.map.obstacle(id));
-            const double objective = least(path.cost, flight);
+            const double objective = least(path.cost, least_flight_time(task.map, task.flyer, removed, task.options));
             if (objective < best.objective) best = {objective, path.crossed};
             return true;
         });
     best.objective = std::min({best.objective, least(rest.lower_bound, task.least_flight), reached});
+    best.limited = rest.status == SearchStatus::limit_reached;
     return best;
 }
 

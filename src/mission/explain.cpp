@@ -23,14 +23,16 @@ void explain(const Task& task, Chooser& chooser, const Draft& nothing, const Dra
         without.progress = {};
         without.protect.push_back(removal.obstacle);
         std::erase(without.force, removal.obstacle);
-        removal.saves = best_cost(task, chooser, nothing, without) - reached;
+        const double saves = best_cost(task, chooser, nothing, without) - reached;
+        if (task.deadline.passed()) return;
+        removal.saves = saves;
     }
     MissionOptions more = task.options;
     more.progress = {};
     ++more.removals;
     std::vector<ObstacleId> removed;
     const double gain = reached - best_cost(task, chooser, nothing, more, &removed);
-    if (gain <= 0) return;
+    if (gain <= 0 || task.deadline.passed()) return;
     for (const ObstacleId id : removed) {
         if (std::ranges::find(best.candidate.removed, id) != best.candidate.removed.end()) continue;
         plan.next.push_back({id, task.map.obstacle(id).source_id, gain});

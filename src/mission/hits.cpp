@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mission/stopwatch.hpp"
+#include "core/stopwatch.hpp"
 #include "waybreaker/breach.hpp"
 
 namespace waybreaker {
@@ -22,7 +22,7 @@ void keep_needed(const Task& task, Candidate& candidate, std::span<const Cell> p
 Candidate opened(const Task& task, Searcher& searcher, std::span<const ObstacleId> removed) {
     const Stopwatch watch;
     const SearchResult search =
-        searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, task.options.search);
+        searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, cell_search(task));
     Candidate candidate = candidate_of({removed.begin(), removed.end()}, search, watch.seconds());
     if (task.options.timing == Timing::enforce && candidate.ground.length) keep_needed(task, candidate, search.path);
     return candidate;
@@ -31,8 +31,7 @@ Candidate opened(const Task& task, Searcher& searcher, std::span<const ObstacleI
 }  // namespace
 
 SearchResult search_counting_hits(const Task& task, Searcher& searcher) {
-    SearchOptions counting = task.options.search;
-    if (counting.planner == Planner::optimal) counting.planner = Planner::theta;
+    SearchOptions counting = cell_search(task);
     counting.count_hits = true;
     return searcher.find(OpenedMap(task.map), task.driver.start, task.driver.goal, counting);
 }
@@ -61,12 +60,11 @@ std::vector<Draft> drafts_by_hits(const Task& task, Searcher& searcher, const Dr
         drafts.push_back(draft_of(task, opened(task, searcher, chosen)));
         return drafts;
     }
-    const Stopwatch watch;
     const double floor =
         task.objective(distance(task.driver.start, task.driver.goal) / task.driver.speed, task.least_flight);
     double best = cost(task, least);
     for (std::size_t count = task.options.force.size() + 1; count <= chosen.size(); ++count) {
-        if (best <= floor * (1 + 1e-9) || watch.seconds() > task.options.time_limit) break;
+        if (best <= floor * (1 + 1e-9) || task.deadline.passed()) break;
         drafts.push_back(draft_of(task, opened(task, searcher, chosen.first(count))));
         best = std::min(best, cost(task, drafts.back()));
         if (drafts.back().candidate.status == SearchStatus::stopped) break;

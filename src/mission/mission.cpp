@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/stopwatch.hpp"
 #include "mission/candidate.hpp"
 #include "mission/chooser.hpp"
 #include "mission/exact.hpp"
 #include "mission/explain.hpp"
-#include "mission/stopwatch.hpp"
 
 namespace waybreaker {
 namespace {
@@ -24,6 +24,7 @@ Outcome outcome(const Task& task, const Draft& draft) {
     if (result.ground.length) {
         result.makespan = draft.schedule.makespan;
         result.flowtime = draft.schedule.flowtime;
+        result.ground_makespan = draft.schedule.ground.back().t;
     }
     return result;
 }
@@ -93,11 +94,12 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
         }
         const double reached = cost(task, best);
         if (const std::optional<double> bound = chooser.bound(); bound || options.bound) {
-            const Deadline deadline(options.time_limit);
-            plan.bound = std::min(bound ? *bound : bound_of(task, crossing_, reached, deadline).objective, reached);
+            plan.bound =
+                std::min(bound ? *bound : bound_of(task, crossing_, reached, task.deadline).objective, reached);
         }
         if (options.explain) explain(task, chooser, nothing, best, plan);
     }
+    plan.limit_reached = chooser.limited() || nothing.candidate.limited || task.deadline.passed();
     plan.seconds.search = nothing.candidate.ground.seconds;
     for (const Draft& draft : drafts) {
         plan.seconds.search += draft.candidate.ground.seconds;
@@ -111,13 +113,15 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
 std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const MissionOptions& options) {
     constexpr std::size_t patience = 2;  // removals that gain nothing alone may gain together
     const auto reached = [&options](const Plan& plan) {
-        const auto objective = options.objective == Objective::makespan ? plan.after.makespan : plan.after.flowtime;
-        return objective.value_or(std::numeric_limits<double>::infinity());
+        return value(plan.after, options.objective).value_or(std::numeric_limits<double>::infinity());
     };
     std::vector<Plan> plans;
     std::size_t worth = 1;  // plans that gained on what came before, and those between them
+    const Deadline deadline(options.time_limit);
     MissionOptions step = options;
     for (step.removals = int(options.force.size()); step.removals <= options.removals; ++step.removals) {
+        if (!plans.empty() && deadline.passed()) break;
+        if (!plans.empty()) step.time_limit = deadline.left();
         plans.push_back(plan(map, mission, step));
         const double best = reached(plans[worth - 1]);
         const bool closed = !std::isfinite(best);
@@ -127,6 +131,7 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
         if (!closed && plans.size() > worth + patience - 1) break;
     }
     plans.resize(worth);
+    plans.back().limit_reached = plans.back().limit_reached || deadline.passed();
     return plans;
 }
 

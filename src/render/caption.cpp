@@ -50,10 +50,9 @@ std::string why_no_plan(PlanStatus status) {
     }
 }
 
-// ", gap 0.2 %" to the best possible plan, where a bound is known for the makespan or the flowtime.
+// ", gap 0.2 %" to the best possible plan, where a bound is known.
 std::string gap(const Plan& plan, const PictureOptions& options) {
-    const std::optional<double> reached =
-        options.objective == Objective::makespan ? plan.after.makespan : plan.after.flowtime;
+    const std::optional<double> reached = value(plan.after, options.objective);
     if (!plan.bound || !reached || *plan.bound <= 0) return "";
     return fmt::format(", gap {:.1f} %", 100 * std::max(*reached / *plan.bound - 1, 0.0));
 }

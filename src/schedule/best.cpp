@@ -21,20 +21,21 @@ namespace {
 class Best {
   public:
     // `shortest`: the flight with the earliest end of all, or a good one.
-    Best(const Course& course, const Tour& shortest)
+    Best(const Course& course, const Tour& shortest, const Deadline& deadline)
         : course_(course),
+          deadline_(deadline),
           rounding_(1e-9 * (1 + course.finish(shortest).flowtime())),
           shortest_(course.finish(shortest)),
           tour_(shortest),
           rank_(rank_of(shortest_)) {
         if (shortest_.ground <= course_.unhindered() + rounding_) return;  // both agents finish as early as they can
-        consider(improved_tour(course_, shortest, rounding_));
+        consider(improved_tour(course_, shortest, rounding_, deadline_));
         if (rank_.first <= rank_of({course_.unhindered(), shortest_.air}).first + rounding_) return;
-        consider(improved_tour(course_, in_order_of_entry(shortest), rounding_));
+        consider(improved_tour(course_, in_order_of_entry(shortest), rounding_, deadline_));
     }
 
-    // Looks at all flights. Precondition: `shortest` is the shortest.
-    void prove() {
+    // Looks at all flights. False if the deadline comes first. Precondition: `shortest` is the shortest.
+    bool prove() {
         // Flights whose ground agent finishes after ground_low, before ground_high, and their air agent not before
         // air_low. Where local search has found the best already, a look just below ground_high ends it; else halving.
         struct Stretch {
@@ -49,9 +50,11 @@ class Best {
         while (!open.empty()) {
             const Stretch stretch = open.back();
             open.pop_back();
+            if (deadline_.passed()) return false;
             if (stretch.ground_high - stretch.ground_low <= 4 * rounding_) continue;
             if (!promises({stretch.ground_low + 2 * rounding_, stretch.air_low})) continue;
-            const double last_useful = rank_.first - (minimises_makespan() ? 0 : stretch.air_low);
+            const bool sum = objective() == Objective::flowtime;
+            const double last_useful = rank_.first - (sum ? stretch.air_low : 0);
             const double top = std::min(stretch.ground_high - 2 * rounding_, last_useful);
             const double split = stretch.halve ? (stretch.ground_low + top) / 2 : top;
             if (split < top) open.push_back({split, stretch.ground_high, stretch.air_low, false});
@@ -59,13 +62,14 @@ class Best {
                 open.push_back({stretch.ground_low, found->ground, found->air, !stretch.halve});
             }
         }
+        return true;
     }
 
     const Tour& tour() const { return tour_; }
 
   private:
-    Rank rank_of(const Finish& finish) const { return rank(course_.task().objective, finish); }
-    bool minimises_makespan() const { return course_.task().objective == Objective::makespan; }
+    Objective objective() const { return course_.task().objective; }
+    Rank rank_of(const Finish& finish) const { return rank(objective(), finish); }
     bool promises(const Finish& finish) const { return better(rank_of(finish), rank_, rounding_); }
 
     void consider(const Tour& tour) {
@@ -78,8 +82,9 @@ class Best {
     // The earliest end of the air agent with which the ground agent finishes by `ground`; none if it is too late for
     // the best, the ground agent not finishing before `ground_low`.
     std::optional<Finish> fastest(double ground, double ground_low) {
-        double air = rank_.first - (minimises_makespan() ? 0 : ground_low);
-        if (minimises_makespan() && rank_.first <= ground_low + rounding_) air = rank_.second - ground_low;
+        double air = latest_air_finish(objective(), rank_.first, ground_low);
+        const bool tie = objective() != Objective::flowtime && rank_.first <= ground_low + rounding_;
+        if (tie) air = rank_.second - ground_low;
         const std::optional<Tour> tour =
             shortest_tour_in_time(course_.start(), course_.goal(), course_.targets(),
                                   course_.deadlines(ground + rounding_), course_.reach(air + rounding_));
@@ -95,6 +100,7 @@ class Best {
     }
 
     const Course& course_;
+    const Deadline& deadline_;
     double rounding_;  // in time
     Finish shortest_;
     Tour tour_;
@@ -104,21 +110,22 @@ class Best {
 }  // namespace
 
 Schedule best_schedule(const Map& map, const ScheduleTask& task) {
+    const Deadline deadline(task.time_limit);
     const Course course(map, task);
     const Cell start = task.air_start;
     const Cell goal = task.air_goal;
     const bool few = course.targets().size() <= exact_flight_limit;
     const Tour nearest = nearest_tour(start, goal, course.targets());
     const Tour known = improved_tour(start, nearest, goal, course.targets());
-    const Tour shortest =
-        few ? shortest_tour(start, goal, course.targets(), known) : good_tour(start, goal, course.targets(), nearest);
-    Best best(course, shortest);
-    if (few) best.prove();
+    const Tour shortest = few ? shortest_tour(start, goal, course.targets(), known)
+                              : good_tour(start, goal, course.targets(), nearest, deadline);
+    Best best(course, shortest, deadline);
+    const bool proven = few && best.prove();
 
     std::vector<Breaching> breachings;
     for (const Stop& stop : best.tour()) breachings.push_back(course.breaching(stop.target));
     Schedule schedule = timetable(task, flight_of(start, best.tour(), goal, course.targets()), breachings);
-    schedule.optimal = few;
+    schedule.optimal = proven;
     return schedule;
 }
 

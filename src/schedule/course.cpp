@@ -1,6 +1,7 @@
 #include "schedule/course.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plan/timeline.hpp"
 
@@ -13,6 +14,8 @@ Course::Course(const Map& map, const ScheduleTask& task) : task_(task), targets_
         breachings_.push_back(breaching_of(map, task, driven, target.obstacle));
         stays_ += breachings_.back().stay;
     }
+    const double across = std::hypot(map.width(), map.height());
+    longest_tour_ = across * double(targets_.size() + 1);
 }
 
 Finish Course::finish(const Tour& tour) const {
@@ -37,7 +40,7 @@ Deadlines Course::deadlines(double ground_finish) const {
 }
 
 double Course::reach(double air_finish) const {
-    return (air_finish - stays_) * task_.air_speed;
+    return std::min((air_finish - stays_) * task_.air_speed, longest_tour_);
 }
 
 }  // namespace waybreaker

@@ -49,7 +49,8 @@ class Course {
     std::vector<Target> targets_;
     double unhindered_ = 0;
     std::vector<Breaching> breachings_;
-    double stays_ = 0;  // of all together
+    double stays_ = 0;         // of all together
+    double longest_tour_ = 0;  // cells; no tour without a detour is longer
 };
 
 }  // namespace waybreaker

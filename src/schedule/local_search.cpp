@@ -13,11 +13,15 @@ namespace {
 
 class LocalSearch {
   public:
-    LocalSearch(const Course& course, Tour tour, double rounding)
-        : course_(course), tour_(std::move(tour)), rounding_(rounding), rank_(rank_of(course_.finish(tour_))) {
+    LocalSearch(const Course& course, Tour tour, double rounding, const Deadline& deadline)
+        : course_(course),
+          tour_(std::move(tour)),
+          rounding_(rounding),
+          deadline_(deadline),
+          rank_(rank_of(course_.finish(tour_))) {
         // Only cells that a better tour could visit, were each its only stop.
-        const bool makespan = course_.task().objective == Objective::makespan;
-        const double reach = course_.reach(rank_.first + rounding_ - (makespan ? 0 : course_.unhindered()));
+        const double reach =
+            course_.reach(latest_air_finish(course_.task().objective, rank_.first + rounding_, course_.unhindered()));
         for (const Target& target : course_.targets()) {
             std::vector<Cell>& cells = cells_.emplace_back();
             std::ranges::copy_if(target.cells, std::back_inserter(cells), [&](Cell c) {
@@ -27,7 +31,7 @@ class LocalSearch {
     }
 
     Tour run() {
-        while (better_cells() || move_stops()) {
+        while (!deadline_.passed() && (better_cells() || move_stops())) {
         }
         return std::move(tour_);
     }
@@ -80,7 +84,7 @@ class LocalSearch {
     // Takes a stop out and puts it elsewhere, at the same cell.
     bool move_stops() {
         bool any = false;
-        for (std::size_t from = 0; from < tour_.size(); ++from) {
+        for (std::size_t from = 0; from < tour_.size() && !deadline_.passed(); ++from) {
             for (std::size_t to = 0; to < tour_.size(); ++to) {
                 if (from == to) continue;
                 Tour moved = tour_;
@@ -99,14 +103,15 @@ class LocalSearch {
     const Course& course_;
     Tour tour_;
     double rounding_;
+    const Deadline& deadline_;
     Rank rank_;
     std::vector<std::vector<Cell>> cells_;  // by target
 };
 
 }  // namespace
 
-Tour improved_tour(const Course& course, Tour tour, double rounding) {
-    return LocalSearch(course, std::move(tour), rounding).run();
+Tour improved_tour(const Course& course, Tour tour, double rounding, const Deadline& deadline) {
+    return LocalSearch(course, std::move(tour), rounding, deadline).run();
 }
 
 }  // namespace waybreaker

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/stopwatch.hpp"
 #include "search/heuristic.hpp"
 #include "search/node_store.hpp"
 #include "search/open_list.hpp"
@@ -33,7 +34,13 @@ class BestFirst {
   public:
     BestFirst(const Query& query, NodeStore& nodes, OpenMemory& open_memory, const Steps& moves, const Parents& parents,
               Observer& observer)
-        : query_(query), nodes_(nodes), open_(open_memory), moves_(moves), parents_(parents), observer_(observer) {}
+        : query_(query),
+          nodes_(nodes),
+          open_(open_memory),
+          moves_(moves),
+          parents_(parents),
+          observer_(observer),
+          deadline_(query.options.time_limit) {}
 
     SearchResult run() {
         nodes_.begin_query(query_.map.width(), query_.map.height());
@@ -71,7 +78,10 @@ class BestFirst {
             Node& node = nodes_.at(cell);
             if (nodes_.is_closed(node)) continue;  // by a shorter way, found later
             if (result_.expanded >= query_.options.expansion_limit) return SearchStatus::limit_reached;
-            if (result_.expanded % 1024 == 0 && query_.options.stop.stop_requested()) return SearchStatus::stopped;
+            if (result_.expanded % 1024 == 0) {
+                if (query_.options.stop.stop_requested()) return SearchStatus::stopped;
+                if (result_.expanded > 0 && deadline_.passed()) return SearchStatus::limit_reached;
+            }
             parents_.settle(*this, cell, node);
             nodes_.close(node);
             ++result_.expanded;
@@ -114,6 +124,7 @@ class BestFirst {
     const Steps& moves_;
     const Parents& parents_;
     Observer& observer_;
+    Deadline deadline_;
     SearchResult result_;
     std::uint64_t generated_ = 0;
 };

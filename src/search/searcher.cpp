@@ -94,6 +94,7 @@ struct Assembly {
 void validate(const SearchOptions& options) {
     const Motion& motion = options.motion;
     if (!(options.weight >= 1)) throw InputError("the heuristic's weight must be at least 1");
+    if (!(options.time_limit >= 0)) throw InputError("the time limit of a search cannot be negative");
     if (options.planner == Planner::optimal) {
         if (motion.corners == Corners::none && motion.diagonal && (motion.radius == 0.5 || motion.radius == 0)) return;
         throw InputError(

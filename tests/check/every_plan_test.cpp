@@ -33,7 +33,7 @@ MissionOptions any_options(const Map& map) {
     options.removals = *number(0, 4);
     options.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);
     options.timing = *rc::gen::element(Timing::enforce, Timing::ignore);
-    options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
+    options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     options.breach_time = {*rc::gen::element(0.0, 0.0, 2.5), *rc::gen::element(0.0, 0.0, 0.2)};
     options.protect = some_obstacles(map, 2);
     options.weights.assign(map.obstacles().size() + 1, *rc::gen::element(0.5, 1.0));

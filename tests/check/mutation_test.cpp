@@ -196,6 +196,10 @@ const std::vector<Mutation> mutations{
     {"ends later than it says", Rule::makespan, [](Case& c) { return add(c.plan.after.makespan, -0.01); }},
     {"ends earlier than it says", Rule::makespan, [](Case& c) { return add(c.plan.after.makespan, 0.01); }},
     {"adds up wrongly", Rule::flowtime, [](Case& c) { return add(c.plan.after.flowtime, 0.01); }},
+    {"is there at another time than it says", Rule::ground_makespan,
+     [](Case& c) { return add(c.plan.after.ground_makespan, 0.01); }},
+    {"was there at another time before", Rule::before,
+     [](Case& c) { return add(c.plan.before.ground_makespan, 0.01); }},
     {"was shorter before than straight", Rule::before,
      [](Case& c) { return c.plan.before.ground.length ? (c.plan.before.ground.length = -1, true) : false; }},
     {"added up wrongly before", Rule::before, [](Case& c) { return add(c.plan.before.flowtime, 0.01); }},
@@ -209,6 +213,12 @@ const std::vector<Mutation> mutations{
      [](Case& c) {
          c.rules.objective = Objective::flowtime;
          c.plan.bound = *c.plan.after.flowtime + 0.01;
+         return true;
+     }},
+    {"is better than its bound on the ground agent's arrival", Rule::bound,
+     [](Case& c) {
+         c.rules.objective = Objective::ground_makespan;
+         c.plan.bound = *c.plan.after.ground_makespan + 0.01;
          return true;
      }},
     {"has a bound above doing nothing", Rule::bound,

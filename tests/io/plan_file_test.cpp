@@ -34,6 +34,7 @@ void expect_same(const Outcome& written, const Outcome& read) {
     RC_ASSERT(read.air.length == written.air.length);
     RC_ASSERT(read.makespan == written.makespan);
     RC_ASSERT(read.flowtime == written.flowtime);
+    RC_ASSERT(read.ground_makespan == written.ground_makespan);
 }
 
 void expect_same(const Removal& written, const Removal& read) {
@@ -61,7 +62,7 @@ MissionOptions any_options(const Map& map) {
     options.removals = *number(0, 3);
     options.search.motion.corners = any_corners();
     options.timing = *rc::gen::element(Timing::enforce, Timing::ignore);
-    options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
+    options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     options.breach_time = {*rc::gen::element(0.0, 1.5), *rc::gen::element(0.0, 0.25)};
     options.protect = some_obstacles(map, 2);
     for (const Obstacle& obstacle : map.obstacles()) {

@@ -37,10 +37,12 @@ class PlanJson : public testing::Test {
         plan.before.ground.generated = 9;
         plan.before.makespan = 5.5;
         plan.before.flowtime = 8.5;
+        plan.before.ground_makespan = 5.5;
         plan.after.ground.length = 4.5;
         plan.after.air.length = 3;
         plan.after.makespan = 4.5;
         plan.after.flowtime = 7.5;
+        plan.after.ground_makespan = 4.5;
         plan.removed = {
             {.obstacle = ObstacleId{1}, .cells = 2, .hits = 11, .at = {2, 0}, .cleared_at = 1.25, .entered_at = {}}};
         plan.agents = {{"ground", AgentKind::ground, 1, {{0, 0, 0}, {4, 1.5, 4.5}}, {0, 0}, {4, 2}},
@@ -73,7 +75,7 @@ TEST_F(PlanJson, HasTheKeysOfTheContractInItsOrder) {
               (Keys{"planner", "heuristic", "weight", "tie_break", "select", "flight", "timing", "objective",
                     "removals", "breach_time", "breach_time_per_cell", "connectivity", "corners", "radius"}));
     for (const char* stage : {"before", "after"}) {
-        EXPECT_EQ(keys(plan_file[stage]), (Keys{"ground", "air", "makespan", "flowtime"}));
+        EXPECT_EQ(keys(plan_file[stage]), (Keys{"ground", "air", "makespan", "flowtime", "ground_makespan"}));
         EXPECT_EQ(keys(plan_file[stage]["ground"]), (Keys{"length", "expanded", "generated", "seconds"}));
         EXPECT_EQ(keys(plan_file[stage]["air"]), Keys{"length"});
     }
@@ -95,7 +97,7 @@ TEST_F(PlanJson, SaysWhatThePlanSays) {
               R"("breach_time_per_cell":0.0,"connectivity":8,"corners":"none","radius":0.5})");
     EXPECT_EQ(plan_file["before"].dump(),
               R"({"ground":{"length":5.5,"expanded":7,"generated":9,"seconds":0.0},"air":{"length":0.0},)"
-              R"("makespan":5.5,"flowtime":8.5})");
+              R"("makespan":5.5,"flowtime":8.5,"ground_makespan":5.5})");
     EXPECT_EQ(plan_file["after"]["air"]["length"], 3);
     EXPECT_TRUE(plan_file["bound"].is_null());
     EXPECT_EQ(plan_file["removed"].dump(),
@@ -218,8 +220,8 @@ TEST_F(PlanJson, IsWrittenForPeople) {
   "status": "solved",
   "map": {"source": "town.map", "width": 5, "height": 3, "cell_size": 1.0, "digest": "sha256:00"},
   "options": {"planner": "theta", "heuristic": "euclidean", "weight": 1.0, "tie_break": "g-max", "select": "hits", "flight": "optimal", "timing": "ignore", "objective": "makespan", "removals": 1, "breach_time": 0.0, "breach_time_per_cell": 0.0, "connectivity": 8, "corners": "none", "radius": 0.5},
-  "before": {"ground": {"length": 5.5, "expanded": 7, "generated": 9}, "air": {"length": 0.0}, "makespan": 5.5, "flowtime": 8.5},
-  "after": {"ground": {"length": 4.5, "expanded": 0, "generated": 0}, "air": {"length": 3.0}, "makespan": 4.5, "flowtime": 7.5},
+  "before": {"ground": {"length": 5.5, "expanded": 7, "generated": 9}, "air": {"length": 0.0}, "makespan": 5.5, "flowtime": 8.5, "ground_makespan": 5.5},
+  "after": {"ground": {"length": 4.5, "expanded": 0, "generated": 0}, "air": {"length": 3.0}, "makespan": 4.5, "flowtime": 7.5, "ground_makespan": 4.5},
   "bound": null,
   "removed": [
     {"obstacle": 1, "cells": 2, "hits": 11, "at": [2, 0], "cleared_at": 1.25, "entered_at": null}

@@ -3,7 +3,6 @@
 #include <rapidcheck/gtest.h>
 
 #include "random_map.hpp"
-#include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
 
 namespace waybreaker {
@@ -17,23 +16,30 @@ RC_GTEST_PROP(Batch, GivesWhatEachMissionGivesAlone, ()) {
         missions.push_back(ground_and_air(any_free_cell(plain_map), any_free_cell(plain_map)));
     }
     const MissionOptions options{.removals = *number(0, 3)};
-    const std::vector<Plan> plans = plan_all(map, missions, options, unsigned(*number(1, 4)));
-    RC_ASSERT(plans.size() == missions.size());
+    const std::vector<BatchPlan> results = plan_all(map, missions, options, unsigned(*number(1, 4)));
+    RC_ASSERT(results.size() == missions.size());
     for (std::size_t i = 0; i < missions.size(); ++i) {
         const Plan alone = MissionPlanner().plan(map, missions[i], options);
-        RC_ASSERT(plans[i].status == alone.status);
-        RC_ASSERT(plans[i].after.makespan == alone.after.makespan);
-        RC_ASSERT(plans[i].bound == alone.bound);
-        RC_ASSERT(plans[i].agents.size() == alone.agents.size());
-        for (std::size_t a = 0; a < alone.agents.size(); ++a)
-            RC_ASSERT(plans[i].agents[a].path == alone.agents[a].path);
+        RC_ASSERT(results[i].plan.has_value());
+        const Plan& plan = *results[i].plan;
+        RC_ASSERT(plan.status == alone.status);
+        RC_ASSERT(plan.after.makespan == alone.after.makespan);
+        RC_ASSERT(plan.bound == alone.bound);
+        RC_ASSERT(plan.agents.size() == alone.agents.size());
+        for (std::size_t a = 0; a < alone.agents.size(); ++a) RC_ASSERT(plan.agents[a].path == alone.agents[a].path);
     }
 }
 
-TEST(Batch, ThrowsWhatTheFirstImpossibleMissionThrows) {
+TEST(Batch, ABadMissionCostsTheOthersNothing) {
     const Map map{Grid(4, 4)};
-    const std::vector<Mission> missions{ground_and_air({0, 0}, {3, 3}), ground_and_air({0, 0}, {9, 3})};
-    EXPECT_THROW(plan_all(map, missions), InputError);
+    const std::vector<Mission> missions{ground_and_air({0, 0}, {9, 3}), ground_and_air({0, 0}, {3, 3})};
+    const std::vector<BatchPlan> results = plan_all(map, missions);
+    ASSERT_EQ(results.size(), 2U);
+    EXPECT_FALSE(results[0].plan);
+    EXPECT_NE(results[0].error.find("9,3 is off the map"), std::string::npos) << results[0].error;
+    ASSERT_TRUE(results[1].plan);
+    EXPECT_EQ(results[1].plan->status, PlanStatus::solved);
+    EXPECT_EQ(results[1].error, "");
 }
 
 }  // namespace

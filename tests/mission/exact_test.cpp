@@ -27,7 +27,7 @@ World any_world() {
     while (Map(plain.grid()).obstacles().size() > 8) plain = *random_map(12, 12);
     World world{Map(plain.grid()), ground_and_air(any_free_cell(plain), any_free_cell(plain)), {}};
     world.options.removals = *number(0, 3);
-    world.options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
+    world.options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     if (*rc::gen::arbitrary<bool>()) {
         world.mission.agents[1].start = any_cell(plain);
         world.mission.agents[1].goal = any_cell(plain);
@@ -42,8 +42,7 @@ World any_world() {
 }
 
 double objective(const World& world, const Plan& plan) {
-    const bool makespan = world.options.objective == Objective::makespan;
-    return (makespan ? plan.after.makespan : plan.after.flowtime).value_or(infinity);
+    return value(plan.after, world.options.objective).value_or(infinity);
 }
 
 // The shortest ground path with exactly these obstacles gone, and the best flight for it.
@@ -59,6 +58,7 @@ double cost_of(const World& world, const std::vector<ObstacleId>& removed) {
                                                         .removed = removed,
                                                         .breach_time = world.options.breach_time,
                                                         .objective = world.options.objective});
+    if (world.options.objective == Objective::ground_makespan) return schedule.ground.back().t;
     return world.options.objective == Objective::makespan ? schedule.makespan : schedule.flowtime;
 }
 

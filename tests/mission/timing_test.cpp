@@ -25,8 +25,7 @@ struct World {
     // What the plan costs; infinity if there is none.
     double cost() const { return cost(plan().after); }
     double cost(const Outcome& outcome) const {
-        const bool makespan = options.objective == Objective::makespan;
-        return (makespan ? outcome.makespan : outcome.flowtime).value_or(std::numeric_limits<double>::infinity());
+        return value(outcome, options.objective).value_or(std::numeric_limits<double>::infinity());
     }
 };
 
@@ -40,7 +39,7 @@ World any_world() {
     world.options.select = Selection::hits;
     world.options.removals = *number(0, 4);
     world.options.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);
-    world.options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime);
+    world.options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     world.options.breach_time = {*rc::gen::element(0.0, 0.0, 2.5), *rc::gen::element(0.0, 0.0, 0.2)};
     return world;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace waybreaker {
 
@@ -17,10 +18,12 @@ class Stopwatch {
 class Deadline {
   public:
     // So many seconds from now; infinity: never.
-    explicit Deadline(double seconds) : seconds_(seconds) {}
+    explicit Deadline(double seconds = std::numeric_limits<double>::infinity()) : seconds_(seconds) {}
 
     double left() const { return std::max(seconds_ - watch_.seconds(), 0.0); }
     bool passed() const { return left() <= 0; }
+    // When that share of what is left is over.
+    Deadline share(double part) const { return Deadline(part * left()); }
 
   private:
     double seconds_;

@@ -1,0 +1,35 @@
+// Interrupt: whether a search has to end early, asked for so often that the clock is read now and then only.
+#pragma once
+
+#include <stop_token>
+#include <utility>
+
+#include "core/stopwatch.hpp"
+
+namespace waybreaker {
+
+class Interrupt {
+  public:
+    enum class Cause { none, limit, stop };
+
+    Interrupt() = default;
+    Interrupt(double seconds, std::stop_token stop) : deadline_(seconds), stop_(std::move(stop)) {}
+
+    // Once due, always due.
+    bool due() {
+        constexpr unsigned calls_per_look = 64;
+        if (cause_ == Cause::none && calls_++ % calls_per_look == 0) {
+            cause_ = stop_.stop_requested() ? Cause::stop : deadline_.passed() ? Cause::limit : Cause::none;
+        }
+        return cause_ != Cause::none;
+    }
+    Cause cause() const { return cause_; }
+
+  private:
+    Deadline deadline_;
+    std::stop_token stop_;
+    unsigned calls_ = 0;
+    Cause cause_ = Cause::none;
+};
+
+}  // namespace waybreaker
