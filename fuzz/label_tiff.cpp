@@ -8,6 +8,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     waybreaker::read_or_refuse(data, size, [](std::string_view bytes) {
         const waybreaker::geo::LabelTiff tiff = waybreaker::geo::read_label_tiff(bytes, "input");
         waybreaker::law(tiff.cell_size > 0);
+        waybreaker::law(!tiff.origin ||
+                        (!tiff.georeference && std::isfinite(tiff.origin->at(0)) && std::isfinite(tiff.origin->at(1))));
         waybreaker::law(tiff.names.empty() || tiff.names.size() == tiff.map.obstacles().size() + 1);
         for (const auto& feature : tiff.background.features) {
             waybreaker::law(!feature.parts.empty());

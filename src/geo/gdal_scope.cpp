@@ -39,7 +39,12 @@ GdalScope::~GdalScope() {
 
 void GdalScope::remember(const char* message) {
     if (failed()) return;
-    failure_ = message;
+    constexpr std::size_t most = 300;  // it can quote as much of a file as it likes
+    const std::string_view text = message;
+    std::size_t end = std::min(text.size(), most);
+    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80)
+        --end;  // whole in UTF-8
+    failure_ = std::string(text.substr(0, end)) + (end < text.size() ? "..." : "");
     std::replace_if(
         failure_.begin(), failure_.end(), [](unsigned char c) { return c < ' '; }, ' ');
     if (failure_.empty()) failure_ = "unknown cause";

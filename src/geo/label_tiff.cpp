@@ -140,7 +140,8 @@ struct Place {
 // To a nanometre: the file holds the upper-left corner, and the way from there and back rounds.
 double as_written(double metres) {
     constexpr double nanometres = 1e9;
-    return std::round(metres * nanometres) / nanometres + 0.0;
+    constexpr double most = 1e6;  // beyond, a number has no nanometres
+    return std::abs(metres) < most ? std::round(metres * nanometres) / nanometres + 0.0 : metres;
 }
 
 Place read_place(GDALDataset& file, const std::string& name) {
@@ -163,7 +164,8 @@ Place read_place(GDALDataset& file, const std::string& name) {
     place.cell_size = cell_x;
     const OGRSpatialReference* system = file.GetSpatialRef();
     if (system == nullptr) {
-        place.origin = {as_written(west), as_written(north + file.GetRasterYSize() * cell_y)};
+        const double south = north + file.GetRasterYSize() * cell_y;
+        if (std::isfinite(south)) place.origin = {as_written(west), as_written(south)};
         return place;
     }
     if (system->IsGeographic()) {

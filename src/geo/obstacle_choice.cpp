@@ -31,7 +31,7 @@ std::vector<TagFilter> parse_tag_filters(const std::string& text) {
         const std::size_t equals = part.find('=');
         if (equals == std::string::npos && !filters.empty() && !filters.back().values.empty()) {
             if (part == "building") {
-                refuse(" takes building for a value of " + filters.back().key +
+                refuse(" takes building for a value of " + quoted(filters.back().key) +
                        "; put it first, or in an option of its own");
             }
             filters.back().values.push_back(part);

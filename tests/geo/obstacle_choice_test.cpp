@@ -260,7 +260,7 @@ TEST(TagFilters, AreKeysWithOrWithoutValues) {
     // A building is hardly meant to be a kind of water.
     EXPECT_NE(input_error([] {
                   parse_tag_filters("natural=water,building");
-              }).find("takes building for a value of natural; put it first"),
+              }).find("takes building for a value of 'natural'; put it first"),
               std::string::npos);
     EXPECT_LT(input_error([] { parse_tag_filters(std::string(100000, '=')); }).size(), 200U);
     EXPECT_LT(input_error([] { parse_quantity(std::string(100000, '*')); }).size(), 200U);
