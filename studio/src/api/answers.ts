@@ -130,6 +130,8 @@ export interface PlanOptions {
   paper?: boolean;
   removals?: number;
   select?: "exact" | "hits";
+  planner?: "theta";
+  weight?: number;
   flight?: "optimal" | "nearest";
   timing?: "enforce" | "ignore";
   objective?: Objective;

@@ -7,6 +7,8 @@ import { pause, ServiceError, type CheckReport, type Progress } from "../api/cli
 import type { LayerName } from "../map/scene";
 import {
   beforeRequest,
+  draftBeforeRequest,
+  draftRequest,
   keyOf,
   paperRequest,
   planRequest,
@@ -29,11 +31,13 @@ export type Verdict = { valid: true } | { valid: false; reason: string } | null;
 export interface Judged {
   plan: Plan;
   verdict: Verdict;
+  draft?: boolean; // made in a hurry: the plan itself follows
 }
 
 export interface Pace {
   calm: number; // ms without change after which the rest is asked
   patience: number; // ms that a plan may take while a newer question waits
+  fluent: number; // ms: where plans take longer, a draft comes first
 }
 
 // What is known about a mission.
@@ -56,10 +60,11 @@ export class Planner implements Results {
   #working: { control: AbortController; began: number } | null = null;
   #resting: AbortController | null = null;
   #curve: Curve | null = null;
+  #took = 0; // ms, the last plan that was no draft
 
   constructor(
     private readonly service: PlanService,
-    private readonly pace: Pace = { calm: 150, patience: 600 },
+    private readonly pace: Pace = { calm: 150, patience: 600, fluent: 80 },
   ) {}
 
   ask(question: Question): void {
@@ -68,6 +73,7 @@ export class Planner implements Results {
     if (this.#working) return this.#hurry(this.#working);
     if (this.#isAnswered(question)) {
       this.#wanted = null;
+      this.answered.value = question;
       void this.#rest(question);
     } else {
       void this.#work();
@@ -80,6 +86,7 @@ export class Planner implements Results {
     this.#resting?.abort();
     this.#working?.control.abort();
     this.progress.value = null;
+    if (this.plans.value.after?.draft) this.failure.value = stopped();
   }
 
   // Whether what is shown answers the latest question.
@@ -90,6 +97,7 @@ export class Planner implements Results {
   // Another map: nothing of the old plans fits.
   clear(): void {
     this.stop();
+    this.#took = 0;
     this.plans.value = {};
     this.front.value = null;
     this.#curve = null;
@@ -117,7 +125,8 @@ export class Planner implements Results {
       this.#working = { control, began: performance.now() };
       done = null;
       try {
-        await this.#first(question, control.signal);
+        const isSlow = this.#took > this.pace.fluent && !this.#isKnown(question);
+        if (!isSlow || !(await this.#draft(question, control.signal))) await this.#first(question, control.signal);
         this.failure.value = null;
         done = question;
       } catch (error) {
@@ -125,7 +134,9 @@ export class Planner implements Results {
         const dropped = trouble.trouble === "stopped" && this.#wanted !== null;
         if (dropped) continue;
         this.failure.value = trouble;
-        if (trouble.trouble === "refused") this.plans.value = {}; // those of another question would mislead
+        if (trouble.trouble !== "refused") continue;
+        this.answered.value = question;
+        this.plans.value = {}; // those of another question would mislead
       }
     }
     this.#working = null;
@@ -136,22 +147,47 @@ export class Planner implements Results {
   // What has to follow the mouse.
   async #first(question: Question, stop: AbortSignal): Promise<void> {
     const tell = (progress: Progress) => (this.progress.value = progress);
-    const last = this.answered.value;
-    const sameBefore = last !== null && keyOf.before(last) === keyOf.before(question);
+    const kept = this.#keptBefore(question);
+    const isKnown = this.#isKnown(question);
     const { removals } = question;
+    const began = performance.now();
     const [after, before] = await Promise.all([
       removals === "auto"
         ? this.#trace(question, stop, tell).then((plans) => bestAtPrice(plans, question.price))
         : (this.#traced(question, removals) ??
           this.service.plan(question.map, planRequest(question, removals), stop, tell)),
-      sameBefore || !question.withBefore ? null : this.service.plan(question.map, beforeRequest(question), stop),
+      kept || !question.withBefore ? null : this.service.plan(question.map, beforeRequest(question), stop),
     ]);
-    if (stop.aborted) throw new ServiceError("stopped", "Stopped.");
-    const kept = sameBefore ? this.plans.value.before : undefined;
+    if (stop.aborted) throw stopped();
+    if (!isKnown) this.#took = performance.now() - began;
     const beside = before ? { plan: before, verdict: null } : kept;
     this.answered.value = question;
     this.plans.value = { after: { plan: after, verdict: null }, ...(beside && { before: beside }) };
     this.progress.value = null;
+  }
+
+  // The same, soon but roughly. Whether there is a way so soon.
+  async #draft(question: Question, stop: AbortSignal): Promise<boolean> {
+    const kept = this.#keptBefore(question);
+    const removals =
+      question.removals === "auto" ? (this.plans.value.after?.plan.removed.length ?? 1) : question.removals;
+    const [plan, before] = await Promise.all([
+      this.service.plan(question.map, draftRequest(question, removals), stop),
+      kept || !question.withBefore ? null : this.service.plan(question.map, draftBeforeRequest(question), stop),
+    ]);
+    if (stop.aborted) throw stopped();
+    if (plan.agents.length === 0) return false;
+    const beside = before ? { plan: before, verdict: null, draft: true } : kept;
+    this.answered.value = question;
+    this.plans.value = { after: { plan, verdict: null, draft: true }, ...(beside && { before: beside }) };
+    return true;
+  }
+
+  // The way without removals, where it is still that of the question.
+  #keptBefore(question: Question): Judged | undefined {
+    const last = this.answered.value;
+    const { before } = this.plans.value;
+    return last && !before?.draft && keyOf.before(last) === keyOf.before(question) ? before : undefined;
   }
 
   async #rest(question: Question): Promise<void> {
@@ -159,6 +195,7 @@ export class Planner implements Results {
     const stop = control.signal;
     try {
       await pause(this.pace.calm, stop);
+      if (this.plans.value.after?.draft) await this.#first(question, stop);
       await this.#judge("after", question, stop);
       await this.#explain(question, stop);
       if (!this.plans.value.before) {
@@ -170,7 +207,8 @@ export class Planner implements Results {
     } catch (error) {
       // What is beside the plan may be missing; but that nobody answers has to be said.
       const trouble = asServiceError(error);
-      if (trouble.trouble === "gone" || trouble.trouble === "missing") this.failure.value = trouble;
+      const said = trouble.trouble === "gone" || trouble.trouble === "missing";
+      if (said || (this.plans.value.after?.draft && !stop.aborted)) this.failure.value = trouble;
     }
   }
 
@@ -186,11 +224,17 @@ export class Planner implements Results {
       const plan =
         this.#shownFor(question, curve.next) ??
         (await this.service.plan(question.map, stepRequest(question, curve.next), stop, tellAll));
-      if (stop.aborted) throw new ServiceError("stopped", "Stopped.");
+      if (stop.aborted) throw stopped();
       curve.add(plan);
       this.front.value = curve.front();
     }
     return curve.plans;
+  }
+
+  // Whether the curve has the answer.
+  #isKnown(question: Question): boolean {
+    if (question.removals !== "auto") return this.#traced(question, question.removals) !== null;
+    return this.#curve?.key === keyOf.front(question) && this.#curve.isDone;
   }
 
   #traced(question: Question, removals: number): Plan | null {
@@ -202,9 +246,9 @@ export class Planner implements Results {
   // The plan that is shown anyway, so that curve and headline agree.
   #shownFor(question: Question, removals: number): Plan | null {
     const last = this.answered.value;
-    const plan = this.plans.value.after?.plan;
+    const { after } = this.plans.value;
     const fits = last && keyOf.front(last) === keyOf.front(question) && last.removals === removals;
-    return fits && plan ? plan : null;
+    return fits && after && !after.draft ? after.plan : null;
   }
 
   // The plan again with what each removal saves; where time was short, perhaps a better one.
@@ -259,6 +303,10 @@ function isAsGood(plan: Plan, than: Plan): boolean {
 
 function hasSamePaths(a: Plan, b: Plan): boolean {
   return JSON.stringify(a.agents) === JSON.stringify(b.agents);
+}
+
+function stopped(): ServiceError {
+  return new ServiceError("stopped", "Stopped.");
 }
 
 function asServiceError(error: unknown): ServiceError {

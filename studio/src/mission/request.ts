@@ -43,9 +43,17 @@ export function questionOf(mission: Mission, units: Units, map: string, toShown:
   };
 }
 
-function request(question: Question, method: Method, options: PlanOptions): PlanRequest {
-  const how: PlanOptions = method === "paper" ? { paper: true } : { select: "exact" };
-  return { mission: question.mission, options: { ...how, ...question.options, ...options } };
+// A draft, where plans take too long to follow the mouse: any-angle search that hurries to the goal, and of the obstacles in its way
+// those it met most. On a city of 4096² cells that is a hundredth of the work, and its ways are a percent longer.
+const hurried: PlanOptions = { planner: "theta", weight: 1.5 };
+
+function request(question: Question, method: Method | "draft", options: PlanOptions): PlanRequest {
+  const how: Record<typeof method, PlanOptions> = {
+    exact: { select: "exact" },
+    paper: { paper: true },
+    draft: { ...(question.method === "paper" ? { paper: true } : { select: "hits" }), ...hurried },
+  };
+  return { mission: question.mission, options: { ...how[method], ...question.options, ...options } };
 }
 
 // The first plan has to come soon, and is asked for again, with more time, when nothing changes for a moment.
@@ -54,6 +62,15 @@ const patient = 10;
 
 export function planRequest(question: Question, removals: number): PlanRequest {
   return request(question, question.method, { removals, time_limit: quick });
+}
+
+export function draftRequest(question: Question, removals: number): PlanRequest {
+  return request(question, "draft", { removals });
+}
+
+export function draftBeforeRequest(question: Question): PlanRequest {
+  const { protect, force, ...options } = question.options;
+  return request({ ...question, options }, "draft", { removals: 0 });
 }
 
 // With all the time that the service gives, and what the mission would lose without each removal.

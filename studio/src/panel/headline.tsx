@@ -91,6 +91,13 @@ interface SurenessProps {
 function Sureness({ judged, buildings, checks }: SurenessProps) {
   const sure = proof(judged.plan);
   if (!sure) return null;
+  if (judged.draft) {
+    return (
+      <div class="sureness">
+        <p class="pending">A draft: the exact plan follows</p>
+      </div>
+    );
+  }
   const early = tooEarly(judged.plan);
   const { verdict } = judged;
   return (

@@ -1,4 +1,4 @@
-import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import type { Plan, PlanRequest } from "../../src/api/answers";
 import { ServiceError, type CheckReport, type Progress } from "../../src/api/client";
 import { freshMission } from "../../src/mission/mission";
@@ -54,7 +54,7 @@ const question = (x: number, more: Partial<Question> = {}): Question => ({
 });
 const startOf = (asked: Asked) => asked.request?.mission.start[0];
 const settle = () => vi.advanceTimersByTimeAsync(0);
-const pace = { calm: 100, patience: 500 };
+const pace = { calm: 100, patience: 500, fluent: 80 };
 
 let service: FakeService;
 let planner: Planner;
@@ -285,4 +285,77 @@ it("keeps what it shows when the service refuses or is gone", async () => {
   service.last().answer(planOf({}));
   await settle();
   expect(planner.failure.value).toBeNull();
+});
+
+describe("where plans take long", () => {
+  const draft = { select: "hits", planner: "theta", weight: 1.5 };
+  const plan = planOf({ removed: [4], after: 90 });
+
+  beforeEach(async () => {
+    planner.ask(question(1));
+    await vi.advanceTimersByTimeAsync(pace.fluent + 50);
+    service.last().answer(plan);
+    await settle();
+  });
+
+  it("a draft follows the mouse, and the plan when it rests", async () => {
+    for (const x of [2, 3]) {
+      planner.ask(question(x));
+      expect(service.last().request?.options).toMatchObject({ ...draft, removals: 2 });
+      service.last().answer(planOf({ removed: [4], after: 95 }));
+      await settle();
+      expect(planner.plans.value.after).toMatchObject({ verdict: null, draft: true });
+      expect(planner.answered.value?.mission.start).toEqual([x, 0]);
+    }
+    const drafts = service.asked.length;
+    await vi.advanceTimersByTimeAsync(pace.calm - 10);
+    expect(service.asked).toHaveLength(drafts);
+    await vi.advanceTimersByTimeAsync(20);
+    expect(service.last().request?.options?.select).toBe("exact");
+    service.last().answer(plan);
+    await settle();
+    expect(planner.plans.value.after).toEqual({ plan, verdict: null });
+    expect(service.last().what).toBe("check");
+  });
+
+  it("the plan is given up at once when the mouse moves again", async () => {
+    planner.ask(question(2));
+    service.last().answer(plan);
+    await vi.advanceTimersByTimeAsync(pace.calm + 1);
+    const exact = service.last();
+    planner.ask(question(3));
+    await settle();
+    expect(exact.signal?.aborted).toBe(true);
+    expect(service.last().request?.options).toMatchObject(draft);
+    expect(planner.failure.value).toBeNull();
+  });
+
+  it("a draft that finds no way says nothing", async () => {
+    planner.ask(question(2));
+    service.last().answer(planOf({ after: null }));
+    await settle();
+    expect(service.last().request?.options?.select).toBe("exact");
+    expect(planner.plans.value.after?.plan).toBe(plan);
+  });
+
+  it("the way without removals is a draft, too, until the plan comes", async () => {
+    planner.ask(question(2, { withBefore: true }));
+    const [after, before] = service.asked.slice(-2);
+    expect(before!.request?.options).toMatchObject({ ...draft, removals: 0 });
+    after!.answer(plan);
+    before!.answer(planOf({}));
+    await vi.advanceTimersByTimeAsync(pace.calm + 1);
+    expect(service.asked.slice(-2).map((asked) => asked.request?.options?.select)).toEqual(["exact", "exact"]);
+  });
+
+  it("a plan that is stopped leaves a draft that says so", async () => {
+    planner.ask(question(2));
+    service.last().answer(plan);
+    await vi.advanceTimersByTimeAsync(pace.calm + 1);
+    planner.stop();
+    await settle();
+    expect(planner.failure.value?.trouble).toBe("stopped");
+    planner.ask(question(2));
+    expect(service.last().request?.options).toMatchObject(draft);
+  });
 });
