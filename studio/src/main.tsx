@@ -3,7 +3,7 @@ import { effect } from "@preact/signals";
 import { render } from "preact";
 import { Client } from "./api/client";
 import { TabToken } from "./api/token";
-import { fragmentOf, missionAt } from "./mission/address";
+import { fragmentOf, missionAt, type Place } from "./mission/address";
 import { openMission } from "./mission/opening";
 import { Studio } from "./mission/studio";
 import { viewerOf, type PlanDocument } from "./mission/viewer";
@@ -19,18 +19,19 @@ if (held) {
   const token = new TabToken();
   const studio = new Studio(new Client(token));
   render(<App page={studio} token={token} />, root);
-  void missionHere(studio)
+  void missionIn(location, studio)
     .then((query) => studio.start(query))
     .then(() => keepAddress(studio));
   // A link put into the address of this very page changes its fragment alone.
-  addEventListener("hashchange", () => void missionHere(studio).then(async (query) => {
+  addEventListener("hashchange", async ({ newURL }) => {
+    const query = await missionIn(new URL(newURL), studio);
     if (query) await openMission(studio, query);
-  }));
+  });
 }
 
-async function missionHere(studio: Studio): Promise<string> {
+async function missionIn(address: Place, studio: Studio): Promise<string> {
   try {
-    return await missionAt(location);
+    return await missionAt(address);
   } catch {
     studio.tell("bad", "The link is not complete: the mission in it cannot be read.");
     return "";
