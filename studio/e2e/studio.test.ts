@@ -246,7 +246,7 @@ describe("a link", () => {
     const mission = freshMission("berlin-mitte.tif", { start: [256, 434], goal: [118, 55] });
     const file = join(scratch, "mission.json");
     writeFileSync(file, missionFile(encodeLink({ ...mission, walls: union(strokes, []) }, 501)));
-    const page = await visit();
+    const page = await visit({ query: "#map=berlin-mitte.tif&start=256,434&goal=118,55&removals=1" });
     const { digest } = (await page.plan()).map;
     await page.page.getByLabel("File to open").setInputFiles(file);
     await expect.poll(() => page.page.url(), { timeout: 10_000 }).toContain("#z=");
