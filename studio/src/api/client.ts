@@ -40,6 +40,8 @@ export interface Edits {
 export interface Progress {
   state: "queued" | "planning";
   seconds: number;
+  best?: number | null; // the objective of the best plan so far
+  bound?: number | null; // and what none is below
 }
 
 export type ExportFormat = "json" | "geojson" | "csv" | "svg";

@@ -30,6 +30,16 @@ export function drawn(
   };
 }
 
+// The obstacles of the map shown that are drawn, in part at least.
+export function drawnObstacles(mission: Mission, { map }: ShownMap): ReadonlySet<number> {
+  const ids = new Set<number>();
+  for (const [x, y, length] of mission.walls) {
+    for (let i = x; i < x + length; ++i) ids.add(map.cells.at(i, y));
+  }
+  ids.delete(0);
+  return ids;
+}
+
 function blockedOf(cells: CellMap, stroke: readonly Run[]): Run[] {
   const blocked: Run[] = [];
   for (const [x, y, length] of stroke) {

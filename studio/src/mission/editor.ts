@@ -4,7 +4,7 @@ import type { Cell } from "../api/answers";
 import type { Handle, LayerName, Mark, Run, Tool } from "../map/scene";
 import { drawn } from "./edited";
 import { endGesture, redo, step, undo, type History } from "./history";
-import { marked, mostRemovals, withEnoughRemovals, withMark, type Mission } from "./mission";
+import { marked, mostRemovals, withEnoughRemovals, withMark, type Choice, type Mission } from "./mission";
 import { PageState } from "./page_state";
 
 export abstract class Editor extends PageState {
@@ -69,14 +69,16 @@ export abstract class Editor extends PageState {
   mark(id: number, mark: Mark | null): void {
     const shown = this.shown.value;
     if (!shown) return;
-    const key = shown.ids.toBase(id);
+    const key = this.keyOf(id);
     if (key === 0) return;
+    const isDrawn = this.drawn.value.has(id);
     if (key < 0 && mark === "exclude") this.draw("erase", shown.map.cells.runsOf(id));
-    else this.markKey(key, mark);
+    else if (isDrawn && mark === "protect") this.markKey(key, null);
+    else this.markKey(key, mark ?? (isDrawn ? "allow" : null));
     if (mark === "exclude") this.selected.value = null;
   }
 
-  markKey(key: number, mark: Mark | null): void {
+  markKey(key: number, mark: Choice | null): void {
     const next = withMark(this.mission.value!, key, mark);
     if (marked(next, "force").length > mostRemovals) {
       return this.tell("bad", `No more than ${mostRemovals} obstacles can be removed.`);

@@ -1,11 +1,11 @@
 // A mission as the query of an address, and back: whoever has the link has the mission. What is as usual is left out.
 import type { Cell } from "../api/answers";
-import type { LayerName, Mark, Markers, Run } from "../map/scene";
-import { defaults, freshMission, mostRemovals, wallCell, wallKey, type Mission } from "./mission";
+import type { LayerName, Markers, Run } from "../map/scene";
+import { defaults, freshMission, mostRemovals, wallCell, wallKey, type Choice, type Mission } from "./mission";
 import { decodeRuns, encodeRuns } from "./run_code";
 import { clipped } from "./run_set";
 
-const marks: Mark[] = ["protect", "force", "exclude"];
+const marks: Choice[] = ["protect", "force", "exclude", "allow"];
 const layerNames: LayerName[] = ["before", "after", "paper"];
 
 // Numbers that are written as they are, and the least and greatest that make sense.
@@ -98,7 +98,7 @@ export function decodeLink(query: string, map: string, markers: Markers, width: 
       (value) => (mission[member] = value),
     );
   }
-  const has = new Map<number, Mark>();
+  const has = new Map<number, Choice>();
   for (const mark of marks) {
     take(
       mark,

@@ -4,6 +4,9 @@ import type { LayerName, Mark, Markers, Run } from "../map/scene";
 
 export type Method = "exact" | "paper";
 
+// What is said about an obstacle. Only of what has been drawn need be said that it may go.
+export type Choice = Mark | "allow";
+
 export const mostRemovals = 8;
 
 // Speeds and times as people say them: metres and seconds, or cells and steps where the map has no scale.
@@ -19,7 +22,7 @@ export interface Mission {
   breachTime: number;
   breachTimePerCell: number;
   radius: number; // of the ground agent, in cells
-  marks: ReadonlyMap<number, Mark>; // by obstacle, or by key of a drawn wall
+  marks: ReadonlyMap<number, Choice>; // by obstacle, or by key of a drawn wall
   walls: readonly Run[]; // drawn
   erased: readonly Run[];
   layers: readonly LayerName[];
@@ -36,7 +39,7 @@ export const defaults = {
   breachTime: 0,
   breachTimePerCell: 0,
   radius: 0.5,
-  marks: new Map<number, Mark>() as ReadonlyMap<number, Mark>,
+  marks: new Map<number, Choice>() as ReadonlyMap<number, Choice>,
   walls: [] as readonly Run[],
   erased: [] as readonly Run[],
   layers: ["before", "after"] as readonly LayerName[],
@@ -57,7 +60,7 @@ export function wallCell(key: number, width: number): Cell {
   return [index % width, Math.floor(index / width)];
 }
 
-export function withMark(mission: Mission, key: number, mark: Mark | null): Mission {
+export function withMark(mission: Mission, key: number, mark: Choice | null): Mission {
   const marks = new Map(mission.marks);
   if (mark) marks.set(key, mark);
   else marks.delete(key);

@@ -3,6 +3,7 @@
 import { computed, effect, signal, type Signal } from "@preact/signals";
 import type { LayerName, Mark } from "../map/scene";
 import { Clock } from "../play/clock";
+import { drawnObstacles } from "./edited";
 import { replace, type History } from "./history";
 import type { HeldMap } from "./maps";
 import { asksTheSame, type Mission } from "./mission";
@@ -29,6 +30,10 @@ export class PageState {
   readonly history: Signal<History<Mission> | null> = signal(null);
   readonly mission = computed(() => this.history.value?.present ?? null);
   readonly shown: Signal<ShownMap | null> = signal(null);
+  readonly drawn = computed<ReadonlySet<number>>(() => {
+    const [mission, shown] = [this.mission.value, this.shown.value];
+    return mission && shown ? drawnObstacles(mission, shown) : new Set();
+  });
   readonly units: Signal<Units> = computed(() =>
     this.shown.value ? unitsOf(this.shown.value.base.description) : { metric: true, cell: 1, time: "seconds" },
   );
@@ -65,9 +70,18 @@ export class PageState {
     this.history.value = replace(history, { ...history.present, layers: next });
   }
 
+  // What is drawn has to stay unless something else is said.
   markOf(id: number): Mark | null {
-    const key = this.shown.value?.ids.toBase(id) ?? 0;
-    return this.mission.value?.marks.get(key) ?? null;
+    const said = this.mission.value?.marks.get(this.keyOf(id)) ?? (this.drawn.value.has(id) ? "protect" : null);
+    return said === "allow" ? null : said;
+  }
+
+  // Under which key something is said of an obstacle of the map shown. A wall may have grown since.
+  keyOf(id: number): number {
+    const ids = this.shown.value?.ids;
+    if (!ids) return 0;
+    const keys = [...(this.mission.value?.marks.keys() ?? [])];
+    return keys.find((key) => ids.toShown(key) === id) ?? ids.toBase(id);
   }
 
   tell(tone: Notice["tone"], text: string, actions: Notice["actions"] = []): void {

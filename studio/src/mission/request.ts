@@ -15,9 +15,18 @@ export interface Question {
   withBefore: boolean; // whether the way without removals is on the map, and has to follow at once
 }
 
-export function questionOf(mission: Mission, units: Units, map: string, toShown: (key: number) => number): Question {
+// `drawn` are the obstacles that have to stay unless something is said about them.
+export function questionOf(
+  mission: Mission,
+  units: Units,
+  map: string,
+  toShown: (key: number) => number,
+  drawn: Iterable<number> = [],
+): Question {
+  const said = new Set([...mission.marks.keys()].map(toShown));
+  const usual = { protect: [...drawn].filter((id) => !said.has(id)), force: [] };
   const ids = (mark: "protect" | "force") =>
-    [...new Set(marked(mission, mark).map(toShown))].filter((id) => id !== 0).sort((a, b) => a - b);
+    [...new Set([...marked(mission, mark).map(toShown), ...usual[mark]])].filter((id) => id !== 0).sort((a, b) => a - b);
   const options: PlanOptions = {
     objective: mission.objective,
     breach_time: mission.breachTime,

@@ -18,7 +18,10 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
   const marks = new Map<number, Mark>();
   for (const [key, mark] of mission.marks) {
     const id = shown.ids.toShown(key);
-    if (id !== 0) marks.set(id, mark);
+    if (id !== 0 && mark !== "allow") marks.set(id, mark);
+  }
+  for (const id of page.drawn.value) {
+    if (page.markOf(id) === "protect") marks.set(id, "protect");
   }
   return {
     map: shown.map.description,

@@ -188,7 +188,7 @@ export class Studio extends Editor {
       if (now !== mission) return; // a later call follows the later mission
       if (this.shown.value?.map !== map) this.#redraw(base, map, mission);
       const { ids } = this.shown.value!;
-      this.planner.ask(questionOf(mission, this.units.value, map.description.id, (key) => ids.toShown(key)));
+      this.planner.ask(questionOf(mission, this.units.value, map.description.id, (key) => ids.toShown(key), this.drawn.value));
     } catch (error) {
       if (isMissing(error)) this.#lose();
       else this.failed(error, () => this.follow());

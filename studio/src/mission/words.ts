@@ -1,5 +1,6 @@
 // Plans in plain words: what the person reads first.
 import type { Objective, Plan } from "../api/answers";
+import { agentOf, arrival } from "../play/motion";
 import { duration, percent, percentUp, type Units } from "./units";
 
 export interface Headline {
@@ -11,7 +12,7 @@ export interface Headline {
 }
 
 export interface Proof {
-  proven: boolean;
+  tone: "sure" | "plain" | "unsure";
   text: string;
 }
 
@@ -35,6 +36,12 @@ export function valueOf(outcome: Plan["after"], objective: Objective): number | 
   return objective === "makespan" ? outcome.makespan : outcome.flowtime;
 }
 
+// What all removals together save; null where there is no way without.
+export function savedBy(plan: Plan): number | null {
+  const [before, after] = [valueOf(plan.before, objectiveOf(plan)), valueOf(plan.after, objectiveOf(plan))];
+  return before === null || after === null ? null : before - after;
+}
+
 export function headline(plan: Plan, buildings: boolean): Headline {
   const objective = objectiveOf(plan);
   const before = valueOf(plan.before, objective);
@@ -56,8 +63,8 @@ export function headline(plan: Plan, buildings: boolean): Headline {
     const title = `${removing} ${share > 0 ? "saves" : "costs"} ${percent(Math.abs(share))} of the agents’ time on the way`;
     return { tone, title, figures, remedies: [] };
   }
-  const subject = groundDecides(plan) ? "gets the ground robot there" : "gets the last of the two there";
-  return { tone, title: `${removing} ${subject} ${change}`, figures, remedies: [] };
+  const what = lastOf(plan) === "air" ? "ends the mission" : "gets the ground robot there";
+  return { tone, title: `${removing} ${what} ${change}`, figures, remedies: [] };
 }
 
 // “16 min 15 s instead of 20 min 55 s”
@@ -68,13 +75,31 @@ export function figuresText(figures: NonNullable<Headline["figures"]>, units: Un
 
 function unhelped(plan: Plan): string {
   if (plan.options.removals === 0) return "With nothing removed, the ground robot takes the way round";
-  return "No removal gets the ground robot there sooner";
+  const none = (plan.bound?.gap ?? 1) < proven ? "No removal" : "No removal was found that";
+  if (objectiveOf(plan) === "flowtime") return `${none} saves any of the agents’ time on the way`;
+  return lastOf(plan) === "air" ? `${none} ends the mission sooner` : `${none} gets the ground robot there sooner`;
 }
 
-// Whether the ground agent is the last to arrive, or so near to it that nobody would see it.
-function groundDecides(plan: Plan): boolean {
-  const arrival = (kind: "ground" | "air") => plan.agents.find((agent) => agent.kind === kind)?.path.at(-1)?.[2] ?? 0;
-  return arrival("ground") >= 0.999 * arrival("air");
+// Who arrives when, as far as the figures do not say so.
+export function arrivals(plan: Plan, units: Units): string | null {
+  const [ground, air] = [agentOf(plan, "ground"), agentOf(plan, "air")];
+  if (!ground || !air) return null;
+  const after = (agent: typeof ground) => `after ${duration(arrival(agent), units)}`;
+  if (objectiveOf(plan) === "flowtime") return `The ground robot is there ${after(ground)}, the aircraft ${after(air)}.`;
+  const last = lastOf(plan);
+  if (last === "both") return "Both arrive then.";
+  if (last === "air") return `The aircraft arrives last; the ground robot is there ${after(ground)}.`;
+  return `The ground robot arrives last; the aircraft is there ${after(air)}.`;
+}
+
+// Whose arrival decides: both where they are so near to each other that nobody would see it.
+function lastOf(plan: Plan): "ground" | "air" | "both" {
+  const [ground, air] = (["ground", "air"] as const).map((kind) => {
+    const agent = agentOf(plan, kind);
+    return agent ? arrival(agent) : 0;
+  });
+  if (Math.abs(ground! - air!) <= 0.001 * air!) return "both";
+  return ground! > air! ? "ground" : "air";
 }
 
 function without(plan: Plan, buildings: boolean): Headline {
@@ -95,15 +120,19 @@ function without(plan: Plan, buildings: boolean): Headline {
   return { tone: "bad", title: `The ground robot cannot get there, ${how}`, figures: null, remedies };
 }
 
-// How good the choice is known to be.
+const proven = 1e-9; // a gap that is none
+const wide = 0.01; // a gap that says little
+
+// How good the choice is known to be. The gap is what is proven; the choice may be better than that.
 export function proof(plan: Plan): Proof | null {
   if (plan.agents.length === 0) return null;
   const gap = plan.bound?.gap;
   if (gap === null || gap === undefined) {
-    return { proven: false, text: "Not proven: this method does not say how good its choice is" };
+    return { tone: "unsure", text: "Not proven: this method does not say how good its choice is" };
   }
-  if (gap < 1e-9) return { proven: true, text: "Proven best possible" };
-  return { proven: true, text: `Proven within ${percentUp(gap)} of the best possible` };
+  if (gap < proven) return { tone: "sure", text: "Proven best possible" };
+  if (gap > wide) return { tone: "plain", text: `May be up to ${percentUp(gap)} from the best possible` };
+  return { tone: "sure", text: `Proven within ${percentUp(gap)} of the best possible` };
 }
 
 // What the paper's rules permit and the world does not: driving through what still stands.

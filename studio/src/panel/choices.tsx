@@ -1,5 +1,5 @@
 // All that was said about obstacles, and what was drawn, each to be taken back.
-import type { Mark } from "../map/scene";
+import type { Choice as Said } from "../mission/mission";
 import type { Studio } from "../mission/studio";
 import { cellCount } from "../mission/run_set";
 import { area } from "../mission/units";
@@ -7,7 +7,12 @@ import { Section } from "./controls";
 import { Icon, type IconName } from "./icons";
 import { nameOfKey } from "./obstacle_words";
 
-const words: Record<Mark, string> = { protect: "Protected", force: "Forced", exclude: "Excluded" };
+const words: Record<Said, string> = {
+  protect: "Protected",
+  force: "Forced",
+  exclude: "Excluded",
+  allow: "May be removed",
+};
 
 export function Choices({ studio }: { studio: Studio }) {
   const mission = studio.mission.value;
@@ -25,7 +30,7 @@ export function Choices({ studio }: { studio: Studio }) {
           return (
             <Choice
               key={key}
-              icon={mark}
+              icon={mark === "allow" ? "wall" : mark}
               text={`${words[mark]}: ${name}`}
               onUndo={() => studio.markKey(key, null)}
               onPoint={(on) => (studio.highlighted.value = on && id !== 0 ? id : null)}
@@ -35,7 +40,7 @@ export function Choices({ studio }: { studio: Studio }) {
         {walls.length > 0 && (
           <Choice
             icon="wall"
-            text={`Drawn: ${area(cellCount(walls), units)} of walls`}
+            text={`Drawn: ${area(cellCount(walls), units)} of walls, which have to stay unless you say otherwise`}
             onUndo={() => studio.change((old) => ({ ...old, walls: [] }))}
           />
         )}

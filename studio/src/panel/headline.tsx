@@ -4,9 +4,9 @@ import type { Judged } from "../mission/planner";
 import type { Progress } from "../api/client";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
-import { duration } from "../mission/units";
-import { figuresText, headline, nounOf, proof, tooEarly } from "../mission/words";
-import { Icon } from "./icons";
+import { duration, type Units } from "../mission/units";
+import { arrivals, figuresText, headline, nounOf, proof, tooEarly, type Proof } from "../mission/words";
+import { Icon, type IconName } from "./icons";
 import { areBuildings } from "./obstacle_words";
 
 export function HeadlineSection({ page }: { page: PageState }) {
@@ -35,7 +35,8 @@ export function HeadlineSection({ page }: { page: PageState }) {
     after.plan.removed.map((one) => one.obstacle),
   );
   const words = headline(after.plan, buildings);
-  const spoken = words.figures ? `${words.title}: ${figuresText(words.figures, units)}` : words.title;
+  const who = arrivals(after.plan, units);
+  const spoken = [words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title, who].join(" ");
   return (
     <section class={`headline ${words.tone}`} aria-label="Result">
       <h2>
@@ -55,6 +56,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
           )}
         </p>
       )}
+      {who && <p class="arrivals">{who}</p>}
       {words.remedies.length > 0 && (
         <ul class="remedies">
           {words.remedies.map((remedy) => (
@@ -82,6 +84,8 @@ function waiting(page: PageState): string {
   return page.results.failure.value?.trouble === "stopped" ? "No plan yet" : "Planning…";
 }
 
+const signs: Record<Proof["tone"], IconName> = { sure: "check", plain: "about", unsure: "warning" };
+
 interface SurenessProps {
   judged: Judged;
   buildings: boolean;
@@ -102,8 +106,8 @@ function Sureness({ judged, buildings, checks }: SurenessProps) {
   const { verdict } = judged;
   return (
     <div class="sureness">
-      <p class={sure.proven ? "sure" : "unsure"}>
-        <Icon name={sure.proven ? "check" : "warning"} />
+      <p class={sure.tone}>
+        <Icon name={signs[sure.tone]} />
         {sure.text}
       </p>
       {early > 0 && (
@@ -151,6 +155,7 @@ function Working({ page }: { page: PageState }) {
       <progress aria-label="Planning" />
       <span>
         {doing(page, progress)}: {Math.round(progress.seconds)} s
+        {progress.seconds >= 1 && <Known progress={progress} units={page.units.value} />}
       </span>
       {page instanceof Studio && (
         <button type="button" class="button" onClick={() => page.planner.stop()}>
@@ -159,6 +164,15 @@ function Working({ page }: { page: PageState }) {
       )}
     </div>
   );
+}
+
+// How good the best plan so far is, and what none can be better than.
+function Known({ progress: { best, bound }, units }: { progress: Progress; units: Units }) {
+  if (best == null && bound == null) return null;
+  const parts = [];
+  if (best != null) parts.push(`best so far ${duration(best, units)}`);
+  if (bound != null) parts.push(`none is below ${duration(bound, units)}`);
+  return <span class="known">{parts.join("; ")}</span>;
 }
 
 function doing(page: PageState, progress: Progress): string {

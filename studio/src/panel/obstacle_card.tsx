@@ -29,7 +29,7 @@ export function ObstacleCard({ page }: { page: PageState }) {
         <p>
           Opened at {duration(removed.cleared_at, units)}
           {removed.entered_at !== null && <>, entered at {duration(removed.entered_at, units)}</>}
-          {removed.saves != null && <>; saves {duration(removed.saves, units)}</>}.
+          {removed.saves != null && <>; if it had to stay, {duration(removed.saves, units)} later</>}.
         </p>
       )}
       {obstacle.destructible ? (

@@ -1,8 +1,8 @@
 // What is removed, in the order in which the aircraft opens it. Rows and map point at each other.
-import type { Removed } from "../api/answers";
+import type { Plan, Removed } from "../api/answers";
 import type { PageState } from "../mission/page_state";
 import { area, clockTime, duration } from "../mission/units";
-import { nounOf } from "../mission/words";
+import { nounOf, savedBy } from "../mission/words";
 import { MarkButtons } from "./mark_buttons";
 import { areBuildings, nameOf } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
@@ -31,7 +31,7 @@ export function RemovedTable({ page }: { page: PageState }) {
             <th scope="col">{buildings ? "Building" : "Obstacle"}</th>
             <th scope="col">Opened</th>
             <th scope="col">Entered</th>
-            <th scope="col">Saves</th>
+            <th scope="col">If kept</th>
           </tr>
         </thead>
         <tbody>
@@ -40,6 +40,7 @@ export function RemovedTable({ page }: { page: PageState }) {
           ))}
         </tbody>
       </table>
+      <Together page={page} plan={plan} />
       <Next page={page} />
     </Section>
   );
@@ -87,12 +88,27 @@ function Row({ page, removed, order }: { page: PageState; removed: Removed; orde
         {removed.saves === undefined ? (
           <span class="pending">…</span>
         ) : removed.saves === null ? (
-          "the way"
+          "no way"
         ) : (
-          <data value={removed.saves}>{clockTime(removed.saves, units)}</data>
+          <data value={removed.saves}>+{clockTime(removed.saves, units)}</data>
         )}
       </td>
     </tr>
+  );
+}
+
+// Why the last column does not add up to what the curve shows.
+function Together({ page, plan }: { page: PageState; plan: Plan }) {
+  const [saved, count] = [savedBy(plan), plan.removed.length];
+  const known = plan.removed.every((one) => one.saves !== undefined);
+  if (saved === null || saved <= 0 || !known) return null;
+  const total = <strong>{duration(saved, page.units.value)}</strong>;
+  return (
+    <p class="together">
+      {count === 1 ? "It saves" : `All ${count} together save`} {total}. <em>If kept</em> is how much later it would be if{" "}
+      {count === 1 ? "it" : "only that one"} had to stay and the best other choice were made: another may take its place
+      {count === 1 ? "." : ", so these do not add up."}
+    </p>
   );
 }
 

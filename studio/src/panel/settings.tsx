@@ -28,7 +28,7 @@ export function Settings({ studio }: { studio: Studio }) {
       <Segmented
         legend="Method"
         choices={[
-          { value: "exact", label: "Proven best" },
+          { value: "exact", label: "Best found, with a bound" },
           { value: "paper", label: "The paper’s method (2018)" },
         ]}
         value={mission.method}

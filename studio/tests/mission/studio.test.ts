@@ -11,6 +11,7 @@ const pictures: Record<string, CellMap> = {
   "city.map": mapOf("....a.....", "....a.bb..", "....a.bb..", ".........."),
   "yard.map": mapOf("....", ".aa.", "...."),
   "upload-1": mapOf("....", "a...", "...."),
+  walled: mapOf("....a.....", "....a.bb..", "....a.bb..", ".ccc......"),
   edited: mapOf("..........", "......aa..", "......aa..", ".........."),
 };
 
@@ -45,7 +46,7 @@ class FakeClient {
     this.#answer(id);
     if (!this.editable) throw new ServiceError("refused", "No.");
     this.edits.push(edits);
-    return this.map("edited");
+    return this.map(edits.block.length > 0 ? "walled" : "edited");
   };
   upload = async (bytes: Blob) => {
     const id = await bytes.text();
@@ -210,6 +211,40 @@ it("waits for a server that is gone, and then asks for what is wanted by then", 
   await settle(2000);
   expect(studio.gone.value).toBe(false);
   expect(last().request.options?.removals).toBe(4);
+});
+
+it("does not remove what was drawn, unless told that it may", async () => {
+  await studio.start("?map=city.map");
+  await settle(1000);
+  studio.draw("wall", [[1, 3, 3]]);
+  await settle(1000);
+  const options = () => last().request.options ?? {};
+  const wall = 3;
+  expect(last().map).toBe("walled");
+  expect(options().protect).toEqual([wall]);
+  expect(studio.markOf(wall)).toBe("protect");
+
+  studio.mark(wall, null);
+  await settle(1000);
+  expect(options().protect).toBeUndefined();
+  expect(studio.markOf(wall)).toBeNull();
+  const link = `?${studio.query()}`;
+
+  studio.mark(wall, "force");
+  await settle(1000);
+  expect(options()).toMatchObject({ force: [wall] });
+  expect(options().protect).toBeUndefined();
+
+  studio.mark(wall, "protect");
+  await settle(1000);
+  expect(options().protect).toEqual([wall]);
+  expect(studio.mission.value?.marks.size).toBe(0);
+
+  studio = new Studio(client as unknown as Client);
+  await studio.start(link);
+  await settle(1000);
+  expect(studio.markOf(wall)).toBeNull();
+  expect(options().protect).toBeUndefined();
 });
 
 describe("a map that is gone", () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { counted, figuresText, headline, proof, tooEarly } from "../../src/mission/words";
+import { arrivals, counted, figuresText, headline, proof, tooEarly } from "../../src/mission/words";
 import type { Units } from "../../src/mission/units";
 import { planOf } from "./plans";
 
@@ -18,9 +18,29 @@ describe("headline", () => {
     );
   });
 
-  it("speaks of both where the aircraft is the last", () => {
-    expect(title({ removed: [4], before: 100, after: 90, air: 95 })).toContain("gets the last of the two there");
-    expect(title({ removed: [4], before: 100, after: 90, air: 90.01 })).toContain("gets the ground robot there");
+  it("names the one whose arrival the figures are", () => {
+    const late = planOf({ removed: [4], before: 100, after: 90, air: 95 });
+    expect(plain(headline(late, true).title)).toMatch(/^Removing one building ends the mission/);
+    expect(plain(arrivals(late, city)!)).toBe("The aircraft arrives last; the ground robot is there after 1 min 30 s.");
+    const early = planOf({ removed: [4], before: 100, after: 90, air: 80 });
+    expect(title({ removed: [4], before: 100, after: 90, air: 80 })).toContain("gets the ground robot there");
+    expect(plain(arrivals(early, city)!)).toBe("The ground robot arrives last; the aircraft is there after 1 min 20 s.");
+    const both = planOf({ removed: [4], before: 100, after: 90, air: 90.01 });
+    expect(plain(headline(both, true).title)).toContain("gets the ground robot there");
+    expect(arrivals(both, city)).toBe("Both arrive then.");
+    const sum = planOf({ after: 90, air: 80, options: { objective: "flowtime" } });
+    expect(plain(arrivals(sum, city)!)).toBe("The ground robot is there after 1 min 30 s, the aircraft after 1 min 20 s.");
+    expect(arrivals(planOf({ after: null }), city)).toBeNull();
+  });
+
+  it("does not give the aircraft's time for the robot's where nothing is removed", () => {
+    const words = planOf({ removed: [], before: 968, after: 251, air: 968, gap: 0, options: { removals: 2 } });
+    words.after.makespan = 968;
+    expect(headline(words, true)).toMatchObject({
+      title: "No removal ends the mission sooner",
+      figures: { after: 968, before: null },
+    });
+    expect(plain(arrivals(words, city)!)).toBe("The aircraft arrives last; the ground robot is there after 4 min 11 s.");
   });
 
   it("says that something opens a way that there is not without", () => {
@@ -34,7 +54,9 @@ describe("headline", () => {
     const words = headline(planOf({ removed: [4], before: 100, after: 110 }), true);
     expect(words.tone).toBe("bad");
     expect(plain(words.title)).toContain("10 % later");
-    expect(title({ removed: [], options: { removals: 3 } })).toBe("No removal gets the ground robot there sooner");
+    const none = (gap: number | null) => title({ removed: [], gap, options: { removals: 3 } });
+    expect(none(0)).toBe("No removal gets the ground robot there sooner");
+    for (const gap of [0.02, null]) expect(none(gap)).toBe("No removal was found that gets the ground robot there sooner");
     expect(title({ removed: [], options: { removals: 0 } })).toContain("With nothing removed");
   });
 
@@ -61,6 +83,8 @@ describe("proof", () => {
     expect(text(0)).toBe("Proven best possible");
     expect(text(0.0015)).toBe("Proven within 0.15 % of the best possible");
     expect(text(null)).toContain("Not proven");
+    expect(text(0.024)).toBe("May be up to 2.4 % from the best possible");
+    expect([0, 0.01, 0.0101, null].map((gap) => proof(planOf({ gap }))!.tone)).toEqual(["sure", "sure", "plain", "unsure"]);
     expect(proof(planOf({ after: null }))).toBeNull();
   });
 
