@@ -14,7 +14,7 @@ export class Surface {
   view: Size = { width: 0, height: 0 }; // CSS pixels
   pixelRatio = devicePixelRatio;
 
-  readonly #darkness = matchMedia("(prefers-color-scheme: dark)");
+  readonly #darkness = matchMedia("screen and (prefers-color-scheme: dark)");
   readonly #stillness = matchMedia("(prefers-reduced-motion: reduce)");
   readonly #resizing: ResizeObserver;
   readonly #listening = new AbortController();

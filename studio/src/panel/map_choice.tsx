@@ -55,6 +55,10 @@ export function MapChoice({ studio }: { studio: Studio }) {
   );
 }
 
+export function nameOfMap(studio: Studio, id: string): string {
+  return studio.uploads.value.get(id)?.name ?? titled(id);
+}
+
 // berlin-mitte.tif reads better as Berlin mitte.
 function titled(id: string): string {
   const words = id.replace(/\.[a-z]+$/i, "").replaceAll(/[-_]+/g, " ");

@@ -1,5 +1,4 @@
 // What the page says by itself: the server is gone, something went wrong, where to begin, whose data this is.
-import { useSignalEffect } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
@@ -57,20 +56,21 @@ function finish(page: PageState, act: () => void): void {
 
 const seen = "waybreaker-invited";
 
-// Goes for good when it is closed, or followed.
+// Goes for good when it is closed, or followed: something was changed, or played.
 export function Invitation({ studio }: { studio: Studio }) {
   const [open, setOpen] = useState(() => localStorage.getItem(seen) === null);
+  const followed = studio.canUndo.value || studio.clock.playing.value;
   const close = () => {
     localStorage.setItem(seen, "yes");
     setOpen(false);
   };
-  useSignalEffect(() => {
-    if (studio.clock.playing.value) close();
-  });
+  useEffect(() => {
+    if (followed) close();
+  }, [followed]);
   if (!open || !studio.shown.value) return null;
   return (
     <p class="invitation">
-      <span>Drag the blue start or the goal, and the plan follows. Then press play.</span>
+      <span>Drag the start or the goal on the map, and the plan follows. Or press play.</span>
       <IconButton icon="close" label="Dismiss the hint" onClick={close} />
     </p>
   );

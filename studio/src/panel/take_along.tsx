@@ -19,7 +19,7 @@ export function TakeAlong({ studio }: { studio: Studio }) {
   const solved = plan.agents.length > 0;
   const placed = shown.map.description.georeference !== null;
   return (
-    <Section title="Take it along">
+    <Section title="Take it along" kind="take-along">
       <div class="downloads">
         <button type="button" class="button" onClick={() => void copyLink(studio)}>
           <Icon name="link" /> Copy link
