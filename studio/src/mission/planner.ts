@@ -197,12 +197,13 @@ export class Planner implements Results {
       await pause(this.pace.calm, stop);
       if (this.plans.value.after?.draft) await this.#first(question, stop);
       await this.#judge("after", question, stop);
-      await this.#explain(question, stop);
       if (!this.plans.value.before) {
         this.#show("before", await this.service.plan(question.map, beforeRequest(question), stop), stop);
       }
       await this.#judge("before", question, stop);
-      await this.#trace(question, stop); // late: on large maps it takes longest
+      await this.#trace(question, stop);
+      if (!this.plans.value.after?.verdict) await this.#judge("after", question, stop); // it has improved on the way
+      await this.#explain(question, stop); // late: on large maps it takes longest
       await this.#fetchPaper(question, stop);
     } catch (error) {
       // What is beside the plan may be missing; but that nobody answers has to be said.
@@ -225,7 +226,7 @@ export class Planner implements Results {
         this.#shownFor(question, curve.next) ??
         (await this.service.plan(question.map, stepRequest(question, curve.next), stop, tellAll));
       if (stop.aborted) throw stopped();
-      curve.add(plan);
+      curve.add(curve.next === question.removals ? this.#better(plan, stop) : plan);
       this.front.value = curve.front();
     }
     return curve.plans;
@@ -243,18 +244,26 @@ export class Planner implements Results {
     return plan?.options.removals === removals ? plan : null;
   }
 
-  // The plan that is shown anyway, so that curve and headline agree.
+  // The plan that is shown anyway, unless it had to be found in haste.
   #shownFor(question: Question, removals: number): Plan | null {
     const last = this.answered.value;
     const { after } = this.plans.value;
     const fits = last && keyOf.front(last) === keyOf.front(question) && last.removals === removals;
-    return fits && after && !after.draft ? after.plan : null;
+    return fits && after && !after.draft && !isHasty(after.plan) ? after.plan : null;
+  }
+
+  // The plan or the one that is shown: the better of them is shown, so that curve and headline agree.
+  #better(plan: Plan, stop: AbortSignal): Plan {
+    const { after } = this.plans.value;
+    if (after && !after.draft && isAsGood(after.plan, plan)) return after.plan;
+    this.#show("after", plan, stop);
+    return plan;
   }
 
   // The plan again with what each removal saves; where time was short, perhaps a better one.
   async #explain(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.plans.value.after;
-    const short = (shown?.plan.seconds?.total ?? 0) >= quick;
+    const short = shown !== undefined && isHasty(shown.plan);
     if (!shown || (shown.plan.removed.length === 0 && !short)) return;
     const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
     const tell = (progress: Progress) => {
@@ -294,6 +303,10 @@ export class Planner implements Results {
   #show(layer: LayerName, plan: Plan, stop: AbortSignal, verdict: Verdict = null): void {
     if (!stop.aborted) this.plans.value = { ...this.plans.value, [layer]: { plan, verdict } };
   }
+}
+
+function isHasty(plan: Plan): boolean {
+  return (plan.seconds?.total ?? 0) >= quick;
 }
 
 function isAsGood(plan: Plan, than: Plan): boolean {

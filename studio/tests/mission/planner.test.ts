@@ -133,15 +133,6 @@ it("asks for the rest when it is calm, and not before", async () => {
   await settle();
   expect(planner.plans.value.after?.verdict).toEqual({ valid: true });
 
-  expect(service.last().request?.options?.explain).toBe(true);
-  const explained = planOf({ removed: [4], after: 90 });
-  explained.removed[0]!.saves = 10;
-  service.last().answer(explained);
-  await settle();
-  expect(planner.plans.value.after?.plan).toBe(explained);
-  service.last().report({ valid: true, violations: [] });
-  await settle();
-
   expect(service.last().request?.options?.removals).toBe(0);
   service.last().answer(planOf({}));
   await settle();
@@ -153,6 +144,15 @@ it("asks for the rest when it is calm, and not before", async () => {
     service.last().answer(planOf({}));
     await settle();
   }
+  expect(service.last().request?.options?.explain).toBe(true);
+  const explained = planOf({ removed: [4], after: 90 });
+  explained.removed[0]!.saves = 10;
+  service.last().answer(explained);
+  await settle();
+  expect(planner.plans.value.after?.plan).toBe(explained);
+  service.last().report({ valid: true, violations: [] });
+  await settle();
+
   expect(service.last().request?.options?.paper).toBe(true);
   service.last().answer(planOf({ removed: [4] }));
   await settle();
@@ -160,6 +160,17 @@ it("asks for the rest when it is calm, and not before", async () => {
   await settle();
   expect(planner.plans.value.paper?.verdict).toEqual({ valid: false, reason: "too early" });
 });
+
+// Answers all that is asked before what each removal saves.
+async function answerUntilExplained(after = 100): Promise<void> {
+  while (service.last().request?.options?.explain !== true) {
+    const { what, request } = service.last();
+    const { removals } = request?.options ?? {};
+    if (what === "check") service.last().report({ valid: true, violations: [] });
+    else service.last().answer(planOf({ removed: removals ? [4] : [], after: removals ? after : 100 }));
+    await settle();
+  }
+}
 
 it("gives up the rest when something changes", async () => {
   planner.ask(question(1));
@@ -180,9 +191,22 @@ it("keeps the plan it has where another is worse", async () => {
   await vi.advanceTimersByTimeAsync(pace.calm + 1);
   service.last().report({ valid: true, violations: [] });
   await settle();
+  await answerUntilExplained();
   service.last().answer(planOf({ removed: [5], after: 95 }));
   await settle();
   expect(planner.plans.value.after?.plan).toBe(first);
+});
+
+it("shows a better plan that is found on the way along the curve, and has it checked", async () => {
+  planner.ask(question(1));
+  service.last().answer({ ...planOf({ removed: [4], after: 90 }), seconds: { total: 2.1 } });
+  await vi.advanceTimersByTimeAsync(pace.calm + 1);
+  service.last().report({ valid: true, violations: [] });
+  await settle();
+  await answerUntilExplained(85);
+  expect(planner.plans.value.after?.plan.after.makespan).toBe(85);
+  expect(planner.plans.value.after?.verdict).toEqual({ valid: true });
+  expect(planner.front.value?.points[2]?.makespan).toBe(85);
 });
 
 it("takes the time for a better plan once there is one", async () => {
@@ -192,9 +216,11 @@ it("takes the time for a better plan once there is one", async () => {
   await vi.advanceTimersByTimeAsync(pace.calm + 1);
   service.last().report({ valid: true, violations: [] });
   await settle();
+  await answerUntilExplained();
   expect(service.last().request?.options?.time_limit).toBeUndefined();
   service.last().tell({ state: "planning", seconds: 5 });
   expect(planner.progress.value?.seconds).toBe(5);
+  expect(planner.front.value?.points[2]?.makespan).toBe(90); // as the headline says
   const better = planOf({ removed: [5], after: 80 });
   service.last().answer(better);
   await settle();
