@@ -66,11 +66,13 @@ export interface Outcome {
   air: { length: number };
   makespan: number | null;
   flowtime: number | null;
+  ground_makespan: number | null;
 }
 
 export interface Bound {
   makespan?: number;
   flowtime?: number;
+  ground_makespan?: number;
   gap: number | null;
 }
 
@@ -90,6 +92,7 @@ export interface Removed {
 export interface FrontPoint {
   makespan: number | null;
   flowtime: number | null;
+  ground_makespan?: number | null;
   bound: Bound | null;
   removed: number[];
 }
@@ -123,7 +126,7 @@ export interface Comparison {
   plans: { name: string; plan: Plan }[];
 }
 
-export type Objective = "makespan" | "flowtime";
+export type Objective = "makespan" | "ground-makespan" | "flowtime";
 
 // What a request may say; each is the option of `waybreaker plan` of that name.
 export interface PlanOptions {

@@ -88,7 +88,7 @@ export function decodeLink(query: string, map: string, markers: Markers, width: 
   );
   take(
     "objective",
-    (text) => oneOf(["makespan", "flowtime"] as const, text),
+    (text) => oneOf(["makespan", "ground-makespan", "flowtime"] as const, text),
     (value) => (mission.objective = value),
   );
   for (const [name, member, least, most] of numbers) {

@@ -32,8 +32,12 @@ export function objectiveOf(plan: Plan): Objective {
   return plan.options.objective ?? "makespan";
 }
 
-export function valueOf(outcome: Plan["after"], objective: Objective): number | null {
-  return objective === "makespan" ? outcome.makespan : outcome.flowtime;
+const members = { makespan: "makespan", "ground-makespan": "ground_makespan", flowtime: "flowtime" } as const;
+type Figures = Partial<Record<(typeof members)[Objective], number | null>>;
+
+// Of an outcome, a bound, a point of the curve.
+export function valueOf(of: Figures, objective: Objective): number | null {
+  return of[members[objective]] ?? null;
 }
 
 // What all removals together save; null where there is no way without.
@@ -63,7 +67,7 @@ export function headline(plan: Plan, buildings: boolean): Headline {
     const title = `${removing} ${share > 0 ? "saves" : "costs"} ${percent(Math.abs(share))} of the agents’ time on the way`;
     return { tone, title, figures, remedies: [] };
   }
-  const what = lastOf(plan) === "air" ? "ends the mission" : "gets the ground robot there";
+  const what = isAirsArrival(plan) ? "ends the mission" : "gets the ground robot there";
   return { tone, title: `${removing} ${what} ${change}`, figures, remedies: [] };
 }
 
@@ -77,7 +81,7 @@ function unhelped(plan: Plan): string {
   if (plan.options.removals === 0) return "With nothing removed, the ground robot takes the way round";
   const none = (plan.bound?.gap ?? 1) < proven ? "No removal" : "No removal was found that";
   if (objectiveOf(plan) === "flowtime") return `${none} saves any of the agents’ time on the way`;
-  return lastOf(plan) === "air" ? `${none} ends the mission sooner` : `${none} gets the ground robot there sooner`;
+  return isAirsArrival(plan) ? `${none} ends the mission sooner` : `${none} gets the ground robot there sooner`;
 }
 
 // Who arrives when, as far as the figures do not say so.
@@ -86,10 +90,15 @@ export function arrivals(plan: Plan, units: Units): string | null {
   if (!ground || !air) return null;
   const after = (agent: typeof ground) => `after ${duration(arrival(agent), units)}`;
   if (objectiveOf(plan) === "flowtime") return `The ground robot is there ${after(ground)}, the aircraft ${after(air)}.`;
+  if (objectiveOf(plan) === "ground-makespan") return `The aircraft is there ${after(air)}.`;
   const last = lastOf(plan);
   if (last === "both") return "Both arrive then.";
   if (last === "air") return `The aircraft arrives last; the ground robot is there ${after(ground)}.`;
   return `The ground robot arrives last; the aircraft is there ${after(air)}.`;
+}
+
+function isAirsArrival(plan: Plan): boolean {
+  return objectiveOf(plan) === "makespan" && lastOf(plan) === "air";
 }
 
 // Whose arrival decides: both where they are so near to each other that nobody would see it.

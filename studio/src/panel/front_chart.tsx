@@ -6,6 +6,7 @@ import { mostRemovals } from "../mission/mission";
 import type { Front } from "../mission/curve";
 import type { PageState } from "../mission/page_state";
 import { keyOf } from "../mission/request";
+import { valueOf } from "../mission/words";
 import { clockTime, duration, type Units } from "../mission/units";
 
 const thumb = 22; // width of the slider's knob: its middle is what the columns are aligned with
@@ -21,15 +22,15 @@ interface Column {
 // Where the curve ends before the slider does, nothing further gains.
 function columnsOf({ points, from, isDone }: Front, objective: Objective): Column[] {
   const last = points.length - 1;
-  const values = points.map((point) => point[objective]);
+  const values = points.map((point) => valueOf(point, objective));
   const gains = values.findIndex((value) => value !== null && value <= values[last]! * (1 + 1e-9));
   return Array.from({ length: Math.max(0, mostRemovals + 1 - from) }, (_, i) => {
     const pending = i > last && !isDone;
     const point = pending ? undefined : points[Math.min(i, last)];
     return {
       n: from + i,
-      value: point?.[objective] ?? null,
-      bound: point?.bound?.[objective] ?? null,
+      value: point ? valueOf(point, objective) : null,
+      bound: point?.bound ? valueOf(point.bound, objective) : null,
       further: isDone && gains >= 0 && i > gains,
       pending,
     };

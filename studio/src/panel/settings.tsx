@@ -37,7 +37,8 @@ export function Settings({ studio }: { studio: Studio }) {
       <Segmented
         legend="What counts"
         choices={[
-          { value: "makespan", label: "Last one arrives" },
+          { value: "makespan", label: "Last arrival" },
+          { value: "ground-makespan", label: "Robot’s arrival" },
           { value: "flowtime", label: "Sum of arrivals" },
         ]}
         value={mission.objective}

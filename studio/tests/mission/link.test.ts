@@ -37,7 +37,7 @@ function randomMission(random: Random): Mission {
     removals: random.oneOf([0, 1, 2, 8, "auto"] as const),
     price: random.oneOf([10, 0, 0.5]),
     method: random.oneOf(["exact", "paper"] as const),
-    objective: random.oneOf(["makespan", "flowtime"] as const),
+    objective: random.oneOf(["makespan", "ground-makespan", "flowtime"] as const),
     groundSpeed: random.oneOf([1, 2.5, 0.1 + 0.2]),
     airSpeed: random.oneOf([1, 10, 1 / 3]),
     breachTime: random.oneOf([0, 12.5]),

@@ -25,6 +25,7 @@ export function planOf({
     air: { length: 1 },
     makespan,
     flowtime: makespan === null ? null : 2 * makespan,
+    ground_makespan: makespan,
   });
   const agent = (kind: "ground" | "air", end: number): Plan["agents"][number] => ({
     id: kind,

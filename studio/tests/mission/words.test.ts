@@ -31,6 +31,9 @@ describe("headline", () => {
     const sum = planOf({ after: 90, air: 80, options: { objective: "flowtime" } });
     expect(plain(arrivals(sum, city)!)).toBe("The ground robot is there after 1 min 30 s, the aircraft after 1 min 20 s.");
     expect(arrivals(planOf({ after: null }), city)).toBeNull();
+    const own = planOf({ removed: [4], before: 100, after: 90, air: 400, options: { objective: "ground-makespan" } });
+    expect(plain(headline(own, true).title)).toBe("Removing one building gets the ground robot there 10 % sooner");
+    expect(plain(arrivals(own, city)!)).toBe("The aircraft is there after 6 min 40 s.");
   });
 
   it("does not give the aircraft's time for the robot's where nothing is removed", () => {
