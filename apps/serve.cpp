@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 #include "commands.hpp"
 #include "help.hpp"
 #include "option.hpp"
+#include "server/log_line.hpp"
 #include "server/service.hpp"
 
 namespace waybreaker::apps {
@@ -47,12 +50,18 @@ void run(server::ServiceOptions options) {
         fmt::print("The page is at http://{}:{}/ - Ctrl-C ends the server\n", host, service.port());
         std::fflush(stdout);
     }
+    std::atomic<bool> ended = false;
     std::thread waiting([&] {
         signals.wait();
         service.stop();
+        signals.wait();
+        if (ended) return;
+        log(server::log_line("stopped", "told twice: what was not finished is lost"));
+        std::_Exit(0);  // work that cannot be stopped is not waited for; it writes nothing
     });
     service.run();
-    pthread_kill(waiting.native_handle(), SIGTERM);  // should it have ended for another reason
+    ended = true;
+    pthread_kill(waiting.native_handle(), SIGTERM);
     waiting.join();
 }
 
@@ -77,10 +86,17 @@ void add_limits(CLI::App& command, server::Limits& limits) {
     add_count(
         command, "--queue", [&limits](std::int64_t n) { limits.queue = std::size_t(n); }, 0, most,
         "Plans that may wait; more are answered with 503 (default: 16)");
-    constexpr std::int64_t most_connections = 1000;  // httplib serves no socket from number 1024 on
+    constexpr std::int64_t most_connections = 1000;  // a process has 1024 files unless told otherwise
     add_count(
         command, "--connections", [&limits](std::int64_t n) { limits.connections = std::size_t(n); }, 1,
-        most_connections, "Connections at a time (default: 256)");
+        most_connections,
+        "Connections at a time; of more, those that ask nothing or are slow are closed (default: 256)");
+    add_count(
+        command, "--connections-per-client",
+        [&limits](std::int64_t n) { limits.connections_of_client = std::size_t(n); }, 1, most_connections,
+        "Connections of one address at a time (default: half of --connections, but all for this machine's own "
+        "programs, a "
+        "proxy among them)");
 }
 
 }  // namespace
@@ -93,7 +109,7 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         "Serve maps and plans over HTTP, and a page to plan in\n\n"
         "Answers programs of this machine only, unless told otherwise; GET /api/v1/openapi.json describes what can be "
         "asked. Logs a line of JSON for each request to standard error. SIGTERM or Ctrl-C end it: what has begun is "
-        "finished.");
+        "finished, unless it is told twice.");
     add_file(*command, "--maps", options->maps,
              "A folder of maps to serve, beside those that are built in; no other file is read");
     add_file(*command, "--host", options->host, "Address to listen on (default: 127.0.0.1)");

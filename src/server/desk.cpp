@@ -10,8 +10,6 @@
 namespace waybreaker::server {
 namespace {
 
-using std::chrono::milliseconds;
-constexpr milliseconds between_events(250);
 constexpr double grace = 1;  // seconds that a planner has to keep its own time limit
 
 // An event of several lines, as the HTML standard writes it.
@@ -23,16 +21,6 @@ std::string event(const std::string& name, std::string_view data) {
         begin = end + 1;
     }
     return text + "\n";
-}
-
-std::string progress(const Job& job) {
-    using Json = nlohmann::ordered_json;
-    const auto [best, bound] = job.progress();
-    const Json json{{"state", job.state() == Job::State::queued ? "queued" : "planning"},
-                    {"seconds", job.seconds()},
-                    {"best", std::isfinite(best) ? Json(best) : Json()},
-                    {"bound", bound > 0 ? Json(bound) : Json()}};
-    return event("progress", json.dump());
 }
 
 std::string message_in_flight() {
@@ -61,6 +49,24 @@ Failure current_failure() {
     }
 }
 
+std::string progress_event(const Job& job) {
+    using Json = nlohmann::ordered_json;
+    const auto [best, bound] = job.progress();
+    const Json json{{"state", job.state() == Job::State::queued ? "queued" : "planning"},
+                    {"seconds", job.seconds()},
+                    {"best", std::isfinite(best) ? Json(best) : Json()},
+                    {"bound", bound > 0 ? Json(bound) : Json()}};
+    return event("progress", json.dump());
+}
+
+std::string plan_event(const Response& response) {
+    return event("plan", response.body.bytes());
+}
+
+std::string problem_event(const Failure& failure) {
+    return event("problem", problem_json(failure.status, failure.detail, failure.kind));
+}
+
 Desk::Desk(const Limits& limits, Metrics& metrics)
     : limits_(limits), metrics_(metrics), queue_(limits.workers, limits.queue) {}
 
@@ -78,38 +84,12 @@ std::shared_ptr<Job> Desk::submit(Work work) {
     return job;
 }
 
-// Whether the job is done by then; one that takes too long is stopped.
-bool Desk::finish_in_time(Job& job, milliseconds time) {
-    if (job.wait(time)) return true;
+void Desk::watch(Job& job) {
     if (job.seconds() > limits_.seconds + grace && job.stop()) metrics_.count_stopped();
-    return false;
 }
 
-Failure Desk::give_up(Job& job) {
+void Desk::give_up(Job& job) {
     if (job.stop()) metrics_.count_stopped();
-    return {client_gone, "the client went away"};
-}
-
-Response Desk::wait_for(Job& job, const std::function<bool()>& client_is_there) {
-    while (!finish_in_time(job, between_events)) {
-        if (!client_is_there()) throw Problem(client_gone, give_up(job).detail);
-    }
-    return job.result();
-}
-
-Failure Desk::tell(Job& job, const std::function<bool(const std::string&)>& send) {
-    do {
-        if (!send(progress(job))) return give_up(job);
-    } while (!finish_in_time(job, between_events));
-    try {
-        const Response response = job.result();
-        if (!send(event("plan", response.body.bytes()))) return give_up(job);
-        return {ok, ""};
-    } catch (...) {
-        const Failure failure = current_failure();
-        send(event("problem", problem_json(failure.status, failure.detail, failure.kind)));
-        return failure;
-    }
 }
 
 }  // namespace waybreaker::server

@@ -1,4 +1,4 @@
-// Desk: runs the plans that clients ask for, and waits for them on the client's behalf.
+// Desk: has the plans made that clients ask for, and tells how far they are.
 #pragma once
 
 #include <functional>
@@ -21,25 +21,26 @@ struct Failure {
 };
 Failure current_failure();
 
+// Server-sent events: how far a job is, and what has come of it.
+std::string progress_event(const Job& job);
+std::string plan_event(const Response& response);
+std::string problem_event(const Failure& failure);
+
 class Desk {
   public:
     Desk(const Limits& limits, Metrics& metrics);
 
     // Throws Problem if too many wait.
     std::shared_ptr<Job> submit(Work work);
-    // The work's result. Throws Problem if the client goes away, and what the work throws.
-    Response wait_for(Job& job, const std::function<bool()>& client_is_there);
-    // The same as server-sent events: `progress` from time to time, then `plan` or `problem`. `send` gives whether the
-    // client is still there; if it is not, the work is stopped. What came of it: status 200 if nothing failed.
-    Failure tell(Job& job, const std::function<bool(const std::string&)>& send);
+    // To be called from time to time while the job is not done: one that takes too long is stopped.
+    void watch(Job& job);
+    // Nobody wants its result any more.
+    void give_up(Job& job);
 
     std::size_t waiting() const { return queue_.waiting(); }
     std::size_t running() const { return queue_.running(); }
 
   private:
-    Failure give_up(Job& job);
-    bool finish_in_time(Job& job, std::chrono::milliseconds time);
-
     Limits limits_;
     Metrics& metrics_;
     JobQueue queue_;

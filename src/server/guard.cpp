@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "server/header_list.hpp"
+
 namespace waybreaker::server {
 namespace {
 
@@ -19,18 +21,18 @@ bool is_loopback(const std::string& address) {
 
 bool names_loopback(std::string_view host) {
     const std::string_view name = without_port(host);
-    return name == "localhost" || name == "127.0.0.1" || name == "[::1]";
+    return same_word(name, "localhost") || name == "127.0.0.1" || name == "[::1]";
 }
 
 bool same_site(std::string_view origin, std::string_view host) {
     const std::size_t slashes = origin.find("://");
-    return slashes != std::string_view::npos && origin.substr(slashes + 3) == host;
+    return slashes != std::string_view::npos && same_word(origin.substr(slashes + 3), host);
 }
 
 bool brings_token(std::string_view authorization, std::string_view token) {
     constexpr std::string_view scheme = "Bearer ";
-    if (!authorization.starts_with(scheme)) return false;
-    const std::string_view given = authorization.substr(scheme.size());
+    if (!same_word(authorization.substr(0, scheme.size()), scheme)) return false;
+    const std::string_view given = trimmed(authorization.substr(scheme.size()));
     // Every character of what was given is looked at, whether or not the first ones fit.
     unsigned difference = given.size() == token.size() ? 0 : 1;
     for (std::size_t i = 0; i < given.size(); ++i) {

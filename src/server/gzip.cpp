@@ -2,13 +2,18 @@
 
 #include <zlib.h>
 
+#include <array>
+#include <memory>
 #include <new>
 #include <stdexcept>
 
 #include "server/header_list.hpp"
+#include "server/problem.hpp"
 
 namespace waybreaker::server {
 namespace {
+
+constexpr int gzip_window = 15 + 16;  // zlib: the largest window, in gzip's format
 
 // Whether a weight is above 0: "q=0", "q=0." and "q=0.000" are not.
 bool is_wanted(std::string_view parameters) {
@@ -32,7 +37,6 @@ bool accepts_gzip(std::string_view accept_encoding) {
 }
 
 std::string gzip(std::string_view bytes, int level) {
-    constexpr int gzip_window = 15 + 16;  // zlib: the largest window, in gzip's format
     constexpr int usual_memory = 8;
     z_stream stream{};
     if (deflateInit2(&stream, level, Z_DEFLATED, gzip_window, usual_memory, Z_DEFAULT_STRATEGY) != Z_OK) {
@@ -49,6 +53,30 @@ std::string gzip(std::string_view bytes, int level) {
     deflateEnd(&stream);
     if (outcome != Z_STREAM_END) throw std::runtime_error("gzip ends before its input does");
     return packed;
+}
+
+std::string gunzip(std::string_view packed, std::size_t most) {
+    z_stream stream{};
+    if (inflateInit2(&stream, gzip_window) != Z_OK) throw std::bad_alloc();
+    const std::unique_ptr<z_stream, int (*)(z_stream*)> ends(&stream, inflateEnd);
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+    stream.avail_in = uInt(packed.size());
+    std::string bytes;
+    std::array<char, 65536> piece{};
+    int outcome = Z_OK;
+    while (outcome == Z_OK) {
+        stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+        stream.avail_out = uInt(piece.size());
+        outcome = inflate(&stream, Z_NO_FLUSH);
+        const std::size_t count = piece.size() - stream.avail_out;
+        if (count > most - bytes.size()) {
+            throw Problem(too_large, "the body has more than " + std::to_string(most) + " bytes when it is unpacked");
+        }
+        bytes.append(piece.data(), count);
+    }
+    if (outcome != Z_STREAM_END || stream.avail_in > 0)
+        throw Problem(bad_request, "the body is not gzip, or not all of it");
+    return bytes;
 }
 
 }  // namespace waybreaker::server

@@ -10,6 +10,9 @@ namespace waybreaker::server {
 // Without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
+// Whether they are the same but for the case of their letters.
+bool same_word(std::string_view one, std::string_view other);
+
 // Its items, in lower case.
 std::vector<std::string> header_list(std::string_view value);
 

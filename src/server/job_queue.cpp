@@ -21,9 +21,15 @@ Progress Job::progress() const {
     return progress_;
 }
 
-bool Job::wait(std::chrono::milliseconds time) const {
-    std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, time, [this] { return state_ == State::done; });
+void Job::when_done(std::function<void()> call) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (state_ != State::done) {
+            when_done_ = std::move(call);
+            return;
+        }
+    }
+    call();
 }
 
 Response Job::result() {
@@ -56,11 +62,13 @@ void Job::run(MissionPlanner& planner) {
 }
 
 void Job::finish() {
+    std::function<void()> call;
     {
         const std::scoped_lock lock(mutex_);
         state_ = State::done;
+        call = std::exchange(when_done_, nullptr);
     }
-    changed_.notify_all();
+    if (call) call();
 }
 
 JobQueue::JobQueue(unsigned workers, std::size_t waiting_limit) : waiting_limit_(waiting_limit) {

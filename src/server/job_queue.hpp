@@ -3,8 +3,7 @@
 //     JobQueue queue(2, 16);
 //     const auto job = queue.submit([&](const Workplace& place) { return place.planner...; });
 //     if (!job) ...;                            // the line is full
-//     while (!job->wait(250ms)) ...;            // or job->stop()
-//     answer(job->result());
+//     job->when_done([job] { answer(job->result()); });    // or job->stop()
 #pragma once
 
 #include <chrono>
@@ -43,8 +42,8 @@ class Job {
     State state() const;
     double seconds() const;  // since it began
     Progress progress() const;
-    // Whether the job is done by then.
-    bool wait(std::chrono::milliseconds time) const;
+    // Calls that when the job is done, on the worker's thread, or at once if it is done already.
+    void when_done(std::function<void()> call);
     // Work that has not begun never does; the rest is asked to end.
     // Whether this is the first time.
     bool stop() { return stop_.request_stop(); }
@@ -59,12 +58,12 @@ class Job {
     Work work_;
     std::stop_source stop_;
     mutable std::mutex mutex_;
-    mutable std::condition_variable changed_;
     State state_ = State::queued;
     std::chrono::steady_clock::time_point began_;
     Progress progress_;
     Response result_;
     std::exception_ptr failure_;
+    std::function<void()> when_done_;
 };
 
 class JobQueue {

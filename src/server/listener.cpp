@@ -1,104 +1,233 @@
 #include "server/listener.hpp"
 
-#include <fmt/chrono.h>
-#include <sys/socket.h>
+#include <algorithm>
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <map>
+#include <utility>
+#include <vector>
 
-#include "server/framing.hpp"
-#include "server/gzip.hpp"
+#include "server/session.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::server {
 namespace {
 
-// What is left of a body that nobody wanted is passed over if it is so short; else the connection ends.
-constexpr std::uint64_t most_skipped = 65536;
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using Error = boost::system::error_code;
 
-// httplib compresses whatever it can for whoever takes it, which costs more than most plans do. It looks for the word
-// in lower case only.
-void leave_compression_to_us(httplib::Request& request) {
-    const bool taken = accepts_gzip(request.get_header_value("Accept-Encoding"));
-    request.headers.erase("Accept-Encoding");
-    if (taken) request.set_header("Accept-Encoding", "GZIP");
+constexpr int backlog = 1024;      // clients that wait to be accepted
+constexpr std::size_t clerks = 4;  // threads that answer: more than one may read a file at a time
+constexpr std::chrono::milliseconds pause(100);
+
+[[noreturn]] void fail(const ListenerOptions& options) {
+    throw InputError("cannot listen on " + options.host + " port " + std::to_string(options.port) +
+                     ": it is taken, or no address of this machine");
 }
 
-// Now, as HTTP writes it (RFC 9110, 5.6.7).
-std::string date() {
-    const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
-    return fmt::format("{:%a, %d %b %Y %H:%M:%S} GMT", fmt::gmtime(now));
+// On the first of the host's addresses that can be had.
+tcp::acceptor bound(asio::io_context& context, const ListenerOptions& options) {
+    Error error;
+    tcp::resolver resolver(context);
+    const auto found = resolver.resolve(options.host, std::to_string(options.port), tcp::resolver::passive, error);
+    for (const auto& entry : found) {
+        tcp::acceptor acceptor(context);
+        acceptor.open(entry.endpoint().protocol(), error);
+        if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+        if (!error) acceptor.bind(entry.endpoint(), error);
+        if (!error) acceptor.listen(backlog, error);
+        if (!error) return acceptor;
+    }
+    fail(options);
+}
+
+// Clients of IPv6 have a network each, not only an address.
+asio::ip::address client_of(const asio::ip::address& address) {
+    if (!address.is_v6() || address.is_loopback()) return address;
+    if (address.to_v6().is_v4_mapped()) return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
+    auto bytes = address.to_v6().to_bytes();
+    std::fill(bytes.begin() + bytes.size() / 2, bytes.end(), std::uint8_t(0));
+    return asio::ip::address_v6(bytes);
 }
 
 }  // namespace
 
-class Listener::Queue : public httplib::TaskQueue {
+class Listener::Hall : public SessionHost {
   public:
-    explicit Queue(Connections& connections) : connections_(connections) {}
-    void enqueue(std::function<void()> serve) override { connections_.open(std::move(serve)); }
-    void shutdown() override { connections_.close(); }
+    Hall(ListenerOptions options, Reception& reception)
+        : options_(std::move(options)),
+          reception_(reception),
+          acceptor_(bound(context_, options_)),
+          pause_(context_),
+          port_(acceptor_.local_endpoint().port()),
+          clerks_(clerks) {}
+
+    int port() const { return port_; }
+    void run();
+    void stop() {
+        asio::post(context_, [this] { drain(); });
+    }
+
+    const ListenerOptions& options() const override { return options_; }
+    Reception& reception() override { return reception_; }
+    void work_on(std::function<void()> task) override { asio::post(clerks_, std::move(task)); }
+    bool wants_places() const override { return draining_ || newcomer_.has_value(); }
+    bool take_memory(std::size_t bytes) override;
+    void give_back(std::size_t bytes) override { memory_ -= bytes; }
+    void settled(Session& session) override;
+    void left(Session& session) override;
 
   private:
-    Connections& connections_;
+    using Client = asio::ip::address;
+
+    void accept();
+    void accepted(const Error& error, tcp::socket socket);
+    void admit(tcp::socket socket);
+    void drain();
+    std::size_t limit_for(const Client& client) const;
+    // Closes a connection of theirs that can be spared; whether there was one.
+    bool make_place(const std::vector<Session*>& sessions);
+    std::vector<Session*> sessions_of(const Client& client) const;
+    // The sessions of the client that has most of them.
+    std::vector<Session*> largest_group() const;
+
+    ListenerOptions options_;
+    Reception& reception_;
+    asio::io_context context_{1};  // one thread
+    asio::executor_work_guard<asio::io_context::executor_type> work_{context_.get_executor()};
+    tcp::acceptor acceptor_;
+    asio::steady_timer pause_;
+    int port_;
+    std::map<Session*, std::shared_ptr<Session>> sessions_;
+    std::optional<tcp::socket> newcomer_;  // accepted, but there is no place yet
+    bool draining_ = false;
+    std::size_t memory_ = 0;  // for bodies
+    asio::thread_pool clerks_;
 };
 
-Listener::Listener(Patience patience, std::size_t most_connections)
-    : patience_(patience), connections_(most_connections) {
-    new_task_queue = [this] { return new Queue(connections_); };
-    set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(patience_.idle).count());
-    constexpr std::size_t most_requests = 10000;
-    set_keep_alive_max_count(most_requests);  // both are told to clients
-    set_post_routing_handler([](const httplib::Request&, httplib::Response& response) {
-        response.set_header("Date", date());
-        if (response.has_header("Connection")) response.headers.erase("Keep-Alive");
-        // Answers without a body have no length either (RFC 9110, 8.6).
-        if (response.status == no_content || response.status == not_modified) response.headers.erase("Content-Length");
-    });
+void Listener::Hall::run() {
+    accept();
+    context_.run();
+    clerks_.join();
 }
 
-void Listener::lengthen_backlog() {
-    constexpr int backlog = 1024;
-    ::listen(svr_sock_, backlog);
+void Listener::Hall::accept() {
+    if (draining_) return;
+    acceptor_.async_accept([this](const Error& error, tcp::socket socket) { accepted(error, std::move(socket)); });
 }
 
-bool Listener::process_and_close_socket(socket_t socket) {
-    ClientStream client(socket, patience_);
-    bool waits = true;
-    for (std::size_t served = 1; waits && serve_request(client) && served < keep_alive_max_count_; ++served) {
-        waits = connections_.begin_waiting(socket) && client.wait_for_request();
-        // Whose request came as it was sent away is answered all the same.
-        if (!connections_.end_waiting(socket)) client.take_for_there();
-        client.begin_request();
+void Listener::Hall::accepted(const Error& error, tcp::socket socket) {
+    if (draining_) return;
+    if (!error) return admit(std::move(socket));
+    // There is no file descriptor left, or the client has gone already.
+    make_place(largest_group());
+    pause_.expires_after(pause);
+    pause_.async_wait([this](const Error&) { accept(); });
+}
+
+void Listener::Hall::admit(tcp::socket socket) {
+    Error error;
+    const Client client = client_of(socket.remote_endpoint(error).address());
+    const bool too_many = sessions_of(client).size() >= limit_for(client);
+    const bool may_stay = !too_many || make_place(sessions_of(client));
+    if (may_stay && sessions_.size() >= options_.connections && !make_place(largest_group())) {
+        newcomer_.emplace(std::move(socket));
+        return;
     }
-    close_gently(socket);
+    const auto session = std::make_shared<Session>(std::move(socket), *this);
+    sessions_.emplace(session.get(), session);
+    may_stay ? session->begin() : session->turn_away();
+    accept();
+}
+
+bool Listener::Hall::take_memory(std::size_t bytes) {
+    constexpr std::size_t largest_at_once = 4;
+    if (bytes > largest_at_once * options_.body_bytes - memory_) return false;
+    memory_ += bytes;
     return true;
 }
 
-// Whether another request can come.
-bool Listener::serve_request(ClientStream& client) {
-    bool last = true;
-    std::uint64_t headers = 0;
-    std::uint64_t body = 0;
-    const auto prepare = [&](httplib::Request& request) {
-        headers = client.taken();
-        body = body_length(request);
-        last = !may_be_followed(request) || body > most_skipped || connections_.must_leave();
-        if (last) {
-            request.headers.erase("Connection");
-            request.set_header("Connection", "close");  // so that the answer says it too
-        }
-        // httplib would read such a body to the connection's end.
-        if (!request.has_header("Content-Length") && !request.has_header("Transfer-Encoding")) {
-            request.set_header("Content-Length", "0");
-        }
-        leave_compression_to_us(request);
-        // Parts of an answer are never given: with many overlapping ones a small request would ask for much.
-        request.ranges.clear();
-        request.progress = [&client](std::uint64_t, std::uint64_t) { return client.is_there(); };
-    };
-    bool closed = false;
-    const bool answered = process_request(client, false, closed, prepare);
-    return answered && !last && client.skip(headers + body - client.taken());
+// A place may have become free.
+void Listener::Hall::settled(Session& session) {
+    if (draining_) return session.close();
+    if (newcomer_) make_place(largest_group());
 }
 
-bool client_is_there(const httplib::Request& request) {
-    return request.progress(0, 0);
+void Listener::Hall::left(Session& session) {
+    sessions_.erase(&session);
+    if (newcomer_) admit(*std::exchange(newcomer_, {}));
+    if (draining_ && sessions_.empty()) work_.reset();
+}
+
+std::size_t Listener::Hall::limit_for(const Client& client) const {
+    if (options_.connections_of_client > 0) return options_.connections_of_client;
+    return client.is_loopback() ? options_.connections : std::max<std::size_t>(options_.connections / 2, 1);
+}
+
+// Those that are between two requests go first, then those whose request has not come whole, of both the ones that are
+// at it for longest.
+bool Listener::Hall::make_place(const std::vector<Session*>& sessions) {
+    const auto order = [](const Session* session) {
+        return std::pair(session->phase() != Session::Phase::idle, session->since());
+    };
+    Session* spared = nullptr;
+    for (Session* session : sessions) {
+        if (session->may_be_closed() && (spared == nullptr || order(session) < order(spared))) spared = session;
+    }
+    if (spared != nullptr) spared->close();
+    return spared != nullptr;
+}
+
+std::vector<Session*> Listener::Hall::sessions_of(const Client& client) const {
+    std::vector<Session*> found;
+    for (const auto& [session, owner] : sessions_) {
+        if (client_of(session->client()) == client) found.push_back(session);
+    }
+    return found;
+}
+
+std::vector<Session*> Listener::Hall::largest_group() const {
+    std::map<Client, std::vector<Session*>> groups;
+    for (const auto& [session, owner] : sessions_) {
+        if (session->may_be_closed()) groups[client_of(session->client())].push_back(session);
+    }
+    const auto largest = std::max_element(groups.begin(), groups.end(), [](const auto& one, const auto& other) {
+        return one.second.size() < other.second.size();
+    });
+    return largest == groups.end() ? std::vector<Session*>() : largest->second;
+}
+
+void Listener::Hall::drain() {
+    if (std::exchange(draining_, true)) return;
+    Error ignored;
+    acceptor_.close(ignored);
+    pause_.cancel();
+    newcomer_.reset();
+    std::vector<std::shared_ptr<Session>> sessions;
+    for (const auto& [session, owner] : sessions_) sessions.push_back(owner);
+    for (const auto& session : sessions) {
+        if (!session->has_begun()) session->close();
+    }
+    if (sessions_.empty()) work_.reset();
+}
+
+Listener::Listener(ListenerOptions options, Reception& reception)
+    : hall_(std::make_unique<Hall>(std::move(options), reception)) {}
+Listener::~Listener() = default;
+
+int Listener::port() const {
+    return hall_->port();
+}
+
+void Listener::run() {
+    hall_->run();
+}
+
+void Listener::stop() {
+    hall_->stop();
 }
 
 }  // namespace waybreaker::server

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 
+#include "server/header_list.hpp"
+
 namespace waybreaker::server {
 namespace {
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-}
-
 // Names are the same in any case (RFC 9110, 5.1).
 auto is_named(std::string_view name) {
-    return [name](const Fields::Field& field) {
-        return std::equal(name.begin(), name.end(), field.first.begin(), field.first.end(),
-                          [](char a, char b) { return lower(a) == lower(b); });
-    };
+    return [name](const Fields::Field& field) { return same_word(field.first, name); };
 }
 
 }  // namespace

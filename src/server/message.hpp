@@ -1,6 +1,7 @@
 // Message: a request as routes see it, and the answer to it. Plain values: how they travel is the transport's business.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,7 +41,8 @@ struct Request {
     Fields query = {};      // decoded
     Fields headers = {};
     std::string body = {};
-    std::string client = {};  // its address
+    std::string client = {};                           // its address
+    std::chrono::steady_clock::time_point began = {};  // when its first bytes had come
 };
 
 // Bytes that several answers may share: a page's file is sent to everybody, a map's to who asks.

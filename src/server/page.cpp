@@ -64,7 +64,7 @@ std::vector<Route> page_routes() {
         const auto handle = [ready = std::make_shared<const Served>(served(file))](const Call& call) {
             return given(ready, call.request.headers);
         };
-        routes.push_back({"GET", std::string(file.path), Route::Body::none, true, handle});
+        routes.push_back({"GET", std::string(file.path), Route::Body::none, true, handle, true});
     }
     return routes;
 }

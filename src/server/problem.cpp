@@ -8,12 +8,21 @@
 namespace waybreaker::server {
 
 std::string title_of(int status) {
-    static const std::map<int, std::string> titles{{bad_request, "Bad Request"},
+    static const std::map<int, std::string> titles{{ok, "OK"},
+                                                   {created, "Created"},
+                                                   {no_content, "No Content"},
+                                                   {not_modified, "Not Modified"},
+                                                   {bad_request, "Bad Request"},
                                                    {unauthorized, "Unauthorized"},
                                                    {forbidden, "Forbidden"},
                                                    {not_found, "Not Found"},
                                                    {method_not_allowed, "Method Not Allowed"},
                                                    {conflict, "Conflict"},
+                                                   {request_timeout, "Request Timeout"},
+                                                   {target_too_long, "URI Too Long"},
+                                                   {expectation_failed, "Expectation Failed"},
+                                                   {head_too_large, "Request Header Fields Too Large"},
+                                                   {version_unknown, "HTTP Version Not Supported"},
                                                    {too_large, "Content Too Large"},
                                                    {unsupported_type, "Unsupported Media Type"},
                                                    {misdirected, "Misdirected Request"},

@@ -19,14 +19,19 @@ enum Status : int {
     not_found = 404,
     method_not_allowed = 405,
     conflict = 409,
+    request_timeout = 408,
     too_large = 413,
+    target_too_long = 414,
     unsupported_type = 415,
+    expectation_failed = 417,
     misdirected = 421,
     unprocessable = 422,
+    head_too_large = 431,
     client_gone = 499,  // as other servers log it; nobody receives it
     internal_error = 500,
     not_implemented = 501,
     unavailable = 503,
+    version_unknown = 505,
 };
 
 // Thrown by what answers requests; what() is one line for a person.

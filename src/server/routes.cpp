@@ -138,8 +138,15 @@ Route export_route(MapShelf& shelf) {
     return {"POST", "/api/v1/maps/{id}/export", Route::Body::json, false, handle};
 }
 
-Route get(const std::string& path, bool open, std::function<Answer(Call)> handle) {
-    return {"GET", path, Route::Body::none, open, std::move(handle)};
+Route get(const std::string& path, std::function<Answer(Call)> handle) {
+    return {"GET", path, Route::Body::none, false, std::move(handle)};
+}
+
+// Something that everybody may have, and that is there already.
+Route ready(const std::string& path, const std::string& document) {
+    const auto body = std::make_shared<const std::string>(document);
+    const auto handle = [body](const Call&) { return given({body, *body}); };
+    return {"GET", path, Route::Body::none, true, handle, true};
 }
 
 Response described(const std::string& problem) {
@@ -168,19 +175,20 @@ std::optional<std::string> Route::id_in(const std::string& asked) const {
 
 std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metrics, const Limits& limits) {
     std::vector<Route> all;
-    all.push_back(get("/healthz", true, [](const Call&) { return given("{\"status\": \"ok\"}\n"); }));
-    all.push_back(get("/metrics", false, [&](const Call&) {
+    all.push_back(ready("/healthz", "{\"status\": \"ok\"}\n"));
+    all.push_back(ready("/api/v1/openapi.json", openapi_json()));
+    all.push_back(get("/metrics", [&](const Call&) {
         return given(metrics_text(shelf, desk, metrics), "text/plain; version=0.0.4; charset=utf-8");
     }));
-    all.push_back(get("/api/v1/openapi.json", true, [](const Call&) { return given(openapi_json()); }));
-    all.push_back(get("/problems/{id}", true, [](const Call& call) { return described(call.map); }));
-    all.push_back(get("/api/v1/maps", false, [&](const Call&) { return given(maps_json(shelf.list())); }));
-    all.push_back(get("/api/v1/maps/{id}", false,
-                      [&](const Call& call) { return given(map_json(call.map, *shelf.take(call.map))); }));
-    all.push_back(get("/api/v1/maps/{id}/obstacles", false, [&](const Call& call) {
+    all.push_back(
+        {"GET", "/problems/{id}", Route::Body::none, true, [](const Call& call) { return described(call.map); }, true});
+    all.push_back(get("/api/v1/maps", [&](const Call&) { return given(maps_json(shelf.list())); }));
+    all.push_back(
+        get("/api/v1/maps/{id}", [&](const Call& call) { return given(map_json(call.map, *shelf.take(call.map))); }));
+    all.push_back(get("/api/v1/maps/{id}/obstacles", [&](const Call& call) {
         return packed(accepted_encodings(call), io::obstacles_json(shelf.take(call.map)->file));
     }));
-    all.push_back(get("/api/v1/maps/{id}/background", false, [&](const Call& call) {
+    all.push_back(get("/api/v1/maps/{id}/background", [&](const Call& call) {
         return packed(accepted_encodings(call), io::background_json(shelf.take(call.map)->file.background));
     }));
     all.push_back(file_route(shelf));

@@ -36,6 +36,7 @@ struct Route {
     Body body = Body::none;
     bool open = false;  // asked without a token
     std::function<Answer(Call)> answer;
+    bool quick = false;  // reads no file and takes no time
 
     // What a path has for {id} (empty where there is none to have), if it is this route's.
     std::optional<std::string> id_in(const std::string& asked) const;

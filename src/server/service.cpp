@@ -1,17 +1,14 @@
 #include "server/service.hpp"
 
-#include <sys/socket.h>
-
 #include <atomic>
 #include <chrono>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "server/desk.hpp"
-#include "server/framing.hpp"
+#include "server/exchange.hpp"
 #include "server/guard.hpp"
-#include "server/header_list.hpp"
+#include "server/intake.hpp"
 #include "server/listener.hpp"
 #include "server/log_line.hpp"
 #include "server/map_shelf.hpp"
@@ -39,7 +36,7 @@ class WrongMethod : public Problem {
     std::string allowed_;
 };
 
-const httplib::Headers safe_headers{
+const Fields safe_headers{
     {"Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"},
@@ -53,40 +50,11 @@ void require_safe(const ServiceOptions& options) {
                      ": give a --token that they must bring, or say --insecure");
 }
 
-Response problem(int status, const std::string& detail, std::string_view kind = "") {
+Response problem_response(int status, const std::string& detail, std::string_view kind = "") {
     Response response{.status = status, .type = "application/problem+json", .body = problem_json(status, detail, kind)};
     if (status == unavailable) response.headers.add("Retry-After", "1");
     if (status == unauthorized) response.headers.add("WWW-Authenticate", "Bearer");
     return response;
-}
-
-Request request_of(const httplib::Request& asked) {
-    Request request{.method = asked.method, .path = asked.path, .client = asked.remote_addr};
-    for (const auto& [name, value] : asked.params) request.query.add(name, value);
-    for (const auto& [name, value] : asked.headers) request.headers.add(name, value);
-    return request;
-}
-
-void give(const Response& response, httplib::Response& target) {
-    target.status = response.status;
-    for (const auto& [name, value] : response.headers) {
-        target.headers.erase(name);
-        target.set_header(name, value);
-    }
-    if (!response.type.empty()) target.set_content(std::string(response.body.bytes()), response.type);
-}
-
-// The type must be one that pages of other sites cannot send here without being asked for leave first.
-void require_body(const Route& route, const httplib::Request& request, std::size_t limit) {
-    const std::string wanted = route.body == Route::Body::json ? "application/json" : "application/octet-stream";
-    const std::string given = request.get_header_value("Content-Type");
-    if (route.body == Route::Body::none) return;
-    if (trimmed(given.substr(0, given.find(';'))) != wanted) {
-        throw Problem(unsupported_type, "the body must be sent as " + wanted);
-    }
-    if (body_length(request) > limit) {
-        throw Problem(too_large, "the body has more than " + std::to_string(limit) + " bytes");
-    }
 }
 
 const std::string& told_to_log(const Failure& failure) {
@@ -97,121 +65,94 @@ std::chrono::milliseconds milliseconds(double seconds) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(seconds));
 }
 
-httplib::Server::HandlerResponse unless(bool admitted) {
-    return admitted ? httplib::Server::HandlerResponse::Unhandled : httplib::Server::HandlerResponse::Handled;
-}
+// What is known of a request when it is counted and logged.
+struct Account {
+    std::string route = other_route;
+    std::string method = {};
+    std::string path = {};
+    std::string client = {};
+    Clock::time_point began = Clock::now();
+    std::atomic<bool> closed = false;
+
+    Account() = default;
+    Account(std::string name, const Request& request)
+        : route(std::move(name)),
+          method(request.method),
+          path(request.path),
+          client(request.client),
+          began(request.began) {}
+};
 
 }  // namespace
 
-class Service::House {
+class Service::House : public Reception {
   public:
     explicit House(ServiceOptions options);
 
-    int port() const { return port_; }
+    int port() const { return listener_.port(); }
     void run();
     void stop();
 
+    Admission admit(const Request& head, std::optional<std::uint64_t> length) override;
+    void serve(Request request, std::shared_ptr<Exchange> exchange) override;
+    Response refuse(const Problem& problem, const std::string& client) override;
+
   private:
-    void add_handlers();
-    void bind();
+    using SharedAccount = std::shared_ptr<Account>;
+
+    ListenerOptions listener_options() const;
     // The route that is asked for. Throws Problem if there is none, or it must not be asked like this.
-    const Route& route_of(const httplib::Request& request) const;
-    void guard(const Route& route, const httplib::Request& request) const;
-    // Whether the request may go on; else it is answered. Before anything of its body is read.
-    bool admit(const httplib::Request& request, httplib::Response& response);
-    void serve(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& reader);
-    // Plans meanwhile told as events.
-    void stream(const std::shared_ptr<Job>& job, const Route& route, const Request& request, Clock::time_point began,
-                httplib::Response& response);
-    std::string read_body(const Route& route, const httplib::ContentReader& reader) const;
-    // Counts and logs an answer.
-    void finish(const std::string& route, const Request& request, int status, Clock::time_point began,
-                const std::string& detail);
+    const Route& route_of(const Request& request) const;
+    void guard(const Route& route, const Request& request) const;
+    void wait(Later later, const std::shared_ptr<Exchange>& exchange, const SharedAccount& account);
+    // Counts and logs an answer, once.
+    void close(Account& account, int status, const std::string& detail = "");
 
     ServiceOptions options_;
     Metrics metrics_;
     MapShelf shelf_;
+    Listener listener_;  // lives longer than those who answer by it
     Desk desk_;
     std::vector<Route> routes_;
-    Listener listener_;
-    int port_ = 0;
-    std::atomic<bool> over_ = false;
 };
 
 Service::House::House(ServiceOptions options)
-    : options_(std::move(options)),
+    : options_((require_safe(options), std::move(options))),
       shelf_(options_.maps, options_.limits),
+      listener_(listener_options(), *this),
       desk_(options_.limits, metrics_),
-      routes_(routes(shelf_, desk_, metrics_, options_.limits)),
-      listener_({.reading = milliseconds(options_.limits.patience),
-                 .writing = milliseconds(options_.limits.patience),
-                 .idle = milliseconds(options_.limits.idle),
-                 .bytes = options_.limits.upload_bytes + (std::size_t{1} << 16)},
-                options_.limits.connections) {
-    require_safe(options_);
+      routes_(routes(shelf_, desk_, metrics_, options_.limits)) {
     for (Route& route : page_routes()) routes_.push_back(std::move(route));
-    listener_.set_payload_max_length(options_.limits.upload_bytes);
-    listener_.set_default_headers(safe_headers);
-    listener_.set_tcp_nodelay(true);
-    // httplib's own choice would let two servers share a port.
-    listener_.set_socket_options([](socket_t socket) {
-        const int yes = 1;
-        ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
-    add_handlers();
-    bind();
 }
 
-void Service::House::add_handlers() {
-    listener_.set_expect_100_continue_handler([this](const httplib::Request& request, httplib::Response& response) {
-        constexpr int go_on = 100;
-        return admit(request, response) ? go_on : response.status;
-    });
-    listener_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-        return unless(admit(request, response));
-    });
-    const auto answer = [this](const httplib::Request& request, httplib::Response& response,
-                               const httplib::ContentReader& reader) { serve(request, response, reader); };
-    // Which path is whose, we say: httplib would try one regular expression after the other.
-    listener_.Get(".*", [answer](const httplib::Request& request, httplib::Response& response) {
-        answer(request, response, {nullptr, nullptr});
-    });
-    listener_.Post(".*", answer);
-    listener_.Delete(".*", answer);
-    // What httplib refuses by itself: requests that are no HTTP.
-    listener_.set_error_handler(httplib::Server::Handler([](const httplib::Request&, httplib::Response& response) {
-        if (!response.body.empty()) return;
-        give(problem(response.status, "the request cannot be taken as it is"), response);
-        response.set_header("Connection", "close");
-    }));
+ListenerOptions Service::House::listener_options() const {
+    const Limits& limits = options_.limits;
+    return {.host = options_.host,
+            .port = options_.port,
+            .patience = {.reading = milliseconds(limits.patience),
+                         .writing = milliseconds(limits.patience),
+                         .idle = milliseconds(limits.idle)},
+            .connections = limits.connections,
+            .connections_of_client = limits.connections_of_client,
+            .body_bytes = limits.upload_bytes,
+            .headers = safe_headers};
 }
 
-void Service::House::bind() {
-    port_ = options_.port == 0                                     ? listener_.bind_to_any_port(options_.host)
-            : listener_.bind_to_port(options_.host, options_.port) ? options_.port
-                                                                   : -1;
-    if (port_ <= 0) {
-        throw InputError("cannot listen on " + options_.host + " port " + std::to_string(options_.port) +
-                         ": it is taken, or no address of this machine");
-    }
-    listener_.lengthen_backlog();
-}
-
-void Service::House::guard(const Route& route, const httplib::Request& request) const {
-    const std::string host = request.get_header_value("Host");
+void Service::House::guard(const Route& route, const Request& request) const {
+    const std::string host = request.headers.get("Host");
     if (is_loopback(options_.host) && !names_loopback(host)) {
         throw Problem(misdirected, "this server is called localhost");
     }
-    if (request.has_header("Origin") && !same_site(request.get_header_value("Origin"), host)) {
+    if (const auto origin = request.headers.find("Origin"); origin && !same_site(*origin, host)) {
         throw Problem(forbidden, "pages of other sites may not ask");
     }
     if (options_.token.empty() || route.open) return;
-    if (!brings_token(request.get_header_value("Authorization"), options_.token)) {
+    if (!brings_token(request.headers.get("Authorization"), options_.token)) {
         throw Problem(unauthorized, "a token is needed: Authorization: Bearer TOKEN");
     }
 }
 
-const Route& Service::House::route_of(const httplib::Request& request) const {
+const Route& Service::House::route_of(const Request& request) const {
     std::string methods;
     for (const Route& route : routes_) {
         if (!route.id_in(request.path)) continue;
@@ -222,96 +163,96 @@ const Route& Service::House::route_of(const httplib::Request& request) const {
     throw WrongMethod(methods);
 }
 
-bool Service::House::admit(const httplib::Request& request, httplib::Response& response) {
-    const Clock::time_point began = Clock::now();
-    std::string name = other_route;
+Admission Service::House::admit(const Request& head, std::optional<std::uint64_t> length) {
+    Account account(other_route, head);
+    Response refusal;
     std::string detail;
     try {
-        check_framing(request);
-        const Route& route = route_of(request);
-        name = route.path;
-        guard(route, request);
-        require_body(route, request, options_.limits.upload_bytes);
-        return true;
+        const Route& route = route_of(head);
+        account.route = route.path;
+        guard(route, head);
+        require_body(head, length, route.body, options_.limits.upload_bytes);
+        return {.body = route.body != Route::Body::none, .quick = route.quick};
     } catch (const WrongMethod& problem) {
-        response.set_header("Allow", problem.allowed());
-        give(server::problem(problem.status(), detail = problem.what()), response);
+        refusal = problem_response(problem.status(), detail = problem.what(), problem.kind());
+        refusal.headers.add("Allow", problem.allowed());
     } catch (const Problem& problem) {
-        give(server::problem(problem.status(), detail = problem.what()), response);
+        refusal = problem_response(problem.status(), detail = problem.what(), problem.kind());
     }
-    finish(name, request_of(request), response.status, began, detail);
-    return false;
+    close(account, refusal.status, detail);
+    return {.refusal = std::move(refusal)};
 }
 
-std::string Service::House::read_body(const Route& route, const httplib::ContentReader& reader) const {
-    if (route.body == Route::Body::none) return "";
-    std::string body;
-    const std::size_t limit = options_.limits.upload_bytes;
-    const bool whole = reader([&body, limit](const char* bytes, std::size_t size) {
-        if (size > limit - body.size()) return false;
-        body.append(bytes, size);
-        return true;
-    });
-    if (!whole) throw Problem(too_large, "the body did not come whole within " + std::to_string(limit) + " bytes");
-    return body;
+Response Service::House::refuse(const Problem& problem, const std::string& client) {
+    Account account;
+    account.client = client;
+    close(account, problem.status(), problem.what());
+    return problem_response(problem.status(), problem.what(), problem.kind());
 }
 
-void Service::House::serve(const httplib::Request& request, httplib::Response& response,
-                           const httplib::ContentReader& reader) {
-    const Clock::time_point began = Clock::now();
+void Service::House::serve(Request request, std::shared_ptr<Exchange> exchange) {
     const Route& route = route_of(request);
-    const Request head = request_of(request);
-    std::string detail;
+    const auto account = std::make_shared<Account>(route.path, request);
     try {
-        Call call{head, route.id_in(request.path).value_or("")};
-        call.request.body = read_body(route, reader);
-        Answer answer = route.answer(std::move(call));
-        if (auto* later = std::get_if<Later>(&answer)) {
-            const std::shared_ptr<Job> job = desk_.submit(std::move(later->work));
-            if (later->events) return stream(job, route, head, began, response);
-            answer = desk_.wait_for(*job, [&request] { return client_is_there(request); });
-        }
-        give(std::get<Response>(answer), response);
+        if (route.body != Route::Body::none) unpack(request, options_.limits.upload_bytes);
+        std::string id = route.id_in(request.path).value_or("");
+        Answer answer = route.answer({std::move(request), std::move(id)});
+        if (auto* later = std::get_if<Later>(&answer)) return wait(std::move(*later), exchange, account);
+        auto& response = std::get<Response>(answer);
+        close(*account, response.status);
+        exchange->answer(std::move(response));
     } catch (...) {
         const Failure failure = current_failure();
-        detail = told_to_log(failure);
-        give(problem(failure.status, failure.detail, failure.kind), response);
+        close(*account, failure.status, told_to_log(failure));
+        exchange->answer(problem_response(failure.status, failure.detail, failure.kind));
     }
-    finish(route.path, head, response.status, began, detail);
 }
 
-void Service::House::stream(const std::shared_ptr<Job>& job, const Route& route, const Request& request,
-                            Clock::time_point began, httplib::Response& response) {
-    const auto tell = [this, job, name = route.path, request, began](std::size_t, httplib::DataSink& sink) {
-        const Failure outcome = desk_.tell(*job, [&sink](const std::string& text) {
-            return sink.is_writable() && sink.write(text.data(), text.size());
-        });
-        finish(name, request, outcome.status, began, told_to_log(outcome));
-        if (outcome.status != client_gone) sink.done();
-        return outcome.status != client_gone;
+// Answers when the work is done, and stops it when the client goes away.
+void Service::House::wait(Later later, const std::shared_ptr<Exchange>& exchange, const SharedAccount& account) {
+    const bool events = later.events;
+    const std::shared_ptr<Job> job = desk_.submit(std::move(later.work));
+    const auto tick = [this, job, events] {
+        desk_.watch(*job);
+        return events ? progress_event(*job) : std::string();
     };
-    response.set_chunked_content_provider("text/event-stream", tell);
+    const auto gone = [this, job, account] {
+        desk_.give_up(*job);
+        close(*account, client_gone, "the client went away");
+    };
+    exchange->wait({.events = events, .tick = tick, .gone = gone});
+    job->when_done([this, job = job.get(), account, events, waiting = std::weak_ptr(exchange)] {
+        Response response;
+        try {
+            response = job->result();
+            close(*account, response.status);
+            if (events) response.body = plan_event(response);
+        } catch (...) {
+            const Failure failure = current_failure();
+            close(*account, failure.status, told_to_log(failure));
+            response = problem_response(failure.status, failure.detail, failure.kind);
+            if (events) response.body = problem_event(failure);
+        }
+        if (const auto there = waiting.lock()) there->answer(std::move(response));
+    });
 }
 
-void Service::House::finish(const std::string& route, const Request& request, int status, Clock::time_point began,
-                            const std::string& detail) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
-    const bool known = route != other_route;
-    metrics_.count_request(known ? request.method : other_route, route, status, seconds);
-    options_.log(log_line({request.client, request.method, request.path, status, seconds, detail}));
+void Service::House::close(Account& account, int status, const std::string& detail) {
+    if (account.closed.exchange(true)) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - account.began).count();
+    const bool known = account.route != other_route;
+    metrics_.count_request(known ? account.method : other_route, account.route, status, seconds);
+    options_.log(log_line({account.client, account.method, account.path, status, seconds, detail}));
 }
 
 void Service::House::run() {
-    options_.log(log_line("listening", "http://" + options_.host + ":" + std::to_string(port_)));
-    listener_.listen_after_bind();
-    over_ = true;
+    options_.log(log_line("listening", "http://" + options_.host + ":" + std::to_string(port())));
+    listener_.run();
     options_.log(log_line("stopped", "all requests are answered"));
 }
 
 void Service::House::stop() {
     options_.log(log_line("stopping", "what has begun is finished"));
-    // httplib takes no notice of a stop that comes before it listens.
-    while (!listener_.is_running() && !over_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     listener_.stop();
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <future>
 #include <stdexcept>
 
 namespace waybreaker::server {
@@ -22,6 +23,12 @@ Work quick(const std::string& answer) {
     return [answer](const Workplace&) { return Response{.body = answer}; };
 }
 
+void wait_for(Job& job) {
+    std::promise<void> done;
+    job.when_done([&done] { done.set_value(); });
+    done.get_future().wait();
+}
+
 void wait_for_state(const Job& job, Job::State state) {
     while (job.state() != state) std::this_thread::sleep_for(1ms);
 }
@@ -30,7 +37,8 @@ TEST(JobQueue, GivesResultsAndFailures) {
     JobQueue queue(2, 4);
     const auto good = queue.submit(quick("done"));
     const auto bad = queue.submit([](const Workplace&) -> Response { throw std::runtime_error("no"); });
-    while (!good->wait(10ms) || !bad->wait(10ms)) continue;
+    wait_for(*good);
+    wait_for(*bad);
     EXPECT_EQ(good->result().body.bytes(), "done");
     EXPECT_THROW(bad->result(), std::runtime_error);
 }
@@ -50,7 +58,7 @@ TEST(JobQueue, LetsSoManyWaitAndNoMore) {
     EXPECT_FALSE(second->stop());
     EXPECT_NE(queue.submit(quick("fourth")), nullptr);
     end = true;
-    while (!third->wait(10ms)) continue;
+    wait_for(*third);
     EXPECT_EQ(third->result().body.bytes(), "third");
     EXPECT_EQ(first->result().body.bytes(), "ended");
     EXPECT_EQ(second->result().body.bytes(), "");
@@ -61,7 +69,7 @@ TEST(JobQueue, HasAWorkerFreeAsSoonAsTheAnswerIsThere) {
     for (int i = 0; i < 2000; ++i) {
         const auto job = queue.submit(quick("done"));
         ASSERT_TRUE(job) << i;
-        while (!job->wait(10ms)) continue;
+        wait_for(*job);
     }
 }
 

@@ -3,7 +3,8 @@
 #include <thread>
 
 #include "live_server.hpp"
-#include "server/client_stream.hpp"
+#include "malformed_requests.hpp"
+#include "occupation.hpp"
 #include "wire.hpp"
 
 namespace waybreaker::server {
@@ -33,22 +34,77 @@ TEST_F(RudeClientTest, SlowOnesDoNotHoldTheirPlace) {
     EXPECT_LT(std::chrono::steady_clock::now() - began, 5s);
 }
 
-TEST(ClientStream, GivesUpOnWhoTakesNoAnswer) {
-    int ends[2];
-    ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
-    const int small = 4096;
-    ::setsockopt(ends[0], SOL_SOCKET, SO_SNDBUF, &small, sizeof small);
-    const auto began = std::chrono::steady_clock::now();
-    {
-        ClientStream client(ends[0], {.writing = 100ms});
-        const std::string piece(1000, 'x');
-        while (client.write(piece.data(), piece.size()) >= 0) continue;
+TEST_F(RudeClientTest, HalfRequestsAreToldSo) {
+    begin();
+    const Wire wire(port());
+    wire.send("GET /healthz HTTP/1.1\r\n");
+    EXPECT_TRUE(wire.rest().starts_with("HTTP/1.1 408 "));
+    const Wire body(port());
+    body.send(
+        "POST /api/v1/maps/house.map/plan HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+        "Content-Length: 50\r\n\r\n{");
+    EXPECT_TRUE(body.rest().starts_with("HTTP/1.1 408 "));
+    const Wire silent(port());
+    EXPECT_EQ(silent.rest(), "");
+}
+
+TEST_F(RudeClientTest, ManyHalfRequestsDelayNobody) {
+    options_.limits.connections = 20;
+    options_.limits.patience = 60;
+    begin();
+    std::vector<std::unique_ptr<Wire>> slow;
+    for (int i = 0; i < 60; ++i) {
+        slow.push_back(std::make_unique<Wire>(port()));
+        slow.back()->send(i % 2 == 0 ? "GET /healthz HTTP/1.1\r\nHost: lo"
+                                     : "POST /api/v1/maps HTTP/1.1\r\nHost: localhost\r\nContent-Type: "
+                                       "application/octet-stream\r\nContent-Length: 9\r\n\r\nhalf");
     }
-    const auto time = std::chrono::steady_clock::now() - began;
-    EXPECT_GE(time, 100ms);
-    EXPECT_LT(time, 5s);
-    ::close(ends[0]);
-    ::close(ends[1]);
+    const auto began = std::chrono::steady_clock::now();
+    for (int i = 0; i < 60; ++i) EXPECT_EQ(get("/healthz").status, 200);
+    EXPECT_LT(std::chrono::steady_clock::now() - began, 30s);
+}
+
+TEST_F(RudeClientTest, NobodyHasMoreConnectionsThanOneClientMay) {
+    put("maps/thicket.map", thicket(300));
+    options_.limits.connections_of_client = 2;
+    options_.limits.patience = 60;
+    begin();
+    // Those that can be spared give way to the client's own,
+    const Wire first(port());
+    const Wire second(port());
+    first.send("GET /heal");
+    EXPECT_EQ(get("/healthz").status, 200);
+    // and where none can, it is told so.
+    Occupation one(client(), "/api/v1/maps/thicket.map/plan", long_mission(300));
+    Occupation other(client(), "/api/v1/maps/thicket.map/plan", long_mission(300));
+    EXPECT_TRUE(Wire(port()).rest().starts_with("HTTP/1.1 503 "));
+    EXPECT_FALSE(one.done() || other.done());
+}
+
+TEST_F(RudeClientTest, AnswersThatAreNotTakenEnd) {
+    begin();
+    const Wire wire(port());
+    const std::string request = "GET /api/v1/openapi.json HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    const auto began = std::chrono::steady_clock::now();
+    bool open = true;
+    for (int i = 0; i < 100000 && open; ++i) open = wire.send(request);
+    EXPECT_FALSE(open) << "gigabytes of answers were made that nobody read";
+    EXPECT_LT(std::chrono::steady_clock::now() - began, 30s);
+}
+
+TEST_F(RudeClientTest, MalformedRequestsAreRefusedAndNothingAfterThemIsRead) {
+    begin();
+    const std::string hidden = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    for (const auto& [why, bytes, status] : malformed_requests()) {
+        const Wire wire(port());
+        wire.send(bytes + hidden);
+        const std::string said = wire.rest();
+        EXPECT_TRUE(said.starts_with("HTTP/1.1 " + std::to_string(status) + " ")) << why << '\n' << said;
+        EXPECT_EQ(said.find("\r\nDate: "), said.rfind("\r\nDate: ")) << why << '\n' << said;
+        EXPECT_NE(said.find("\r\nConnection: close\r\n"), std::string::npos) << why << '\n' << said;
+        EXPECT_NE(said.find("application/problem+json"), std::string::npos) << why << '\n' << said;
+    }
+    EXPECT_EQ(get("/healthz").status, 200);
 }
 
 TEST_F(RudeClientTest, HeadersEnd) {

@@ -17,7 +17,8 @@ const std::string maps = "/api/v1/maps";
 const std::string bytes = "application/octet-stream";
 
 TEST(Guard, KnowsThisMachine) {
-    for (const char* host : {"localhost", "localhost:80", "127.0.0.1:8080", "[::1]", "[::1]:80"}) {
+    for (const char* host :
+         {"localhost", "localhost:80", "LOCALHOST", "LocalHost:80", "127.0.0.1:8080", "[::1]", "[::1]:80"}) {
         EXPECT_TRUE(names_loopback(host)) << host;
     }
     for (const char* host : {"", "evil.example", "localhost.evil.example:80", "127.0.0.1.evil.example", "[::2]", "["}) {
@@ -30,9 +31,11 @@ TEST(Guard, KnowsThisMachine) {
 }
 
 TEST(Guard, TokenMustBeTheWholeToken) {
-    EXPECT_TRUE(brings_token("Bearer secret", "secret"));
+    for (const char* right : {"Bearer secret", "bearer secret", "BEARER  secret"}) {
+        EXPECT_TRUE(brings_token(right, "secret")) << right;
+    }
     for (const char* wrong : {"", "secret", "Bearer ", "Bearer secre", "Bearer secrets", "Bearer secretsecret",
-                              "bearer secret", "Basic secret"}) {
+                              "Bearersecret", "Basic secret"}) {
         EXPECT_FALSE(brings_token(wrong, "secret")) << wrong;
     }
     EXPECT_FALSE(brings_token("Bearer ", ""));

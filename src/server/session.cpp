@@ -1,0 +1,230 @@
+#include "server/session.hpp"
+
+#include <algorithm>
+#include <boost/asio/write.hpp>
+#include <utility>
+
+namespace waybreaker::server {
+namespace {
+
+namespace asio = boost::asio;
+using Error = boost::system::error_code;
+using std::chrono::milliseconds;
+
+// What is left of a body that nobody wanted is passed over if it is so short; else the connection ends.
+constexpr std::uint64_t most_skipped = 65536;
+// Read ahead of the requests that a client sends without waiting for answers.
+constexpr std::size_t most_ahead = 16384;
+constexpr std::size_t most_passed_over = std::size_t{1} << 20;  // of what comes after the last answer
+
+asio::ip::address address_of(const asio::ip::tcp::socket& socket) {
+    Error error;
+    const auto end = socket.remote_endpoint(error);
+    return error ? asio::ip::address() : end.address();
+}
+
+}  // namespace
+
+Session::Session(asio::ip::tcp::socket socket, SessionHost& host)
+    : socket_(std::move(socket)),
+      host_(host),
+      client_(address_of(socket_)),
+      timer_(socket_.get_executor()),
+      reader_(host.options().body_bytes),
+      since_(Clock::now()) {}
+
+void Session::begin() {
+    Error ignored;
+    socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
+    expire_in(host_.options().patience.reading);
+    receive();
+}
+
+void Session::close() {
+    if (phase_ == Phase::closed) return;
+    const auto self = shared_from_this();
+    enter(Phase::closed);
+    timer_.cancel();
+    Error ignored;
+    socket_.close(ignored);
+    if (std::exchange(waits_, false)) waiting_.gone();
+    waiting_ = {};
+    host_.give_back(std::exchange(memory_, 0));
+    host_.left(*this);
+}
+
+void Session::turn_away() {
+    last_ = true;
+    start(host_.reception().refuse(Problem(unavailable, "too many connections come from this address"),
+                                   client_.to_string()));
+}
+
+bool Session::may_be_closed() const {
+    return phase_ == Phase::idle || phase_ == Phase::reading || phase_ == Phase::closing;
+}
+
+bool Session::has_begun() const {
+    return phase_ != Phase::idle && (phase_ != Phase::reading || admitted_);
+}
+
+void Session::enter(Phase phase) {
+    phase_ = phase;
+    since_ = Clock::now();
+}
+
+void Session::expire_in(milliseconds time) {
+    timer_.expires_after(time);
+    timer_.async_wait([self = shared_from_this()](const Error& error) {
+        // A timer that was set anew may have run out just before.
+        if (!error && self->timer_.expiry() <= Clock::now()) self->expired();
+    });
+}
+
+void Session::expired() {
+    switch (phase_) {
+        case Phase::reading:
+            last_ = true;
+            start(host_.reception().refuse(Problem(request_timeout, "the request did not come whole in time"),
+                                           client_.to_string()));
+            return;
+        case Phase::serving:
+            return tick();
+        case Phase::idle:
+        case Phase::writing:
+        case Phase::closing:
+            return close();
+        case Phase::closed:
+            return;
+    }
+}
+
+void Session::receive() {
+    if (receiving_ || input_ended_ || phase_ == Phase::closed) return;
+    receiving_ = true;
+    socket_.async_read_some(asio::buffer(buffer_), [self = shared_from_this()](const Error& error, std::size_t count) {
+        self->receiving_ = false;
+        self->received(count, bool(error));
+    });
+}
+
+void Session::received(std::size_t count, bool failed) {
+    if (phase_ == Phase::closed) return;
+    if (phase_ == Phase::closing) {
+        passed_over_ += count;
+        return failed || passed_over_ > most_passed_over ? close() : receive();
+    }
+    if (failed) {
+        input_ended_ = true;
+        if (phase_ == Phase::idle || phase_ == Phase::reading) return close();
+        if (waits_) close();
+        return;
+    }
+    reader_.put({buffer_.data(), count});
+    if (phase_ == Phase::idle || phase_ == Phase::reading) return advance();
+    // Whoever waits for an answer is listened to, to know when it goes away.
+    if (reader_.waiting() < most_ahead) receive();
+}
+
+void Session::advance() {
+    try {
+        while (proceed()) continue;
+    } catch (const Problem& problem) {
+        last_ = true;
+        start(host_.reception().refuse(problem, client_.to_string()));
+    } catch (const std::exception&) {
+        close();  // there is no memory for it: others must not suffer
+    }
+}
+
+bool Session::proceed() {
+    const RequestReader::State state = reader_.advance();
+    if (state == RequestReader::State::idle) {
+        if (input_ended_) return close(), false;
+        if (phase_ != Phase::idle) {
+            enter(Phase::idle);
+            expire_in(host_.options().patience.idle);
+        }
+        return receive(), false;
+    }
+    begin_reading();
+    if (state != RequestReader::State::head && !admitted_ && !admit()) return false;
+    if (!refused_) take_memory();
+    if (state == RequestReader::State::whole) {
+        if (!refused_) return serve(), false;
+        reader_.take();
+        admitted_ = refused_ = false;
+        return true;
+    }
+    if (input_ended_) return close(), false;
+    if (state == RequestReader::State::body && !refused_ && !gave_leave_ && reader_.waits_for_leave()) {
+        return give_leave(), false;
+    }
+    return receive(), false;
+}
+
+// A request has begun to come.
+void Session::begin_reading() {
+    if (phase_ == Phase::reading) return;
+    enter(Phase::reading);
+    began_ = Clock::now();
+    gave_leave_ = false;
+    // The patience with a connection that is new began with it.
+    if (!std::exchange(first_, false)) expire_in(host_.options().patience.reading);
+}
+
+// Whether the request, whose head is there, may go on at once.
+bool Session::admit() {
+    admitted_ = true;
+    const Request& head = reader_.head();
+    last_ = !reader_.may_be_followed();
+    without_body_ = head.method == "HEAD";
+    takes_chunks_ = reader_.takes_chunks();
+    Request asked = head;
+    asked.client = client_.to_string();
+    asked.began = began_;
+    Admission admission = host_.reception().admit(asked, reader_.length());
+    quick_ = admission.quick;
+    if (!admission.body) reader_.drop_body();
+    if (!admission.refusal) return true;
+    refused_ = true;
+    last_ = last_ || !reader_.length() || *reader_.length() > most_skipped || reader_.waits_for_leave();
+    reader_.drop_body();
+    start(std::move(*admission.refusal));
+    return false;
+}
+
+// Small bodies always find room.
+void Session::take_memory() {
+    constexpr std::size_t small = 65536;
+    const std::size_t size = reader_.body_size();
+    if (size <= std::max(small, memory_)) return;
+    if (!host_.take_memory(size - memory_)) {
+        throw Problem(unavailable, "too many large bodies come at once; send it again in a moment");
+    }
+    memory_ = size;
+}
+
+void Session::give_leave() {
+    gave_leave_ = true;
+    static constexpr std::string_view text = "HTTP/1.1 100 Continue\r\n\r\n";
+    asio::async_write(socket_, asio::buffer(text.data(), text.size()),
+                      [self = shared_from_this()](const Error& error, std::size_t) {
+                          if (self->phase_ != Phase::reading) return;
+                          return error ? self->close() : self->advance();
+                      });
+}
+
+void Session::serve() {
+    Request request = reader_.take();
+    request.client = client_.to_string();
+    request.began = began_;
+    admitted_ = false;
+    enter(Phase::serving);
+    timer_.cancel();
+    receive();
+    const auto task = std::make_shared<Request>(std::move(request));
+    const auto serve = [self = shared_from_this(), task] { self->host_.reception().serve(std::move(*task), self); };
+    quick_ ? serve() : host_.work_on(serve);
+}
+
+}  // namespace waybreaker::server
