@@ -28,7 +28,7 @@ export function Settings({ studio }: { studio: Studio }) {
       <Segmented
         legend="Method"
         choices={[
-          { value: "exact", label: "Best found, with a bound" },
+          { value: "exact", label: "Best found" },
           { value: "paper", label: "The paper’s method (2018)" },
         ]}
         value={mission.method}
