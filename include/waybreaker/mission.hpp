@@ -34,7 +34,7 @@ struct Mission {
 // The paper's coalition: a ground agent and an air agent that start and end together.
 Mission ground_and_air(Cell start, Cell goal);
 
-// How obstacles are chosen: `exact` proves its choice best, `hits` is the paper's rule.
+// How obstacles are chosen: `exact` proves how far from the best its choice can be, `hits` is the paper's rule.
 enum class Selection { exact, hits };
 enum class FlightRule { optimal, nearest };
 
@@ -83,8 +83,9 @@ void validate(const Map& map, const Mission& mission, const MissionOptions& opti
 class MissionPlanner {
   public:
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
-    // and puts both agents in time. With timing enforced no plan is worse than to remove nothing, and more removals
-    // never cost more (unless a limit ended the choice). Keeps its memory between calls; not for two threads at once.
+    // and puts both agents in time. With timing enforced no plan is worse than removing nothing, unless options.force
+    // demands removals. More removals can cost more where breaches take time, bases or speeds differ, or a limit ended
+    // the choice (docs/exact.md, "What is not proven"). Keeps its memory between calls; not for two threads at once.
     Plan plan(const Map& map, const Mission& mission, const MissionOptions& options = {});
 
     // What each further removal gains: the plans for 0, 1, 2, ... removals, up to options.removals, as long as the
