@@ -2,10 +2,11 @@
 
 set(WAYBREAKER_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
 option(WAYBREAKER_COVERAGE "Instrument for gcov" OFF)
+option(WAYBREAKER_PRECOMPILE "Precompile the headers of large libraries" ON)
 
 function(waybreaker_flags target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
-                         -Wnon-virtual-dtor -Woverloaded-virtual)
+                         -Wnon-virtual-dtor -Woverloaded-virtual $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>)
   if(PROJECT_IS_TOP_LEVEL)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
@@ -17,6 +18,33 @@ function(waybreaker_flags target)
     target_compile_options(${target} PRIVATE --coverage)
     target_link_options(${target} PRIVATE --coverage)
   endif()
+endfunction()
+
+# Clang writes into precompiled headers when they were made, unless told: ccache would never find them again.
+function(waybreaker_timeless target)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
+endfunction()
+
+# waybreaker_precompile(TARGET header...): headers of others that many files of the target include. Each file still names
+# what it needs: the presets without precompiled headers fail where one does not.
+function(waybreaker_precompile target)
+  if(WAYBREAKER_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    waybreaker_timeless(${target})
+  endif()
+endfunction()
+
+# The same as for another target, whose precompiled headers are used.
+function(waybreaker_precompile_as other target)
+  if(WAYBREAKER_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${other})
+    waybreaker_timeless(${target})
+  endif()
+endfunction()
+
+# Hardly optimised: for code whose speed nobody feels, while what its headers bring takes long to compile.
+function(waybreaker_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # waybreaker_library(NAME SOURCES file... [USES folder...] [NEEDS library...])
