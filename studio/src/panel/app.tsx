@@ -1,5 +1,5 @@
 // The page: map, timeline over it, and the panel beside it (below it on a narrow screen).
-import { useComputed } from "@preact/signals";
+import { useComputed, useSignalEffect } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type { TabToken } from "../api/token";
 import { MapCanvas } from "../map/map_canvas";
@@ -8,6 +8,7 @@ import type { PageState } from "../mission/page_state";
 import { sceneOf } from "../mission/scene_of";
 import { Studio } from "../mission/studio";
 import { duration } from "../mission/units";
+import { counted, objectiveOf, valueOf } from "../mission/words";
 import { Timeline } from "../play/timeline";
 import { Choices } from "./choices";
 import { TokenDialog } from "./dialogs";
@@ -16,10 +17,10 @@ import { Header } from "./header";
 import { HeadlineSection } from "./headline";
 import { Layers } from "./layers";
 import { LostMapCard } from "./lost_map";
-import { MapChoice } from "./map_choice";
-import { MapNotes } from "./map_notes";
+import { MapChoice, nameOfMap } from "./map_choice";
 import { Attribution, Gone, Invitation, NoticeBar } from "./messages";
 import { ObstacleCard } from "./obstacle_card";
+import { areBuildings } from "./obstacle_words";
 import { Removals } from "./removals";
 import { RemovedTable } from "./removed_table";
 import { Settings } from "./settings";
@@ -28,13 +29,16 @@ import { Tools } from "./tools";
 
 export function App({ page, token = null }: { page: PageState; token?: TabToken | null }) {
   const studio = page instanceof Studio ? page : null;
+  useSignalEffect(() => {
+    document.title = titleOf(page);
+  });
   return (
     <div class={`page ${studio ? "" : "viewer"} ${page.old.value ? "old" : ""}`}>
       <MapArea page={page} studio={studio} />
       <main class="panel">
         <Header studio={studio} />
         {studio ? <MapChoice studio={studio} /> : <p class="map-title">{page.shown.value?.base.description.title}</p>}
-        <MapNotes page={page} />
+        {studio && <Invitation studio={studio} />}
         <HeadlineSection page={page} />
         <Removals page={page} />
         <RemovedTable page={page} />
@@ -48,6 +52,19 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
       {token && <TokenDialog token={token} />}
     </div>
   );
+}
+
+// What the tab is called, so that one finds the mission again among others.
+function titleOf(page: PageState): string {
+  const { base } = page.shown.value ?? {};
+  const plan = page.results.plans.value.after?.plan;
+  if (!base) return "waybreaker";
+  const place = page instanceof Studio ? nameOfMap(page, base.description.id) : base.description.title;
+  const reached = plan && valueOf(plan.after, objectiveOf(plan));
+  if (reached == null) return `${place} – waybreaker`;
+  const ids = plan!.removed.map((one) => one.obstacle);
+  const removed = counted(ids.length, areBuildings(page.shown.value!, ids));
+  return `${place}: ${duration(reached, page.units.value)}, ${removed} removed – waybreaker`;
 }
 
 function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
@@ -73,7 +90,6 @@ function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
         <Attribution page={page} />
       </div>
       <ObstacleCard page={page} />
-      {studio && <Invitation studio={studio} />}
       <div class="timeline-box">
         {plan && plan.agents.length > 0 && (
           <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value)} />
