@@ -16,6 +16,11 @@ namespace waybreaker {
 
 enum class Connectivity { four, eight };
 
+// What an obstacle can weigh, and the longest that its breach can take.
+inline constexpr double least_weight = 1e-9;
+inline constexpr double most_weight = 1e12;
+inline constexpr double most_breach_time = 1e9;
+
 // One obstacle: a connected set of blocked cells, or what a label layer says.
 struct Obstacle {
     ObstacleId id;
@@ -23,8 +28,8 @@ struct Obstacle {
     Box bounds;
     bool destructible = true;
     std::int64_t source_id = 0;  // who it is in the source, e.g. its OpenStreetMap id; 0 = unknown
-    double weight = 1;           // what its removal counts for against a budget, > 0
-    double breach_time = 0;      // how long its breach takes, beside what the mission says for all; >= 0
+    double weight = 1;           // what its removal counts for against a budget, least_weight to most_weight
+    double breach_time = 0;      // how long its breach takes, beside what the mission says; 0 to most_breach_time
 };
 
 // What a label layer knows of one of its labels; index it by label, entry 0 is not used.
@@ -43,7 +48,7 @@ class Map {
 
     // Obstacles are what the label layer says: width * height labels, row by row, 0 = free. Labels may be any numbers;
     // obstacles are numbered anew in scan order. `attributes[label]`, where given, describes the obstacle of that
-    // label. Throws InputError if there are not width * height labels, or the size is out of range.
+    // label. Throws InputError if there are not width * height labels, or a size, weight or time is out of range.
     static Map from_labels(int width, int height, std::vector<std::uint32_t> labels,
                            std::span<const ObstacleAttributes> attributes = {});
 

@@ -24,7 +24,7 @@ struct Agent {
     AgentKind kind = AgentKind::ground;
     Cell start;
     Cell goal;
-    double speed = 1;  // cells per unit of time, > 0
+    double speed = 1;  // cells per unit of time, least_speed to most_speed
 };
 
 struct Mission {
@@ -53,7 +53,8 @@ struct MissionOptions {
     BreachTime breach_time = {};
     std::vector<ObstacleId> protect = {};  // never removed
     std::vector<ObstacleId> force = {};    // removed in any case; they count among the removals, and in the budget
-    // weights[id], > 0, of every obstacle (empty: 1 each); the removed ones may weigh at most `budget` together.
+    // weights[id], least_weight to most_weight, of every obstacle (empty: 1 each); the removed ones may weigh at most
+    // `budget` together.
     std::vector<double> weights = {};
     double budget = std::numeric_limits<double>::infinity();
     bool bound = false;    // prove a bound whatever the method (`exact` always does)
@@ -88,8 +89,8 @@ class MissionPlanner {
     // the choice (docs/exact.md, "What is not proven"). Keeps its memory between calls; not for two threads at once.
     Plan plan(const Map& map, const Mission& mission, const MissionOptions& options = {});
 
-    // What each further removal gains: the plans for 0, 1, 2, ... removals, up to options.removals, as long as the
-    // objective falls.
+    // What each further removal gains: the plans for 0, 1, 2, ... removals, up to the last that gains, at most
+    // options.removals. options.time_limit is that of all plans together; the last one is explained, if asked for.
     std::vector<Plan> front(const Map& map, const Mission& mission, const MissionOptions& options = {});
 
   private:

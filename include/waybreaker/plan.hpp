@@ -17,8 +17,12 @@ enum class Objective { makespan, flowtime, ground_makespan };
 // `enforce`: an obstacle is solid until it has been breached; `ignore`: removed obstacles never were there (the paper).
 enum class Timing { enforce, ignore };
 
+// Speeds of agents, in cells per unit of time: within these every time is a number one can use.
+inline constexpr double least_speed = 1e-6;
+inline constexpr double most_speed = 1e6;
+
 // How long the air agent stays at a breach point until the obstacle is gone, in units of time: what the map says of the
-// obstacle, and this.
+// obstacle, and this: each from 0 to most_breach_time.
 struct BreachTime {
     double per_obstacle = 0;
     double per_cell = 0;

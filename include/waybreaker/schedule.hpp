@@ -19,7 +19,7 @@ namespace waybreaker {
 // A ground path with a wish for open obstacles, and who drives and flies.
 struct ScheduleTask {
     std::span<const Point> ground_path;  // turning points, at least one; waits happen there
-    double ground_speed = 1;             // cells per unit of time
+    double ground_speed = 1;             // cells per unit of time, least_speed to most_speed
     double radius = 0.5;                 // of the ground agent; 0 for a point
     bool slips = true;                   // between diagonal neighbours, a point; false: they must be gone
     Cell air_start;
@@ -46,7 +46,7 @@ struct Schedule {
 
 // The best flight for this ground path: order and breach points minimise the objective, waits included, and of equally
 // good flights the other objective; proven for up to exact_flight_limit obstacles. Breaches all of task.removed, needed
-// or not. Throws InputError for an obstacle that fills the whole map.
+// or not. Throws InputError for an obstacle that fills the whole map, and for speeds or times out of range.
 Schedule best_schedule(const Map& map, const ScheduleTask& task);
 
 // The waits and stays that a given flight makes necessary.

@@ -26,12 +26,14 @@ enum class TieBreak { g_max, g_min };
 
 class SearchListener;
 
+inline constexpr double most_heuristic_weight = 1e6;
+
 struct SearchOptions {
     Planner planner = Planner::theta;
     // Default: euclidean for theta and lazy_theta, octile for astar and jps (manhattan without diagonal moves).
     // Dijkstra and BFS use none.
     std::optional<Heuristic> heuristic = std::nullopt;
-    double weight = 1.0;  // of the heuristic, >= 1
+    double weight = 1.0;  // of the heuristic, 1 to most_heuristic_weight
     TieBreak tie_break = TieBreak::g_max;
     Motion motion = {};
     bool count_hits = false;                                      // fill SearchResult::hits

@@ -1,8 +1,8 @@
 #include "crossing/validate.hpp"
 
-#include <cmath>
 #include <string>
 
+#include "core/range.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -26,8 +26,7 @@ void validate(const Map& map, const CrossingOptions& options) {
                          std::to_string(map.obstacles().size()) + " obstacles and one for id 0");
     }
     for (std::size_t id = 1; id < options.weights.size(); ++id) {
-        if (options.weights[id] > 0 && std::isfinite(options.weights[id])) continue;
-        throw InputError("the weight of obstacle " + std::to_string(id) + " must be a positive number");
+        require_range(options.weights[id], least_weight, most_weight, "the weight of obstacle " + std::to_string(id));
     }
 }
 

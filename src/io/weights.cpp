@@ -1,7 +1,6 @@
 #include "io/weights.hpp"
 
-#include <cmath>
-
+#include "core/range.hpp"
 #include "io/output_file.hpp"
 #include "movingai/text_lines.hpp"
 #include "waybreaker/error.hpp"
@@ -24,7 +23,10 @@ std::vector<double> read_weights(const std::string& path, const Map& map) {
             throw lines.error("there is no obstacle " + std::to_string(*id) + "; the map has " +
                               std::to_string(map.obstacles().size()));
         }
-        if (!(*weight > 0) || !std::isfinite(*weight)) throw lines.error("a weight must be a positive number");
+        if (!(*weight >= least_weight && *weight <= most_weight)) {
+            throw lines.error("a weight must be a number from " + number_text(least_weight) + " to " +
+                              number_text(most_weight));
+        }
         if (named[*id]) throw lines.error("obstacle " + std::to_string(*id) + " has a weight already");
         named[*id] = true;
         weights[*id] = *weight;

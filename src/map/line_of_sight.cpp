@@ -4,6 +4,7 @@
 #include <numeric>
 #include <string>
 
+#include "core/range.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -31,9 +32,7 @@ int cells_reached(Reaches reaches) {
 }  // namespace
 
 void validate(const Motion& motion) {
-    if (!(motion.radius >= 0.5 && motion.radius <= max_radius)) {
-        throw InputError("radius " + std::to_string(motion.radius) + " is out of range: from 0.5 to 32 cells");
-    }
+    require_range(motion.radius, 0.5, max_radius, "the radius, in cells,");
     if (motion.corners != Corners::none && motion.radius != 0.5) {
         throw InputError("an agent that cuts corners or squeezes through is a point: leave its radius at 0.5");
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "core/range.hpp"
 #include "map/bit_run.hpp"
 #include "map/label.hpp"
 #include "waybreaker/error.hpp"
@@ -70,10 +71,14 @@ Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
     for (Obstacle& obstacle : map.obstacles_) {
         const std::uint32_t source_label = label_of_id[obstacle.id.value - 1];
         if (source_label >= attributes.size()) continue;
-        obstacle.destructible = attributes[source_label].destructible;
-        obstacle.source_id = attributes[source_label].source_id;
-        obstacle.weight = attributes[source_label].weight;
-        obstacle.breach_time = attributes[source_label].breach_time;
+        const ObstacleAttributes& given = attributes[source_label];
+        const auto what = [&](const char* is) { return is + (" of label " + std::to_string(source_label)); };
+        require_range(given.weight, least_weight, most_weight, what("the weight"));
+        require_range(given.breach_time, 0, most_breach_time, what("the breach time"));
+        obstacle.destructible = given.destructible;
+        obstacle.source_id = given.source_id;
+        obstacle.weight = given.weight;
+        obstacle.breach_time = given.breach_time;
     }
     return map;
 }

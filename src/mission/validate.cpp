@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <utility>
 
+#include "core/range.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
 
@@ -13,12 +13,6 @@ namespace {
 
 std::string text(Cell c) {
     return std::to_string(c.x) + "," + std::to_string(c.y);
-}
-
-std::string number(double value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
 }
 
 // The nearest cell, in rings around `at`, where the agent can stand.
@@ -48,7 +42,7 @@ void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std
     if (agent.kind == AgentKind::air || fits(map, at, motion)) return;
     const ObstacleId obstacle = map.map().obstacle_at(at);
     const std::string reason = obstacle ? " lies inside obstacle " + std::to_string(obstacle.value)
-                                        : " leaves no room for a radius of " + number(motion.radius);
+                                        : " leaves no room for a radius of " + number_text(motion.radius);
     const std::optional<Cell> place = nearest_place(map, at, motion);
     throw InputError(where + reason +
                      (place ? "; a free cell near it is " + text(*place) : "; the map has no free cell"));
@@ -69,16 +63,15 @@ void validate_forced(const Map& map, const MissionOptions& options) {
                          std::to_string(options.force.size()) + " are to be in any case");
     }
     if (!options.force.empty() && weight > options.budget) {
-        throw InputError("the obstacles to be removed in any case weigh " + number(weight) +
-                         ", more than the budget of " + number(options.budget));
+        throw InputError("the obstacles to be removed in any case weigh " + number_text(weight) +
+                         ", more than the budget of " + number_text(options.budget));
     }
 }
 
 void validate(const Map& map, const MissionOptions& options) {
     if (options.removals < 0) throw InputError("the number of removals cannot be negative");
-    for (const double time : {options.breach_time.per_obstacle, options.breach_time.per_cell}) {
-        if (!(time >= 0) || !std::isfinite(time)) throw InputError("a breach cannot take a time of " + number(time));
-    }
+    require_range(options.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
+    require_range(options.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
     const std::size_t obstacles = map.obstacles().size();
     const auto require_known = [&](ObstacleId id, const std::string& purpose) {
         if (id && id.value <= obstacles) return;
@@ -92,11 +85,10 @@ void validate(const Map& map, const MissionOptions& options) {
                          std::to_string(options.weights.size() - 1));
     }
     for (std::size_t id = 1; id < options.weights.size(); ++id) {
-        if (options.weights[id] > 0 && std::isfinite(options.weights[id])) continue;
-        throw InputError("the weight of obstacle " + std::to_string(id) + " must be a positive number");
+        require_range(options.weights[id], least_weight, most_weight, "the weight of obstacle " + std::to_string(id));
     }
     validate_forced(map, options);
-    if (!(options.budget >= 0)) throw InputError("the budget cannot be " + number(options.budget));
+    if (!(options.budget >= 0)) throw InputError("the budget cannot be " + number_text(options.budget));
     if (!(options.time_limit > 0)) throw InputError("the time limit must be above 0 seconds");
 }
 
@@ -142,9 +134,7 @@ void validate(const Map& map, const Mission& mission, const MissionOptions& opti
     const OpenedMap closed(map);
     for (const Agent& agent : mission.agents) {
         ++(agent.kind == AgentKind::ground ? ground_agents : air_agents);
-        if (!(agent.speed > 0) || !std::isfinite(agent.speed)) {
-            throw InputError("the " + agent.id + " agent's speed must be a positive number");
-        }
+        require_range(agent.speed, least_speed, most_speed, "the " + agent.id + " agent's speed");
         validate_place(closed, agent, agent.start, "start", motion);
         validate_place(closed, agent, agent.goal, "goal", motion);
     }

@@ -110,6 +110,7 @@ class Best {
 }  // namespace
 
 Schedule best_schedule(const Map& map, const ScheduleTask& task) {
+    validate(task);
     const Deadline deadline(task.time_limit);
     const Course course(map, task);
     const Cell start = task.air_start;

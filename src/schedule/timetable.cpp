@@ -5,9 +5,17 @@
 #include <cmath>
 #include <limits>
 
+#include "core/range.hpp"
 #include "plan/timeline.hpp"
 
 namespace waybreaker {
+
+void validate(const ScheduleTask& task) {
+    require_range(task.ground_speed, least_speed, most_speed, "the ground agent's speed");
+    require_range(task.air_speed, least_speed, most_speed, "the air agent's speed");
+    require_range(task.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
+    require_range(task.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
+}
 
 Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven,
                        ObstacleId obstacle) {
@@ -79,6 +87,7 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
 }
 
 Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& flight) {
+    validate(task);
     const std::vector<Waypoint> driven = timed(task.ground_path, task.ground_speed);
     std::vector<Breaching> breachings;
     for (const BreachPoint& breach : flight.breaches) {

@@ -15,6 +15,9 @@ struct Breaching {
     double stay = 0;                // how long the air agent stays until it is gone
 };
 
+// Throws InputError if speeds or breach times are out of range.
+void validate(const ScheduleTask& task);
+
 // `driven` is the ground path without waits.
 Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven, ObstacleId obstacle);
 

@@ -1,4 +1,5 @@
 // Puts a search together from its parts, as the options say.
+#include "core/range.hpp"
 #include "search/best_first.hpp"
 #include "search/jump_steps.hpp"
 #include "search/observers.hpp"
@@ -93,7 +94,7 @@ struct Assembly {
 
 void validate(const SearchOptions& options) {
     const Motion& motion = options.motion;
-    if (!(options.weight >= 1)) throw InputError("the heuristic's weight must be at least 1");
+    require_range(options.weight, 1, most_heuristic_weight, "the heuristic's weight");
     if (!(options.time_limit >= 0)) throw InputError("the time limit of a search cannot be negative");
     if (options.planner == Planner::optimal) {
         if (motion.corners == Corners::none && motion.diagonal && (motion.radius == 0.5 || motion.radius == 0)) return;

@@ -32,7 +32,7 @@ TEST_F(Weights, AreRefusedByFileAndLine) {
         EXPECT_EQ(refusal(line), file + ":1: expected an obstacle and its weight, such as \"17 2.5\"") << line;
     }
     for (const std::string_view line : {"1 0", "1 -2", "1 nan", "1 inf"}) {
-        EXPECT_EQ(refusal(line), file + ":1: a weight must be a positive number") << line;
+        EXPECT_EQ(refusal(line), file + ":1: a weight must be a number from 1e-09 to 1e+12") << line;
     }
     EXPECT_EQ(refusal("1 2\n1 2\n"), file + ":2: obstacle 1 has a weight already");
 }

@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -96,6 +97,19 @@ TEST(Map, RefusesWrongNumbersOfLabels) {
     EXPECT_THROW(Map::from_labels(3, 3, std::vector<std::uint32_t>(10)), InputError);
     EXPECT_THROW(Map::from_labels(0, 3, {}), InputError);
     EXPECT_THROW(Map::from_labels(max_side, max_side, {}), InputError);
+}
+
+TEST(Map, RefusesWeightsAndTimesOutOfRange) {
+    const auto map_of = [](ObstacleAttributes attributes) {
+        return Map::from_labels(2, 1, {0, 1}, std::vector{ObstacleAttributes{}, attributes});
+    };
+    EXPECT_EQ(map_of({.weight = 1e12, .breach_time = 1e9}).obstacle({1}).breach_time, 1e9);
+    for (const double weight : {0.0, -1.0, 1e-320, 1e13, std::nan("")}) {
+        EXPECT_THROW(map_of({.weight = weight}), InputError) << weight;
+    }
+    for (const double time : {-1.0, 1e10, HUGE_VAL, std::nan("")}) {
+        EXPECT_THROW(map_of({.breach_time = time}), InputError) << time;
+    }
 }
 
 }  // namespace

@@ -63,18 +63,22 @@ TEST(ValidateMission, RefusesWrongOptions) {
     const Mission mission = ground_and_air({0, 0}, {3, 2});
     expect_words(refusal(mission, paper_options(-1)), {"removals", "negative"});
     MissionOptions options;
-    options.search.weight = 0.5;
-    expect_words(refusal(mission, options), {"weight", "at least 1"});
+    for (const double weight : {0.5, 1e7, HUGE_VAL, std::nan("")}) {
+        options.search.weight = weight;
+        expect_words(refusal(mission, options), {"weight", "from 1 to 1e+06"});
+    }
     options = {};
     options.search = {.planner = Planner::jps, .motion = {.diagonal = false}};
     expect_words(refusal(mission, options), {"jps", "astar"});
     options.search = {.motion = {.radius = 33}};
     expect_words(refusal(mission, options), {"radius", "0.5 to 32"});
+    options.search = {.motion = {.radius = 1e300}};
+    expect_words(refusal(mission, options), {"not 1e+300"});
 }
 
 TEST(ValidateMission, RefusesImpossibleRemovals) {
     const Mission mission = ground_and_air({0, 0}, {3, 2});
-    for (const double time : {-1.0, std::nan(""), HUGE_VAL}) {
+    for (const double time : {-1.0, 2e9, std::nan(""), HUGE_VAL}) {
         MissionOptions options;
         options.breach_time.per_obstacle = time;
         expect_words(refusal(mission, options), {"breach", "time"});
@@ -90,8 +94,10 @@ TEST(ValidateMission, RefusesImpossibleRemovals) {
     EXPECT_EQ(refusal(mission, options), "");
     options.weights = {0};
     expect_words(refusal(mission, options), {"weights", "all 1 obstacles", "not for 0"});
-    options.weights = {0, 0};
-    expect_words(refusal(mission, options), {"weight of obstacle 1", "positive"});
+    for (const double weight : {0.0, 1e-300, 1e13, std::nan("")}) {
+        options.weights = {0, weight};
+        expect_words(refusal(mission, options), {"weight of obstacle 1", "from 1e-09 to 1e+12"});
+    }
     options.weights = {0, 2};
     options.budget = -1;
     expect_words(refusal(mission, options), {"budget", "-1"});
@@ -120,10 +126,10 @@ TEST(ValidateMission, RefusesToForceWhatCannotBe) {
 }
 
 TEST(ValidateMission, RefusesImpossibleAgents) {
-    for (const double speed : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    for (const double speed : {0.0, -1.0, 1e-320, 1e-7, 1e7, std::nan(""), HUGE_VAL}) {
         Mission mission = ground_and_air({0, 0}, {3, 2});
         mission.agents[1].speed = speed;
-        expect_words(refusal(mission), {"air", "speed", "positive"});
+        expect_words(refusal(mission), {"air", "speed", "from 1e-06 to 1e+06"});
     }
     Mission alone = ground_and_air({0, 0}, {3, 2});
     alone.agents.pop_back();

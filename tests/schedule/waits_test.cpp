@@ -1,7 +1,10 @@
 // The waits that a flight makes necessary.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ascii_map.hpp"
+#include "waybreaker/error.hpp"
 #include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
@@ -31,6 +34,20 @@ TEST(Waits, AreNotNeededWhenTheAirAgentIsAhead) {
     EXPECT_EQ(schedule.entered_at, (std::vector<std::optional<double>>{2, 6}));
     EXPECT_EQ(schedule.makespan, 9);
     EXPECT_EQ(schedule.flowtime, 18);
+}
+
+TEST(Waits, NeedSpeedsAndTimesInRange) {
+    for (const double speed : {0.0, 1e-320, 1e7, std::nan("")}) {
+        ScheduleTask wrong = task();
+        wrong.ground_speed = speed;
+        EXPECT_THROW(schedule_of(two_walls(), wrong, in_order), InputError) << speed;
+        wrong = task();
+        wrong.air_speed = speed;
+        EXPECT_THROW(best_schedule(two_walls(), wrong), InputError) << speed;
+    }
+    ScheduleTask wrong = task();
+    wrong.breach_time.per_cell = 1e10;
+    EXPECT_THROW(best_schedule(two_walls(), wrong), InputError);
 }
 
 TEST(Waits, AreAtTheLastTurnBeforeTheObstacle) {

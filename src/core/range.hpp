@@ -1,0 +1,25 @@
+// Numbers from outside must lie in a range in which everything computed from them stays a number.
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "waybreaker/error.hpp"
+
+namespace waybreaker {
+
+// As people write it: "1e-320", not three hundred digits.
+inline std::string number_text(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+// Throws InputError, "WHAT must be from 0 to 10, not nan", unless least <= value <= most.
+inline void require_range(double value, double least, double most, const std::string& what) {
+    if (value >= least && value <= most) return;
+    throw InputError(what + " must be from " + number_text(least) + " to " + number_text(most) + ", not " +
+                     number_text(value));
+}
+
+}  // namespace waybreaker
