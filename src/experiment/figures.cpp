@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 namespace waybreaker::experiment {
 namespace {
@@ -57,8 +59,9 @@ std::vector<std::string> best_changes(const SetSummary& summary, Measure measure
         }
         if (!before || best == 0) continue;
         const double after = series.of(measure, best)->mean;
-        sentences.push_back(fmt::format("{}: least with {} removed, {:.5g} becomes {:.5g} ({:+.1f} %)", series.name,
-                                        best, before->mean, after, 100 * (after / before->mean - 1)));
+        sentences.push_back(fmt::format("{}: least with {} removed, {} becomes {} ({:+.1f} %)", series.name, best,
+                                        four_digits(before->mean), four_digits(after),
+                                        100 * (after / before->mean - 1)));
     }
     return sentences;
 }
@@ -99,7 +102,9 @@ Figure whole_runtime(const SetSummary& summary) {
         std::string times;
         for (std::size_t n = 0; n < series.at.size(); ++n) {
             const auto& total = series.of(Measure::total_ms, n);
-            if (total) times += fmt::format("{} {:.4g} ms with {} removed", times.empty() ? ":" : ",", total->mean, n);
+            if (total)
+                times +=
+                    fmt::format("{} {} ms with {} removed", times.empty() ? ":" : ",", four_digits(total->mean), n);
         }
         figure.measured.push_back(series.name + times);
     }
@@ -165,6 +170,11 @@ Figure makespan(const SetSummary& summary) {
 }
 
 }  // namespace
+
+std::string four_digits(double value) {
+    const double rounded = std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
+    return std::abs(rounded) >= 1000 ? fmt::format("{:.0f}", rounded) : fmt::format("{:.4g}", rounded);
+}
 
 std::vector<Figure> paper_figures(const SetSummary& summary) {
     return {nodes(summary),   runtime(summary),  whole_runtime(summary),

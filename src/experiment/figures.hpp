@@ -9,6 +9,9 @@
 
 namespace waybreaker::experiment {
 
+// A number as people read it: four significant digits at most.
+std::string four_digits(double value);
+
 struct Figure {
     std::string file;  // its name without extension
     render::Chart chart;

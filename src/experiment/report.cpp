@@ -32,9 +32,8 @@ std::string escaped(const std::string& text) {
 std::string cell(const std::optional<render::ChartPoint>& point) {
     if (!point) return "<td></td>";
     const double half = (point->high - point->low) / 2;
-    const std::string interval = half >= 100 ? fmt::format("{:.0f}", half) : fmt::format("{:.3g}", half);
-    return fmt::format("<td>{:.6g}{}</td>", point->y,
-                       half > 0 ? " <span class=\"ci\">&#177; " + interval + "</span>" : "");
+    return fmt::format("<td>{}{}</td>", four_digits(point->y),
+                       half > 0 ? " <span class=\"ci\">&#177; " + four_digits(half) + "</span>" : "");
 }
 
 // What is drawn, in numbers.
@@ -50,8 +49,11 @@ std::string table(const render::Chart& chart) {
     return html + "</table></div>\n";
 }
 
-std::string section(const Figure& figure, const std::string& svg) {
-    std::string html = fmt::format("<h2 id=\"{}\">{}</h2>\n{}", figure.file, escaped(figure.chart.title), svg);
+std::string section(const Figure& figure) {
+    render::Chart chart = figure.chart;
+    chart.headed = false;
+    std::string html =
+        fmt::format("<h2 id=\"{}\">{}</h2>\n{}", figure.file, escaped(chart.title), render::chart_svg(chart));
     if (!figure.note.empty()) html += "<p class=\"note\">" + escaped(figure.note) + "</p>\n";
     html += "<dl><dt>The paper</dt><dd>" + escaped(figure.says) + "</dd>\n<dt>Measured</dt><dd>";
     for (const std::string& sentence : figure.measured) html += "<p>" + escaped(sentence) + "</p>\n";
@@ -92,7 +94,7 @@ std::vector<ReportFile> report(const Summary& summary) {
     std::vector<ReportFile> files;
     for (const Figure& figure : figures) {
         const std::string svg = render::chart_svg(figure.chart);
-        page += section(figure, svg);
+        page += section(figure);
         files.push_back({figure.file + ".svg", svg});
         files.push_back({figure.file + ".png", render::png_of(svg, png_scale)});
     }

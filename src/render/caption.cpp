@@ -14,10 +14,15 @@ constexpr const char* arrow = "\u2192";
 constexpr const char* minus = "\u2212";
 constexpr const char* dash = "\u2013";
 
-// With unit speeds times are lengths (paper, section 2), and so shown in the same unit; otherwise in units of time.
+// With unit speeds times are lengths (paper, section 2): how long they take at one cell, or one metre, in a unit of
+// time.
 bool times_are_lengths(const Mission& mission) {
     return std::all_of(mission.agents.begin(), mission.agents.end(),
                        [](const Agent& agent) { return agent.speed == 1; });
+}
+
+double time_factor(const Mission& mission, const PictureOptions& options) {
+    return times_are_lengths(mission) ? options.cell_size : 1;
 }
 
 std::string number(std::optional<double> value, double factor) {
@@ -60,15 +65,18 @@ std::string gap(const Plan& plan, const PictureOptions& options) {
 }  // namespace
 
 std::string time_text(double time, const Mission& mission, const PictureOptions& options) {
-    return number(time, times_are_lengths(mission) ? options.cell_size : 1);
+    return number(time, time_factor(mission, options));
+}
+
+std::string time_unit(const Mission& mission, const PictureOptions& options) {
+    if (!times_are_lengths(mission)) return "units of time";
+    return options.metres ? "s at 1 m/s" : "cells at speed 1";
 }
 
 std::string headline(const Mission& mission, const Plan& plan, const PictureOptions& options) {
     if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(plan.removed.size());
-    const bool lengths = times_are_lengths(mission);
-    const double factor = lengths ? options.cell_size : 1;
-    const std::string unit = !lengths ? "" : options.metres ? " m" : " cells";
-    const std::string after = number(plan.after.makespan, factor) + unit;
+    const double factor = time_factor(mission, options);
+    const std::string after = number(plan.after.makespan, factor) + " " + time_unit(mission, options);
     if (plan.removed.empty()) return fmt::format("Makespan {}, {}{}", after, removals(0), gap(plan, options));
     const std::string difference = change(plan.before.makespan, plan.after.makespan);
     return fmt::format(
@@ -76,17 +84,20 @@ std::string headline(const Mission& mission, const Plan& plan, const PictureOpti
         after, difference.empty() ? "" : " (" + difference + ")", removals(plan.removed.size()), gap(plan, options));
 }
 
-std::vector<FigureRow> figures(const Mission& mission, const Plan& plan, const PictureOptions& options) {
-    const double length_factor = options.cell_size;
-    const double time_factor = times_are_lengths(mission) ? options.cell_size : 1;
+std::vector<FigureGroup> figures(const Mission& mission, const Plan& plan, const PictureOptions& options) {
     const auto row = [](const char* name, std::optional<double> before, std::optional<double> after, double factor) {
         return FigureRow{name, number(before, factor), number(after, factor), change(before, after)};
     };
-    return {row("path A, ground", plan.before.ground.length, plan.after.ground.length, length_factor),
-            row("path B, air", plan.before.air.length, plan.after.air.length, length_factor),
-            row("makespan", plan.before.makespan, plan.after.makespan, time_factor),
-            row("flowtime", plan.before.flowtime, plan.after.flowtime, time_factor),
-            {"removals", "0", std::to_string(plan.removed.size()), ""}};
+    const Outcome& before = plan.before;
+    const Outcome& after = plan.after;
+    const double of_length = options.cell_size;
+    const double of_time = time_factor(mission, options);
+    return {{fmt::format("length in {}", options.metres ? "metres" : "cells"),
+             {row("path A, ground", before.ground.length, after.ground.length, of_length),
+              row("path B, air", before.air.length, after.air.length, of_length)}},
+            {fmt::format("time in {}", time_unit(mission, options)),
+             {row("makespan", before.makespan, after.makespan, of_time),
+              row("flowtime", before.flowtime, after.flowtime, of_time)}}};
 }
 
 }  // namespace waybreaker::render

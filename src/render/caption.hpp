@@ -11,11 +11,14 @@ namespace waybreaker::render {
 
 struct PictureOptions;
 
-// The plan in one sentence: "Makespan 584.0 → 552.1 m (−5.5 %), 3 obstacles removed, gap 0.2 %".
+// The plan in one sentence: "Makespan 584.0 → 552.1 s at 1 m/s (−5.5 %), 3 obstacles removed, gap 0.2 %".
 std::string headline(const Mission& mission, const Plan& plan, const PictureOptions& options);
 
 // A time as the headline tells it, without its unit: "208.7".
 std::string time_text(double time, const Mission& mission, const PictureOptions& options);
+
+// The unit of all times of the picture.
+std::string time_unit(const Mission& mission, const PictureOptions& options);
 
 struct FigureRow {
     std::string name;
@@ -24,7 +27,13 @@ struct FigureRow {
     std::string change;
 };
 
-// Path A, path B, makespan, flowtime, removals; before and after.
-std::vector<FigureRow> figures(const Mission& mission, const Plan& plan, const PictureOptions& options);
+// What is measured in one unit.
+struct FigureGroup {
+    std::string name;  // "length in metres"
+    std::vector<FigureRow> rows;
+};
+
+// Lengths of path A and path B; times: makespan and flowtime. Before and after.
+std::vector<FigureGroup> figures(const Mission& mission, const Plan& plan, const PictureOptions& options);
 
 }  // namespace waybreaker::render

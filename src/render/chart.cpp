@@ -19,6 +19,7 @@ constexpr double left = 78;
 constexpr double right = 640;  // names of the series stand behind it
 constexpr double top = 52;
 constexpr double bottom = 372;
+constexpr double title_height = 36;
 constexpr double name_height = 19;
 constexpr std::size_t longest_text = 120;
 
@@ -57,12 +58,13 @@ class Drawing {
     explicit Drawing(const Chart& chart) : chart_(chart), axis_(chart, bottom, top) {}
 
     std::string svg() {
+        const double first = chart_.headed ? 0 : title_height;
         out_ = fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 {4} {0} {1}\" "
             "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" role=\"img\">\n<title>{2}</title>\n"
-            "<rect width=\"{0}\" height=\"{1}\" fill=\"{3}\"/>\n",
-            width, height, xml_text(chart_.title, longest_text), colour::halo);
-        out_ += text(left, 26, "start", colour::ink, 16, chart_.title, " font-weight=\"bold\"");
+            "<rect y=\"{4}\" width=\"{0}\" height=\"{1}\" fill=\"{3}\"/>\n",
+            width, height - first, xml_text(chart_.title, longest_text), colour::halo, first);
+        if (chart_.headed) out_ += text(left, 26, "start", colour::ink, 16, chart_.title, " font-weight=\"bold\"");
         axes();
         for (std::size_t i = 0; i < chart_.series.size(); ++i) draw(i);
         names();
@@ -109,10 +111,10 @@ class Drawing {
             const double x = x_of(i, index);
             const double y = axis_.at(point->y);
             path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x, y);
-            if (point->low < point->high && axis_.shows(point->low)) {
-                marks += line(x, axis_.at(point->low), x, axis_.at(point->high), colour, 1.4);
+            if (point->low < point->high) {
+                marks += line(x, axis_.at(axis_.clipped(point->low)), x, axis_.at(point->high), colour, 1.4);
                 for (const double end : {point->low, point->high}) {
-                    marks += line(x - 4, axis_.at(end), x + 4, axis_.at(end), colour, 1.4);
+                    if (axis_.shows(end)) marks += line(x - 4, axis_.at(end), x + 4, axis_.at(end), colour, 1.4);
                 }
             }
             marks += marker(x, y, series);

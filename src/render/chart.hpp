@@ -31,9 +31,10 @@ struct Chart {
     std::string y_label;  // with the unit
     std::vector<std::string> categories;
     std::vector<ChartSeries> series;
-    bool logarithmic = false;  // then values of 0 or less are not drawn
+    bool logarithmic = false;  // then values of 0 or less are not drawn, intervals from the axis on
     bool from_zero = false;    // of a linear axis
     bool lines = true;         // between the categories, where these are in order
+    bool headed = true;        // draw the title; false where it stands above the chart already
 };
 
 // An SVG document of its own: axes with units and ticks, a marker shape for each colour, every series named at its end.

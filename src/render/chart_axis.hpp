@@ -17,6 +17,8 @@ class ChartAxis {
     double at(double value) const;
     // Whether it can be drawn at all.
     bool shows(double value) const;
+    // The lower end of an interval, or of the axis if that cannot be drawn: 0 on a logarithmic one.
+    double clipped(double low) const { return shows(low) ? low : least_; }
 
     struct Tick {
         double value;

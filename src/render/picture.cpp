@@ -210,13 +210,16 @@ std::string draw_figures(const Scene& scene, double top) {
         const Point at = {column == 0 ? left : columns[column - 1], y};
         return text(at, content, size::text * unit, colour, column == 0 ? Anchor::start : Anchor::end, bold);
     };
-    std::string out = cell(0, scene.options.metres ? "in metres" : "in cells", false, colour::faded_ink) +
-                      cell(1, "before", false, colour::faded_ink) + cell(2, "after", false, colour::faded_ink);
-    for (const FigureRow& row : figures(scene.mission, scene.plan, scene.options)) {
+    std::string out = cell(1, "before", false, colour::faded_ink) + cell(2, "after", false, colour::faded_ink);
+    for (const FigureGroup& group : figures(scene.mission, scene.plan, scene.options)) {
+        out += cell(0, group.name, false, colour::faded_ink);
         y += size::row * unit;
-        const bool bold = row.name == "makespan";
-        out += cell(0, row.name, bold, colour::ink) + cell(1, row.before, bold, colour::ink) +
-               cell(2, row.after, bold, colour::ink) + cell(3, row.change, bold, colour::ink);
+        for (const FigureRow& row : group.rows) {
+            const bool bold = row.name == "makespan";
+            out += cell(0, row.name, bold, colour::ink) + cell(1, row.before, bold, colour::ink) +
+                   cell(2, row.after, bold, colour::ink) + cell(3, row.change, bold, colour::ink);
+            y += size::row * unit;
+        }
     }
     return out;
 }

@@ -89,6 +89,25 @@ TEST(ChartSvg, DrawsIntervalsOnlyWhereThereAreSome) {
     };
     EXPECT_EQ(lines(chart_svg(without)), 0);
     EXPECT_EQ(lines(chart_svg(with)), 3);
+    // One that reaches 0 goes down to a logarithmic axis, and has no lower end to mark.
+    with.logarithmic = true;
+    EXPECT_EQ(lines(chart_svg(with)), 3);
+    for (const double low : {0.0, -4.0}) {
+        with.series[0].points[0]->low = low;
+        EXPECT_EQ(lines(chart_svg(with)), 2);
+    }
+    const std::string svg = chart_svg(with);
+    const std::size_t interval = svg.rfind("<line", svg.find("stroke-width=\"1.4\""));
+    EXPECT_LT(svg.find("y1=\"372.0\"", interval), svg.find("/>", interval)) << "it begins at the axis";
+}
+
+TEST(ChartSvg, DrawsItsTitleUnlessItStandsAbove) {
+    Chart chart = chart_of({1, 2}, false);
+    chart.title = "Makespan";
+    EXPECT_NE(chart_svg(chart).find(">Makespan</text>"), std::string::npos);
+    chart.headed = false;
+    EXPECT_EQ(chart_svg(chart).find(">Makespan</text>"), std::string::npos);
+    EXPECT_NE(chart_svg(chart).find("<title>Makespan</title>"), std::string::npos) << "for who cannot see it";
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ std::size_t count(const pugi::xml_document& picture, const std::string& query) {
 TEST(Picture, ShowsTheFigures) {
     const auto picture = parsed(svg_of(wall(), {.title = "The wall", .attribution = "By hand"}));
     EXPECT_TRUE(says(picture, "The wall"));
-    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 cells (−37.4 %), 1 obstacle removed"));
+    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 cells at speed 1 (−37.4 %), 1 obstacle removed"));
     EXPECT_TRUE(says(picture, "8 × 7 cells"));
     EXPECT_TRUE(says(picture, "By hand"));
     for (const char* figure : {"11.5", "7.0", "−39.1 %", "7.2", "+2.9 %", "18.5", "14.2", "−23.2 %"}) {
@@ -53,8 +53,9 @@ TEST(Picture, ShowsTheFigures) {
 
 TEST(Picture, ScalesLengthsToMetres) {
     const auto picture = parsed(svg_of(wall(), {.cell_size = 2.5, .metres = true}));
-    EXPECT_TRUE(says(picture, "Makespan 28.8 → 18.0 m (−37.4 %), 1 obstacle removed"));
-    EXPECT_TRUE(says(picture, "in metres"));
+    EXPECT_TRUE(says(picture, "Makespan 28.8 → 18.0 s at 1 m/s (−37.4 %), 1 obstacle removed"));
+    EXPECT_TRUE(says(picture, "length in metres"));
+    EXPECT_TRUE(says(picture, "time in s at 1 m/s"));
     EXPECT_TRUE(says(picture, "2 m")) << "the scale bar";
 }
 
@@ -62,8 +63,15 @@ TEST(Picture, DoesNotCallTimesLengths) {
     World world = wall();
     world.mission.agents[1].speed = 2;
     const auto picture = parsed(svg_of(world, {.cell_size = 10, .metres = true}));
-    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 (−37.4 %), 1 obstacle removed"));
+    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 units of time (−37.4 %), 1 obstacle removed"));
     EXPECT_TRUE(says(picture, "115.0")) << "path A";
+    // Rows of length stand under their unit, rows of time under theirs.
+    const auto all = words(picture);
+    const auto place = [&](const char* word) { return std::find(all.begin(), all.end(), word) - all.begin(); };
+    EXPECT_LT(place("length in metres"), place("path A, ground"));
+    EXPECT_LT(place("path B, air"), place("time in units of time"));
+    EXPECT_LT(place("time in units of time"), place("makespan"));
+    EXPECT_LT(place("flowtime"), std::ptrdiff_t(all.size()));
 }
 
 TEST(Picture, MarksTheRemovedObstacle) {
@@ -95,10 +103,11 @@ TEST(Picture, TellsWhenWhatIsBreachedAndHowLongTheGroundAgentWaits) {
 TEST(Picture, TellsTheGapToTheBestPossible) {
     World world = wall();
     world.plan.bound = 6;
-    EXPECT_TRUE(says(parsed(svg_of(world)), "Makespan 11.5 → 7.2 cells (−37.4 %), 1 obstacle removed, gap 20.0 %"));
+    EXPECT_TRUE(
+        says(parsed(svg_of(world)), "Makespan 11.5 → 7.2 cells at speed 1 (−37.4 %), 1 obstacle removed, gap 20.0 %"));
     world.plan.bound = 14.2 / 1.5;
     EXPECT_TRUE(says(parsed(svg_of(world, {.objective = Objective::flowtime})),
-                     "Makespan 11.5 → 7.2 cells (−37.4 %), 1 obstacle removed, gap 50.0 %"));
+                     "Makespan 11.5 → 7.2 cells at speed 1 (−37.4 %), 1 obstacle removed, gap 50.0 %"));
 }
 
 TEST(Picture, WithoutRemovalsHasNoBefore) {
@@ -106,7 +115,7 @@ TEST(Picture, WithoutRemovalsHasNoBefore) {
     world.plan.after = world.plan.before;
     world.plan.removed.clear();
     const auto picture = parsed(svg_of(world));
-    EXPECT_TRUE(says(picture, "Makespan 11.5 cells, no obstacle removed"));
+    EXPECT_TRUE(says(picture, "Makespan 11.5 cells at speed 1, no obstacle removed"));
     for (const char* entry : {"removed obstacle", "breach, when", "ground path before", "air path before"}) {
         EXPECT_FALSE(says(picture, entry)) << entry;
     }
@@ -140,7 +149,7 @@ TEST(Picture, SaysThatRemovalOpenedTheWay) {
     world.plan.before.ground = {};
     world.plan.before.makespan.reset();
     world.plan.before.flowtime.reset();
-    EXPECT_TRUE(says(parsed(svg_of(world)), "Makespan (no way) → 7.2 cells, 1 obstacle removed"));
+    EXPECT_TRUE(says(parsed(svg_of(world)), "Makespan (no way) → 7.2 cells at speed 1, 1 obstacle removed"));
 }
 
 TEST(Picture, SurvivesHostileNames) {
