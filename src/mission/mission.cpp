@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "core/stopwatch.hpp"
 #include "mission/candidate.hpp"
@@ -111,27 +113,41 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
 }
 
 std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const MissionOptions& options) {
-    constexpr std::size_t patience = 2;  // removals that gain nothing alone may gain together
+    validate(map, mission, options);
+    const Deadline deadline(options.time_limit);
+    const auto plan_with = [&](int removals, bool explained) {
+        MissionOptions step = options;
+        step.removals = removals;
+        step.explain = explained;
+        step.time_limit = std::max(deadline.left(), 1e-3);
+        return plan(map, mission, step);
+    };
     const auto reached = [&options](const Plan& plan) {
         return value(plan.after, options.objective).value_or(std::numeric_limits<double>::infinity());
     };
     std::vector<Plan> plans;
-    std::size_t worth = 1;  // plans that gained on what came before, and those between them
-    const Deadline deadline(options.time_limit);
-    MissionOptions step = options;
-    for (step.removals = int(options.force.size()); step.removals <= options.removals; ++step.removals) {
-        if (!plans.empty() && deadline.passed()) break;
-        if (!plans.empty()) step.time_limit = deadline.left();
-        plans.push_back(plan(map, mission, step));
-        const double best = reached(plans[worth - 1]);
-        const bool closed = !std::isfinite(best);
-        if (reached(plans.back()) < best * (1 - 1e-9) || (closed && std::isfinite(reached(plans.back())))) {
+    std::size_t worth = 0;  // plans that gained on what came before, and those between them
+    const auto beats_best = [&](const Plan& plan) {
+        return worth == 0 || reached(plan) < reached(plans[worth - 1]) * (1 - 1e-9);
+    };
+    // Removals that gain nothing alone may gain together: whether any do, the plan with all of them knows.
+    std::optional<Plan> all;
+    for (int removals = int(options.force.size()); removals <= options.removals; ++removals) {
+        plans.push_back(all && removals == options.removals ? *all : plan_with(removals, false));
+        if (beats_best(plans.back())) {
             worth = plans.size();
+        } else if (!all) {
+            all = plan_with(options.removals, false);
         }
-        if (!closed && plans.size() > worth + patience - 1) break;
+        if (deadline.passed() || (all && !beats_best(*all))) break;
     }
     plans.resize(worth);
-    plans.back().limit_reached = plans.back().limit_reached || deadline.passed();
+    const bool cut = deadline.passed();
+    if (options.explain && !cut) {
+        Plan explained = plan_with(int(options.force.size() + plans.size()) - 1, true);
+        if (reached(explained) <= reached(plans.back())) plans.back() = std::move(explained);
+    }
+    plans.back().limit_reached = plans.back().limit_reached || cut;
     return plans;
 }
 

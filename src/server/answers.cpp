@@ -155,7 +155,7 @@ std::string plan_answer(const Task& task, const Workplace& place) {
 }
 
 std::string front_answer(const Task& task, const Workplace& place) {
-    Posed posed = pose(task, task.request.options, place, std::size_t(task.request.options.options.removals) + 1);
+    Posed posed = pose(task, task.request.options, place, 1);
     const std::vector<Plan> plans = place.planner.front(task.map->file.map, posed.mission, posed.options);
     posed.options.removals = int(plans.size() + posed.options.force.size()) - 1;
     return io::plan_json(plans.back(), context_of(task, posed, plans));

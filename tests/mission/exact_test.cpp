@@ -120,6 +120,23 @@ RC_GTEST_PROP(ExactChoice, MoreRemovalsNeverCostMoreAndTheFrontSaysSo, ()) {
     RC_ASSERT(objective(world, MissionPlanner().plan(world.map, world.mission, world.options)) == reached);
 }
 
+TEST(ExactChoice, FrontGoesOnWhereOnlyManyRemovalsGainTogether) {
+    const Map map = map_from_ascii(R"(
+        ....a.b.c.d....
+        .wwwwwwwwwwwww.
+        ...............)");
+    const Mission mission = ground_and_air({0, 0}, {14, 0});
+    MissionOptions options{.removals = 32, .protect = {map.obstacle_at({1, 1})}};
+    const std::vector<Plan> front = MissionPlanner().front(map, mission, options);
+    ASSERT_EQ(front.size(), 5U);
+    EXPECT_GT(*front[3].after.makespan, 16);
+    EXPECT_NEAR(*front[4].after.makespan, 14, 1e-9);
+    options.removals = 3;
+    EXPECT_EQ(MissionPlanner().front(map, mission, options).size(), 1U) << "three gain nothing";
+    options.removals = 4;
+    EXPECT_EQ(MissionPlanner().front(map, mission, options).size(), 5U);
+}
+
 RC_GTEST_PROP(ExactChoice, ExplainsWhatEachRemovalSaves, ()) {
     World world = any_world();
     world.options.explain = true;
