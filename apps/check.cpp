@@ -7,6 +7,7 @@
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
+#include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 
@@ -38,17 +39,20 @@ std::string as_text(const std::vector<Violation>& violations, const std::string&
 }
 
 void run(const CheckOptions& options) {
+    const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}};
+    validate_inputs(inputs);
+    validate_outputs({{"--json", options.json}}, inputs);
     const io::PlanFile plan = io::read_plan_file(options.plan);
     const io::MapFile map = [&] {
-        const Progress progress("reading " + options.map);
+        const Progress progress("reading " + io::input_name(options.map));
         return io::read_map_file(options.map, plan.connectivity, plan.image);
     }();
     const std::vector<Violation> violations =
         io::judge(plan, map, {.tolerance = options.tolerance, .ignore_digest = options.ignore_digest});
     if (!options.json.empty()) io::write_whole(options.json, io::check_json(violations));
-    if (options.json != "-") io::write_whole("-", as_text(violations, options.plan));
+    if (options.json != "-") io::write_whole("-", as_text(violations, io::input_name(options.plan)));
     if (violations.empty()) return;
-    throw InvalidPlan(fmt::format("{} is not valid: {} {}", options.plan, violations.size(),
+    throw InvalidPlan(fmt::format("{} is not valid: {} {}", io::input_name(options.plan), violations.size(),
                                   violations.size() == 1 ? "violation" : "violations"));
 }
 
@@ -63,13 +67,13 @@ void setup_check(CLI::App& root, Run& run_chosen) {
         "that moment, speeds and times, breaches, lengths, objective and bound. Says what is wrong, where and when; "
         "the "
         "exit status is 0 if the plan is valid, 1 if it is not and 2 if it cannot be read.");
-    add_file(*command, "MAP", options->map, "The map the plan was made for")->required();
-    add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it")->required();
+    add_file(*command, "MAP", options->map, "The map the plan was made for; - is standard input")->required();
+    add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it; or -")->required();
     add_file(*command, "--json", options->json, "Write all violations, for programs; - is standard output");
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
     add_number(
-        *command, "--tolerance", [options](double share) { options->tolerance = share; }, 0, "SHARE",
+        *command, "--tolerance", [options](double share) { options->tolerance = share; }, {1e-15, 1}, "SHARE",
         "How far numbers may be off, as a share of them (default: 1e-6)");
     set_examples(*command, {"waybreaker check data/berlin-mitte.tif plan.json",
                             "waybreaker check Berlin_0_512.map plan.json --json - | jq '.violations[0]'"});

@@ -27,7 +27,7 @@ struct ExportOptions {
 };
 
 io::MapFile read_map(const ExportOptions& options, const io::PlanFile& plan) {
-    const Progress progress("reading " + options.map);
+    const Progress progress("reading " + io::input_name(options.map));
     return io::read_map_file(options.map, plan.connectivity, plan.image);
 }
 
@@ -46,7 +46,9 @@ void require_valid(const ExportOptions& options, const io::PlanFile& plan, const
 void run(const ExportOptions& options) {
     auto outputs = named_outputs(options.exports);
     outputs.emplace_back("--html", options.html);
-    require_distinct(outputs);
+    const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}};
+    validate_inputs(inputs);
+    validate_outputs(outputs, inputs);
     if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
         throw InputError("nothing to write: give --geojson, --csv, --ros-path, --opened-map, --xml or --html");
     }
@@ -68,8 +70,8 @@ void setup_export(CLI::App& root, Run& run_chosen) {
         "Write a plan for GIS, spreadsheets, robots and the authors' tools\n\n"
         "Takes a plan file and its map, and writes what waybreaker plan would have with the same options. A plan that "
         "is not valid for the map is refused.");
-    add_file(*command, "MAP", options->map, "The map the plan was made for")->required();
-    add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it")->required();
+    add_file(*command, "MAP", options->map, "The map the plan was made for; - is standard input")->required();
+    add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it; or -")->required();
     add_plan_exports(*command, options->exports);
     add_file(*command, "--html", options->html, "Write a page for a browser that plays the plan");
     command->add_flag("--ignore-digest", options->ignore_digest,

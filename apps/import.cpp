@@ -19,6 +19,8 @@
 namespace waybreaker::apps {
 namespace {
 
+constexpr Range metres{0.001, 1e6};
+
 struct ImportOptions {
     std::string source;
     std::string output;
@@ -143,14 +145,14 @@ void add_window_options(CLI::App& command, const std::shared_ptr<ImportOptions>&
                 "Centre of the window, in degrees east and north")
         ->each([options](const std::string&) { options->center = true; });
     add_number(
-        command, "--size", [options](double size) { options->window.size = size; }, 0, "METRES",
+        command, "--size", [options](double size) { options->window.size = size; }, metres, "METRES",
         fmt::format("Side of the window around the centre (default: {})", window.size));
     add_box(command, "--bbox", window.box, "The window by its edges, in degrees, in place of centre and size");
     add_number(
-        command, "--cell", [options](double cell) { options->window.cell = cell; }, 0, "METRES",
+        command, "--cell", [options](double cell) { options->window.cell = cell; }, metres, "METRES",
         fmt::format("Side of a cell (default: {})", window.cell));
     add_number(
-        command, "--tile", [options](double side) { options->tile = side; }, 0, "METRES",
+        command, "--tile", [options](double side) { options->tile = side; }, metres, "METRES",
         "Cut the window into squares of that side, and write a folder with a map of each, ROW_COLUMN.tif");
 }
 
@@ -163,7 +165,7 @@ void add_choice_options(CLI::App& command, geo::ObstacleChoice& choice) {
              "The layer with the obstacles, of a source that has several, such as a folder of shapefiles")
         ->type_name("NAME");
     add_number(
-        command, "--wall-width", [&choice](double width) { choice.wall_width = width; }, 0, "METRES",
+        command, "--wall-width", [&choice](double width) { choice.wall_width = width; }, metres, "METRES",
         "Width of obstacles that are lines in the source, such as walls (default, and least: a cell)");
     add_filters(command, "--destructible", choice.destructible,
                 "Only obstacles with this tag can be destroyed; can be given several times");

@@ -30,7 +30,7 @@ int complain(ExitStatus status, std::string message) {
 void setup(CLI::App& root, Run& run) {
     root.name("waybreaker");
     root.formatter(std::make_shared<HelpFormatter>());
-    root.set_version_flag("--version", "waybreaker " WAYBREAKER_VERSION, "Print the version and exit");
+    root.set_version_flag("-V,--version", "waybreaker " WAYBREAKER_VERSION, "Print the version and exit");
     root.set_help_flag("-h,--help", "Print this help and exit");
     root.require_subcommand(1);
     setup_plan(root, run);
@@ -41,6 +41,7 @@ void setup(CLI::App& root, Run& run) {
     setup_missions_generate(root, run);
     setup_experiment(root, run);
     setup_serve(root, run);
+    setup_help(root, run);
     setup_completion(root, run);
     setup_manual(root, run);
     set_examples(root, {"waybreaker plan data/berlin-adlershof.tif --start 56,72 --goal 279,217 --svg plan.svg",

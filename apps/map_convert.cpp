@@ -20,7 +20,7 @@ struct MapConvertOptions {
 };
 
 io::MapFile read_map(const MapConvertOptions& options) {
-    const Progress progress("reading " + options.in);
+    const Progress progress("reading " + io::input_name(options.in));
     return io::read_map_file(options.in, options.connectivity, options.image);
 }
 
@@ -42,7 +42,7 @@ void setup_map_convert(CLI::App& map, Run& run_chosen) {
         ".yaml (ROS, "
         "with a .pgm beside it), .png, .pgm. What the format cannot hold of the map is told on standard error. A ROS "
         "map comes back as it was, to the byte.");
-    add_file(*command, "IN", options->in, "A map of any format that is read")->required();
+    add_file(*command, "IN", options->in, "A map of any format that is read; - is standard input")->required();
     add_file(*command, "OUT", options->out, "The map to write")->required();
     add_connectivity(*command, options->connectivity);
     add_image_reading(*command, options->image);

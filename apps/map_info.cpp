@@ -70,7 +70,7 @@ std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
 }
 
 io::MapFile read_map(const MapInfoOptions& options) {
-    const Progress progress("reading " + options.file);
+    const Progress progress("reading " + io::input_name(options.file));
     return io::read_map_file(options.file, options.connectivity, options.image);
 }
 
@@ -86,7 +86,7 @@ void setup_map_info(CLI::App& map, Run& run_chosen) {
     auto options = std::make_shared<MapInfoOptions>();
     CLI::App* command = map.add_subcommand("info", "Tell a map's size, density, obstacles, place on earth and origin");
     add_file(*command, "FILE", options->file,
-             "A map: MovingAI, the authors' XML, GeoTIFF, the YAML of a ROS map, PNG, PGM, ...")
+             "A map: MovingAI, the authors' XML, GeoTIFF, the YAML of a ROS map, PNG, PGM, ...; - is standard input")
         ->required();
     add_connectivity(*command, options->connectivity);
     add_image_reading(*command, options->image);

@@ -81,7 +81,7 @@ void setup_missions_generate(CLI::App& root, Run& run_chosen) {
     add_count(
         *command, "--pairs", [&rules](auto n) { rules.pairs = int(n); }, 1, 10'000'000,
         fmt::format("Pairs to draw on each map (default: {})", rules.pairs));
-    add_length(*command, "--min-distance", options->min_distance,
+    add_length(*command, "--min-distance", options->min_distance, 2 * max_side,
                fmt::format("Start and goal are farther apart (default: {})", rules.min_distance));
     add_count(
         *command, "--min-detour", [&rules](auto n) { rules.min_detour = double(n) / 100; }, 0, 10'000,

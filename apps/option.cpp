@@ -7,6 +7,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/range.hpp"
+#include "io/excerpt.hpp"
+
 namespace waybreaker::apps {
 namespace {
 
@@ -34,6 +37,12 @@ std::string long_name(const std::string& names) {
     return names.substr(names.rfind(',') + 1);
 }
 
+// What was given, in an error.
+std::string shown(const std::string& given) {
+    constexpr std::size_t most = 40;
+    return io::excerpt(given, most);
+}
+
 CLI::Option* add(CLI::App& app, const std::string& name, const std::function<void(const std::string&)>& read,
                  const std::string& type, const std::string& text) {
     return app.add_option_function<std::string>(name, read, text)->type_name(type);
@@ -46,8 +55,8 @@ CLI::Option* add_cell(CLI::App& app, const std::string& name, std::optional<Cell
         const auto cell = pair<int>(given);
         if (!cell || std::min(cell->first, cell->second) < 0 || std::max(cell->first, cell->second) >= max_side) {
             throw CLI::ValidationError(
-                name, fmt::format("'{}' is not a cell: X,Y are two whole numbers from 0 to {}, such as 12,20", given,
-                                  max_side - 1));
+                name, fmt::format("'{}' is not a cell: X,Y are two whole numbers from 0 to {}, such as 12,20",
+                                  shown(given), max_side - 1));
         }
         value = Cell{cell->first, cell->second};
     };
@@ -60,8 +69,8 @@ CLI::Option* add_lon_lat(CLI::App& app, const std::string& name, double& lon, do
         // Not "> 180", so that "nan" is refused.
         if (!point || !(std::abs(point->first) <= 180) || !(std::abs(point->second) <= 90)) {
             throw CLI::ValidationError(
-                name,
-                fmt::format("'{}' is not a place: LON,LAT are degrees east and north, such as 13.41,52.52", given));
+                name, fmt::format("'{}' is not a place: LON,LAT are degrees east and north, such as 13.41,52.52",
+                                  shown(given)));
         }
         lon = point->first;
         lat = point->second;
@@ -83,7 +92,7 @@ CLI::Option* add_box(CLI::App& app, const std::string& name, std::optional<std::
         if (!good) {
             throw CLI::ValidationError(
                 name, fmt::format("'{}' is no box: W,S,E,N are its edges in degrees, such as 13.37,52.51,13.41,52.53",
-                                  given));
+                                  shown(given)));
         }
         value = box;
     };
@@ -95,47 +104,45 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, const std::functi
     const auto read = [name, assign, least, most](const std::string& given) {
         const auto count = number<std::int64_t>(given);
         if (!count || *count < least || *count > most) {
-            throw CLI::ValidationError(long_name(name),
-                                       fmt::format("'{}' is not a whole number from {} to {}", given, least, most));
+            throw CLI::ValidationError(
+                long_name(name), fmt::format("'{}' is not a whole number from {} to {}", shown(given), least, most));
         }
         assign(*count);
     };
     return add(app, name, read, "N", text);
 }
 
-CLI::Option* add_number(CLI::App& app, const std::string& name, const std::function<void(double)>& assign, double least,
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::function<void(double)>& assign, Range range,
                         const std::string& type, const std::string& text) {
-    const auto read = [name, assign, least](const std::string& given) {
+    const auto read = [name, assign, range](const std::string& given) {
         const auto value = number<double>(given);
-        if (!value || !std::isfinite(*value) || *value < least || *value <= 0) {
-            throw CLI::ValidationError(name, fmt::format("'{}' is not a number {}", given,
-                                                         least > 0 ? fmt::format("of at least {}", least) : "above 0"));
+        // Not "< least", so that "nan" is refused.
+        if (!value || !(*value >= range.least && *value <= range.most)) {
+            throw CLI::ValidationError(long_name(name), fmt::format("'{}' is not a number from {} to {}", shown(given),
+                                                                    number_text(range.least), number_text(range.most)));
         }
         assign(*value);
     };
     return add(app, name, read, type, text);
 }
 
-CLI::Option* add_duration(CLI::App& app, const std::string& name, double& value, const std::string& text) {
-    const auto read = [name, &value](const std::string& given) {
-        const auto time = number<double>(given);
-        if (!time || !std::isfinite(*time) || *time < 0) {
-            throw CLI::ValidationError(name, fmt::format("'{}' is not a time of at least 0", given));
-        }
-        value = *time;
-    };
-    return add(app, name, read, "TIME", text);
+CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, double most,
+                        const std::string& text) {
+    return add_number(
+        app, name, [&value](double length) { value = length; }, {0, most}, "CELLS", text);
 }
 
-CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, const std::string& text) {
+CLI::Option* add_time_limit(CLI::App& app, const std::string& name, double& value, const std::string& text) {
     const auto read = [name, &value](const std::string& given) {
-        const auto length = number<double>(given);
-        if (!length || !std::isfinite(*length) || *length < 0) {
-            throw CLI::ValidationError(name, fmt::format("'{}' is not a length of at least 0", given));
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const auto seconds = given == "none" ? infinity : number<double>(given);
+        if (!seconds || !(*seconds > 0)) {
+            throw CLI::ValidationError(
+                name, fmt::format("'{}' is neither a number of seconds above 0 nor none", shown(given)));
         }
-        value = *length;
+        value = *seconds;
     };
-    return add(app, name, read, "CELLS", text);
+    return add(app, name, read, "SECONDS|none", text);
 }
 
 CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,
@@ -145,8 +152,8 @@ CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<O
             const auto id = number<std::uint32_t>(word);
             if (!id || *id == 0) {
                 throw CLI::ValidationError(
-                    name,
-                    fmt::format("'{}' is not a list of obstacles: ID,... are their numbers, such as 17,4", given));
+                    name, fmt::format("'{}' is not a list of obstacles: ID,... are their numbers, such as 17,4",
+                                      shown(given)));
             }
             value.push_back({*id});
         }
@@ -154,13 +161,23 @@ CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<O
     return add(app, name, read, "ID,...", text);
 }
 
-CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text) {
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text,
+                      const std::string& type) {
     const auto read = [name, &value](const std::string& given) {
         if (given.empty()) throw CLI::ValidationError(long_name(name), "the name of a file is missing");
         value = given;
     };
     const bool positional = name.front() != '-';
-    return add(app, name, read, positional ? "" : "FILE", text);
+    return add(app, name, read, positional ? "" : type, text);
+}
+
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& value, const std::string& type,
+                      const std::string& text) {
+    const auto read = [name, type, &value](const std::string& given) {
+        if (given.empty()) throw CLI::ValidationError(long_name(name), fmt::format("{} is missing", type));
+        value = given;
+    };
+    return add(app, name, read, type, text);
 }
 
 CLI::Option* add_files(CLI::App& app, const std::string& name, std::vector<std::string>& value,
@@ -179,7 +196,8 @@ CLI::Option* add_word(CLI::App& app, const std::string& name, const std::vector<
     const auto read = [name, words, assign](const std::string& given) {
         const auto word = std::find(words.begin(), words.end(), given);
         if (word == words.end()) {
-            throw CLI::ValidationError(name, fmt::format("'{}' is unknown; use {}", given, fmt::join(words, ", ")));
+            throw CLI::ValidationError(name,
+                                       fmt::format("'{}' is unknown; use {}", shown(given), fmt::join(words, ", ")));
         }
         assign(std::size_t(word - words.begin()));
     };
@@ -197,7 +215,8 @@ void add_image_reading(CLI::App& app, io::ImageReading& value) {
     const auto read = [&value](const std::string& given) {
         const auto share = number<double>(given);
         if (!share || !(*share > 0 && *share <= 1)) {
-            throw CLI::ValidationError("--threshold", fmt::format("'{}' is not a share above 0 and up to 1", given));
+            throw CLI::ValidationError("--threshold",
+                                       fmt::format("'{}' is not a share above 0 and up to 1", shown(given)));
         }
         value.threshold = share;
     };

@@ -33,22 +33,33 @@ CLI::Option* add_box(CLI::App& app, const std::string& name, std::optional<std::
 CLI::Option* add_count(CLI::App& app, const std::string& name, const std::function<void(std::int64_t)>& assign,
                        std::int64_t least, std::int64_t most, const std::string& text);
 
-// A finite number: at least `least`, or above it if it is 0.
-CLI::Option* add_number(CLI::App& app, const std::string& name, const std::function<void(double)>& assign, double least,
+struct Range {
+    double least;
+    double most;
+};
+
+// A number from a range.
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::function<void(double)>& assign, Range range,
                         const std::string& type, const std::string& text);
 
-// A finite number of at least 0.
-CLI::Option* add_duration(CLI::App& app, const std::string& name, double& value, const std::string& text);
+// A number of cells, from 0 to `most`.
+CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, double most,
+                        const std::string& text);
 
-// A finite number of cells, at least 0.
-CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, const std::string& text);
+// A number of seconds above 0, or "none".
+CLI::Option* add_time_limit(CLI::App& app, const std::string& name, double& value, const std::string& text);
 
 // Ids of obstacles: "17,4".
 CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,
                            const std::string& text);
 
-// The name of a file, not empty.
-CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text);
+// The name of a file, not empty. Of an option `type` is what help calls it.
+CLI::Option* add_file(CLI::App& app, const std::string& name, std::string& value, const std::string& text,
+                      const std::string& type = "FILE");
+
+// A word that is not empty.
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& value, const std::string& type,
+                      const std::string& text);
 
 // The names of files, at least one.
 CLI::Option* add_files(CLI::App& app, const std::string& name, std::vector<std::string>& value,

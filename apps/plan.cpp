@@ -3,12 +3,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "commands.hpp"
+#include "core/stopwatch.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_json.hpp"
@@ -38,6 +40,12 @@ std::string trace(const Map& map, const Mission& mission, SearchOptions search) 
     return listener.text();
 }
 
+// Never nothing: what is planned late still has to come to an end.
+double time_left(const Deadline& deadline) {
+    constexpr double least = 0.01;
+    return std::max(deadline.left(), least);
+}
+
 constexpr int usual_most_removals = 8;  // that a page's curve shows
 
 // Whether lengths can be told in metres.
@@ -60,8 +68,8 @@ render::PictureOptions picture_options(const io::MapFile& map, bool metres, Obje
             .background = map.background};
 }
 
-// The plan, explained, and what there is to compare it with: no removal, the paper's plan, more and fewer removals.
-std::string html(const io::PlanContext& context) {
+// The plan, and what there is to compare it with: no removal, the paper's plan, more and fewer removals.
+std::string html(const io::PlanContext& context, const Plan& chosen, const Deadline& deadline) {
     MissionPlanner planner;
     std::vector<NamedPlan> plans;
     const auto json = [&](const MissionOptions& options, const Plan& plan, std::span<const Plan> front = {}) {
@@ -73,25 +81,33 @@ std::string html(const io::PlanContext& context) {
                                     .image = context.image,
                                     .front = front});
     };
-    const auto add = [&](const std::string& name, const MissionOptions& options) {
+    const auto add = [&](const std::string& name, MissionOptions options) {
+        options.time_limit = time_left(deadline);
         plans.push_back({name, json(options, planner.plan(context.map.map, context.mission, options))});
     };
-    MissionOptions explained = context.options;
-    explained.explain = true;
-    add("plan", explained);
-    MissionOptions none = context.options;
+    plans.push_back({"plan", json(context.options, chosen)});
+    MissionOptions usual = context.options;
+    usual.explain = false;
+    MissionOptions none = usual;
     none.removals = 0;
     none.force.clear();
     add("before", none);
-    if (context.options.select == Selection::exact) add("paper", paper_options(context.options));
-    MissionOptions more = context.options;
+    if (context.options.select == Selection::exact) add("paper", paper_options(usual));
+    MissionOptions more = usual;
     more.removals = std::max(more.removals, usual_most_removals);
+    more.time_limit = time_left(deadline);
     const std::vector<Plan> front = planner.front(context.map.map, context.mission, more);
     return plan_html(context.map, plans, json(more, front.back(), front));
 }
 
 // What goes where, standard output last: by then all files are complete.
-void write_outputs(const PlanOptions& options, const io::PlanContext& context, const Plan& plan) {
+void write_outputs(const PlanOptions& options, const io::PlanContext& context, const Plan& explained,
+                   const Deadline& deadline) {
+    Plan plan = explained;
+    if (!options.explain) {  // for the page alone
+        for (Removal& removal : plan.removed) removal.saves.reset();
+        plan.next.clear();
+    }
     const io::MapFile& file = context.map;
     const bool metres = has_metres(options, file);
     const render::PictureOptions picture = picture_options(file, metres, context.options.objective);
@@ -99,7 +115,7 @@ void write_outputs(const PlanOptions& options, const io::PlanContext& context, c
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
     if (!options.png.empty()) outputs.emplace_back(options.png, render::png(file.map, context.mission, plan, picture));
-    if (!options.html.empty()) outputs.emplace_back(options.html, html(context));
+    if (!options.html.empty()) outputs.emplace_back(options.html, html(context, explained, deadline));
     if (!options.trace.empty()) {
         outputs.emplace_back(options.trace, trace(file.map, context.mission, context.options.search));
     }
@@ -131,16 +147,19 @@ void require_plan(const Plan& plan, const Mission& mission, const MissionOptions
 }
 
 io::MapFile read_map(const PlanOptions& options) {
-    const Progress progress("reading " + options.map);
+    const Progress progress("reading " + io::input_name(options.map));
     io::MapFile file = io::read_map_file(options.map, options.connectivity, options.image);
     file.cell_size = options.cell_size.value_or(file.cell_size);
     return file;
 }
 
 // One plan; or, with --removals auto, those for 0, 1, 2, ... removals as long as they gain.
-std::vector<Plan> plan_mission(const io::MapFile& file, const Mission& mission, const MissionOptions& options,
-                               bool front) {
-    const Progress progress("planning");
+std::vector<Plan> plan_mission(const io::MapFile& file, const Mission& mission, MissionOptions options, bool front) {
+    Progress progress("planning");
+    options.progress = [&progress](const waybreaker::Progress& known) {
+        if (!std::isfinite(known.best)) return;
+        progress.tell(fmt::format("best {:.1f}, none below {:.1f}", known.best, known.bound));
+    };
     MissionPlanner planner;
     std::vector<Plan> plans =
         front ? planner.front(file.map, mission, options) : std::vector<Plan>{planner.plan(file.map, mission, options)};
@@ -151,6 +170,7 @@ std::vector<Plan> plan_mission(const io::MapFile& file, const Mission& mission, 
 
 void run(const PlanOptions& options) {
     validate(options);
+    const Deadline deadline(options.time_limit);
     const io::MapFile file = read_map(options);
     const Mission mission = mission_of(options, file);
     MissionOptions mission_options = mission_options_of(options, file);
@@ -158,8 +178,10 @@ void run(const PlanOptions& options) {
     try {
         validate(file.map, mission, mission_options);
     } catch (const InputError& error) {
-        throw InputError(options.map, 0, error.what());
+        throw InputError(io::input_name(options.map), 0, error.what());
     }
+    mission_options.time_limit = time_left(deadline);
+    mission_options.explain = options.explain || !options.html.empty();
     const std::vector<Plan> plans = plan_mission(file, mission, mission_options, options.removals_auto);
     if (options.removals_auto) mission_options.removals = int(plans.size() + mission_options.force.size()) - 1;
     const Plan& plan = plans.back();
@@ -170,7 +192,7 @@ void run(const PlanOptions& options) {
                                   .timing_fields = !options.no_timing,
                                   .image = options.image,
                                   .front = options.removals_auto ? std::span(plans) : std::span<const Plan>()};
-    write_outputs(options, context, plan);
+    write_outputs(options, context, plan, deadline);
     require_plan(plan, mission, mission_options);
 }
 

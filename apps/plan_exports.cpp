@@ -32,7 +32,7 @@ void add_plan_exports(CLI::App& command, PlanExports& exports) {
     add_file(command, "--ros-path", exports.ros_path,
              "Write the paths as YAML of ROS's nav_msgs/Path, one for each agent, in metres of the map's frame");
     add_number(
-        command, "--step", [&exports](double metres) { exports.step = metres; }, 0, "METRES",
+        command, "--step", [&exports](double metres) { exports.step = metres; }, {0.001, 1e6}, "METRES",
         "Most distance between two poses of --ros-path; corners have one in any case (default: the side of a cell)")
         ->needs("--ros-path");
     add_file(command, "--opened-map", exports.opened_map,
@@ -40,24 +40,12 @@ void add_plan_exports(CLI::App& command, PlanExports& exports) {
     add_file(command, "--xml", exports.xml, "Write the log of the authors' program");
 }
 
-std::vector<std::pair<std::string, std::string>> named_outputs(const PlanExports& exports) {
+NamedFiles named_outputs(const PlanExports& exports) {
     return {{"--geojson", exports.geojson},
             {"--csv", exports.csv},
             {"--ros-path", exports.ros_path},
             {"--opened-map", exports.opened_map},
             {"--xml", exports.xml}};
-}
-
-void require_distinct(const std::vector<std::pair<std::string, std::string>>& outputs) {
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            const auto& [option, path] = outputs[i];
-            const auto& [other_option, other_path] = outputs[j];
-            if (path.empty() || path != other_path) continue;
-            throw InputError(fmt::format("{} and {} cannot both write to {}", other_option, option,
-                                         path == "-" ? "standard output" : path));
-        }
-    }
 }
 
 std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,

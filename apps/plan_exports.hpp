@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "io/map_file.hpp"
+#include "named_files.hpp"
 #include "waybreaker/plan.hpp"
 #include "waybreaker/search.hpp"
 
@@ -25,11 +26,7 @@ struct PlanExports {
 
 void add_plan_exports(CLI::App& command, PlanExports& exports);
 
-// Options and the files they name, for require_distinct.
-std::vector<std::pair<std::string, std::string>> named_outputs(const PlanExports& exports);
-
-// Throws InputError if two options name the same file, or both standard output.
-void require_distinct(const std::vector<std::pair<std::string, std::string>>& outputs);
+NamedFiles named_outputs(const PlanExports& exports);
 
 // Path and bytes of each file. Precondition: the plan is one for this map, whatever was searched for it.
 std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,

@@ -17,6 +17,10 @@ const Choices<bool> move_counts{{"8", true}, {"4", false}};
 
 constexpr int most_auto_removals = 32;
 
+constexpr Range speeds{least_speed, most_speed};
+constexpr Range breach_times{0, most_breach_time};
+constexpr double largest_radius = 32;
+
 // A whole number, or "auto".
 void add_removals(CLI::App& command, PlanOptions& options) {
     CLI::Option* option = add_count(
@@ -35,21 +39,24 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_cell(command, "--air-start", options.air_start, "Cell where the air agent starts, if elsewhere");
     add_cell(command, "--air-goal", options.air_goal, "Cell where the air agent ends, if elsewhere");
     add_number(
-        command, "--ground-speed", [&options](double speed) { options.ground_speed = speed; }, 0, "SPEED",
+        command, "--ground-speed", [&options](double speed) { options.ground_speed = speed; }, speeds, "SPEED",
         "Cells per unit of time that the ground agent drives (default: 1)");
     add_number(
-        command, "--air-speed", [&options](double speed) { options.air_speed = speed; }, 0, "SPEED",
+        command, "--air-speed", [&options](double speed) { options.air_speed = speed; }, speeds, "SPEED",
         "Cells per unit of time that the air agent flies (default: 1)");
-    add_duration(command, "--breach-time", options.breach_time.per_obstacle,
-                 "How long the air agent stays to breach an obstacle, beside what the map says of each (default: 0)");
-    add_duration(command, "--breach-time-per-cell", options.breach_time.per_cell,
-                 "How much longer for each cell of the obstacle (default: 0)");
+    add_number(
+        command, "--breach-time", [&options](double time) { options.breach_time.per_obstacle = time; }, breach_times,
+        "TIME", "How long the air agent stays to breach an obstacle, beside what the map says of each (default: 0)");
+    add_number(
+        command, "--breach-time-per-cell", [&options](double time) { options.breach_time.per_cell = time; },
+        breach_times, "TIME", "How much longer for each cell of the obstacle (default: 0)");
     add_obstacles(command, "--protect", options.protect, "Obstacles that must stay");
     add_obstacles(command, "--force", options.force, "Obstacles that must go; they count among the removals");
     add_connectivity(command, options.connectivity);
     add_image_reading(command, options.image);
     add_number(
-        command, "--cell-size", [&options](double metres) { options.cell_size = metres; }, 0, "METRES",
+        command, "--cell-size", [&options](double metres) { options.cell_size = metres; },
+        {io::least_cell_size, io::most_cell_size}, "METRES",
         "Side of a cell, for lengths in metres (default: as the map file says)");
 }
 
@@ -63,16 +70,18 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
                "often, as in the paper "
                "(default: exact)");
     add_number(
-        command, "--budget", [&options](double budget) { options.budget = budget; }, 0, "WEIGHT",
+        command, "--budget", [&options](double budget) { options.budget = budget; }, {least_weight, most_weight},
+        "WEIGHT",
         "What the removed obstacles may weigh together, each 1 unless the map or --weights says otherwise; alone it "
         "stands in "
         "place of a count");
     add_file(command, "--weights", options.weights,
              "Weights of obstacles: a file with lines \"ID WEIGHT\", or the word cells for each obstacle's number of "
              "cells");
-    add_number(
-        command, "--time-limit", [&options](double seconds) { options.time_limit = seconds; }, 0, "SECONDS",
-        "Stop selecting after that time, with the best plan known and how far it can be from the best");
+    add_time_limit(
+        command, "--time-limit", options.time_limit,
+        "Stop planning so long after the start, with the best plan known and how far it can be from the best; none "
+        "takes the time it needs (default: 10)");
     command.add_flag("--bound", options.bound, "Prove a limit that no plan can beat also where the method proves none");
     command.add_flag("--explain", options.explain,
                      "Say what each removal saves, and which obstacle one removal more would take");
@@ -95,14 +104,14 @@ void add_search_options(CLI::App& command, PlanOptions& options) {
     add_choice(command, "--heuristic", io::heuristic_words, options.heuristic,
                "Estimate of the way to go (default: euclidean for theta and lazy-theta, octile for astar and jps)");
     add_number(
-        command, "--weight", [&options](double weight) { options.weight = weight; }, 1, "W",
+        command, "--weight", [&options](double weight) { options.weight = weight; }, {1, most_heuristic_weight}, "W",
         "Weight of the heuristic, at least 1 (default: 1)");
     add_choice(
         command, "--tie-break", io::tie_break_words, options.tie_break,
         "Of two equally promising nodes take the one farther from (g-max) or nearer to the start (default: g-max)");
     add_choice(command, "--corners", io::corner_words, options.corners,
                "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
-    add_length(command, "--radius", options.radius,
+    add_length(command, "--radius", options.radius, largest_radius,
                "Radius of the ground agent; 0 for a point, which --planner optimal drives (default: 0.5)");
     add_choice(command, "--moves", move_counts, options.diagonal, "Steps from a cell (default: 8)");
     add_count(
@@ -141,7 +150,7 @@ std::vector<double> weights_of(const std::string& source, const Map& map) {
 
 void add_plan_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "MAP", options.map,
-             "A map: MovingAI, the authors' XML, GeoTIFF, the YAML of a ROS map, PNG, PGM, ...")
+             "A map: MovingAI, the authors' XML, GeoTIFF, the YAML of a ROS map, PNG, PGM, ...; - is standard input")
         ->required();
     command.option_defaults()->group("Mission");
     add_mission_options(command, options);
@@ -171,13 +180,15 @@ void validate(const PlanOptions& options) {
     if (options.paper && options.timing == Timing::enforce) {
         throw InputError("--paper stands for --timing ignore, which --timing enforce contradicts; drop one of them");
     }
-    std::vector<std::pair<std::string, std::string>> outputs = named_outputs(options.exports);
+    NamedFiles outputs = named_outputs(options.exports);
     outputs.insert(outputs.begin(), {{"--json", options.json},
                                      {"--svg", options.svg},
                                      {"--png", options.png},
                                      {"--html", options.html},
                                      {"--trace", options.trace}});
-    require_distinct(outputs);
+    const NamedFiles inputs{{"MAP", options.map}, {"--weights", options.weights}};
+    validate_inputs(inputs);
+    validate_outputs(outputs, inputs);
 }
 
 Mission mission_of(const PlanOptions& options, const io::MapFile& map) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +29,7 @@ struct PlanOptions {
     std::string weights;
     bool bound = false;
     bool explain = false;
-    double time_limit = std::numeric_limits<double>::infinity();
+    double time_limit = 10;  // seconds, of the whole call
     std::optional<FlightRule> flight;
     std::optional<Timing> timing;
     double ground_speed = 1;

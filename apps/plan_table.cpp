@@ -50,7 +50,13 @@ std::string change(std::optional<double> before, std::optional<double> after) {
     return fmt::format("{:+.1f} %", 100 * (*after / *before - 1));
 }
 
-// One line on the map and the mission.
+// With unit speeds times are lengths (paper, section 2).
+bool unit_speeds(const Mission& mission) {
+    return std::ranges::all_of(
+        mission.agents, [](double speed) { return speed == 1; }, &Agent::speed);
+}
+
+// The map, the mission, and what the figures are in.
 std::string heading(const io::PlanContext& context, const TableStyle& style) {
     const Map& map = context.map.map;
     std::string line = fmt::format("{}: {} x {} cells", context.map.source, map.width(), map.height());
@@ -58,48 +64,71 @@ std::string heading(const io::PlanContext& context, const TableStyle& style) {
     line += fmt::format(", {} {}\n", map.obstacles().size(), map.obstacles().size() == 1 ? "obstacle" : "obstacles");
     for (const Agent& agent : context.mission.agents) {
         line += fmt::format("{} agent from {} to {}", agent.id, text(agent.start), text(agent.goal));
-        line += agent.speed == 1 ? "\n" : fmt::format(" at speed {:.6g}\n", agent.speed);
+        line += unit_speeds(context.mission) ? "\n" : fmt::format(", {:.6g} cells per unit of time\n", agent.speed);
     }
-    return line;
+    if (!unit_speeds(context.mission)) return line + "lengths in cells, times in units of time\n";
+    return line + fmt::format("lengths in cells, times in cells at speed 1{}\n",
+                              style.metres ? " and in seconds at 1 m/s" : "");
 }
 
-std::string outcomes(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
-    std::vector<Row> rows{{"", "before", "after", "change"}};
-    if (style.metres) rows.front().insert(rows.front().end(), {"before (m)", "after (m)"});
-    const auto add_time = [&](const std::string& name, std::optional<double> before, std::optional<double> after) {
+// The first column as wide in one table as in the next, so that they stand under each other.
+Row columns(const std::string& what) {
+    return {fmt::format("{:<16}", what), fmt::format("{:>8}", "before"), fmt::format("{:>8}", "after"),
+            fmt::format("{:>8}", "change")};
+}
+
+// Lengths or times: by name, before and after. `unit` is what cell_size makes of them; empty: only cells.
+struct Quantity {
+    std::string name;
+    std::optional<double> before;
+    std::optional<double> after;
+};
+
+std::string quantities(const std::string& what, const std::vector<Quantity>& list, const std::string& unit,
+                       double cell_size, bool bold) {
+    std::vector<Row> rows{columns(what)};
+    if (!unit.empty()) {
+        for (const char* when : {"before", "after"}) rows.front().push_back(fmt::format("{} ({})", when, unit));
+    }
+    for (const auto& [name, before, after] : list) {
         rows.push_back({name, text(before, 3), text(after, 3), change(before, after)});
-    };
-    const auto add_length = [&](const std::string& name, std::optional<double> before, std::optional<double> after) {
-        add_time(name, before, after);
-        if (!style.metres) return;
-        for (const std::optional<double>& length : {before, after}) {
-            rows.back().push_back(length ? fmt::format("{:.1f}", *length * context.map.cell_size) : nothing);
+        if (unit.empty()) continue;
+        for (const std::optional<double>& value : {before, after}) {
+            rows.back().push_back(value ? fmt::format("{:.1f}", *value * cell_size) : nothing);
         }
-    };
-    const Outcome& before = plan.before;
-    const Outcome& after = plan.after;
-    const auto add_count = [&](const std::string& name, std::uint64_t Outcome::Ground::*count) {
-        const auto was = before.ground.*count;
-        const auto is = after.ground.*count;
+    }
+    return aligned(rows, bold) + "\n";
+}
+
+std::string searches(const Outcome::Ground& before, const Outcome::Ground& after, const io::PlanContext& context,
+                     bool bold) {
+    std::vector<Row> rows{columns("ground search")};
+    const auto add_count = [&](const std::string& name, std::uint64_t was, std::uint64_t is) {
         rows.push_back({name, std::to_string(was), std::to_string(is), change(double(was), double(is))});
     };
-    add_length("path A (ground)", before.ground.length, after.ground.length);
-    add_count("nodes expanded", &Outcome::Ground::expanded);
-    add_count("nodes generated", &Outcome::Ground::generated);
+    add_count("nodes expanded", before.expanded, after.expanded);
+    add_count("nodes generated", before.generated, after.generated);
     if (context.timing_fields) {
-        rows.push_back({"search time (ms)", text(before.ground.seconds * 1000, 3), text(after.ground.seconds * 1000, 3),
-                        change(before.ground.seconds, after.ground.seconds)});
+        rows.push_back({"search time (ms)", text(before.seconds * 1000, 3), text(after.seconds * 1000, 3),
+                        change(before.seconds, after.seconds)});
     }
-    add_length("path B (air)", before.air.length, after.air.length);
-    // With unit speeds times are lengths (paper, section 2).
-    const bool times_are_lengths = std::ranges::all_of(
-        context.mission.agents, [](double speed) { return speed == 1; }, &Agent::speed);
-    const auto add_end = [&](const std::string& name, std::optional<double> was, std::optional<double> is) {
-        times_are_lengths ? add_length(name, was, is) : add_time(name, was, is);
-    };
-    add_end("flowtime", before.flowtime, after.flowtime);
-    add_end("makespan", before.makespan, after.makespan);
-    return aligned(rows, style.bold);
+    return aligned(rows, bold) + "\n";
+}
+
+// Lengths and times in tables of their own: one is not the other.
+std::string outcomes(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
+    const Outcome& before = plan.before;
+    const Outcome& after = plan.after;
+    const double cell_size = context.map.cell_size;
+    const bool seconds = style.metres && unit_speeds(context.mission);
+    return quantities("length",
+                      {{"path A (ground)", before.ground.length, after.ground.length},
+                       {"path B (air)", before.air.length, after.air.length}},
+                      style.metres ? "m" : "", cell_size, style.bold) +
+           quantities("time",
+                      {{"makespan", before.makespan, after.makespan}, {"flowtime", before.flowtime, after.flowtime}},
+                      seconds ? "s" : "", cell_size, style.bold) +
+           searches(before.ground, after.ground, context, style.bold);
 }
 
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
@@ -127,7 +156,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     }
     if (rows.size() > 1) return aligned(rows, style.bold, names);
     if (context.options.removals == 0) return "nothing removed, as asked for\n";
-    if (std::isfinite(context.options.time_limit)) return "nothing removed: no better plan was found in time\n";
+    if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";
     return counted && context.options.timing == Timing::ignore ? "nothing removed: the search ran into no obstacle\n"
                                                                : "nothing removed: no removal gains anything\n";
 }
@@ -199,6 +228,12 @@ std::string bound(const Plan& plan, const io::PlanContext& context) {
                        removals, 100 * gap);
 }
 
+// That there may be a better plan.
+std::string limit(const Plan& plan) {
+    if (!plan.limit_reached) return "";
+    return "\na limit ended the choice: a better plan may exist; see --time-limit and --expansion-limit\n";
+}
+
 // The paper's choice of obstacles can be worse than none.
 std::string warning(const Plan& plan, const io::PlanContext& context) {
     const std::optional<double> before = value(plan.before, context.options.objective);
@@ -211,8 +246,8 @@ std::string warning(const Plan& plan, const io::PlanContext& context) {
 }  // namespace
 
 std::string plan_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
-    return heading(context, style) + "\n" + front(context, style) + outcomes(plan, context, style) + "\n" +
-           removals(plan, context, style) + next(plan, context) + waits(plan) + bound(plan, context) +
+    return heading(context, style) + "\n" + front(context, style) + outcomes(plan, context, style) +
+           removals(plan, context, style) + next(plan, context) + waits(plan) + bound(plan, context) + limit(plan) +
            warning(plan, context);
 }
 

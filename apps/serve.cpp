@@ -70,15 +70,17 @@ void add_limits(CLI::App& command, server::Limits& limits) {
     constexpr std::size_t megabyte = std::size_t{1} << 20;
     add_count(
         command, "--max-upload", [&limits](std::int64_t n) { limits.upload_bytes = std::size_t(n) * megabyte; }, 1,
-        2048, "Largest body of a request, in MiB (default: 32)");
+        2048, "Largest body of a request (default: 32)")
+        ->type_name("MIB");
     add_count(
         command, "--max-cells", [&limits](std::int64_t n) { limits.map_cells = std::size_t(n); }, 1,
-        std::int64_t(max_cells), "Largest uploaded map, in cells (default: 16777216)");
+        std::int64_t(max_cells), "Largest uploaded map (default: 16777216)")
+        ->type_name("CELLS");
     add_count(
         command, "--max-maps", [&limits](std::int64_t n) { limits.maps = std::size_t(n); }, 1, most,
         "Maps held in memory; of more, the one not used for longest goes (default: 32)");
     add_number(
-        command, "--time-limit", [&limits](double seconds) { limits.seconds = seconds; }, 0, "SECONDS",
+        command, "--time-limit", [&limits](double seconds) { limits.seconds = seconds; }, {0.001, 86400}, "SECONDS",
         "Longest time for a plan (default: 30)");
     add_count(
         command, "--workers", [&limits](std::int64_t n) { limits.workers = unsigned(n); }, 1, 1024,
@@ -111,14 +113,15 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         "asked. Logs a line of JSON for each request to standard error. SIGTERM or Ctrl-C end it: what has begun is "
         "finished, unless it is told twice.");
     add_file(*command, "--maps", options->maps,
-             "A folder of maps to serve, beside those that are built in; no other file is read");
-    add_file(*command, "--host", options->host, "Address to listen on (default: 127.0.0.1)");
+             "A folder of maps to serve, beside those that are built in; no other file is read", "FOLDER");
+    add_text(*command, "--host", options->host, "ADDRESS", "Address to listen on (default: 127.0.0.1)");
     constexpr int last_port = 65535;
     add_count(
         *command, "--port", [options](std::int64_t n) { options->port = int(n); }, 0, last_port,
-        "Port to listen on; 0 takes one that is free, which the log tells (default: 8080)");
+        "Port to listen on; 0 takes one that is free, which the log tells (default: 8080)")
+        ->type_name("PORT");
     command->option_defaults()->group("Safety");
-    add_file(*command, "--token", options->token,
+    add_text(*command, "--token", options->token, "TOKEN",
              "What clients must send: Authorization: Bearer TOKEN (default: WAYBREAKER_TOKEN of the environment, which "
              "other "
              "users of the machine do not see)")

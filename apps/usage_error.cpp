@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "help.hpp"
+#include "io/excerpt.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -33,7 +34,12 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
     return fmt::format("; did you mean {}?", *closest);
 }
 
+}  // namespace
+
 std::string unexpected(const CLI::App& command, std::string given) {
+    // What nobody can have meant has no words like it.
+    constexpr std::size_t most = 40;
+    given = io::excerpt(given, most);
     std::vector<std::string> words;
     if (given.starts_with("-")) {
         given = given.substr(0, given.find('='));
@@ -44,8 +50,6 @@ std::string unexpected(const CLI::App& command, std::string given) {
     if (words.empty()) return fmt::format("unexpected argument '{}'", given);
     return fmt::format("unknown command '{}'{}", given, suggestion(given, words));
 }
-
-}  // namespace
 
 std::string usage_error(const CLI::App& root, const CLI::ParseError& error) {
     // The command the user was speaking to.

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/range.hpp"
 #include "io/digest.hpp"
 #include "io/output_file.hpp"
 #include "waybreaker/error.hpp"
@@ -14,6 +15,9 @@ namespace waybreaker::io {
 namespace {
 
 using namespace std::string_view_literals;
+
+constexpr std::size_t most_map_bytes = std::size_t{1} << 31;
+constexpr std::string_view movingai_start = "type";
 
 // TIFF and BigTIFF, in either byte order.
 bool is_tiff(std::string_view bytes) {
@@ -90,7 +94,10 @@ MapFile read_ros_map(std::string& text, const std::string& path, Connectivity co
                      const ImageReading& reading) {
     RosYaml yaml = parse_ros_yaml(text, path);
     const std::string image_path = (std::filesystem::path(path).parent_path() / yaml.image).string();
-    std::string image = read_whole(image_path);
+    std::string image = read_whole(image_path, most_map_bytes, [&](std::string_view head) {
+        if (!is_png(head) && !is_netpbm(head))
+            throw InputError(image_path, 0, "is no image that can be read: give PNG or PGM");
+    });
     const RosCells cells = ros_cells(read_image(image, image_path), yaml, reading.threshold.value_or(1));
     MapFile file = timed([&] { return ros_map(cells, connectivity, reading.unknown_free); }, "ROS map");
     file.digest = sha256_digest(text + image);
@@ -106,30 +113,45 @@ MapFile read_ros_map(std::string& text, const std::string& path, Connectivity co
     return file;
 }
 
-MapFile read(std::string& bytes, const std::string& path, Connectivity connectivity, const ImageReading& image,
-             std::size_t most_cells) {
+// Told from the first bytes, so that nothing else is read to its end.
+void require_map(std::string_view head, const std::string& path) {
+    if (is_tiff(head) || is_png(head) || is_netpbm(head) || is_xml(head) || is_ros_yaml(head) ||
+        head.starts_with(movingai_start)) {
+        return;
+    }
+    throw InputError(path, 0,
+                     "not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in "
+                     "the authors' XML, a GeoTIFF, the YAML of a ROS map, or an image (PNG, PGM, PBM, PPM)");
+}
+
+MapFile parse(std::string& bytes, const std::string& path, Connectivity connectivity, const ImageReading& image,
+              std::size_t most_cells) {
     if (is_tiff(bytes)) return read_tiff(bytes, path, connectivity, most_cells);
     if (is_png(bytes) || is_netpbm(bytes)) return read_plain_image(bytes, path, connectivity, image, most_cells);
     if (is_xml(bytes)) return read_xml(bytes, path, connectivity, most_cells);
     if (is_ros_yaml(bytes)) return read_ros_map(bytes, path, connectivity, image);
-    if (!bytes.starts_with("type")) {
-        throw InputError(path, 0,
-                         "not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in "
-                         "the authors' XML, a GeoTIFF, the YAML of a ROS map, or an image (PNG, PGM, PBM, PPM)");
-    }
+    require_map(bytes, path);
     Grid grid = read_movingai_map(std::string_view(bytes), path);
     release(bytes);
     require_at_most(most_cells, grid, path);
     return labelled(std::move(grid), connectivity, "MovingAI map");
 }
 
+MapFile read(std::string& bytes, const std::string& path, Connectivity connectivity, const ImageReading& image,
+             std::size_t most_cells) {
+    MapFile file = parse(bytes, path, connectivity, image, most_cells);
+    require_range(file.cell_size, least_cell_size, most_cell_size, path + ": the side of a cell, in metres,");
+    return file;
+}
+
 }  // namespace
 
 MapFile read_map_file(const std::string& path, Connectivity connectivity, const ImageReading& image) {
-    std::string bytes = read_whole(path);
+    const std::string name = is_standard_input(path) ? input_name(path) : path;
+    std::string bytes = read_whole(path, most_map_bytes, [&](std::string_view head) { require_map(head, name); });
     std::string digest = sha256_digest(bytes);
-    MapFile file = read(bytes, path, connectivity, image, max_cells);
-    file.source = std::filesystem::path(path).filename().string();
+    MapFile file = read(bytes, name, connectivity, image, max_cells);
+    file.source = std::filesystem::path(name).filename().string();
     if (file.digest.empty()) file.digest = std::move(digest);
     return file;
 }

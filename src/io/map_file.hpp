@@ -15,6 +15,10 @@
 
 namespace waybreaker::io {
 
+// Metres that a cell can measure.
+inline constexpr double least_cell_size = 1e-6;
+inline constexpr double most_cell_size = 1e6;
+
 // What blocks in maps that are images.
 struct ImageReading {
     // Cells are blocked from that on: darkness of a plain image (empty: 0.5), occupancy of a ROS map (empty: 1).
@@ -55,7 +59,8 @@ struct MapFile {
     }
 };
 
-// Throws InputError. `connectivity` applies to formats without a label layer.
+// Throws InputError. A file that is no map is refused after its first bytes; "-" is standard input. `connectivity`
+// applies to formats without a label layer.
 MapFile read_map_file(const std::string& path, Connectivity connectivity = Connectivity::four,
                       const ImageReading& image = {});
 

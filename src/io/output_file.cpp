@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/excerpt.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
@@ -63,7 +64,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 }
 
 void write_through(const std::string& path, int descriptor, std::string_view bytes) {
-    if (!write_all(descriptor, bytes)) throw InputError("cannot write " + path + ": " + cause());
+    if (!write_all(descriptor, bytes)) throw InputError("cannot write " + excerpt(path) + ": " + cause());
 }
 
 // A new file next to `target`, under a name that nobody uses.
@@ -77,11 +78,11 @@ std::pair<std::string, File> open_neighbour(const std::string& target) {
 
 void replace(const std::string& target, const std::string& path, std::string_view bytes) {
     auto [neighbour, file] = open_neighbour(target);
-    if (!file) throw InputError("cannot write " + path + ": " + cause());
+    if (!file) throw InputError("cannot write " + excerpt(path) + ": " + cause());
     Temporary temporary(neighbour);
     if (!write_all(file.descriptor(), bytes) || !file.sync_and_close() ||
         ::rename(neighbour.c_str(), target.c_str()) != 0) {
-        throw InputError("cannot write " + path + ": " + cause());
+        throw InputError("cannot write " + excerpt(path) + ": " + cause());
     }
     temporary.path.clear();
 }
@@ -92,35 +93,63 @@ void write_whole(const std::string& path, std::string_view bytes) {
     if (path == "-") return write_through("standard output", STDOUT_FILENO, bytes);
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (fs::is_directory(status)) throw InputError("cannot write " + path + ": it is a folder; give a file name");
+    if (fs::is_directory(status))
+        throw InputError("cannot write " + excerpt(path) + ": it is a folder; give a file name");
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         const File file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-        if (!file) throw InputError("cannot write " + path + ": " + cause());
+        if (!file) throw InputError("cannot write " + excerpt(path) + ": " + cause());
         return write_through(path, file.descriptor(), bytes);
     }
     const fs::path target = fs::weakly_canonical(path, error);
     replace(error ? path : target.string(), path, bytes);
 }
 
-std::string read_whole(const std::string& path, std::size_t limit) {
-    const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file) throw InputError("cannot read " + path + ": " + cause());
-    struct stat status {};
-    if (::fstat(file.descriptor(), &status) != 0) throw InputError("cannot read " + path + ": " + cause());
-    if (S_ISDIR(status.st_mode)) throw InputError("cannot read " + path + ": it is a folder; give a file");
+namespace {
 
-    // One byte more than there should be, so that the end shows without growing.
-    std::string bytes(std::min(std::size_t(std::max<off_t>(status.st_size, 0)), limit) + 1, '\0');
-    std::size_t size = 0;
-    for (;;) {
+// Its own descriptor in any case, for it is closed.
+File open_input(const std::string& path) {
+    return File(is_standard_input(path) ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+}
+
+// Reads until `bytes` is full or the file ends: how many of the bytes are read then.
+std::size_t fill(const File& file, std::string& bytes, std::size_t size, const std::string& name) {
+    while (size < bytes.size()) {
         const ssize_t got = ::read(file.descriptor(), bytes.data() + size, bytes.size() - size);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw InputError("cannot read " + path + ": " + cause());
+        if (got < 0) throw InputError("cannot read " + name + ": " + cause());
         if (got == 0) break;
         size += std::size_t(got);
-        if (size > limit) throw InputError("cannot read " + path + ": it has over " + std::to_string(limit) + " bytes");
-        if (size == bytes.size()) bytes.resize(std::max<std::size_t>(2 * size, 1 << 16));
     }
+    return size;
+}
+
+}  // namespace
+
+bool is_standard_input(const std::string& path) {
+    return path == "-" || path == "/dev/stdin";
+}
+
+std::string input_name(const std::string& path) {
+    return is_standard_input(path) ? "standard input" : excerpt(path);
+}
+
+std::string read_whole(const std::string& path, std::size_t limit, const HeadCheck& check_head) {
+    const std::string name = input_name(path);
+    const File file = open_input(path);
+    struct stat status {};
+    if (!file || ::fstat(file.descriptor(), &status) != 0) throw InputError("cannot read " + name + ": " + cause());
+    if (S_ISDIR(status.st_mode)) throw InputError("cannot read " + name + ": it is a folder; give a file");
+
+    std::string bytes(std::min(head_size, limit + 1), '\0');
+    std::size_t size = fill(file, bytes, 0, name);
+    if (check_head) check_head(std::string_view(bytes).substr(0, size));
+    // One byte more than there should be, so that the end shows without growing.
+    const std::size_t expected = std::size_t(std::max<off_t>(status.st_size, 0)) + 1;
+    if (size == bytes.size()) bytes.resize(std::clamp(expected, size, limit + 1));
+    while ((size = fill(file, bytes, size, name)) == bytes.size() && size <= limit) {
+        bytes.resize(std::min(2 * size, limit + 1));
+    }
+    if (size > limit) throw InputError("cannot read " + name + ": it has over " + std::to_string(limit) + " bytes");
     bytes.resize(size);
     return bytes;
 }

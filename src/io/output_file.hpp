@@ -1,7 +1,8 @@
-// Files are read whole and written whole or not at all.
+// Files are read whole, and written whole or not at all.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,19 @@ namespace waybreaker::io {
 // they are. Throws InputError naming path and cause.
 void write_whole(const std::string& path, std::string_view bytes);
 
-// All bytes of a file. Throws InputError naming path and cause (a folder, no permission, over `limit` bytes).
-std::string read_whole(const std::string& path, std::size_t limit = std::size_t{1} << 31);
+// Whether that means standard input: "-" does.
+bool is_standard_input(const std::string& path);
+
+// What errors call it.
+std::string input_name(const std::string& path);
+
+// Told the first bytes, up to head_size, before the rest is read; throws InputError if they cannot be what is wanted.
+using HeadCheck = std::function<void(std::string_view head)>;
+inline constexpr std::size_t head_size = std::size_t{1} << 16;
+
+// All bytes of a file, a pipe or a device; "-" is standard input. Throws InputError naming path and cause (a folder, no
+// permission, over `limit` bytes).
+std::string read_whole(const std::string& path, std::size_t limit = std::size_t{1} << 31,
+                       const HeadCheck& check_head = {});
 
 }  // namespace waybreaker::io

@@ -10,6 +10,7 @@
 
 #include "input_error.hpp"
 #include "io/digest.hpp"
+#include "io/excerpt.hpp"
 #include "temporary_folder.hpp"
 
 namespace waybreaker::io {
@@ -44,6 +45,38 @@ TEST_F(Files, AreReadAsTheyWereWritten) {
         EXPECT_EQ(read_whole(path("file")), bytes);
         EXPECT_EQ(file_count(), 1);
     }
+}
+
+TEST_F(Files, AreRefusedAfterTheirFirstBytes) {
+    const HeadCheck refuse = [](std::string_view head) {
+        throw InputError("begins with " + std::to_string(head.size()) + " bytes");
+    };
+    put("short", "abc");
+    EXPECT_EQ(input_error([&] { read_whole(path("short"), 100, refuse); }), "begins with 3 bytes");
+    put("long", std::string(1 << 17, 'x'));
+    EXPECT_EQ(input_error([&] { read_whole(path("long"), 1 << 20, refuse); }), "begins with 65536 bytes");
+    // Without end, and larger than any memory: neither is read on, nor is room made for it.
+    EXPECT_EQ(input_error([&] { read_whole("/dev/zero", std::size_t{1} << 60, refuse); }), "begins with 65536 bytes");
+    fs::resize_file(path("long"), std::uintmax_t{1} << 40);
+    EXPECT_EQ(input_error([&] { read_whole(path("long"), std::size_t{1} << 60, refuse); }), "begins with 65536 bytes");
+}
+
+TEST_F(Files, EndAtALimit) {
+    const std::string bytes(100'000, 'x');
+    put("file", bytes);
+    EXPECT_EQ(read_whole(path("file"), bytes.size()), bytes);
+    for (const std::size_t limit : {std::size_t{0}, std::size_t{5}, bytes.size() - 1}) {
+        const std::string text = "cannot read " + path("file") + ": it has over " + std::to_string(limit) + " bytes";
+        EXPECT_EQ(input_error([&] { read_whole(path("file"), limit); }), text);
+    }
+    EXPECT_EQ(input_error([] { read_whole("/dev/zero", 300'000); }), "cannot read /dev/zero: it has over 300000 bytes");
+}
+
+TEST_F(Files, OfLongNamesAreNamedByTheirBeginning) {
+    const std::string message = input_error([] { read_whole(std::string(5000, 'n')); });
+    EXPECT_EQ(message, "cannot read " + std::string(200, 'n') + "...: File name too long");
+    EXPECT_EQ(excerpt("\u00E4\u00E4\u00E4", 3), "\u00E4...") << "no half of a character";
+    EXPECT_EQ(excerpt("abc", 3), "abc");
 }
 
 TEST_F(Files, KeepTheirOldContentWhenWritingFails) {

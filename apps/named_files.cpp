@@ -1,0 +1,91 @@
+#include "named_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include "io/excerpt.hpp"
+#include "io/output_file.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+struct Suffix {
+    std::string_view text;
+    std::vector<std::string_view> options;  // that write such files; none: nothing but a map is called so
+};
+
+// Names that say what a file is. Others say nothing, and are as good for one format as for another.
+const std::array<Suffix, 17> suffixes{{{".json", {"--json", "--trace", "--geojson"}},
+                                       {".svg", {"--svg"}},
+                                       {".png", {"--png", "--opened-map"}},
+                                       {".html", {"--html"}},
+                                       {".htm", {"--html"}},
+                                       {".geojson", {"--geojson", "--opened-map"}},
+                                       {".csv", {"--csv"}},
+                                       {".yaml", {"--ros-path", "--opened-map"}},
+                                       {".yml", {"--ros-path", "--opened-map"}},
+                                       {".xml", {"--xml", "--opened-map"}},
+                                       {".jpg", {}},
+                                       {".jpeg", {}},
+                                       {".pdf", {}},
+                                       {".map", {"--opened-map"}},
+                                       {".pgm", {"--opened-map"}},
+                                       {".tif", {"--opened-map"}},
+                                       {".tiff", {"--opened-map"}}}};
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c; });
+    return text;
+}
+
+void validate_name(const std::string& option, const std::string& path) {
+    const std::string extension = lower(std::filesystem::path(path).extension().string());
+    const auto known = std::ranges::find(suffixes, extension, &Suffix::text);
+    if (known == suffixes.end() || std::ranges::find(known->options, option) != known->options.end()) return;
+    std::vector<std::string_view> own;
+    for (const Suffix& suffix : suffixes) {
+        if (std::ranges::find(suffix.options, option) != suffix.options.end()) own.push_back(suffix.text);
+    }
+    throw InputError(fmt::format(
+        "{} does not write {} files, as {} would be: {}end the name in {}", option, extension, io::excerpt(path),
+        known->options.empty() ? "" : fmt::format("use {}, or ", known->options.front()), fmt::join(own, " or ")));
+}
+
+std::string name_of(const std::string& path) {
+    return path == "-" ? "standard output" : io::excerpt(path);
+}
+
+}  // namespace
+
+void validate_inputs(const NamedFiles& inputs) {
+    const auto reads_it = [](const auto& input) { return io::is_standard_input(input.second); };
+    const auto first = std::ranges::find_if(inputs, reads_it);
+    if (first == inputs.end()) return;
+    const auto second = std::find_if(first + 1, inputs.end(), reads_it);
+    if (second == inputs.end()) return;
+    throw InputError(fmt::format("{} and {} cannot both be standard input", first->first, second->first));
+}
+
+void validate_outputs(const NamedFiles& outputs, const NamedFiles& inputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto& [option, path] = outputs[i];
+        if (path.empty()) continue;
+        for (std::size_t j = 0; j < i; ++j) {
+            if (path != outputs[j].second) continue;
+            throw InputError(fmt::format("{} and {} cannot both write to {}", outputs[j].first, option, name_of(path)));
+        }
+        for (const auto& [input, read] : inputs) {
+            if (path == "-" || path != read) continue;
+            throw InputError(fmt::format("{} would overwrite {}, {}", option, input, name_of(path)));
+        }
+        validate_name(option, path);
+    }
+}
+
+}  // namespace waybreaker::apps
