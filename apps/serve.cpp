@@ -77,6 +77,10 @@ void add_limits(CLI::App& command, server::Limits& limits) {
         std::int64_t(max_cells), "Largest uploaded map (default: 16777216)")
         ->type_name("CELLS");
     add_count(
+        command, "--max-memory", [&limits](std::int64_t n) { limits.memory = std::size_t(n) * megabyte; }, 1, most,
+        "Memory for all maps together, in MiB; when it is full, maps that were sent go, those not used for longest "
+        "first (default: a quarter of the machine's)");
+    add_count(
         command, "--max-maps", [&limits](std::int64_t n) { limits.maps = std::size_t(n); }, 1, most,
         "Maps held in memory; of more, the one not used for longest goes (default: 32)");
     add_number(

@@ -196,14 +196,14 @@ GDALDriver& tiff_driver() {
 }  // namespace
 
 LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Connectivity connectivity,
-                          std::size_t most_cells) {
+                          const MapLimits& limits) {
     tiff_driver();
     const GdalScope gdal;
     const MemoryFile memory(bytes);
     const char* const only_tiff[] = {"GTiff", nullptr};
     const GDALDatasetUniquePtr file(GDALDataset::Open(memory.path().c_str(), GDAL_OF_RASTER, only_tiff));
     if (!file) throw refusal(name, "is no GeoTIFF map: " + memory.nameless(gdal.failure()));
-    check_layout(*file, bytes.size(), name, most_cells);
+    check_layout(*file, bytes.size(), name, limits.cells);
     Place place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);
     LabelNames label_names = read_names(*file, name);
@@ -213,6 +213,11 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     std::vector<std::uint32_t> labels = read_labels(*file, memory, name);
     const bool mask = attributes.size() == 1 && has_one_value(labels);
     if (mask) label_names.clear();
+    if (limits.admit) {
+        limits.admit(
+            map_bytes(width, height,
+                      mask ? count_obstacles(grid_of(width, height, labels), connectivity) : count_labels(labels)));
+    }
     std::vector<NamedCell> named = named_cells(std::move(label_names), labels);
     LabelTiff tiff{.map = mask ? Map(grid_of(width, height, labels), connectivity)
                                : Map::from_labels(width, height, std::move(labels), attributes),

@@ -14,6 +14,7 @@
 #include "geo/background.hpp"
 #include "geo/georeference.hpp"
 #include "geo/obstacle_names.hpp"
+#include "map/map_size.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geo {
@@ -36,7 +37,7 @@ struct LabelTiff {
 // cells. `name` is how it is called in errors. Throws InputError (name and remedy) on anything that is not such a map,
 // or too large for the limits of grid.hpp.
 LabelTiff read_label_tiff(std::string_view bytes, const std::string& name,
-                          Connectivity connectivity = Connectivity::four, std::size_t most_cells = max_cells);
+                          Connectivity connectivity = Connectivity::four, const MapLimits& limits = {});
 
 // The bytes of such a file. Small: compressed, labels in the least type of 16 or 32 bits.
 std::string label_tiff_bytes(const LabelTiff& tiff);

@@ -41,7 +41,8 @@ MapFile timed(Make make, std::string format) {
     return file;
 }
 
-MapFile labelled(Grid grid, Connectivity connectivity, std::string format) {
+MapFile labelled(Grid grid, Connectivity connectivity, std::string format, const MapLimits& limits) {
+    if (limits.admit) limits.admit(map_bytes(grid.width(), grid.height(), count_obstacles(grid, connectivity)));
     return timed([&] { return Map(std::move(grid), connectivity); }, std::move(format));
 }
 
@@ -57,8 +58,8 @@ void release(std::string& bytes) {
     std::string().swap(bytes);
 }
 
-MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity connectivity, std::size_t most_cells) {
-    geo::LabelTiff tiff = geo::read_label_tiff(bytes, path, connectivity, most_cells);
+MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity connectivity, const MapLimits& limits) {
+    geo::LabelTiff tiff = geo::read_label_tiff(bytes, path, connectivity, limits);
     return {.map = std::move(tiff.map),
             .format = tiff.mask ? "GeoTIFF occupancy map" : "GeoTIFF label map",
             .cell_size = tiff.cell_size,
@@ -70,11 +71,11 @@ MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity 
             .background = std::move(tiff.background)};
 }
 
-MapFile read_xml(std::string& bytes, const std::string& path, Connectivity connectivity, std::size_t most_cells) {
+MapFile read_xml(std::string& bytes, const std::string& path, Connectivity connectivity, const MapLimits& limits) {
     AuthorsXml xml = parse_authors_xml(bytes, path);
     release(bytes);
-    require_at_most(most_cells, xml.grid, path);
-    MapFile file = labelled(std::move(xml.grid), connectivity, "authors' XML");
+    require_at_most(limits.cells, xml.grid, path);
+    MapFile file = labelled(std::move(xml.grid), connectivity, "authors' XML", limits);
     file.cell_size = xml.task.cell_size;
     file.title = xml.task.title;
     file.task = std::move(xml.task);
@@ -82,12 +83,12 @@ MapFile read_xml(std::string& bytes, const std::string& path, Connectivity conne
 }
 
 MapFile read_plain_image(std::string& bytes, const std::string& path, Connectivity connectivity,
-                         const ImageReading& reading, std::size_t most_cells) {
+                         const ImageReading& reading, const MapLimits& limits) {
     constexpr double half = 0.5;
     const std::string format = is_png(bytes) ? "PNG image" : "netpbm image";
-    Grid grid = grid_of(read_image(bytes, path, most_cells), reading.threshold.value_or(half));
+    Grid grid = grid_of(read_image(bytes, path, limits.cells), reading.threshold.value_or(half));
     release(bytes);
-    return labelled(std::move(grid), connectivity, format);
+    return labelled(std::move(grid), connectivity, format, limits);
 }
 
 MapFile read_ros_map(std::string& text, const std::string& path, Connectivity connectivity,
@@ -125,21 +126,21 @@ void require_map(std::string_view head, const std::string& path) {
 }
 
 MapFile parse(std::string& bytes, const std::string& path, Connectivity connectivity, const ImageReading& image,
-              std::size_t most_cells) {
-    if (is_tiff(bytes)) return read_tiff(bytes, path, connectivity, most_cells);
-    if (is_png(bytes) || is_netpbm(bytes)) return read_plain_image(bytes, path, connectivity, image, most_cells);
-    if (is_xml(bytes)) return read_xml(bytes, path, connectivity, most_cells);
+              const MapLimits& limits) {
+    if (is_tiff(bytes)) return read_tiff(bytes, path, connectivity, limits);
+    if (is_png(bytes) || is_netpbm(bytes)) return read_plain_image(bytes, path, connectivity, image, limits);
+    if (is_xml(bytes)) return read_xml(bytes, path, connectivity, limits);
     if (is_ros_yaml(bytes)) return read_ros_map(bytes, path, connectivity, image);
     require_map(bytes, path);
     Grid grid = read_movingai_map(std::string_view(bytes), path);
     release(bytes);
-    require_at_most(most_cells, grid, path);
-    return labelled(std::move(grid), connectivity, "MovingAI map");
+    require_at_most(limits.cells, grid, path);
+    return labelled(std::move(grid), connectivity, "MovingAI map", limits);
 }
 
 MapFile read(std::string& bytes, const std::string& path, Connectivity connectivity, const ImageReading& image,
-             std::size_t most_cells) {
-    MapFile file = parse(bytes, path, connectivity, image, most_cells);
+             const MapLimits& limits) {
+    MapFile file = parse(bytes, path, connectivity, image, limits);
     require_range(file.cell_size, least_cell_size, most_cell_size, path + ": the side of a cell, in metres,");
     return file;
 }
@@ -150,20 +151,20 @@ MapFile read_map_file(const std::string& path, Connectivity connectivity, const 
     const std::string name = is_standard_input(path) ? input_name(path) : path;
     std::string bytes = read_whole(path, most_map_bytes, [&](std::string_view head) { require_map(head, name); });
     std::string digest = sha256_digest(bytes);
-    MapFile file = read(bytes, name, connectivity, image, max_cells);
+    MapFile file = read(bytes, name, connectivity, image, {});
     file.source = std::filesystem::path(name).filename().string();
     if (file.digest.empty()) file.digest = std::move(digest);
     return file;
 }
 
 MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity, const ImageReading& image,
-                  std::size_t most_cells) {
+                  const MapLimits& limits) {
     const bool one_file = is_tiff(bytes) || is_png(bytes) || is_netpbm(bytes) || is_xml(bytes);
     if (!one_file && is_ros_yaml(bytes)) {
         throw InputError(name, 0, "a ROS map is two files; give its image, or convert it with waybreaker map convert");
     }
     std::string digest = sha256_digest(bytes);
-    MapFile file = read(bytes, name, connectivity, image, most_cells);
+    MapFile file = read(bytes, name, connectivity, image, limits);
     file.source = name;
     file.digest = std::move(digest);
     return file;

@@ -11,6 +11,7 @@
 #include "geo/label_tiff.hpp"
 #include "io/authors_xml.hpp"
 #include "io/ros_map.hpp"
+#include "map/map_size.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::io {
@@ -65,9 +66,9 @@ MapFile read_map_file(const std::string& path, Connectivity connectivity = Conne
                       const ImageReading& image = {});
 
 // A map whose bytes are all there is of it: no other file is opened, so that a ROS map, whose image lies beside it, is
-// refused. `name` is what errors call it. Throws SizeError for a map of more than `most_cells`, before it takes memory
-// for them.
+// refused. `name` is what errors call it. Throws SizeError for a map of too many cells, before it takes memory for
+// them.
 MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity = Connectivity::four,
-                  const ImageReading& image = {}, std::size_t most_cells = max_cells);
+                  const ImageReading& image = {}, const MapLimits& limits = {});
 
 }  // namespace waybreaker::io

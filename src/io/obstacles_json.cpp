@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace waybreaker::io {
@@ -11,37 +12,59 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// By hand, for there can be millions.
-std::string runs_json(std::span<const std::uint32_t> labels) {
-    std::string text = "[";
-    for (auto run = labels.begin(); run != labels.end();) {
-        const auto end = std::find_if(run, labels.end(), [run](std::uint32_t label) { return label != *run; });
-        if (text.size() > 1) text += ',';
-        fmt::format_to(std::back_inserter(text), "{},{}", *run, end - run);
-        run = end;
-    }
-    return text + "]";
+void append_obstacle(std::string& text, const MapFile& file, const Obstacle& obstacle) {
+    const Box& box = obstacle.bounds;
+    const Json json{{"id", obstacle.id.value},
+                    {"source_id", obstacle.source_id},
+                    {"name", file.name_of(obstacle.id)},
+                    {"cells", obstacle.cells},
+                    {"bounds", {box.min.x, box.min.y, box.max.x, box.max.y}},
+                    {"destructible", obstacle.destructible},
+                    {"weight", obstacle.weight},
+                    {"breach_time", obstacle.breach_time}};
+    if (!text.empty()) text += ',';
+    text += json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Ids are in the order in which obstacles begin: how many begin before a cell.
+std::size_t begun_before(const Map& map, std::size_t cell) {
+    const auto labels = map.labels().subspan(0, std::min(cell, map.labels().size()));
+    return labels.empty() ? 0 : *std::max_element(labels.begin(), labels.end());
 }
 
 }  // namespace
 
-std::string obstacles_json(const MapFile& file) {
+ObstaclesPart obstacles_part(const MapFile& file, std::size_t first_cell, std::size_t most_obstacles) {
+    constexpr std::size_t runs_per_obstacle = 10;
     const Map& map = file.map;
-    std::string text = fmt::format(R"({{"width":{},"height":{},"obstacles":[)", map.width(), map.height());
-    for (const Obstacle& obstacle : map.obstacles()) {
-        const Box& box = obstacle.bounds;
-        const Json json{{"id", obstacle.id.value},
-                        {"source_id", obstacle.source_id},
-                        {"name", file.name_of(obstacle.id)},
-                        {"cells", obstacle.cells},
-                        {"bounds", {box.min.x, box.min.y, box.max.x, box.max.y}},
-                        {"destructible", obstacle.destructible},
-                        {"weight", obstacle.weight},
-                        {"breach_time", obstacle.breach_time}};
-        if (text.back() != '[') text += ',';
-        text += json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const auto labels = map.labels();
+    std::string obstacles;
+    std::string runs;  // by hand, for there can be millions
+    const std::size_t begun = begun_before(map, first_cell);
+    std::size_t known = begun;
+    std::size_t count = 0;
+    auto run = labels.begin() + std::ptrdiff_t(std::min(first_cell, labels.size()));
+    while (run != labels.end() && count / runs_per_obstacle < most_obstacles) {
+        if (*run > known) {
+            if (known - begun == most_obstacles) break;
+            append_obstacle(obstacles, file, map.obstacle(ObstacleId{*run}));
+            known = *run;
+        }
+        const auto end = std::find_if(run, labels.end(), [run](std::uint32_t label) { return label != *run; });
+        fmt::format_to(std::back_inserter(runs), "{}{},{}", count == 0 ? "" : ",", *run, end - run);
+        ++count;
+        run = end;
     }
-    return text + "],\"runs\":" + runs_json(map.labels()) + "}\n";
+    ObstaclesPart part;
+    if (run != labels.end()) part.next = std::size_t(run - labels.begin());
+    part.json = fmt::format(R"({{"width":{},"height":{},"obstacles":[{}],"runs":[{}],"next":{}}})", map.width(),
+                            map.height(), obstacles, runs, part.next ? std::to_string(*part.next) : "null") +
+                "\n";
+    return part;
+}
+
+std::string obstacles_json(const MapFile& file) {
+    return obstacles_part(file, 0, std::numeric_limits<std::size_t>::max()).json;
 }
 
 }  // namespace waybreaker::io

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "map/bit_run.hpp"
+#include "map/map_size.hpp"
 
 namespace waybreaker {
 namespace {
@@ -25,12 +26,13 @@ class RunSets {
         b = root(b);
         parent_[std::max(a, b)] = std::min(a, b);
     }
-    // Numbers the sets from 1 in order of their roots and replaces each run's parent by its number.
-    void number() {
+    // Numbers the sets from 1 in order of their roots and replaces each run's parent by its number. How many there are.
+    std::uint32_t number() {
         std::uint32_t sets = 0;
         for (std::uint32_t run = 0; run < parent_.size(); ++run) {
             parent_[run] = parent_[run] == run ? ++sets : parent_[parent_[run]];
         }
+        return sets;
     }
     std::uint32_t number_of(std::uint32_t run) const { return parent_[run]; }
 
@@ -45,9 +47,7 @@ class RunSets {
     std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace
-
-std::vector<std::uint32_t> label_components(const Grid& grid, Connectivity connectivity) {
+RunSets joined_runs(const Grid& grid, Connectivity connectivity) {
     const int slack = connectivity == Connectivity::eight ? 1 : 0;
     RunSets sets;
     std::vector<Run> above;
@@ -64,8 +64,18 @@ std::vector<std::uint32_t> label_components(const Grid& grid, Connectivity conne
         });
         std::swap(above, here);
     }
-    sets.number();
+    return sets;
+}
 
+}  // namespace
+
+std::size_t count_obstacles(const Grid& grid, Connectivity connectivity) {
+    return joined_runs(grid, connectivity).number();
+}
+
+std::vector<std::uint32_t> label_components(const Grid& grid, Connectivity connectivity) {
+    RunSets sets = joined_runs(grid, connectivity);
+    sets.number();
     std::vector<std::uint32_t> labels(grid.cell_count(), 0);
     std::uint32_t run = 0;
     for (int y = 0; y < grid.height(); ++y) {

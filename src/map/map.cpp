@@ -17,6 +17,7 @@ Map::Map(Grid grid, Connectivity connectivity) : Map(std::move(grid), label_comp
 
 Map::Map(Grid&& grid, std::vector<std::uint32_t> labels)
     : grid_(std::move(grid)), transposed_(grid_.transposed()), labels_(std::move(labels)) {
+    obstacles_.reserve(*std::max_element(labels_.begin(), labels_.end()));  // they can be most of the map's memory
     for (int y = 0; y < height(); ++y) {
         const std::uint32_t* row = labels_.data() + std::size_t(y) * std::size_t(width());
         for_each_run(grid_.row(y), width(), [&](int first, int last) {

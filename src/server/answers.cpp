@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -31,13 +32,32 @@ struct Posed {
     MissionOptions options;
 };
 
-// `plans`: between how many the time is shared out.
-Posed pose(const Task& task, const OptionsRequest& wanted, const Workplace& place, std::size_t plans) try {
+// The time that a request has for all its plans.
+class Allowance {
+  public:
+    Allowance(const Task& task, const Workplace& place)
+        : seconds_(std::min(task.request.options.options.time_limit, task.seconds)) {
+        place.promise(seconds_);
+    }
+
+    // One of `plans` equal parts of what is left.
+    double share(std::size_t plans) const {
+        const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - began_;
+        constexpr double least = 1e-3;  // enough for a plan without proof
+        return std::max(seconds_ - gone.count(), least) / double(plans);
+    }
+
+  private:
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+    double seconds_;
+};
+
+Posed pose(const Task& task, const OptionsRequest& wanted, const Workplace& place, double seconds) try {
     const io::MapFile& file = task.map->file;
     Posed posed{mission_of(task.request.mission, file), options_of(wanted, file)};
     posed.options.search.stop = place.stop;
     posed.options.progress = place.tell;
-    posed.options.time_limit = std::min(posed.options.time_limit, task.seconds / double(plans));
+    posed.options.time_limit = std::min(posed.options.time_limit, seconds);
     validate(file.map, posed.mission, posed.options);
     return posed;
 } catch (const InputError& error) {
@@ -53,8 +73,8 @@ io::PlanContext context_of(const Task& task, const Posed& posed, std::span<const
             .front = front};
 }
 
-std::string plan_text(const Task& task, const OptionsRequest& wanted, const Workplace& place, std::size_t plans = 1) {
-    const Posed posed = pose(task, wanted, place, plans);
+std::string plan_text(const Task& task, const OptionsRequest& wanted, const Workplace& place, double seconds) {
+    const Posed posed = pose(task, wanted, place, seconds);
     const Plan plan = place.planner.plan(task.map->file.map, posed.mission, posed.options);
     return io::plan_json(plan, context_of(task, posed));
 }
@@ -151,11 +171,11 @@ std::string file_name(const std::string& id, const ShelvedMap& map) {
 }
 
 std::string plan_answer(const Task& task, const Workplace& place) {
-    return plan_text(task, task.request.options, place);
+    return plan_text(task, task.request.options, place, Allowance(task, place).share(1));
 }
 
 std::string front_answer(const Task& task, const Workplace& place) {
-    Posed posed = pose(task, task.request.options, place, 1);
+    Posed posed = pose(task, task.request.options, place, Allowance(task, place).share(1));
     const std::vector<Plan> plans = place.planner.front(task.map->file.map, posed.mission, posed.options);
     posed.options.removals = int(plans.size() + posed.options.force.size()) - 1;
     return io::plan_json(plans.back(), context_of(task, posed, plans));
@@ -164,11 +184,13 @@ std::string front_answer(const Task& task, const Workplace& place) {
 std::string compare_answer(const Task& task, const Workplace& place) {
     const std::vector<Method> methods =
         task.request.methods.empty() ? usual_methods(task.request.options) : task.request.methods;
+    const Allowance allowance(task, place);
+    std::size_t left = methods.size();
     std::string text;
     for (const Method& method : methods) {
         if (!text.empty()) text += ",\n";
         text += "{\"name\": " + Json(method.name).dump() +
-                ", \"plan\": " + plan_text(task, method.options, place, methods.size()) + "}";
+                ", \"plan\": " + plan_text(task, method.options, place, allowance.share(left--)) + "}";
     }
     return "{\"format\": \"waybreaker-compare/1\", \"plans\": [\n" + text + "]}\n";
 }

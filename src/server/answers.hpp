@@ -28,7 +28,7 @@ std::string file_name(const std::string& id, const ShelvedMap& map);
 struct Task {
     SharedMap map;
     PlanRequest request;
-    double seconds = 30;  // at most
+    double seconds = 30;  // at most, whatever the request says
 };
 
 // Each throws Problem if the mission does not fit the map.

@@ -1,5 +1,6 @@
 #include "server/desk.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -85,7 +86,7 @@ std::shared_ptr<Job> Desk::submit(Work work) {
 }
 
 void Desk::watch(Job& job) {
-    if (job.seconds() > limits_.seconds + grace && job.stop()) metrics_.count_stopped();
+    if (job.seconds() > std::min(limits_.seconds, job.promised()) + grace && job.stop()) metrics_.count_stopped();
 }
 
 void Desk::give_up(Job& job) {

@@ -32,6 +32,11 @@ void Job::when_done(std::function<void()> call) {
     call();
 }
 
+double Job::promised() const {
+    const std::scoped_lock lock(mutex_);
+    return promised_;
+}
+
 Response Job::result() {
     const std::scoped_lock lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
@@ -48,10 +53,14 @@ void Job::run(MissionPlanner& planner) {
         const std::scoped_lock lock(mutex_);
         progress_ = progress;
     };
+    const auto promise = [this](double seconds) {
+        const std::scoped_lock lock(mutex_);
+        promised_ = seconds;
+    };
     Response result;
     std::exception_ptr failure;
     try {
-        if (!stop_.stop_requested()) result = work_({planner, stop_.get_token(), tell});
+        if (!stop_.stop_requested()) result = work_({planner, stop_.get_token(), tell, promise});
     } catch (...) {
         failure = std::current_exception();
     }

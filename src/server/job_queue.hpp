@@ -11,6 +11,7 @@
 #include <deque>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <stop_token>
@@ -27,7 +28,8 @@ namespace waybreaker::server {
 struct Workplace {
     MissionPlanner& planner;
     std::stop_token stop;
-    std::function<void(const Progress&)> tell;  // how far it is
+    std::function<void(const Progress&)> tell;    // how far it is
+    std::function<void(double seconds)> promise;  // in how long it will be done, counted from its begin
 };
 
 // Makes the answer to a request.
@@ -42,6 +44,7 @@ class Job {
     State state() const;
     double seconds() const;  // since it began
     Progress progress() const;
+    double promised() const;  // seconds from its begin; infinity if nothing is
     // Calls that when the job is done, on the worker's thread, or at once if it is done already.
     void when_done(std::function<void()> call);
     // Work that has not begun never does; the rest is asked to end.
@@ -61,6 +64,7 @@ class Job {
     State state_ = State::queued;
     std::chrono::steady_clock::time_point began_;
     Progress progress_;
+    double promised_ = std::numeric_limits<double>::infinity();
     Response result_;
     std::exception_ptr failure_;
     std::function<void()> when_done_;

@@ -5,10 +5,14 @@
 
 namespace waybreaker::server {
 
+// A quarter of the machine's memory.
+std::size_t default_memory();
+
 struct Limits {
     std::size_t upload_bytes = std::size_t{32} << 20;  // of a request's body
     std::size_t map_cells = std::size_t{4096} * 4096;  // of an uploaded map
-    std::size_t maps = 32;                             // held in memory; the one not used for longest goes first
+    std::size_t maps = 32;                             // held in memory
+    std::size_t memory = default_memory();             // bytes that maps may take, all together
     double seconds = 30;                               // of one plan
     double patience = 10;                   // seconds for a request to come whole, and for an answer to be taken
     double idle = 30;                       // seconds that a connection may be without a request

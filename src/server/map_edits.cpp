@@ -96,7 +96,7 @@ MapEdits parse_map_edits(std::string_view bytes, const std::string& name) {
     return {.block = runs(root.find("block")), .free = runs(root.find("free"))};
 }
 
-ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits) {
+ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits, const MapLimits& limits) {
     const Map& before = map.file.map;
     require_fit(edits.block, before, "block");
     require_fit(edits.free, before, "free");
@@ -111,7 +111,7 @@ ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits) {
     const bool cells_alone = plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1;
     std::string bytes = io::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
     // As everybody reads it, and what the file does not hold.
-    io::MapFile file = io::parse_map(bytes, "the map", map.connectivity);
+    io::MapFile file = io::parse_map(bytes, "the map", map.connectivity, {}, limits);
     file.task = map.file.task;
     file.origin = map.file.origin;
     file.title = map.file.title;

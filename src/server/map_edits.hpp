@@ -30,6 +30,6 @@ MapEdits parse_map_edits(std::string_view bytes, const std::string& name = "edit
 // drawn where they were free become obstacles, one for each 4-connected set of them, beside those of the map; but where
 // the map's obstacles are no more than its connected sets of blocked cells, so are those of the edited one. Throws
 // InputError if the edits do not fit the map.
-ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits);
+ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits, const MapLimits& limits = {});
 
 }  // namespace waybreaker::server

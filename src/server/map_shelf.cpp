@@ -1,5 +1,7 @@
 #include "server/map_shelf.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -7,6 +9,7 @@
 #include <utility>
 
 #include "io/digest.hpp"
+#include "io/map_memory.hpp"
 #include "io/output_file.hpp"
 #include "io/ros_map.hpp"
 #include "server/built_in_maps.hpp"
@@ -109,20 +112,81 @@ SharedMap MapShelf::held(Place& place) {
     return place.map;
 }
 
-void MapShelf::hold(Place& place, SharedMap map) {
+std::size_t MapShelf::taken() const {
+    std::size_t bytes = reserved_;
+    for (const auto& [id, place] : places_) bytes += place->bytes;
+    for (const Lent& lent : lent_) bytes += lent.map.expired() ? 0 : lent.bytes;
+    return bytes;
+}
+
+std::size_t MapShelf::memory() const {
+    const std::scoped_lock lock(mutex_);
+    return taken();
+}
+
+void MapShelf::take_down(const std::string& id) {
+    std::erase_if(lent_, [](const Lent& lent) { return lent.map.expired(); });
+    const auto place = places_.find(id);
+    if (place->second->map.use_count() > 1) lent_.push_back({place->second->map, place->second->bytes});
+    places_.erase(place);
+}
+
+// Whether there was a map to take down.
+bool MapShelf::make_way(const Place* spared) {
+    const auto rank = [](const auto& entry) { return std::pair(!entry.second->uploaded, entry.second->used); };
+    auto first = places_.end();
+    for (auto entry = places_.begin(); entry != places_.end(); ++entry) {
+        if (!entry->second->map || entry->second.get() == spared) continue;
+        if (first == places_.end() || rank(*entry) < rank(*first)) first = entry;
+    }
+    if (first == places_.end()) return false;
+    take_down(std::string(first->first));
+    return true;
+}
+
+MapLimits MapShelf::Reservation::limits() {
+    const auto admit = [this](std::size_t bytes) {
+        const std::size_t most = shelf_.limits_.memory;
+        if (bytes > most) {
+            const std::string detail =
+                fmt::format("the map would take {} MB of memory, all maps together may take {} MB (--max-memory)",
+                            bytes >> 20U, most >> 20U);
+            throw uploaded_ ? Problem(too_large, detail, "map-too-large")
+                            : Problem(unprocessable, detail, "map-beyond-memory");
+        }
+        const std::scoped_lock lock(shelf_.mutex_);
+        while (shelf_.taken() + bytes > most) {
+            if (!shelf_.make_way()) {
+                throw Problem(unavailable, "the maps in use leave no memory for this one; ask again", "no-memory");
+            }
+        }
+        shelf_.reserved_ += bytes;
+        bytes_ += bytes;
+    };
+    return {.cells = uploaded_ ? shelf_.limits_.map_cells : max_cells, .admit = admit};
+}
+
+void MapShelf::Reservation::release() {
+    const std::scoped_lock lock(shelf_.mutex_);
+    shelf_.reserved_ -= std::exchange(bytes_, 0);
+}
+
+void MapShelf::hold(Place& place, SharedMap map, Reservation& reservation) {
+    const std::size_t bytes = io::memory_of(map->file) + map->bytes.capacity();
+    reservation.release();
     const std::scoped_lock lock(mutex_);
     place.map = std::move(map);
     place.used = ++uses_;
-    std::vector<std::pair<std::uint64_t, std::string>> by_use;
-    for (const auto& [id, other] : places_) {
-        if (other->map) by_use.emplace_back(other->used, id);
+    place.bytes = bytes;
+    const auto held = [this] {
+        return std::size_t(
+            std::count_if(places_.begin(), places_.end(), [](const auto& entry) { return entry.second->map; }));
+    };
+    while ((held() > limits_.maps || taken() > limits_.memory) && make_way(&place)) {
     }
-    std::sort(by_use.begin(), by_use.end());
-    const std::size_t surplus = by_use.size() - std::min(by_use.size(), limits_.maps);
-    for (std::size_t i = 0; i < surplus; ++i) places_.erase(by_use[i].second);
 }
 
-ShelvedMap MapShelf::read(const std::string& id) const {
+ShelvedMap MapShelf::read(const std::string& id, const MapLimits& limits) const {
     const std::string path = path_of(id);
     const BuiltInMap* const built_in = path.empty() ? built_in_map(id) : nullptr;
     std::string bytes = built_in ? std::string(built_in->bytes()) : io::read_whole(path);
@@ -130,8 +194,12 @@ ShelvedMap MapShelf::read(const std::string& id) const {
         require_image_inside(bytes, path, folder_);
         return {.file = io::read_map_file(path)};
     }
-    io::MapFile file = io::parse_map(bytes, id);
+    io::MapFile file = io::parse_map(bytes, id, Connectivity::four, {}, limits);
     return {.file = std::move(file), .bytes = std::move(bytes)};
+}
+
+SharedMap MapShelf::at_hand(const std::string& id) {
+    return held(*place_of(id));
 }
 
 SharedMap MapShelf::take(const std::string& id) {
@@ -139,13 +207,14 @@ SharedMap MapShelf::take(const std::string& id) {
     const std::scoped_lock reading(place->reading);
     SharedMap map = held(*place);
     if (map) return map;
+    Reservation reservation(*this, false);
     try {
-        map = std::make_shared<const ShelvedMap>(read(id));
+        map = std::make_shared<const ShelvedMap>(read(id, reservation.limits()));
     } catch (const InputError&) {
         throw Problem(unprocessable, id + " is not a map that can be read",
                       "map-unreadable");  // the reason would name our folders
     }
-    hold(*place, map);
+    hold(*place, map, reservation);
     return map;
 }
 
@@ -158,11 +227,12 @@ std::optional<MapShelf::Upload> MapShelf::kept(const std::string& id) {
 }
 
 MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
-    const std::scoped_lock adding(adding_);
     if (const auto known = kept(upload_id(bytes, connectivity))) return *known;
     try {
-        io::MapFile file = io::parse_map(bytes, "the map", connectivity, {}, limits_.map_cells);
-        return keep({.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)});
+        return add([&](const MapLimits& limits) -> ShelvedMap {
+            io::MapFile file = io::parse_map(bytes, "the map", connectivity, {}, limits);
+            return {.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)};
+        });
     } catch (const SizeError& error) {
         throw Problem(too_large, error.what(), "map-too-large");
     } catch (const InputError& error) {
@@ -170,19 +240,24 @@ MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
     }
 }
 
-MapShelf::Upload MapShelf::keep(ShelvedMap map) {
+MapShelf::Upload MapShelf::add(const std::function<ShelvedMap(const MapLimits&)>& make) {
+    const std::scoped_lock adding(adding_);
+    Reservation reservation(*this, true);
+    return keep(make(reservation.limits()), reservation);
+}
+
+MapShelf::Upload MapShelf::keep(ShelvedMap map, Reservation& reservation) {
     const std::string id = upload_id(map.bytes, map.connectivity);
     if (const auto known = kept(id)) return *known;
     map.file.source = id;
     const auto shared = std::make_shared<const ShelvedMap>(std::move(map));
     const auto place = std::make_shared<Place>();
     place->uploaded = true;
-    place->map = shared;
     {
         const std::scoped_lock lock(mutex_);
         places_[id] = place;
     }
-    hold(*place, shared);  // others may have to go
+    hold(*place, shared, reservation);  // others may have to go
     return {id, shared, true};
 }
 
@@ -190,7 +265,7 @@ void MapShelf::remove(const std::string& id) {
     const std::scoped_lock lock(mutex_);
     const auto known = places_.find(id);
     if (known != places_.end() && known->second->uploaded) {
-        places_.erase(known);
+        take_down(id);
     } else if (known != places_.end() || !path_of(id).empty() || built_in_map(id)) {
         throw Problem(forbidden, "only maps that were sent here can be deleted", "map-not-removable");
     } else {

@@ -1,8 +1,10 @@
 // Map shelf: the maps a server knows, those of a folder, the one built in and those sent to it. Each is read once and
-// shared, read-only, by all who plan on it.
+// shared, read-only, by all who plan on it. All together they take no more memory than Limits say, and are no more: for
+// a new one others go, those first that were sent, of these the one not used for longest.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -37,7 +39,10 @@ class MapShelf {
     // could not be ids, or that lead outside, are passed over.
     std::vector<Entry> list() const;
 
-    // Throws Problem: there is none of that name, or it cannot be read. Any thread may ask.
+    // A map if it is in memory; else null: take() has to read it, which takes time. Throws Problem if there is none of
+    // that name. Any thread may ask.
+    SharedMap at_hand(const std::string& id);
+    // Throws Problem: there is none of that name, it cannot be read, or there is no memory for it. Any thread may ask.
     SharedMap take(const std::string& id);
 
     struct Upload {
@@ -45,13 +50,17 @@ class MapShelf {
         SharedMap map;
         bool is_new = false;
     };
-    // Keeps a map in memory. The same bytes get the same id. Throws Problem if they are no map, or too large a one.
+    // Keeps a map in memory. The same bytes get the same id. Throws Problem if they are no map, or too large a one, or
+    // if those in use leave no memory for it.
     Upload add(std::string bytes, Connectivity connectivity);
-    // The same for a map that has been read already.
-    Upload keep(ShelvedMap map);
+    // The same for a map that `make` reads, minding the limits.
+    Upload add(const std::function<ShelvedMap(const MapLimits&)>& make);
 
     // Forgets a map that was sent; who plans on it keeps it for so long. Throws Problem for others.
     void remove(const std::string& id);
+
+    // What all maps take, in bytes: those that are gone, but in use, as well.
+    std::size_t memory() const;
 
     // Whether a text can be the id of a map: letters, digits, dots, dashes and underscores, no dot first.
     static bool is_id(const std::string& text);
@@ -62,18 +71,46 @@ class MapShelf {
         SharedMap map;  // guarded by mutex_ of the shelf
         bool uploaded = false;
         std::uint64_t used = 0;
+        std::size_t bytes = 0;
+    };
+    // Memory of a map from before it is made.
+    class Reservation {
+      public:
+        Reservation(MapShelf& shelf, bool uploaded) : shelf_(shelf), uploaded_(uploaded) {}
+        Reservation(const Reservation&) = delete;
+        Reservation& operator=(const Reservation&) = delete;
+        ~Reservation() { release(); }
+        MapLimits limits();
+        void release();
+
+      private:
+        MapShelf& shelf_;
+        bool uploaded_;
+        std::size_t bytes_ = 0;
+    };
+    // What is no longer on the shelf, but in use.
+    struct Lent {
+        std::weak_ptr<const ShelvedMap> map;
+        std::size_t bytes;
     };
     std::string path_of(const std::string& id) const;
-    ShelvedMap read(const std::string& id) const;
+    ShelvedMap read(const std::string& id, const MapLimits& limits) const;
     std::shared_ptr<Place> place_of(const std::string& id);
     std::optional<Upload> kept(const std::string& id);
     SharedMap held(Place& place);
-    void hold(Place& place, SharedMap map);
+    Upload keep(ShelvedMap map, Reservation& reservation);
+    void hold(Place& place, SharedMap map, Reservation& reservation);
+    // With mutex_ locked:
+    std::size_t taken() const;
+    bool make_way(const Place* spared = nullptr);
+    void take_down(const std::string& id);
 
     std::string folder_;
     Limits limits_;
     mutable std::mutex mutex_;
     std::mutex adding_;  // one upload is read at a time: reading needs several times the memory of the map
+    std::size_t reserved_ = 0;
+    std::vector<Lent> lent_;
     std::map<std::string, std::shared_ptr<Place>> places_;
     std::uint64_t uses_ = 0;
 };

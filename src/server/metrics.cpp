@@ -73,6 +73,7 @@ std::string Metrics::text(const Gauges& gauges) const {
     text += single("waybreaker_queue_length", "gauge", "Plans that wait for a worker.", gauges.waiting);
     text += single("waybreaker_plans_running", "gauge", "Plans that workers are at.", gauges.running);
     text += single("waybreaker_maps_loaded", "gauge", "Maps held in memory.", gauges.maps);
+    text += single("waybreaker_maps_bytes", "gauge", "Memory that maps take.", gauges.map_bytes);
     text += single("waybreaker_refused_total", "counter", "Plans refused because too many waited.", refused_);
     return text + single("waybreaker_stopped_total", "counter",
                          "Plans stopped because the client went away or time was up.", stopped_);

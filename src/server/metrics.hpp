@@ -35,6 +35,7 @@ class Metrics {
         std::size_t waiting = 0;
         std::size_t running = 0;
         std::size_t maps = 0;
+        std::size_t map_bytes = 0;
     };
     std::string text(const Gauges& gauges) const;
 

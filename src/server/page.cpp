@@ -1,13 +1,10 @@
 #include "server/page.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <memory>
 
 #include "io/digest.hpp"
+#include "server/entity_tag.hpp"
 #include "server/gzip.hpp"
-#include "server/header_list.hpp"
 #include "server/problem.hpp"
 #include "studio/studio_files.hpp"
 
@@ -23,29 +20,22 @@ struct Served {
     std::string type;
     std::string bytes;
     std::string packed;
-    std::string tag;  // of both, so a weak one
+    std::string tag;
 };
 
 Served served(const studio::File& file) {
     constexpr int smallest = 9;
     const std::string bytes(file.bytes);
-    return {std::string(file.type), bytes, gzip(bytes, smallest), fmt::format("\"{}\"", io::sha256_digest(bytes))};
-}
-
-// Whether an If-None-Match header names the tag, strong or weak.
-bool names(const std::string& header, const std::string& tag) {
-    const std::vector<std::string> items = header_list(header);
-    return std::any_of(items.begin(), items.end(),
-                       [&](const std::string& item) { return item == "*" || item == tag || item == "w/" + tag; });
+    return {std::string(file.type), bytes, gzip(bytes, smallest), entity_tag(io::sha256_digest(bytes))};
 }
 
 Response given(const std::shared_ptr<const Served>& file, const Fields& headers) {
     Response response;
     response.headers = {{"Content-Security-Policy", policy},
                         {"Cache-Control", "no-cache"},  // kept, but asked about each time
-                        {"ETag", "W/" + file->tag},
+                        {"ETag", file->tag},
                         {"Vary", "Accept-Encoding"}};
-    if (names(headers.get("If-None-Match"), file->tag)) {
+    if (has_already(headers, file->tag)) {
         response.status = not_modified;
         return response;
     }

@@ -37,5 +37,35 @@ RC_GTEST_PROP(ObstaclesJson, RunsAreTheLabelsOfAllCells, ()) {
     RC_ASSERT(std::ranges::equal(labels, file.map.labels()));
 }
 
+RC_GTEST_PROP(ObstaclesJson, PartsMakeTheWhole, ()) {
+    const PlainMap plain = *random_map(20, 16);
+    const MapFile file{.map = Map(plain.grid())};
+    const auto limit = *rc::gen::inRange<std::size_t>(1, 5);
+    Json joined{{"obstacles", Json::array()}, {"runs", Json::array()}};
+    std::size_t after = 0;
+    while (true) {
+        const ObstaclesPart part = obstacles_part(file, after, limit);
+        const Json json = Json::parse(part.json);
+        RC_ASSERT(json["obstacles"].size() <= limit && json["runs"].size() <= 2 * 10 * limit);
+        for (const char* list : {"obstacles", "runs"}) {
+            joined[list].insert(joined[list].end(), json[list].begin(), json[list].end());
+        }
+        RC_ASSERT(json["next"] == (part.next ? Json(*part.next) : Json()));
+        if (!part.next) break;
+        RC_ASSERT(*part.next > after);
+        after = *part.next;
+    }
+    const Json whole = Json::parse(obstacles_json(file));
+    RC_ASSERT(whole["next"].is_null());
+    RC_ASSERT(joined["obstacles"] == whole["obstacles"]);
+    RC_ASSERT(joined["runs"] == whole["runs"]);
+}
+
+TEST(ObstaclesJson, NothingIsBehindTheLastCell) {
+    const MapFile file{.map = map_from_ascii(".#")};
+    const Json json = Json::parse(obstacles_part(file, 99, 1).json);
+    EXPECT_TRUE(json["obstacles"].empty() && json["runs"].empty() && json["next"].is_null());
+}
+
 }  // namespace
 }  // namespace waybreaker::io

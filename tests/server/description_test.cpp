@@ -30,6 +30,8 @@ class DescriptionTest : public LiveServer {
         const std::string here = with_id(path, "house.map");
         ask(method, here, {{"Origin", "http://evil.example"}});  // 403
         ask(method, here, {{"Host", "evil.example"}});           // 421
+        ask(method, here, {{"If-None-Match", "*"}});             // 304
+        ask(method, here + "?after=x");                          // 400
         if (method != "post") return;
         const std::string query = path.ends_with("/export") ? "?format=csv" : "";
         const std::string type = path == maps ? bytes : "application/json";
@@ -49,6 +51,8 @@ void DescriptionTest::provoke_busy(const Json& plan) const {
     post_json(house + "/check", plan, 503);
     post_json(house + "/export?format=json", plan, 503);
     post_json(house + "/edits", Json::object(), 503);
+    post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", bytes);
+    for (const char* route : {"", "/obstacles", "/background", "/file"}) get_json(maps + "/wall.map" + route, 503);
 }
 
 TEST_F(DescriptionTest, EveryAnswerOfItIsGiven) {

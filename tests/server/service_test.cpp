@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "live_server.hpp"
+#include "occupation.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -55,6 +56,60 @@ TEST_F(ServiceTest, ObstaclesAreRunsOfLabels) {
     for (std::size_t i = 1; i < of_house["runs"].size(); i += 2) cells += of_house["runs"][i].get<int>();
     EXPECT_EQ(cells, 77);
     get_json(maps + "/nowhere.map/obstacles", 404);
+}
+
+TEST_F(ServiceTest, ManyObstaclesComeInParts) {
+    begin();
+    const std::string path = maps + "/wall.map/obstacles";
+    const Json whole = get_json(path);
+    EXPECT_TRUE(whole["next"].is_null());
+    const std::string comb = "type octile\nheight 1\nwidth 7\nmap\n.@.@.@.\n";
+    const std::string place = post(maps, comb, bytes).get_header_value("Location") + "/obstacles";
+    const Json first = get_json(place + "?limit=2");
+    EXPECT_EQ(first["obstacles"].size(), 2U);
+    EXPECT_EQ(first["runs"], Json::parse("[0,1,1,1,0,1,2,1,0,1]"));
+    EXPECT_EQ(first["next"], 5);
+    const Json second = get_json(place + "?limit=2&after=5");
+    EXPECT_EQ(second["obstacles"][0]["id"], 3);
+    EXPECT_EQ(second["runs"], Json::parse("[3,1,0,1]"));
+    EXPECT_TRUE(second["next"].is_null());
+    for (const char* query : {"?limit=100001", "?limit=0", "?limit=x", "?after=-1", "?after=1x", "?after="}) {
+        EXPECT_EQ(get_json(place + query, 400)["type"], "/problems/invalid-request") << query;
+    }
+}
+
+TEST_F(ServiceTest, WhatAClientHasIsNotSentAgain) {
+    begin();
+    std::set<std::string> tags;
+    for (const char* part : {"", "/obstacles", "/background", "/file", "/obstacles?limit=1"}) {
+        const httplib::Response answer = get(house + part);
+        const std::string tag = answer.get_header_value("ETag");
+        EXPECT_TRUE(tag.starts_with("W/\"") && tags.insert(tag).second) << tag;
+        EXPECT_EQ(answer.get_header_value("Cache-Control"), "private, no-cache");
+        const httplib::Response again = get(house + part, {{"If-None-Match", tag}});
+        EXPECT_EQ(again.status, 304) << part;
+        EXPECT_EQ(again.get_header_value("ETag"), tag);
+        EXPECT_EQ(get(house + part, {{"If-None-Match", "\"other\""}}).body, answer.body);
+    }
+    end();
+    put("maps/house.map", "type octile\nheight 1\nwidth 1\nmap\n.\n");
+    begin();
+    for (const std::string& tag : tags) EXPECT_EQ(get(house, {{"If-None-Match", tag}}).status, 200);
+}
+
+TEST_F(ServiceTest, ATimeLimitIsThatOfTheWholeRequest) {
+    constexpr int side = 300;
+    put("maps/thicket.map", thicket(side));
+    begin();
+    Json request = long_mission(side);
+    request["options"]["time_limit"] = 0.5;
+    for (int i = 0; i < 8; ++i)
+        request["methods"].push_back({{"name", std::to_string(i)}, {"options", Json::object()}});
+    double seconds = 0;
+    for (const Json& one : post_json(maps + "/thicket.map/compare", request)["plans"]) {
+        seconds += one["plan"]["seconds"]["select"].get<double>();
+    }
+    EXPECT_LT(seconds, 2);  // 4, were it that of each plan
 }
 
 TEST_F(ServiceTest, PlansAndThePlanHolds) {

@@ -47,6 +47,7 @@ export interface Obstacles {
   height: number;
   obstacles: Obstacle[];
   runs: number[]; // label, length, label, length, ...: row after row, a run may span rows; 0 is free
+  next?: number | null; // what to ask the next part for; null in the last one
 }
 
 export interface Feature {

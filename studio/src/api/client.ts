@@ -62,6 +62,7 @@ export interface TokenSource {
 
 const mostTries = 6;
 const longestWait = 5; // seconds
+const mostObstacles = 500_000; // more would take gigabytes in the browser
 
 export class Client {
   constructor(
@@ -77,8 +78,20 @@ export class Client {
     return this.json(mapPath(id), { signal });
   }
 
-  obstacles(id: string, signal?: AbortSignal): Promise<Obstacles> {
-    return this.json(mapPath(id, "obstacles"), { signal });
+  // The service gives those of large maps in parts.
+  async obstacles(id: string, signal?: AbortSignal): Promise<Obstacles> {
+    const path = mapPath(id, "obstacles");
+    const whole = await this.json<Obstacles>(path, { signal });
+    for (let next = whole.next; typeof next === "number"; ) {
+      if (whole.obstacles.length > mostObstacles) {
+        throw new ServiceError("refused", `This map has more obstacles than a page can show: over ${mostObstacles}.`);
+      }
+      const part = await this.json<Obstacles>(`${path}?after=${next}`, { signal });
+      whole.obstacles = whole.obstacles.concat(part.obstacles);
+      whole.runs = whole.runs.concat(part.runs);
+      next = part.next;
+    }
+    return whole;
   }
 
   background(id: string, signal?: AbortSignal): Promise<Background> {

@@ -59,6 +59,18 @@ afterEach(() => {
 
 const client = new Client(token);
 
+it("joins the parts of a large map, and says when there are too many", async () => {
+  const part = (ids: number[], next: number | null) =>
+    json({ width: 9, height: 1, obstacles: ids.map((id) => ({ id })), runs: ids.flatMap((id) => [id, 1]), next });
+  answers = [part([1, 2], 2), part([3], 3), part([], null)];
+  const whole = await client.obstacles("m");
+  expect(whole.obstacles.map((one) => one.id)).toEqual([1, 2, 3]);
+  expect(whole.runs).toEqual([1, 1, 2, 1, 3, 1]);
+  expect(asked.map((one) => one.url)).toEqual(["", "?after=2", "?after=3"].map((q) => `/api/v1/maps/m/obstacles${q}`));
+  answers = [json({ obstacles: new Array<number>(500_001).fill(0), runs: [], next: 7 })];
+  expect((await trouble(client.obstacles("m"))).message).toContain("more obstacles than a page can show");
+});
+
 it("says in words what the service refuses", async () => {
   answers = [problem(422, "the start lies inside obstacle 1")];
   const error = await trouble(client.map("a b"));

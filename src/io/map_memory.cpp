@@ -1,0 +1,36 @@
+#include "io/map_memory.hpp"
+
+#include "map/map_size.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+constexpr std::size_t allocation = 16;  // what the heap takes for a piece beside its bytes
+
+std::size_t memory_of(const std::string& text) {
+    const bool inside = text.capacity() <= std::string().capacity();
+    return sizeof text + (inside ? 0 : text.capacity() + allocation);
+}
+
+std::size_t memory_of(const geo::Background& background) {
+    std::size_t bytes = background.features.capacity() * sizeof(geo::Background::Feature);
+    for (const auto& feature : background.features) {
+        bytes += memory_of(feature.type) + memory_of(feature.name) - 2 * sizeof(std::string);
+        bytes += feature.parts.capacity() * sizeof(feature.parts.front()) + allocation;
+        for (const auto& part : feature.parts) bytes += part.capacity() * sizeof(Point) + allocation;
+    }
+    return bytes;
+}
+
+}  // namespace
+
+std::size_t memory_of(const MapFile& file) {
+    const Map& map = file.map;
+    std::size_t bytes = map_bytes(map.width(), map.height(), map.obstacles().size());
+    for (const std::string& name : file.names) bytes += memory_of(name);
+    bytes += memory_of(file.background);
+    if (file.ros) bytes += memory_of(file.ros->text) + memory_of(file.ros->image);
+    return bytes;
+}
+
+}  // namespace waybreaker::io

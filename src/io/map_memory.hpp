@@ -1,0 +1,10 @@
+// How many bytes of memory a map keeps that has been read.
+#pragma once
+
+#include "io/map_file.hpp"
+
+namespace waybreaker::io {
+
+std::size_t memory_of(const MapFile& file);
+
+}  // namespace waybreaker::io

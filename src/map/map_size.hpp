@@ -1,0 +1,27 @@
+// What a map takes in memory, known before it is made; and how many obstacles it will have.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "waybreaker/map.hpp"
+
+namespace waybreaker {
+
+// How large a map may be that is being read.
+struct MapLimits {
+    std::size_t cells = max_cells;
+    // Told how many bytes a map of acceptable size will take, before they are taken; throws to refuse it.
+    std::function<void(std::size_t bytes)> admit = {};
+};
+
+// The obstacles of a grid. Time O(cells / 64 + runs), memory 4 bytes a run.
+std::size_t count_obstacles(const Grid& grid, Connectivity connectivity);
+// Those of a label layer: its different labels, without 0. Memory up to 4 bytes a cell.
+std::size_t count_labels(std::span<const std::uint32_t> labels);
+
+// Bytes of a map. Within a few percent.
+std::size_t map_bytes(int width, int height, std::size_t obstacles);
+
+}  // namespace waybreaker
