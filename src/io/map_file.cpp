@@ -1,6 +1,8 @@
 #include "io/map_file.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -82,24 +84,46 @@ MapFile read_xml(std::string& bytes, const std::string& path, Connectivity conne
     return file;
 }
 
+// What is taken for blocked, and what a ROS map's image alone does not say.
+std::vector<std::string> notes_of(const GreyImage& image, double threshold) {
+    constexpr int white = 255;
+    constexpr int saved_for_unknown = 205;
+    const int lightest = int(std::floor(white * (1 - threshold)));
+    std::vector<std::string> notes{"an image alone says no threshold: greys of 0 to " + std::to_string(lightest) +
+                                   " are blocked, lighter ones free"};
+    const bool has_unknown = std::ranges::any_of(image.pixels, [](const GreyImage::Pixel& pixel) {
+        return pixel.sum == 3 * saved_for_unknown && pixel.alpha == white;
+    });
+    if (has_unknown) {
+        notes.push_back("so the grey of 205, which map savers of ROS write for unknown, is " +
+                        std::string(lightest < saved_for_unknown ? "free" : "blocked") +
+                        "; with the map's YAML it is what that says");
+    }
+    return notes;
+}
+
 MapFile read_plain_image(std::string& bytes, const std::string& path, Connectivity connectivity,
                          const ImageReading& reading, const MapLimits& limits) {
     constexpr double half = 0.5;
     const std::string format = is_png(bytes) ? "PNG image" : "netpbm image";
-    Grid grid = grid_of(read_image(bytes, path, limits.cells), reading.threshold.value_or(half));
-    release(bytes);
-    return labelled(std::move(grid), connectivity, format, limits);
+    const double threshold = reading.threshold.value_or(half);
+    std::vector<std::string> notes;
+    Grid grid = [&] {
+        const GreyImage image = read_image(bytes, path, limits.cells);
+        release(bytes);
+        notes = notes_of(image, threshold);
+        return grid_of(image, threshold);
+    }();
+    MapFile file = labelled(std::move(grid), connectivity, format, limits);
+    file.notes = std::move(notes);
+    return file;
 }
 
-MapFile read_ros_map(std::string& text, const std::string& path, Connectivity connectivity,
-                     const ImageReading& reading) {
+MapFile read_ros_pieces(RosPieces pieces, const std::string& path, const std::string& image_path,
+                        Connectivity connectivity, const ImageReading& reading, const MapLimits& limits) {
+    auto& [text, image] = pieces;
     RosYaml yaml = parse_ros_yaml(text, path);
-    const std::string image_path = (std::filesystem::path(path).parent_path() / yaml.image).string();
-    std::string image = read_whole(image_path, most_map_bytes, [&](std::string_view head) {
-        if (!is_png(head) && !is_netpbm(head))
-            throw InputError(image_path, 0, "is no image that can be read: give PNG or PGM");
-    });
-    const RosCells cells = ros_cells(read_image(image, image_path), yaml, reading.threshold.value_or(1));
+    const RosCells cells = ros_cells(read_image(image, image_path, limits.cells), yaml, reading.threshold.value_or(1));
     MapFile file = timed([&] { return ros_map(cells, connectivity, reading.unknown_free); }, "ROS map");
     file.digest = sha256_digest(text + image);
     file.cell_size = yaml.resolution;
@@ -112,6 +136,23 @@ MapFile read_ros_map(std::string& text, const std::string& path, Connectivity co
     }
     file.ros = RosFiles{std::move(yaml), std::move(text), std::move(image)};
     return file;
+}
+
+// The bytes of a map's image; of another file, none but the first are read.
+std::string read_image_bytes(const std::string& path) {
+    return read_whole(path, most_map_bytes, [&](std::string_view head) {
+        if (!is_png(head) && !is_netpbm(head)) {
+            throw InputError(path, 0, "is no image that can be read: give PNG or PGM");
+        }
+    });
+}
+
+MapFile read_ros_map(std::string& text, const std::string& path, Connectivity connectivity,
+                     const ImageReading& reading) {
+    const std::string image = parse_ros_yaml(text, path).image;
+    const std::string image_path = (std::filesystem::path(path).parent_path() / image).string();
+    return read_ros_pieces({std::move(text), read_whole(image_path)}, path, image_path, connectivity, reading,
+                           max_cells);
 }
 
 // Told from the first bytes, so that nothing else is read to its end.
@@ -130,6 +171,9 @@ MapFile parse(std::string& bytes, const std::string& path, Connectivity connecti
     if (is_tiff(bytes)) return read_tiff(bytes, path, connectivity, limits);
     if (is_png(bytes) || is_netpbm(bytes)) return read_plain_image(bytes, path, connectivity, image, limits);
     if (is_xml(bytes)) return read_xml(bytes, path, connectivity, limits);
+    if (auto pieces = ros_pieces(bytes)) {
+        return read_ros_pieces(std::move(*pieces), path, path, connectivity, image, limits);
+    }
     if (is_ros_yaml(bytes)) return read_ros_map(bytes, path, connectivity, image);
     require_map(bytes, path);
     Grid grid = read_movingai_map(std::string_view(bytes), path);
@@ -159,14 +203,15 @@ MapFile read_map_file(const std::string& path, Connectivity connectivity, const 
 
 MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity, const ImageReading& image,
                   const MapLimits& limits) {
-    const bool one_file = is_tiff(bytes) || is_png(bytes) || is_netpbm(bytes) || is_xml(bytes);
+    const bool one_file = is_tiff(bytes) || is_png(bytes) || is_netpbm(bytes) || is_xml(bytes) || ros_pieces(bytes);
     if (!one_file && is_ros_yaml(bytes)) {
-        throw InputError(name, 0, "a ROS map is two files; give its image, or convert it with waybreaker map convert");
+        throw InputError(
+            name, 0, "a ROS map is two files: give both in one, the YAML, a line of three dots and the image's bytes");
     }
     std::string digest = sha256_digest(bytes);
     MapFile file = read(bytes, name, connectivity, image, limits);
     file.source = name;
-    file.digest = std::move(digest);
+    if (file.digest.empty()) file.digest = std::move(digest);
     return file;
 }
 

@@ -128,6 +128,15 @@ bool is_ros_yaml(std::string_view bytes) {
     return bytes.starts_with("image:") || bytes.find("\nimage:") != std::string_view::npos;
 }
 
+std::optional<RosPieces> ros_pieces(std::string_view bytes) {
+    constexpr std::string_view end = "\n...\n";
+    const std::size_t at = bytes.substr(0, most_bytes).find(end);
+    if (at == std::string_view::npos || !is_ros_yaml(bytes.substr(0, at))) return std::nullopt;
+    const std::string_view image = bytes.substr(at + end.size());
+    if (!is_png(image) && !is_netpbm(image)) return std::nullopt;
+    return RosPieces{std::string(bytes.substr(0, at)), std::string(image)};
+}
+
 RosYaml parse_ros_yaml(std::string_view bytes, const std::string& name) try {
     const Document document(bytes, name);
     RosYaml yaml;

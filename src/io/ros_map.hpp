@@ -38,6 +38,15 @@ struct RosYaml {
 // A text file with a line that begins with "image:".
 bool is_ros_yaml(std::string_view bytes);
 
+// A ROS map in one piece, for who can send only one: the YAML, a line of three dots, which ends it, and the image's
+// bytes.
+struct RosPieces {
+    std::string text;
+    std::string image;
+};
+// Empty where the bytes are something else.
+std::optional<RosPieces> ros_pieces(std::string_view bytes);
+
 // Throws InputError with name and line.
 RosYaml parse_ros_yaml(std::string_view bytes, const std::string& name);
 

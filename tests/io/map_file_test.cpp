@@ -104,6 +104,37 @@ TEST_F(MapFiles, OfRos) {
               "cannot read " + path("images/floor.pgm") + ": No such file or directory");
 }
 
+TEST_F(MapFiles, OfRosInOnePiece) {
+    const std::string yaml = "resolution: 0.25\norigin: [-1, 2.5, 0]\nimage: floor.pgm";
+    for (const std::string& image : {std::string("P2 3 2 255 0 205 254 254 100 254"), png_bytes(2, 1, {0, 205})}) {
+        const MapFile file = parse_map(yaml + "\n...\n" + image, "the map");
+        EXPECT_EQ(file.format, "ROS map");
+        EXPECT_EQ(file.digest, sha256_digest(yaml + image)) << "as of the two files";
+        EXPECT_GT(file.unknown, 0U);
+        EXPECT_EQ(read_map_file(put("one.yaml", yaml + "\n...\n" + image)).digest, file.digest);
+    }
+    EXPECT_EQ(input_error([&] { parse_map(yaml, "the map"); }).find("the map: a ROS map is two files"), 0U);
+    EXPECT_EQ(input_error([&] { parse_map(yaml + "\n...\nno image", "the map"); }).find("the map: a ROS map is two"),
+              0U);
+    EXPECT_THROW(parse_map(yaml + "\n...\nP2 3000 2000 255 0", "the map", Connectivity::four, {}, 1000), SizeError);
+}
+
+TEST_F(MapFiles, OfImagesSayWhatIsBlocked) {
+    const auto notes = [&](std::vector<std::uint8_t> greys, double threshold) {
+        const std::string bytes = png_bytes(int(greys.size()), 1, greys);
+        std::string text;
+        for (const std::string& note : parse_map(bytes, "m", Connectivity::four, {.threshold = threshold}).notes) {
+            text += note + "\n";
+        }
+        return text;
+    };
+    EXPECT_NE(notes({0, 255}, 0.5).find("greys of 0 to 127 are blocked"), std::string::npos);
+    EXPECT_EQ(notes({0, 255}, 0.5).find("205"), std::string::npos);
+    EXPECT_NE(notes({0, 205}, 0.5).find("205, which map savers of ROS write for unknown, is free"), std::string::npos);
+    EXPECT_NE(notes({0, 205}, 0.1).find("greys of 0 to 229 are blocked"), std::string::npos);
+    EXPECT_NE(notes({0, 205}, 0.1).find("for unknown, is blocked"), std::string::npos);
+}
+
 TEST_F(MapFiles, ThatAreNoneAreRefused) {
     const std::string hint =
         ": not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in the authors' "

@@ -18,6 +18,7 @@ import { HeadlineSection } from "./headline";
 import { Layers } from "./layers";
 import { LostMapCard } from "./lost_map";
 import { MapChoice, nameOfMap } from "./map_choice";
+import { MapNotes } from "./map_notes";
 import { Attribution, Gone, Invitation, NoticeBar } from "./messages";
 import { ObstacleCard } from "./obstacle_card";
 import { areBuildings } from "./obstacle_words";
@@ -39,6 +40,7 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
         <Header studio={studio} />
         {studio ? <MapChoice studio={studio} /> : <p class="map-title">{page.shown.value?.base.description.title}</p>}
         {studio && <Invitation studio={studio} />}
+        <MapNotes page={page} />
         <HeadlineSection page={page} />
         <Removals page={page} />
         <RemovedTable page={page} />
