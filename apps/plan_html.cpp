@@ -3,8 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "io/background_json.hpp"
+#include "io/check_report.hpp"
 #include "io/map_info.hpp"
 #include "io/obstacles_json.hpp"
+#include "io/plan_file.hpp"
 #include "studio/plan_page.hpp"
 
 namespace waybreaker::apps {
@@ -17,7 +19,8 @@ std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, 
                        ",\"background\": " + io::background_json(map.background) + ",\n\"plans\": [";
     for (const NamedPlan& plan : plans) {
         if (data.back() != '[') data += ',';
-        data += "{\"name\": \"" + plan.name + "\", \"plan\": " + plan.json + "}";
+        const std::string check = io::check_json(io::judge(io::parse_plan(plan.json, "the plan"), map));
+        data += "{\"name\": \"" + plan.name + "\", \"plan\": " + plan.json + ", \"check\": " + check + "}";
     }
     data += "]";
     if (!front.empty()) data += ",\n\"front\": " + Json::parse(front)["front"].dump();

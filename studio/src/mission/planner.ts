@@ -295,9 +295,7 @@ export class Planner implements Results {
     const judged = this.plans.value[layer];
     if (!judged) return;
     const report = await this.service.check(question.map, judged.plan, stop);
-    const reason = report.violations.map((violation) => violation.message).join("; ");
-    const verdict: Verdict = report.valid ? { valid: true } : { valid: false, reason };
-    if (this.plans.value[layer]?.plan === judged.plan) this.#show(layer, judged.plan, stop, verdict);
+    if (this.plans.value[layer]?.plan === judged.plan) this.#show(layer, judged.plan, stop, verdictOf(report));
   }
 
   #show(layer: LayerName, plan: Plan, stop: AbortSignal, verdict: Verdict = null): void {
@@ -307,6 +305,10 @@ export class Planner implements Results {
 
 function isHasty(plan: Plan): boolean {
   return (plan.seconds?.total ?? 0) >= quick;
+}
+
+export function verdictOf({ valid, violations }: CheckReport): Verdict {
+  return valid ? { valid } : { valid, reason: violations.map((violation) => violation.message).join("; ") };
 }
 
 function isAsGood(plan: Plan, than: Plan): boolean {

@@ -2,12 +2,12 @@
 // does not say how large its cells are is told about in cells and steps.
 import type { MapDescription } from "../api/answers";
 
-export type TimeUnit = "seconds" | "steps" | "metres";
+export type TimeUnit = "seconds" | "steps";
 
 export interface Units {
   metric: boolean;
   cell: number; // metres, or 1
-  // What a unit of plans' time is. Metres: both agents move a cell in a unit of time, as in the paper.
+  // What a unit of plans' time is.
   time: TimeUnit;
 }
 
@@ -25,7 +25,6 @@ const space = "\u00a0"; // between a number and its unit, where no line may brea
 // 16 min 15 s.
 export function duration(time: number, units: Units): string {
   if (time < 0) return `−${duration(-time, units)}`;
-  if (units.time === "metres") return metres(time * units.cell);
   if (units.time === "steps") return `${decimals(time)}${space}steps`;
   if (time < 59.95) return `${time < 9.995 ? trimmed(time, 2) : trimmed(time, 1)}${space}s`;
   const whole = Math.round(time);
@@ -37,7 +36,6 @@ export function duration(time: number, units: Units): string {
 // 16:15, for where there is little room.
 export function clockTime(time: number, units: Units): string {
   if (time < 0) return `−${clockTime(-time, units)}`;
-  if (units.time === "metres") return metres(time * units.cell);
   if (units.time === "steps") return decimals(time);
   if (time < 59.5) return `${trimmed(time, time < 9.95 ? 1 : 0)}${space}s`;
   const whole = Math.round(time);

@@ -1,27 +1,29 @@
 // The page of a single plan: everything is in the document, nobody is asked.
 import { signal } from "@preact/signals";
 import type { Background, FrontPoint, MapDescription, Obstacles, Plan } from "../api/answers";
+import type { CheckReport } from "../api/client";
 import { CellMap } from "../map/cell_map";
 import type { LayerName } from "../map/scene";
 import { begin } from "./history";
 import { defaults, type Mission } from "./mission";
 import { PageState } from "./page_state";
 import { markersOf } from "./plan_mission";
-import type { Judged, Results } from "./planner";
+import { verdictOf, type Judged, type Results } from "./planner";
 import { Translation } from "./translate";
-import { unitsOf, type Units } from "./units";
 
 export interface PlanDocument {
   map: MapDescription;
   obstacles: Obstacles;
   background: Background;
-  plans: { name: "plan" | "before" | "paper"; plan: Plan }[];
+  plans: { name: "plan" | "before" | "paper"; plan: Plan; check?: CheckReport }[]; // checked when the page was written
   front?: FrontPoint[];
 }
 
 export function viewerOf(document: PlanDocument): PageState {
   const plans: Partial<Record<LayerName, Judged>> = {};
-  for (const { name, plan } of document.plans) plans[name === "plan" ? "after" : name] = { plan, verdict: null };
+  for (const { name, plan, check } of document.plans) {
+    plans[name === "plan" ? "after" : name] = { plan, verdict: check ? verdictOf(check) : null };
+  }
   const plan = plans.after?.plan;
   const front = document.front ?? plan?.front ?? [];
   const results: Results = {
@@ -31,29 +33,13 @@ export function viewerOf(document: PlanDocument): PageState {
     progress: signal(null),
     failure: signal(null),
   };
-  const page = new Viewer(results, unitsOfPlan(document.map, plan));
+  const page = new PageState(results);
   const cells = new CellMap(document.obstacles);
   const map = { description: document.map, cells, background: document.background };
   page.shown.value = { base: map, map, ids: new Translation(cells, cells, []) };
   page.history.value = begin(missionOf(document.map.id, plan, Object.keys(plans) as LayerName[]));
   page.loading.value = false;
   return page;
-}
-
-class Viewer extends PageState {
-  override readonly units;
-
-  constructor(results: Results, units: Units) {
-    super(results);
-    this.units = signal(units);
-  }
-}
-
-// With both speeds 1, as in the paper, times are lengths.
-function unitsOfPlan(map: MapDescription, plan: Plan | undefined): Units {
-  const units = unitsOf(map);
-  const lengths = plan?.agents.every((agent) => agent.speed === 1) ?? false;
-  return units.metric && lengths ? { ...units, time: "metres" } : units;
 }
 
 function missionOf(map: string, plan: Plan | undefined, layers: LayerName[]): Mission {

@@ -125,7 +125,7 @@ function Sureness({ judged, buildings, checks }: SurenessProps) {
           </span>
         </p>
       ) : (
-        checks && (
+        (checks || verdict) && (
           <p class={verdict ? "sure" : "pending"}>
             <Icon name="check" />
             {verdict ? "Checked independently" : "Being checked…"}
