@@ -307,6 +307,23 @@ describe("what goes wrong", () => {
     await page.settled();
   });
 
+  it("a ROS map is opened by its YAML and image together, and an image alone says how it was read", async () => {
+    const [yaml, image] = [join(scratch, "floor.yaml"), join(scratch, "floor.pgm")];
+    const greys = Array.from({ length: 12 * 12 }, (_, i) => (i % 12 === 6 && i > 24 ? 0 : i < 12 ? 205 : 254));
+    writeFileSync(yaml, "image: floor.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+    writeFileSync(image, `P2 12 12 255\n${greys.join(" ")}\n`);
+    const page = await visit();
+    const input = page.page.getByLabel("File to open");
+    await input.setInputFiles(yaml);
+    await page.page.getByText("“floor.yaml” belongs to “floor.pgm”: choose both together.").waitFor();
+    await input.setInputFiles([image, yaml]);
+    await expect.poll(async () => (await page.plan()).map.cell_size, { timeout: 10_000 }).toBe(0.5);
+    await page.settled();
+    expect(await page.page.getByLabel("How the map was read").count()).toBe(0);
+    await input.setInputFiles(image);
+    await page.page.getByLabel("How the map was read").getByText(/205.* is free/).waitFor();
+  });
+
   it("a map that is gone is said, asked for once, and can be sent again", async () => {
     const other = await Server.start();
     studio = await StudioPage.visit(browser, `${other.url}/`);
