@@ -151,8 +151,8 @@ MapFile read_ros_map(std::string& text, const std::string& path, Connectivity co
                      const ImageReading& reading) {
     const std::string image = parse_ros_yaml(text, path).image;
     const std::string image_path = (std::filesystem::path(path).parent_path() / image).string();
-    return read_ros_pieces({std::move(text), read_whole(image_path)}, path, image_path, connectivity, reading,
-                           max_cells);
+    return read_ros_pieces({std::move(text), read_image_bytes(image_path)}, path, image_path, connectivity, reading,
+                           {});
 }
 
 // Told from the first bytes, so that nothing else is read to its end.
