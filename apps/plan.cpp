@@ -138,6 +138,9 @@ void require_plan(const Plan& plan, const Mission& mission, const MissionOptions
     const std::string way =
         fmt::format("from {},{} to {},{}", driver.start.x, driver.start.y, driver.goal.x, driver.goal.y);
     if (plan.status == PlanStatus::limit_reached) {
+        if (options.search.expansion_limit == UINT64_MAX) {
+            throw NoPlan(fmt::format("no plan {} was found in time; raise --time-limit", way));
+        }
         throw NoPlan(fmt::format("no plan {} within {} expansions; raise --expansion-limit", way,
                                  options.search.expansion_limit));
     }

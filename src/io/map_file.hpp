@@ -65,8 +65,9 @@ struct MapFile {
 MapFile read_map_file(const std::string& path, Connectivity connectivity = Connectivity::four,
                       const ImageReading& image = {});
 
-// A map whose bytes are all there is of it: no other file is opened, so that a ROS map must be in one piece (ros_pieces).
-// `name` is what errors call it. Throws SizeError for a map of too many cells, before it takes memory for them.
+// A map whose bytes are all there is of it: no other file is opened, so that a ROS map must be in one piece
+// (ros_pieces). `name` is what errors call it. Throws SizeError for a map of too many cells, before it takes memory for
+// them.
 MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity = Connectivity::four,
                   const ImageReading& image = {}, const MapLimits& limits = {});
 

@@ -195,6 +195,7 @@ ShelvedMap MapShelf::read(const std::string& id, const MapLimits& limits) const 
         return {.file = io::read_map_file(path)};
     }
     io::MapFile file = io::parse_map(bytes, id, Connectivity::four, {}, limits);
+    bytes.shrink_to_fit();  // they are kept, and were read into more room than they need
     return {.file = std::move(file), .bytes = std::move(bytes)};
 }
 

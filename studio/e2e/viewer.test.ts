@@ -33,7 +33,7 @@ for (const viewport of [wide, phone]) {
     await viewer.result().getByText(/17\s% sooner/).waitFor();
     expect(await viewer.figures()).toEqual([plan.after.makespan, plan.before.makespan]);
     await viewer.result().getByText("Checked independently").waitFor();
-    expect(await viewer.result().locator(".figure").innerText()).toMatch(/^\d+ min/); // a time, not a length
+    expect(await viewer.result().locator(".figure").innerText()).toMatch(/^\d+\smin/); // a time, not a length
     await viewer.page.getByRole("table", { name: /Removed buildings/ }).waitFor();
     await viewer.page.getByRole("group", { name: "What each number of removals reaches" }).waitFor();
     await viewer.page.getByRole("button", { name: "Play", exact: true }).click();

@@ -116,7 +116,8 @@ TEST_F(MapFiles, OfRosInOnePiece) {
     EXPECT_EQ(input_error([&] { parse_map(yaml, "the map"); }).find("the map: a ROS map is two files"), 0U);
     EXPECT_EQ(input_error([&] { parse_map(yaml + "\n...\nno image", "the map"); }).find("the map: a ROS map is two"),
               0U);
-    EXPECT_THROW(parse_map(yaml + "\n...\nP2 3000 2000 255 0", "the map", Connectivity::four, {}, {.cells = 1000}), SizeError);
+    EXPECT_THROW(parse_map(yaml + "\n...\nP2 3000 2000 255 0", "the map", Connectivity::four, {}, {.cells = 1000}),
+                 SizeError);
 }
 
 TEST_F(MapFiles, OfImagesSayWhatIsBlocked) {
