@@ -68,7 +68,7 @@ Tour by_windows(Cell start, Tour tour, Cell goal, std::span<const Target> target
 }  // namespace
 
 Tour good_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known, const Deadline& deadline) {
-    const Tour first = by_windows(start, improved_tour(start, known, goal, targets), goal, targets, deadline);
+    Tour first = by_windows(start, improved_tour(start, known, goal, targets), goal, targets, deadline);
     if (deadline.passed()) return first;
     const Tour inserted = by_insertion(start, known, goal);
     const Tour second = by_windows(start, improved_tour(start, inserted, goal, targets), goal, targets, deadline);
