@@ -86,10 +86,10 @@ TEST_F(RudeClientTest, AnswersThatAreNotTakenEnd) {
     const Wire wire(port());
     const std::string request = "GET /api/v1/openapi.json HTTP/1.1\r\nHost: localhost\r\n\r\n";
     const auto began = std::chrono::steady_clock::now();
+    // Until the sockets' buffers are full, which takes megabytes, and the server's patience is at its end.
     bool open = true;
-    for (int i = 0; i < 100000 && open; ++i) open = wire.send(request);
+    while (open && std::chrono::steady_clock::now() - began < 30s) open = wire.send(request);
     EXPECT_FALSE(open) << "gigabytes of answers were made that nobody read";
-    EXPECT_LT(std::chrono::steady_clock::now() - began, 30s);
 }
 
 TEST_F(RudeClientTest, MalformedRequestsAreRefusedAndNothingAfterThemIsRead) {
