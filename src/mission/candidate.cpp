@@ -72,7 +72,7 @@ SearchOptions cell_search(const Task& task) {
 }
 
 Candidate candidate_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds) {
-    Candidate candidate{std::move(removed), search.status, {}};
+    Candidate candidate{std::move(removed), search.status, {}, search.status == SearchStatus::limit_reached};
     if (search.status == SearchStatus::found) candidate.ground.length = search.length;
     candidate.ground.expanded = search.expanded;
     candidate.ground.generated = search.generated;

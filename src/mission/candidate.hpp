@@ -47,7 +47,7 @@ struct Candidate {
     std::vector<ObstacleId> removed;  // each once
     SearchStatus status = SearchStatus::no_path;
     Outcome::Ground ground;
-    bool limited = false;  // there was no time for the shortest path
+    bool limited = false;  // a limit ended the search: there may be a shorter path
 };
 
 // The options of a ground search on cells that ends with the call's time: Theta*, for an agent that goes as the task's

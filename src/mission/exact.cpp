@@ -78,12 +78,12 @@ CrossingOptions crossing_options(const Task& task, Body body, double longest, do
 }
 
 Candidate candidate_of(std::vector<ObstacleId> removed, const CrossingResult& result, double seconds) {
-    Candidate candidate{std::move(removed), result.status, {}};
+    Candidate candidate{std::move(removed), result.status, {}, result.status == SearchStatus::limit_reached};
     candidate.ground.expanded = result.expanded;
     candidate.ground.generated = result.generated;
     candidate.ground.seconds = seconds;
     if (result.best.path.empty()) return candidate;
-    candidate.status = SearchStatus::found;  // a limit may have ended the search, but there is this path
+    candidate.status = SearchStatus::found;  // even where a limit ended the search
     candidate.ground.length = result.best.length;
     candidate.ground.path = result.best.path;
     return candidate;
@@ -118,7 +118,7 @@ Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searche
     const SearchResult found =
         searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, cell_search(task));
     Candidate candidate = candidate_of(std::move(removed), found, watch.seconds());
-    candidate.limited = drives_itself(task);
+    candidate.limited = candidate.limited || drives_itself(task);
     return candidate;
 }
 

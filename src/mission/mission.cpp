@@ -101,7 +101,9 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
         }
         if (options.explain) explain(task, chooser, nothing, best, plan);
     }
-    plan.limit_reached = chooser.limited() || nothing.candidate.limited || task.deadline.passed();
+    const auto limited = [](const Draft& draft) { return draft.candidate.limited; };
+    plan.limit_reached = chooser.limited() || limited(nothing) || limited(least) ||
+                         std::ranges::any_of(drafts, limited) || task.deadline.passed();
     // Whether there is no way was not found out.
     if (plan.status == PlanStatus::no_plan && plan.limit_reached) plan.status = PlanStatus::limit_reached;
     plan.seconds.search = nothing.candidate.ground.seconds;

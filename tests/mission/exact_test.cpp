@@ -189,6 +189,20 @@ RC_GTEST_PROP(ExactChoice, HoldsWhatItProvedWhenStopped, ()) {
     for (std::size_t i = 0; i < plan.agents.size(); ++i) RC_ASSERT(again.agents[i].path == plan.agents[i].path);
 }
 
+RC_GTEST_PROP(ExactChoice, SaysSoWhenALimitCostsTime, ()) {
+    World world = any_world();
+    const Plan whole = MissionPlanner().plan(world.map, world.mission, world.options);
+    world.options.search.expansion_limit = std::uint64_t(*number(1, 30));
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    if (plan.status != whole.status) RC_ASSERT(plan.limit_reached);
+    if (plan.status != PlanStatus::solved) return;
+    RC_TAG(plan.limit_reached);
+    if (objective(world, plan) > objective(world, whole) * (1 + 1e-9)) RC_ASSERT(plan.limit_reached);
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const double before = whole.before.makespan.value_or(never);
+    if (plan.before.makespan.value_or(never) > before * (1 + 1e-9)) RC_ASSERT(plan.limit_reached);
+}
+
 RC_GTEST_PROP(ExactChoice, ProvesNoLessWhenItMayExpandMore, ()) {
     World world = any_world();
     double before = 0;
