@@ -28,6 +28,7 @@ Draft Chooser::least(const MissionOptions& options, const Draft& nothing) {
     if (options.force.empty()) return nothing;
     const Task task = task_of(task_, options);
     Draft opened = draft_of(task, ground_candidate(task, crossing_, searcher_, options.force));
+    limited_ = limited_ || opened.candidate.limited;
     // An obstacle that falls late may better be driven around.
     Candidate around = nothing.candidate;
     around.removed = options.force;
