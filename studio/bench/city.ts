@@ -1,8 +1,9 @@
 // A made-up city of 4096² cells and about nine thousand buildings, with streets and a mission across it: as large as
 // maps of the studio get.
-import type { Agent, Feature, Obstacle, Plan, TimedPoint } from "../src/api/answers";
-import { CellMap } from "../src/map/cell_map";
-import type { Scene } from "../src/map/scene";
+import { CellMap } from "../src/domain/cell_map";
+import type { Feature, Obstacle } from "../src/domain/map";
+import type { Agent, Plan, TimedPoint } from "../src/domain/plan";
+import type { Scene } from "../src/domain/scene";
 
 const side = 4096;
 const block = 128; // cells from street to street

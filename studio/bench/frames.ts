@@ -1,6 +1,6 @@
 // Moves, zooms and plays the map of a large city. `node bench/frames.mjs` runs it and measures the frames.
+import type { Scene } from "../src/domain/scene";
 import { MapView } from "../src/map/map_view";
-import type { Scene } from "../src/map/scene";
 import { city } from "./city";
 
 declare global {

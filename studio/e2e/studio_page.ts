@@ -2,7 +2,8 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { type Browser, chromium as launcher, type Locator, type Page } from "playwright-core";
-import type { Cell, Plan, Point } from "../src/api/answers";
+import type { Cell, Point } from "../src/domain/geometry";
+import type { Plan } from "../src/domain/plan";
 import { toScreen, wholeMap } from "../src/map/camera";
 import { chromium } from "./command";
 

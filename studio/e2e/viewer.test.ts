@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import type { Plan } from "../src/api/answers";
+import type { Plan } from "../src/domain/plan";
 import { command, data } from "./command";
 import { launch, phone, StudioPage, wide } from "./studio_page";
 

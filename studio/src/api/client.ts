@@ -1,16 +1,9 @@
 // Asks the service. Every failure is a ServiceError with a sentence for people; a server that is busy is asked again.
-import type {
-  Background,
-  Comparison,
-  MapDescription,
-  MapEntry,
-  Obstacles,
-  Plan,
-  PlanRequest,
-  ProblemDocument,
-} from "./answers";
+import type { Run } from "../domain/geometry";
+import type { Background, MapDescription, Obstacles } from "../domain/map";
+import type { Plan } from "../domain/plan";
+import type { Comparison, MapEntry, PlanRequest, ProblemDocument } from "./documents";
 import { readEvents } from "./events";
-import type { Run } from "../map/scene";
 
 export type Trouble =
   | "refused" // the service says why not

@@ -1,5 +1,5 @@
 // Keeps badges apart that would cover one another.
-import type { Point } from "../api/answers";
+import type { Point } from "../domain/geometry";
 
 const rounds = 24;
 

@@ -1,7 +1,8 @@
 // What lies below everything: the map's own picture, its edge, and the cells where one is near enough to count them.
-import { mapBox, toMap } from "./camera";
+import { mapBox } from "../domain/geometry";
+import type { Scene } from "../domain/scene";
+import { toMap } from "./camera";
 import { type Frame, inMapPoints, place } from "./frame";
-import type { Scene } from "./scene";
 import type { TileCache } from "./tile_cache";
 
 const gridFrom = 14; // pixels per cell

@@ -1,6 +1,6 @@
 // Which part of the map is seen. Map points are as in plans: a whole point is the centre of a cell, y down; pixels are
 // CSS pixels from the upper-left corner of the view.
-import type { Point } from "../api/answers";
+import { type Box, mapBox, type Point, type Size } from "../domain/geometry";
 
 export interface Camera {
   x: number; // the map point in the middle of the view
@@ -8,24 +8,7 @@ export interface Camera {
   scale: number; // pixels per cell
 }
 
-export interface Size {
-  width: number;
-  height: number;
-}
-
-// Map points; a map of 3 cells reaches from -0.5 to 2.5.
-export interface Box {
-  left: number;
-  top: number;
-  right: number;
-  bottom: number;
-}
-
 export const maxScale = 48;
-
-export function mapBox(map: Size): Box {
-  return { left: -0.5, top: -0.5, right: map.width - 0.5, bottom: map.height - 0.5 };
-}
 
 export function toScreen(camera: Camera, view: Size, [x, y]: Point): Point {
   return [(x - camera.x) * camera.scale + view.width / 2, (y - camera.y) * camera.scale + view.height / 2];
@@ -39,23 +22,6 @@ export function visibleBox(camera: Camera, view: Size): Box {
   const [left, top] = toMap(camera, view, [0, 0]);
   const [right, bottom] = toMap(camera, view, [view.width, view.height]);
   return { left, top, right, bottom };
-}
-
-export function grown(box: Box, by: number): Box {
-  return { left: box.left - by, top: box.top - by, right: box.right + by, bottom: box.bottom + by };
-}
-
-export function overlap(a: Box, b: Box): boolean {
-  return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
-}
-
-export function intersection(a: Box, b: Box): Box {
-  return {
-    left: Math.max(a.left, b.left),
-    top: Math.max(a.top, b.top),
-    right: Math.min(a.right, b.right),
-    bottom: Math.min(a.bottom, b.bottom),
-  };
 }
 
 // Pixels at the sides of a view that are to stay free: something else is there.

@@ -1,6 +1,5 @@
 // The pieces of a line that can be seen. Dashes of what is far outside of the view cost as much as those within.
-import type { Point } from "../api/answers";
-import type { Box } from "./camera";
+import type { Box, Point } from "../domain/geometry";
 
 export interface Piece {
   points: Point[];

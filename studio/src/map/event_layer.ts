@@ -1,13 +1,14 @@
 // What happens where: breaches with their numbers, places where the ground agent enters, waits; and in playback the
 // agents themselves.
-import type { Agent, Plan, Point } from "../api/answers";
+import type { Point } from "../domain/geometry";
+import { cellOf, handles } from "../domain/mission";
+import type { Agent, Plan } from "../domain/plan";
+import type { Layer, Scene } from "../domain/scene";
 import { agentOf, breachOrder, positionAt, waits } from "../play/motion";
 import { spread } from "./badges";
 import { type Frame, place, typeface } from "./frame";
 import { glyphs } from "./glyphs";
 import { disc } from "./marker_layer";
-import { cellOf, handles } from "./markers";
-import type { Layer, Scene } from "./scene";
 
 export function drawEvents(frame: Frame, scene: Scene, fadeSpan: number): void {
   scene.layers.forEach((layer, i) => {

@@ -1,6 +1,6 @@
 // One picture being drawn: what every part of the map's drawing is given.
-import type { Point } from "../api/answers";
-import { type Camera, type Size, toScreen } from "./camera";
+import type { Point, Size } from "../domain/geometry";
+import { type Camera, toScreen } from "./camera";
 import type { Theme } from "./theme";
 
 export interface Frame {

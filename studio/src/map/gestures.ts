@@ -1,5 +1,5 @@
 // Turns what pointers, wheel and keys do over the canvas into what is meant: pan, zoom, click, drag, stroke.
-import type { Point } from "../api/answers";
+import type { Point } from "../domain/geometry";
 
 export interface GestureTarget {
   // What a pointer set down at a place does: moves the map, drags something, or draws.

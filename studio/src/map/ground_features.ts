@@ -1,6 +1,6 @@
 // The ground below the obstacles: which of its features are where, in which order and how wide.
-import type { Background, Feature, Point } from "../api/answers";
-import { type Box, intersection, mapBox, overlap, type Size } from "./camera";
+import { type Box, intersection, mapBox, overlap, type Point, type Size } from "../domain/geometry";
+import type { Background, Feature } from "../domain/map";
 
 export interface StreetStyle {
   metres: number;

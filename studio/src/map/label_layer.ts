@@ -1,9 +1,10 @@
 // Writes names on the map. Texts are drawn once each and then copied, since writing with a halo is slow.
-import { grown, intersection, mapBox, visibleBox } from "./camera";
+import { grown, intersection, mapBox } from "../domain/geometry";
+import type { Scene } from "../domain/scene";
+import { visibleBox } from "./camera";
 import { type Frame, place, typeface } from "./frame";
 import { type Label, placed, type TextSize } from "./labels";
 import { type Name, namesOf } from "./names";
-import type { Scene } from "./scene";
 import type { Theme } from "./theme";
 
 interface Lettering {

@@ -1,6 +1,5 @@
 // Which names are written at a zoom, so that none covers another.
-import type { Point } from "../api/answers";
-import { type Box, overlap } from "./camera";
+import { type Box, overlap, type Point } from "../domain/geometry";
 import type { Name } from "./names";
 
 export interface Label {

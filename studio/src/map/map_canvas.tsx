@@ -2,11 +2,11 @@
 import type { ReadonlySignal } from "@preact/signals";
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useId, useRef } from "preact/hooks";
-import type { Cell } from "../api/answers";
+import type { Cell } from "../domain/geometry";
+import { cellOf, type Handle, handles, isAir } from "../domain/mission";
+import type { Scene, SceneEvents } from "../domain/scene";
 import "./map.css";
 import { MapView } from "./map_view";
-import { cellOf, handles, isAir } from "./markers";
-import type { Handle, Scene, SceneEvents } from "./scene";
 import { nearestFree, onMap } from "./snap";
 
 export interface MapCanvasProps {

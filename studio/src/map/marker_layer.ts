@@ -1,9 +1,9 @@
 // Draws the markers.
-import type { Point } from "../api/answers";
+import type { Point } from "../domain/geometry";
+import { cellOf, type Handle, isAir, type Markers } from "../domain/mission";
 import { type Frame, place, typeface } from "./frame";
 import { glyphs } from "./glyphs";
-import { cellOf, isAir, type Spot, spots } from "./markers";
-import type { Handle, Markers } from "./scene";
+import { type Spot, spots } from "./markers";
 
 const radius = 13;
 const smallRadius = 9; // of one that sits with another

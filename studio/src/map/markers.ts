@@ -1,7 +1,7 @@
 // The places of a mission that can be dragged. An air marker without a place of its own sits beside the ground one as a
 // small handle, by which it can be pulled off.
-import type { Cell, Point } from "../api/answers";
-import type { Handle, Markers } from "./scene";
+import type { Point } from "../domain/geometry";
+import { cellOf, type Handle, handles, isAir, type Markers } from "../domain/mission";
 
 export interface Spot {
   handle: Handle;
@@ -10,18 +10,6 @@ export interface Spot {
 }
 
 const reach = 24; // pixels around a marker within which a finger meets it
-
-export const handles: readonly Handle[] = ["start", "goal", "air_start", "air_goal"];
-
-export function cellOf(markers: Markers, handle: Handle): Cell {
-  if (handle === "air_start") return markers.air_start ?? markers.start;
-  if (handle === "air_goal") return markers.air_goal ?? markers.goal;
-  return markers[handle];
-}
-
-export function isAir(handle: Handle): boolean {
-  return handle === "air_start" || handle === "air_goal";
-}
 
 // Where markers are drawn; `toPixels` as the camera has it.
 export function spots(markers: Markers, toPixels: (point: Point) => Point): Spot[] {

@@ -1,7 +1,7 @@
 // What could be written on the map, and where: names of streets and waters along them, of places and buildings on them.
-import type { Background, Feature, Obstacle, Point } from "../api/answers";
-import type { Box } from "./camera";
-import type { CellMap } from "./cell_map";
+import type { CellMap } from "../domain/cell_map";
+import type { Box, Point } from "../domain/geometry";
+import type { Background, Feature, Obstacle } from "../domain/map";
 import { boundsOf, streetStyle } from "./ground_features";
 
 export type NameKind = "place" | "street" | "water" | "green" | "building";

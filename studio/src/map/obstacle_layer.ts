@@ -1,11 +1,12 @@
 // What stands out among the obstacles: removed ones, those with a mark, the one pointed at, the one selected.
-import type { CellMap } from "./cell_map";
+import type { CellMap } from "../domain/cell_map";
+import type { Mark } from "../domain/mission";
+import type { Layer, Scene } from "../domain/scene";
 import { type Frame, inMapPoints, place } from "./frame";
 import { glyphs } from "./glyphs";
 import { Hatching } from "./hatching";
 import { disc } from "./marker_layer";
 import { Outlines } from "./outlines";
-import type { Layer, Mark, Scene } from "./scene";
 import type { Theme } from "./theme";
 
 export class ObstacleLayer {

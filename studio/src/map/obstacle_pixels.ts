@@ -1,7 +1,7 @@
 // Obstacles as pixels of a tile. Runs are written straight into the picture: a tile costs what stands on it, at any
 // level and on any map, be it a city of ten thousand buildings or a maze of one.
-import type { CellMap } from "./cell_map";
-import { span, tileSize, type TileId } from "./tiles";
+import type { CellMap } from "../domain/cell_map";
+import { span, type TileId, tileSize } from "./tiles";
 
 export interface ObstacleColours {
   obstacle: string;

@@ -1,7 +1,6 @@
 // The outline of a set of cells: closed lines along their edges, in map points. Holes come as lines of their own, so
 // that an even-odd fill fills the cells alone.
-import type { Point } from "../api/answers";
-import type { Run } from "./scene";
+import type { Point, Run } from "../domain/geometry";
 
 // Corners are numbered y * stride + x; every edge of the outline leads from one to another with the cells on its right.
 export function outline(runs: readonly Run[]): Point[][] {

@@ -1,13 +1,13 @@
 // Outlines of obstacles as paths to fill and stroke, made when first needed. A building's is made whole. One of a maze
 // or of a whole country would take long to make and to draw: of those, the part in view is made, and no finer than the
 // screen shows.
-import type { Obstacle, Point } from "../api/answers";
-import { type Box, intersection, overlap, visibleBox } from "./camera";
-import type { CellMap } from "./cell_map";
+import type { CellMap } from "../domain/cell_map";
+import { type Box, intersection, overlap, type Point, type Run } from "../domain/geometry";
+import type { Obstacle } from "../domain/map";
+import { visibleBox } from "./camera";
 import type { Frame } from "./frame";
 import { middleOf } from "./names";
 import { outline } from "./outline";
-import type { Run } from "./scene";
 
 const large = 20000; // cells
 const finest = 3; // pixels, of what is told of a large one

@@ -1,10 +1,12 @@
 // Paths of a layer. They differ by width and dashes, not by colour alone.
-import type { Agent, Point } from "../api/answers";
+import { type Box, grown, type Point } from "../domain/geometry";
+import type { LayerName } from "../domain/mission";
+import type { Agent } from "../domain/plan";
+import type { Scene } from "../domain/scene";
 import { splitAt } from "../play/motion";
-import { type Box, grown, visibleBox } from "./camera";
+import { visibleBox } from "./camera";
 import { clipped, lengthOf } from "./clip_line";
 import { type Frame, inMapPoints } from "./frame";
-import type { LayerName, Scene } from "./scene";
 import type { Theme } from "./theme";
 
 interface LineStyle {

@@ -1,5 +1,5 @@
 // How long the metres are; or the cells, where the map does not say how large they are.
-import type { MapDescription } from "../api/answers";
+import type { MapDescription } from "../domain/map";
 import { type Frame, typeface } from "./frame";
 
 // The longest of 1, 2, 5, 10, 20, ... metres that is at most so many pixels long.

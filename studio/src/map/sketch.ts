@@ -1,8 +1,8 @@
 // The stroke being drawn: of a wall, or of the eraser.
-import type { Point } from "../api/answers";
-import type { CellMap } from "./cell_map";
+import type { CellMap } from "../domain/cell_map";
+import type { Point, Run } from "../domain/geometry";
+import type { Scene } from "../domain/scene";
 import { type Frame, inMapPoints } from "./frame";
-import type { Run, Scene } from "./scene";
 import { changed, strokeRuns } from "./stroke";
 
 export class Sketch {

@@ -1,6 +1,6 @@
 // Where a marker may be set down.
-import type { Cell, Point } from "../api/answers";
-import type { CellMap } from "./cell_map";
+import type { CellMap } from "../domain/cell_map";
+import type { Cell, Point } from "../domain/geometry";
 
 export function cellAt([x, y]: Point): Cell {
   return [Math.round(x), Math.round(y)];

@@ -1,7 +1,6 @@
 // What a freehand stroke covers: the cells whose centres lie within its radius, as runs.
-import type { Point } from "../api/answers";
-import type { CellMap } from "./cell_map";
-import type { Run } from "./scene";
+import type { CellMap } from "../domain/cell_map";
+import type { Point, Run } from "../domain/geometry";
 
 // Points of the pointer, in map points; none of the result is off the map.
 export function strokeRuns(points: readonly Point[], radius: number, cells: CellMap): Run[] {

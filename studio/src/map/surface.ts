@@ -1,6 +1,6 @@
 // The canvas that is drawn on: as large and as fine as the screen has it, light or dark as the reader wants it, and
 // drawn anew when asked to, once a frame.
-import type { Size } from "./camera";
+import type { Size } from "../domain/geometry";
 import { dark, light, type Theme } from "./theme";
 
 export interface SurfaceUser {

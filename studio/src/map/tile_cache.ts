@@ -1,6 +1,7 @@
 // Tiles that have been painted, the least recently seen given up first. Painting is spread over frames; until a tile is
 // there, a coarser or an outdated one stands for it.
-import { type Camera, type Size, toScreen, visibleBox } from "./camera";
+import type { Size } from "../domain/geometry";
+import { type Camera, toScreen, visibleBox } from "./camera";
 import { boxOf, coarsestLevel, keyOf, levelFor, parentOf, partOf, type TileId, tilesOver } from "./tiles";
 
 export interface Painter {

@@ -1,10 +1,10 @@
 // Paints one tile: ground features first, obstacles above.
-import type { Feature, MapDescription } from "../api/answers";
-import type { CellMap } from "./cell_map";
+import type { CellMap } from "../domain/cell_map";
+import type { Feature, MapDescription } from "../domain/map";
 import { FeatureIndex, streetShows, streetStyle } from "./ground_features";
 import { fixedObstacles, obstaclePixels } from "./obstacle_pixels";
 import type { Theme } from "./theme";
-import { boxOf, tileSize, type TileId } from "./tiles";
+import { boxOf, type TileId, tileSize } from "./tiles";
 
 export class TilePainter {
   readonly #fixed: Uint8Array;

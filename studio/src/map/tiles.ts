@@ -1,5 +1,5 @@
 // The pyramid of tiles: level n has 2ⁿ pixels per cell, cut into squares of `tileSize` pixels from the map's corner.
-import type { Box, Size } from "./camera";
+import type { Box, Size } from "../domain/geometry";
 
 export const tileSize = 256;
 export const finestLevel = 6;

@@ -1,7 +1,6 @@
 // The curve: what each number of removals reaches, as far as it is known.
-import type { FrontPoint, Plan } from "../api/answers";
-import { mostRemovals } from "./mission";
-import { objectiveOf, valueOf } from "./words";
+import { mostRemovals } from "../domain/mission";
+import { type FrontPoint, objectiveOf, type Plan, valueOf } from "../domain/plan";
 
 export interface Front {
   points: readonly FrontPoint[]; // for `from` removals, one more, ...

@@ -1,9 +1,9 @@
 // Where start and goal stand on a map that does not say: at opposite corners of its largest open region, so that
 // there is a way between them.
-import type { Cell, MapDescription } from "../api/answers";
-import type { CellMap } from "../map/cell_map";
-import type { Markers } from "../map/scene";
-import { freshMission, type Mission } from "./mission";
+import type { CellMap } from "../domain/cell_map";
+import type { Cell } from "../domain/geometry";
+import type { MapDescription } from "../domain/map";
+import { freshMission, type Markers, type Mission } from "../domain/mission";
 
 // The first map is shown with a mission that removals help.
 const ready: Record<string, Markers> = { "berlin-adlershof.tif": { start: [56, 72], goal: [279, 217] } };

@@ -1,8 +1,8 @@
 // What the service is told to change about a map.
 import type { Edits } from "../api/client";
-import type { CellMap } from "../map/cell_map";
-import type { Run } from "../map/scene";
-import { marked, type Mission } from "./mission";
+import type { CellMap } from "../domain/cell_map";
+import type { Run } from "../domain/geometry";
+import { marked, type Mission } from "../domain/mission";
 import type { ShownMap } from "./page_state";
 import { clipped, difference, union } from "./run_set";
 

@@ -1,10 +1,20 @@
 // What people change about a mission: each change is a step that can be undone, and the plan follows it.
 import { computed, signal } from "@preact/signals";
-import type { Cell } from "../api/answers";
-import type { Handle, LayerName, Mark, Run, Tool } from "../map/scene";
+import type { Cell, Run } from "../domain/geometry";
+import {
+  type Choice,
+  type Handle,
+  type LayerName,
+  type Mark,
+  marked,
+  type Mission,
+  mostRemovals,
+  withEnoughRemovals,
+  withMark,
+} from "../domain/mission";
+import type { Tool } from "../domain/scene";
 import { drawn } from "./edited";
-import { endGesture, redo, step, undo, type History } from "./history";
-import { marked, mostRemovals, withEnoughRemovals, withMark, type Choice, type Mission } from "./mission";
+import { endGesture, type History, redo, step, undo } from "./history";
 import { PageState } from "./page_state";
 
 export abstract class Editor extends PageState {

@@ -1,5 +1,5 @@
 // What a person drops on the page, opens or pastes: a map, a plan, a mission, a link to one.
-import type { Plan } from "../api/answers";
+import type { Plan } from "../domain/plan";
 import { missionAt } from "./address";
 import { keep, type KeptFile } from "./kept_file";
 import { queryOfFile } from "./mission_file";

@@ -1,7 +1,16 @@
 // A mission as the query of an address, and back: whoever has the link has the mission. What is as usual is left out.
-import type { Cell } from "../api/answers";
-import type { LayerName, Markers, Run } from "../map/scene";
-import { defaults, freshMission, mostRemovals, wallCell, wallKey, type Choice, type Mission } from "./mission";
+import type { Cell, Run } from "../domain/geometry";
+import {
+  type Choice,
+  defaults,
+  freshMission,
+  type LayerName,
+  type Markers,
+  type Mission,
+  mostRemovals,
+  wallCell,
+  wallKey,
+} from "../domain/mission";
 import { decodeRuns, encodeRuns } from "./run_code";
 import { clipped } from "./run_set";
 

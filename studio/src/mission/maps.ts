@@ -1,7 +1,7 @@
 // Maps as the page holds them: the one that was chosen, and it as drawn on.
-import type { Background, MapDescription } from "../api/answers";
-import { ServiceError, type Client, type Edits } from "../api/client";
-import { CellMap } from "../map/cell_map";
+import { type Client, type Edits, ServiceError } from "../api/client";
+import { CellMap } from "../domain/cell_map";
+import type { Background, MapDescription } from "../domain/map";
 import type { KeptFile } from "./kept_file";
 
 export interface HeldMap {

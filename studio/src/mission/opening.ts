@@ -1,6 +1,6 @@
 // Opens what a person gives: files that are dropped or chosen, links.
-import type { Plan } from "../api/answers";
-import { NotUnderstood, understood, type Given } from "./given";
+import type { Plan } from "../domain/plan";
+import { type Given, NotUnderstood, understood } from "./given";
 import { encodeLink, mapOfLink } from "./link";
 import { isUpload } from "./maps";
 import { mapsOfPlan, missionOfPlan } from "./plan_mission";

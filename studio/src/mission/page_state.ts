@@ -1,15 +1,14 @@
 // What the page shows: a mission, its map and its plans. Enough for the viewer of a plan; the studio adds what can be
 // done about it.
 import { computed, effect, signal, type Signal } from "@preact/signals";
-import type { LayerName, Mark } from "../map/scene";
+import { asksTheSame, type LayerName, type Mark, type Mission } from "../domain/mission";
+import { type Units, unitsOf } from "../domain/units";
 import { Clock } from "../play/clock";
 import { drawnObstacles } from "./edited";
-import { replace, type History } from "./history";
+import { type History, replace } from "./history";
 import type { HeldMap } from "./maps";
-import { asksTheSame, type Mission } from "./mission";
 import type { Results } from "./planner";
 import type { Translation } from "./translate";
-import { unitsOf, type Units } from "./units";
 
 // A map with everything drawn on it, and how to find obstacles of the base map there.
 export interface ShownMap {

@@ -1,7 +1,7 @@
 // The mission that a plan file answers, as far as the page can ask it.
-import type { Agent, Cell, Plan } from "../api/answers";
-import type { Mark, Markers } from "../map/scene";
-import { defaults, mostRemovals, type Mission } from "./mission";
+import type { Cell } from "../domain/geometry";
+import { defaults, type Mark, type Markers, type Mission, mostRemovals } from "../domain/mission";
+import type { Agent, Plan } from "../domain/plan";
 import { isObject } from "./mission_file";
 
 export function isPlan(value: unknown): value is Plan {

@@ -2,9 +2,11 @@
 // dropped. When nothing changes for a moment, the rest is asked: whether the plans hold, what each removal saves, what
 // other numbers of removals reach, what the paper would do.
 import { signal, type Signal } from "@preact/signals";
-import type { Plan, PlanRequest } from "../api/answers";
-import { pause, ServiceError, type CheckReport, type Progress } from "../api/client";
-import type { LayerName } from "../map/scene";
+import { type CheckReport, pause, type Progress, ServiceError } from "../api/client";
+import type { PlanRequest } from "../api/documents";
+import type { LayerName } from "../domain/mission";
+import { objectiveOf, type Plan, valueOf } from "../domain/plan";
+import { bestAtPrice, Curve, type Front } from "./curve";
 import {
   beforeRequest,
   draftBeforeRequest,
@@ -12,13 +14,11 @@ import {
   keyOf,
   paperRequest,
   planRequest,
+  type Question,
   quick,
   stepRequest,
   thoroughRequest,
-  type Question,
 } from "./request";
-import { bestAtPrice, Curve, type Front } from "./curve";
-import { objectiveOf, valueOf } from "./words";
 
 export interface PlanService {
   plan(map: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan>;

@@ -1,7 +1,8 @@
 // A mission as the service is asked about it.
-import type { PlanOptions, PlanRequest } from "../api/answers";
-import { marked, type Method, type Mission } from "./mission";
-import { cellsPerUnit, type Units } from "./units";
+import type { PlanRequest } from "../api/documents";
+import { marked, type Method, type Mission } from "../domain/mission";
+import type { PlanOptions } from "../domain/plan";
+import { cellsPerUnit, type Units } from "../domain/units";
 
 // What a plan is asked for with. Obstacles are those of the map that is planned on.
 export interface Question {

@@ -1,5 +1,5 @@
 // Runs as text for an address: differences between neighbours as numbers of 7 bits a byte, in base64 for addresses.
-import type { Run } from "../map/scene";
+import type { Run } from "../domain/geometry";
 
 const mostRuns = 100_000;
 

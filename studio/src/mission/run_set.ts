@@ -1,5 +1,5 @@
 // Sets of cells as runs, sorted by row and column, none touching the next: what has been drawn and erased.
-import type { Run } from "../map/scene";
+import type { Run } from "../domain/geometry";
 
 type Spans = [from: number, end: number][];
 

@@ -1,8 +1,9 @@
 // What the map is given to draw.
-import type { Layer, Mark, Scene } from "../map/scene";
+import type { Mark } from "../domain/mission";
+import type { Layer, Scene } from "../domain/scene";
+import { duration } from "../domain/units";
 import type { PageState } from "./page_state";
 import type { Studio } from "./studio";
-import { duration } from "./units";
 
 export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
   const shown = page.shown.value;

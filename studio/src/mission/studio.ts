@@ -1,16 +1,16 @@
 // The page's state and what people do to it. Panels and map read its signals; the server is asked in the background.
 import { batch, effect, signal, untracked } from "@preact/signals";
-import type { MapEntry } from "../api/answers";
-import { ServiceError, type Client } from "../api/client";
+import { type Client, ServiceError } from "../api/client";
+import type { MapEntry } from "../api/documents";
+import { hasEdits, type Mission, withEnoughRemovals } from "../domain/mission";
 import { duration } from "../play/motion";
 import { defaultMission } from "./default_mission";
 import { editsOf } from "./edited";
 import { Editor } from "./editor";
-import { begin, mapped, replace, step, type History } from "./history";
+import { begin, type History, mapped, replace, step } from "./history";
 import type { KeptFile } from "./kept_file";
 import { decodeLink, encodeLink, fileOfLink, mapOfLink } from "./link";
-import { isUpload, Maps, type HeldMap, type LostMap } from "./maps";
-import { hasEdits, withEnoughRemovals, type Mission } from "./mission";
+import { type HeldMap, isUpload, type LostMap, Maps } from "./maps";
 import { Planner } from "./planner";
 import { questionOf } from "./request";
 import { ServerWatch } from "./server_watch";

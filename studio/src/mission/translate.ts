@@ -1,8 +1,7 @@
 // Obstacles have other ids on a map that was drawn on. An obstacle is found again by its cells.
-import type { Cell } from "../api/answers";
-import type { CellMap } from "../map/cell_map";
-import type { Run } from "../map/scene";
-import { wallCell, wallKey } from "./mission";
+import type { CellMap } from "../domain/cell_map";
+import type { Cell, Run } from "../domain/geometry";
+import { wallCell, wallKey } from "../domain/mission";
 
 export class Translation {
   readonly #found = new Map<number, number>(); // asked again with each picture

@@ -1,14 +1,14 @@
 // The page of a single plan: everything is in the document, nobody is asked.
 import { signal } from "@preact/signals";
-import type { Background, FrontPoint, MapDescription, Obstacles, Plan } from "../api/answers";
 import type { CheckReport } from "../api/client";
-import { CellMap } from "../map/cell_map";
-import type { LayerName } from "../map/scene";
+import { CellMap } from "../domain/cell_map";
+import type { Background, MapDescription, Obstacles } from "../domain/map";
+import { defaults, type LayerName, type Mission } from "../domain/mission";
+import type { FrontPoint, Plan } from "../domain/plan";
 import { begin } from "./history";
-import { defaults, type Mission } from "./mission";
 import { PageState } from "./page_state";
 import { markersOf } from "./plan_mission";
-import { verdictOf, type Judged, type Results } from "./planner";
+import { type Judged, type Results, verdictOf } from "./planner";
 import { Translation } from "./translate";
 
 export interface PlanDocument {

@@ -1,7 +1,7 @@
 // Plans in plain words: what the person reads first.
-import type { Objective, Plan } from "../api/answers";
+import { objectiveOf, type Plan, valueOf } from "../domain/plan";
+import { duration, percent, percentUp, type Units } from "../domain/units";
 import { agentOf, arrival } from "../play/motion";
-import { duration, percent, percentUp, type Units } from "./units";
 
 export interface Headline {
   tone: "good" | "plain" | "bad";
@@ -26,18 +26,6 @@ export function nounOf(count: number, buildings: boolean): string {
 
 export function counted(count: number, buildings: boolean): string {
   return `${few[count] ?? count} ${nounOf(count, buildings)}`;
-}
-
-export function objectiveOf(plan: Plan): Objective {
-  return plan.options.objective ?? "makespan";
-}
-
-const members = { makespan: "makespan", "ground-makespan": "ground_makespan", flowtime: "flowtime" } as const;
-type Figures = Partial<Record<(typeof members)[Objective], number | null>>;
-
-// Of an outcome, a bound, a point of the curve.
-export function valueOf(of: Figures, objective: Objective): number | null {
-  return of[members[objective]] ?? null;
 }
 
 // What all removals together save; null where there is no way without.

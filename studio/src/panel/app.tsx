@@ -2,13 +2,14 @@
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useMemo } from "preact/hooks";
 import type { TabToken } from "../api/token";
+import { objectiveOf, valueOf } from "../domain/plan";
+import type { Scene, SceneEvents } from "../domain/scene";
+import { duration } from "../domain/units";
 import { MapCanvas } from "../map/map_canvas";
-import type { Scene, SceneEvents } from "../map/scene";
 import type { PageState } from "../mission/page_state";
 import { sceneOf } from "../mission/scene_of";
 import { Studio } from "../mission/studio";
-import { duration } from "../mission/units";
-import { counted, objectiveOf, valueOf } from "../mission/words";
+import { counted } from "../mission/words";
 import { Timeline } from "../play/timeline";
 import { Choices } from "./choices";
 import { TokenDialog } from "./dialogs";

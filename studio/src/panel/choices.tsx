@@ -1,8 +1,8 @@
 // All that was said about obstacles, and what was drawn, each to be taken back.
-import type { Choice as Said } from "../mission/mission";
-import type { Studio } from "../mission/studio";
+import type { Choice as Said } from "../domain/mission";
+import { area } from "../domain/units";
 import { cellCount } from "../mission/run_set";
-import { area } from "../mission/units";
+import type { Studio } from "../mission/studio";
 import { Section } from "./controls";
 import { Icon, type IconName } from "./icons";
 import { nameOfKey } from "./obstacle_words";

@@ -1,13 +1,12 @@
 // What each number of removals reaches (the Pareto front of removals and time), with the bound below as a faint line. Its
 // columns stand under the slider's ticks.
 import { useEffect, useRef, useState } from "preact/hooks";
-import type { Objective } from "../api/answers";
-import { mostRemovals } from "../mission/mission";
+import { mostRemovals } from "../domain/mission";
+import { type Objective, valueOf } from "../domain/plan";
+import { clockTime, duration, type Units } from "../domain/units";
 import type { Front } from "../mission/curve";
 import type { PageState } from "../mission/page_state";
 import { keyOf } from "../mission/request";
-import { valueOf } from "../mission/words";
-import { clockTime, duration, type Units } from "../mission/units";
 
 const thumb = 22; // width of the slider's knob: its middle is what the columns are aligned with
 

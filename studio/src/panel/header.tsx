@@ -1,6 +1,6 @@
 // Name, undo and redo, link, help; and the keys that work everywhere.
 import { useEffect, useState } from "preact/hooks";
-import type { Tool } from "../map/scene";
+import type { Tool } from "../domain/scene";
 import type { Studio } from "../mission/studio";
 import { copyLink } from "../mission/taken";
 import { IconButton } from "./controls";

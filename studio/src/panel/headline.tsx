@@ -1,11 +1,11 @@
 // What the plan achieves, in one sentence, and how sure that is.
 import { useEffect, useRef, useState } from "preact/hooks";
-import type { Judged } from "../mission/planner";
 import type { Progress } from "../api/client";
+import { duration, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
+import type { Judged } from "../mission/planner";
 import { Studio } from "../mission/studio";
-import { duration, type Units } from "../mission/units";
-import { arrivals, figuresText, headline, nounOf, proof, tooEarly, type Proof } from "../mission/words";
+import { arrivals, figuresText, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
 import { Icon, type IconName } from "./icons";
 import { areBuildings } from "./obstacle_words";
 

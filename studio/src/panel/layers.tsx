@@ -1,8 +1,9 @@
 // Which ways the map shows, what their lines look like, and what each reaches.
-import type { LayerName } from "../map/scene";
+import type { LayerName } from "../domain/mission";
+import { valueOf } from "../domain/plan";
+import { duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
-import { duration } from "../mission/units";
-import { counted, tooEarly, valueOf } from "../mission/words";
+import { counted, tooEarly } from "../mission/words";
 import { Section } from "./controls";
 import { areBuildings } from "./obstacle_words";
 

@@ -1,5 +1,5 @@
 // What a person may say about an obstacle.
-import type { Mark } from "../map/scene";
+import type { Mark } from "../domain/mission";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { Icon, type IconName } from "./icons";

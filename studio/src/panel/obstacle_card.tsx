@@ -1,6 +1,6 @@
 // What is known about the obstacle that was clicked, and what may be said about it.
+import { area, duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
-import { area, duration } from "../mission/units";
 import { IconButton } from "./controls";
 import { MarkButtons } from "./mark_buttons";
 import { nameOf } from "./obstacle_words";

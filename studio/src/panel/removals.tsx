@@ -1,9 +1,9 @@
 // How many obstacles may go: a slider, and under it what each number reaches.
-import { mostRemovals, withEnoughRemovals } from "../mission/mission";
+import { mostRemovals, withEnoughRemovals } from "../domain/mission";
+import { duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { nounOf } from "../mission/words";
-import { duration } from "../mission/units";
 import { NumberField } from "./controls";
 import { FrontChart } from "./front_chart";
 import { hasBuildings } from "./obstacle_words";

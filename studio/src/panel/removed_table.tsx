@@ -1,12 +1,12 @@
 // What is removed, in the order in which the aircraft opens it. Rows and map point at each other.
-import type { Plan, Removed } from "../api/answers";
+import type { Plan, Removed } from "../domain/plan";
+import { area, clockTime, duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
-import { area, clockTime, duration } from "../mission/units";
 import { nounOf, savedBy } from "../mission/words";
+import { Section } from "./controls";
 import { MarkButtons } from "./mark_buttons";
 import { areBuildings, nameOf } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
-import { Section } from "./controls";
 
 export function RemovedTable({ page }: { page: PageState }) {
   const plan = page.results.plans.value.after?.plan;

@@ -1,7 +1,7 @@
 // How the mission is planned, and what the two agents can do.
-import type { Mission } from "../mission/mission";
+import type { Mission } from "../domain/mission";
+import { length, type Units } from "../domain/units";
 import type { Studio } from "../mission/studio";
-import { length, type Units } from "../mission/units";
 import { NumberField, Segmented } from "./controls";
 
 type NumberMember = "groundSpeed" | "airSpeed" | "breachTime" | "breachTimePerCell";

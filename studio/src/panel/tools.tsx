@@ -1,5 +1,5 @@
 // What the pointer does on the map.
-import type { Tool } from "../map/scene";
+import type { Tool } from "../domain/scene";
 import type { Studio } from "../mission/studio";
 import { Segmented } from "./controls";
 import type { IconName } from "./icons";

@@ -1,5 +1,5 @@
 // What happens when, as spans and moments of a timeline.
-import type { Agent, Plan } from "../api/answers";
+import type { Agent, Plan } from "../domain/plan";
 import { agentOf, arrival, breachOrder, positionAt, waits } from "./motion";
 
 export interface Span {

@@ -1,7 +1,7 @@
 // Two lanes, ground and air: a bar while the agent moves, stripes while it waits, a number where an obstacle is
 // breached. A click goes to that time; the slider below them does so for the keyboard.
 import { useId } from "preact/hooks";
-import type { Plan } from "../api/answers";
+import type { Plan } from "../domain/plan";
 import { type Lane, lanes } from "./activity";
 
 interface LanesProps {

@@ -1,5 +1,6 @@
 // Who is where when, as a plan file says it. Times are the plan's: cells over speed.
-import type { Agent, Plan, Point, Removed } from "../api/answers";
+import type { Point } from "../domain/geometry";
+import type { Agent, Plan, Removed } from "../domain/plan";
 
 export interface Position {
   x: number;

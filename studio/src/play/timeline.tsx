@@ -1,6 +1,6 @@
 // Playback of a plan: play and pause, where in time, how fast, and lanes of what each agent does when.
 import { useEffect } from "preact/hooks";
-import type { Plan } from "../api/answers";
+import type { Plan } from "../domain/plan";
 import { activityAt } from "./activity";
 import { type Clock, speeds } from "./clock";
 import { Lanes } from "./lanes";

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Point } from "../../src/api/answers";
+import type { Point } from "../../src/domain/geometry";
 import { spread } from "../../src/map/badges";
-import { draws } from "./picture";
+import { draws } from "../domain/picture";
 
 const away = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
 

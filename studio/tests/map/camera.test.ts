@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { evenly, fitted, limited, mapBox, maxScale, panned, toMap, toScreen, visibleBox, zoomed } from "../../src/map/camera";
+import { mapBox } from "../../src/domain/geometry";
+import { evenly, fitted, limited, maxScale, panned, toMap, toScreen, visibleBox, zoomed } from "../../src/map/camera";
 import { Glide } from "../../src/map/glide";
-import { draws } from "./picture";
+import { draws } from "../domain/picture";
 
 const view = { width: 800, height: 600 };
 const map = { width: 501, height: 301 };

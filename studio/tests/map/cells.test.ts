@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
+import type { Point } from "../../src/domain/geometry";
 import { outline } from "../../src/map/outline";
 import { coarser } from "../../src/map/outlines";
 import { nearestFree } from "../../src/map/snap";
 import { changed, strokeRuns } from "../../src/map/stroke";
-import type { Point } from "../../src/api/answers";
-import { draws, mapOf, pictureOf, randomMap } from "./picture";
+import { draws, mapOf, pictureOf, randomMap } from "../domain/picture";
 
 // Whether a point is inside of closed lines, by counting those to its right.
 function inside(loops: Point[][], x: number, y: number): boolean {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Point } from "../../src/api/answers";
+import type { Point } from "../../src/domain/geometry";
 import { clipped, lengthOf } from "../../src/map/clip_line";
-import { draws } from "./picture";
+import { draws } from "../domain/picture";
 
 const box = { left: 0, top: 0, right: 10, bottom: 10 };
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
-import type { Background, Feature, Point } from "../../src/api/answers";
-import { overlap } from "../../src/map/camera";
+import { overlap, type Point } from "../../src/domain/geometry";
+import type { Background, Feature } from "../../src/domain/map";
 import { FeatureIndex, nested, streetShows, streetStyle } from "../../src/map/ground_features";
-import { draws } from "./picture";
+import { draws } from "../domain/picture";
 
 function square(x: number, y: number, side: number): Point[] {
   return [[x, y], [x + side, y], [x + side, y + side], [x, y + side]];

@@ -1,8 +1,9 @@
 import { describe, expect, it } from "vitest";
-import type { Feature, Point } from "../../src/api/answers";
+import type { Point } from "../../src/domain/geometry";
+import type { Feature } from "../../src/domain/map";
 import { type Label, placed } from "../../src/map/labels";
 import { joined, type Name, namesOf, widest, wrapped } from "../../src/map/names";
-import { draws, mapOf } from "./picture";
+import { draws, mapOf } from "../domain/picture";
 
 const map = mapOf("....");
 const everywhere = { left: -1e6, top: -1e6, right: 1e6, bottom: 1e6 };

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Point } from "../../src/api/answers";
+import type { Point } from "../../src/domain/geometry";
 import { spotAt, spots } from "../../src/map/markers";
 import { lengthText, roundLength } from "../../src/map/scale_bar";
 

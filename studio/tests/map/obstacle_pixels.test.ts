@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { fixedObstacles, obstaclePixels } from "../../src/map/obstacle_pixels";
 import { tileSize } from "../../src/map/tiles";
-import { mapOf, randomMap } from "./picture";
+import { mapOf, randomMap } from "../domain/picture";
 
 const colours = { obstacle: "#0000ff", obstacleEdge: "#00ff00", fixed: "#ff0000", fixedEdge: "#ffffff" };
 const names: Record<number, string> = { 0: ".", 0xffff0000: "o", 0xff00ff00: "e", 0xff0000ff: "f", 0xffffffff: "F" };

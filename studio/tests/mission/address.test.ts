@@ -1,8 +1,8 @@
 import { expect, it } from "vitest";
-import type { Run } from "../../src/map/scene";
+import type { Run } from "../../src/domain/geometry";
+import { freshMission } from "../../src/domain/mission";
 import { fragmentOf, holdsMission, longestLink, missionAt } from "../../src/mission/address";
 import { encodeLink } from "../../src/mission/link";
-import { freshMission } from "../../src/mission/mission";
 import { union } from "../../src/mission/run_set";
 
 const at = (hash: string, search = "") => missionAt({ hash, search });

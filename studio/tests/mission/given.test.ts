@@ -1,12 +1,12 @@
 // What is dropped, opened or pasted. (File is no global of Node 18.)
 import { expect, it } from "vitest";
+import { freshMission } from "../../src/domain/mission";
 import { fragmentOf } from "../../src/mission/address";
 import { missionInText, understood } from "../../src/mission/given";
 import { decodeLink, encodeLink } from "../../src/mission/link";
-import { freshMission } from "../../src/mission/mission";
 import { missionFile } from "../../src/mission/mission_file";
 import { mapsOfPlan, missionOfPlan } from "../../src/mission/plan_mission";
-import { planOf } from "./plans";
+import { planOf } from "../domain/plans";
 
 const file = (name: string, ...parts: BlobPart[]) => Object.assign(new Blob(parts), { name }) as unknown as File;
 const kindOf = async (...files: File[]) => (await understood(files)).kind;

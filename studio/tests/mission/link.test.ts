@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Cell } from "../../src/api/answers";
-import type { LayerName, Mark, Run } from "../../src/map/scene";
+import type { Cell, Run } from "../../src/domain/geometry";
+import { freshMission, type LayerName, type Mark, type Mission, wallKey } from "../../src/domain/mission";
 import { decodeLink, encodeLink, mapOfLink } from "../../src/mission/link";
-import { freshMission, wallKey, type Mission } from "../../src/mission/mission";
 import { decodeRuns, encodeRuns } from "../../src/mission/run_code";
 import { union } from "../../src/mission/run_set";
 import { Random } from "./random";

@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
+import type { CellMap } from "../../src/domain/cell_map";
+import type { MapDescription } from "../../src/domain/map";
+import { freshMission, type Mission, wallCell, wallKey, withMark } from "../../src/domain/mission";
 import { defaultMission, farApart } from "../../src/mission/default_mission";
 import { drawn, editsOf } from "../../src/mission/edited";
-import { freshMission, wallCell, wallKey, withMark, type Mission } from "../../src/mission/mission";
-import { Translation } from "../../src/mission/translate";
-import type { MapDescription } from "../../src/api/answers";
-import type { CellMap } from "../../src/map/cell_map";
 import type { ShownMap } from "../../src/mission/page_state";
-import { mapOf } from "../map/picture";
+import { Translation } from "../../src/mission/translate";
+import { mapOf } from "../domain/picture";
 
 const markers = { start: [0, 0] as [number, number], goal: [1, 0] as [number, number] };
 const described = (map: Partial<MapDescription>) => ({ id: "m", start: null, goal: null, ...map }) as MapDescription;

@@ -1,10 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Plan, PlanRequest } from "../../src/api/answers";
-import { ServiceError, type CheckReport, type Progress } from "../../src/api/client";
-import { freshMission } from "../../src/mission/mission";
+import { type CheckReport, type Progress, ServiceError } from "../../src/api/client";
+import type { PlanRequest } from "../../src/api/documents";
+import { freshMission } from "../../src/domain/mission";
+import type { Plan } from "../../src/domain/plan";
 import { Planner, type PlanService } from "../../src/mission/planner";
 import type { Question } from "../../src/mission/request";
-import { planOf } from "./plans";
+import { planOf } from "../domain/plans";
 
 interface Asked {
   what: "plan" | "check";

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import type { Run } from "../../src/map/scene";
+import type { Run } from "../../src/domain/geometry";
 import { cellCount, difference, union } from "../../src/mission/run_set";
 import { Random } from "./random";
 

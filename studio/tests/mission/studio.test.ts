@@ -1,10 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { MapDescription, Obstacles, PlanRequest } from "../../src/api/answers";
-import { ServiceError, type Client, type Edits } from "../../src/api/client";
-import type { CellMap } from "../../src/map/cell_map";
+import { type Client, type Edits, ServiceError } from "../../src/api/client";
+import type { PlanRequest } from "../../src/api/documents";
+import type { CellMap } from "../../src/domain/cell_map";
+import type { MapDescription, Obstacles } from "../../src/domain/map";
 import { Studio } from "../../src/mission/studio";
-import { mapOf } from "../map/picture";
-import { planOf } from "./plans";
+import { mapOf } from "../domain/picture";
+import { planOf } from "../domain/plans";
 
 // A service with two maps. What is drawn is seen on the map `edited`, whose ids are others.
 const pictures: Record<string, CellMap> = {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
+import type { Units } from "../../src/domain/units";
 import { arrivals, counted, figuresText, headline, proof, tooEarly } from "../../src/mission/words";
-import type { Units } from "../../src/mission/units";
-import { planOf } from "./plans";
+import { planOf } from "../domain/plans";
 
 const city: Units = { metric: true, cell: 2.4, time: "seconds" };
 const plain = (text: string) => text.replaceAll(/[\u00a0\u202f]/g, " ");

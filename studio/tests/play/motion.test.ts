@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Agent, Plan } from "../../src/api/answers";
+import type { Agent, Plan } from "../../src/domain/plan";
 import { activityAt, lanes } from "../../src/play/activity";
 import { breachOrder, clearedAt, duration, positionAt, splitAt, waits } from "../../src/play/motion";
 

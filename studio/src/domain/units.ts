@@ -1,6 +1,6 @@
 // Between people, who say metres and seconds, and the service, which says cells and cells per unit of time. A map that
 // does not say how large its cells are is told about in cells and steps.
-import type { MapDescription } from "../api/answers";
+import type { MapDescription } from "./map";
 
 export type TimeUnit = "seconds" | "steps";
 

@@ -1,8 +1,7 @@
 // Which obstacle stands on which cell, as runs row by row: small enough for 4096² cells, and all that drawing and
 // pointing need.
-import type { Obstacle, Obstacles } from "../api/answers";
-import { type Box, mapBox } from "./camera";
-import type { Run } from "./scene";
+import { type Box, mapBox, type Run } from "./geometry";
+import type { Obstacle, Obstacles } from "./map";
 
 export class CellMap {
   readonly width: number;

@@ -1,5 +1,5 @@
 // Plans for tests: only what the page reads.
-import type { Plan } from "../../src/api/answers";
+import type { Plan } from "../../src/domain/plan";
 
 interface Wanted {
   removed?: number[];

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { CellMap } from "../../src/map/cell_map";
+import { CellMap } from "../../src/domain/cell_map";
 import { mapOf, pictureOf, randomMap } from "./picture";
 
 it("knows what stands on a cell, and the cells of an obstacle", () => {

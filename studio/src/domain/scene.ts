@@ -1,26 +1,14 @@
-// What the map shows, as a value, and what people do to it. The view (map_view.ts) draws scenes and knows no server,
-// no URL and no panel.
-import type { Background, Cell, MapDescription, Plan } from "../api/answers";
+// What the map shows, as a value, and what people do to it. The map draws scenes and knows no server, no URL and no
+// panel.
 import type { CellMap } from "./cell_map";
-
-// A way to end up at the goal: what the layers of the map are.
-export type LayerName = "before" | "after" | "paper";
+import type { Cell, Run } from "./geometry";
+import type { Background, MapDescription } from "./map";
+import type { Handle, LayerName, Mark, Markers } from "./mission";
+import type { Plan } from "./plan";
 
 export interface Layer {
   name: LayerName;
   plan: Plan;
-}
-
-export type Mark = "protect" | "force" | "exclude";
-
-export type Handle = "start" | "goal" | "air_start" | "air_goal";
-
-// Markers to drag. An air marker that is absent stands where the ground agent's does.
-export interface Markers {
-  start: Cell;
-  goal: Cell;
-  air_start?: Cell;
-  air_goal?: Cell;
 }
 
 export type Tool = "move" | "wall" | "erase";
@@ -40,9 +28,6 @@ export interface Scene {
   editable: boolean; // whether markers can be dragged
   formatTime?: (time: number) => string; // how long a wait is said to be; without it waits are shown, not told
 }
-
-// Runs of cells to the right.
-export type Run = [x: number, y: number, length: number];
 
 export interface SceneEvents {
   // While a marker is dragged, once for each cell it comes to; `done` when it is let go.

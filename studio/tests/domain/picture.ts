@@ -1,7 +1,7 @@
 // Maps as pictures: a dot is free, letters are obstacles in the order of the alphabet.
-import type { Obstacle } from "../../src/api/answers";
-import { CellMap } from "../../src/map/cell_map";
-import type { Run } from "../../src/map/scene";
+import { CellMap } from "../../src/domain/cell_map";
+import type { Run } from "../../src/domain/geometry";
+import type { Obstacle } from "../../src/domain/map";
 
 export function mapOf(...rows: string[]): CellMap {
   const width = rows[0]!.length;

@@ -7,9 +7,9 @@ import {
   length,
   percent,
   percentUp,
-  unitsOf,
   type Units,
-} from "../../src/mission/units";
+  unitsOf,
+} from "../../src/domain/units";
 
 const city: Units = { metric: true, cell: 2.4, time: "seconds" };
 const grid: Units = { metric: false, cell: 1, time: "steps" };

@@ -1,8 +1,35 @@
 // What is asked, as one immutable value: undo keeps old ones, a link holds one.
-import type { Cell, Objective } from "../api/answers";
-import type { LayerName, Mark, Markers, Run } from "../map/scene";
+import type { Cell, Run } from "./geometry";
+import type { Objective } from "./plan";
+
+// A way to end up at the goal: what the layers of the map are.
+export type LayerName = "before" | "after" | "paper";
+
+export type Handle = "start" | "goal" | "air_start" | "air_goal";
+
+// Markers to drag. An air marker that is absent stands where the ground agent's does.
+export interface Markers {
+  start: Cell;
+  goal: Cell;
+  air_start?: Cell;
+  air_goal?: Cell;
+}
+
+export const handles: readonly Handle[] = ["start", "goal", "air_start", "air_goal"];
+
+export function cellOf(markers: Markers, handle: Handle): Cell {
+  if (handle === "air_start") return markers.air_start ?? markers.start;
+  if (handle === "air_goal") return markers.air_goal ?? markers.goal;
+  return markers[handle];
+}
+
+export function isAir(handle: Handle): boolean {
+  return handle === "air_start" || handle === "air_goal";
+}
 
 export type Method = "exact" | "paper";
+
+export type Mark = "protect" | "force" | "exclude";
 
 // What is said about an obstacle. Only of what has been drawn need be said that it may go.
 export type Choice = Mark | "allow";

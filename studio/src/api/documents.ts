@@ -1,0 +1,35 @@
+// The documents of the service besides maps and plans, as docs/server.md and its OpenAPI description have them.
+import type { Cell } from "../domain/geometry";
+import type { Plan, PlanOptions } from "../domain/plan";
+
+export interface MapEntry {
+  id: string;
+  uploaded: boolean;
+  loaded: boolean;
+}
+
+export interface PlanRequest {
+  mission: {
+    start: Cell;
+    goal: Cell;
+    air_start?: Cell;
+    air_goal?: Cell;
+    ground_speed?: number;
+    air_speed?: number;
+  };
+  options?: PlanOptions;
+  methods?: { name: string; options: PlanOptions }[]; // for compare
+}
+
+export interface Comparison {
+  format: "waybreaker-compare/1";
+  plans: { name: string; plan: Plan }[];
+}
+
+// An error, as RFC 9457 has it.
+export interface ProblemDocument {
+  type: string;
+  title: string;
+  status: number;
+  detail: string;
+}

@@ -1,0 +1,53 @@
+// Maps as docs/server.md has them.
+import type { Cell, Point } from "./geometry";
+
+export interface MapDescription {
+  id: string;
+  source: string;
+  format: string;
+  width: number;
+  height: number;
+  cell_size: number; // metres
+  blocked: number;
+  density: number;
+  obstacles: { count: number; largest: { id: number; source_id: number; cells: number } | null };
+  // to_lon_lat: [a, b, c, d, e, f] with lon = a x + b y + c, lat = d x + e y + f
+  georeference: { crs: string; center: [lon: number, lat: number]; to_lon_lat: number[] } | null;
+  start: Cell | null;
+  goal: Cell | null;
+  title: string;
+  attribution: string;
+  notes: string[];
+  digest: string;
+}
+
+export interface Obstacle {
+  id: number; // from 1, in the order of the array
+  source_id: number; // OpenStreetMap's: ways positive, relations negative; 0 where unknown
+  name: string;
+  cells: number;
+  bounds: [xMin: number, yMin: number, xMax: number, yMax: number];
+  destructible: boolean;
+  weight: number;
+  breach_time: number;
+}
+
+export interface Obstacles {
+  width: number;
+  height: number;
+  obstacles: Obstacle[];
+  runs: number[]; // label, length, label, length, ...: row after row, a run may span rows; 0 is free
+  next?: number | null; // what to ask the next part for; null in the last one
+}
+
+export interface Feature {
+  kind: "street" | "rail" | "water" | "green" | "place";
+  class: string;
+  name: string;
+  shape: "line" | "area" | "point";
+  points: Point[][]; // parts of a line, rings of an area (even-odd), one part of one point
+}
+
+export interface Background {
+  features: Feature[];
+}

@@ -1,0 +1,98 @@
+// Plans as plan files have them.
+import type { Cell } from "./geometry";
+
+export type Objective = "makespan" | "ground-makespan" | "flowtime";
+
+// What a request may say; each is the option of `waybreaker plan` of that name.
+export interface PlanOptions {
+  paper?: boolean;
+  removals?: number;
+  select?: "exact" | "hits";
+  planner?: "theta";
+  weight?: number;
+  flight?: "optimal" | "nearest";
+  timing?: "enforce" | "ignore";
+  objective?: Objective;
+  breach_time?: number;
+  breach_time_per_cell?: number;
+  protect?: number[];
+  force?: number[];
+  explain?: boolean;
+  bound?: boolean;
+  time_limit?: number;
+  radius?: number;
+}
+
+export interface Outcome {
+  ground: { length: number | null; expanded: number; generated: number; seconds?: number };
+  air: { length: number };
+  makespan: number | null;
+  flowtime: number | null;
+  ground_makespan: number | null;
+}
+
+export interface Bound {
+  makespan?: number;
+  flowtime?: number;
+  ground_makespan?: number;
+  gap: number | null;
+}
+
+export interface Removed {
+  obstacle: number;
+  cells: number;
+  hits: number;
+  source_id?: number;
+  name?: string;
+  weight?: number;
+  at: Cell;
+  cleared_at: number;
+  entered_at: number | null;
+  saves?: number | null; // with options.explain: how much later the mission ends without this one
+}
+
+export interface FrontPoint {
+  makespan: number | null;
+  flowtime: number | null;
+  ground_makespan?: number | null;
+  bound: Bound | null;
+  removed: number[];
+}
+
+export type TimedPoint = [x: number, y: number, t: number];
+
+export interface Agent {
+  id: string;
+  kind: "ground" | "air";
+  speed: number; // cells per unit of time
+  start: Cell;
+  goal: Cell;
+  path: TimedPoint[]; // two points in a row at the same place are a wait
+}
+
+export interface Plan {
+  format: "waybreaker-plan/1";
+  status: "solved" | "no_plan" | "limit_reached" | "stopped";
+  map: { source: string; width: number; height: number; cell_size: number; digest: string };
+  options: PlanOptions & Record<string, unknown>;
+  before: Outcome;
+  after: Outcome;
+  bound: Bound | null;
+  removed: Removed[];
+  next?: { obstacle: number; source_id?: number; name?: string; saves: number | null }[];
+  front?: FrontPoint[];
+  agents: Agent[]; // none where there is no plan
+  seconds?: Record<string, number>;
+}
+
+export function objectiveOf(plan: Plan): Objective {
+  return plan.options.objective ?? "makespan";
+}
+
+const members = { makespan: "makespan", "ground-makespan": "ground_makespan", flowtime: "flowtime" } as const;
+type Figures = Partial<Record<(typeof members)[Objective], number | null>>;
+
+// Of an outcome, a bound, a point of the curve.
+export function valueOf(of: Figures, objective: Objective): number | null {
+  return of[members[objective]] ?? null;
+}
