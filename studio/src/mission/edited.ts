@@ -3,7 +3,7 @@ import type { Edits } from "../api/client";
 import type { CellMap } from "../domain/cell_map";
 import type { Run } from "../domain/geometry";
 import { marked, type Mission } from "../domain/mission";
-import type { ShownMap } from "./page_state";
+import type { ShownMap } from "./maps";
 import { clipped, difference, union } from "./run_set";
 
 // First the free cells hold, then the blocked ones: what is drawn over something erased stands.

@@ -3,11 +3,19 @@ import { type Client, type Edits, ServiceError } from "../api/client";
 import { CellMap } from "../domain/cell_map";
 import type { Background, MapDescription } from "../domain/map";
 import type { KeptFile } from "./kept_file";
+import type { Translation } from "./translate";
 
 export interface HeldMap {
   description: MapDescription;
   cells: CellMap;
   background: Background;
+}
+
+// A map with everything drawn on it, and how to find obstacles of the base map there.
+export interface ShownMap {
+  base: HeldMap;
+  map: HeldMap;
+  ids: Translation;
 }
 
 // A map that the service does not have, and what to do once it has it, under whatever name.

@@ -6,16 +6,8 @@ import { type Units, unitsOf } from "../domain/units";
 import { Clock } from "../play/clock";
 import { drawnObstacles } from "./edited";
 import { type History, replace } from "./history";
-import type { HeldMap } from "./maps";
+import type { ShownMap } from "./maps";
 import type { Results } from "./planner";
-import type { Translation } from "./translate";
-
-// A map with everything drawn on it, and how to find obstacles of the base map there.
-export interface ShownMap {
-  base: HeldMap;
-  map: HeldMap;
-  ids: Translation;
-}
 
 export interface Notice {
   tone: "info" | "bad";

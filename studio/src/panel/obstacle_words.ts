@@ -1,5 +1,5 @@
 // What an obstacle is called: as on the map before anything was drawn, so that its name stays.
-import type { ShownMap } from "../mission/page_state";
+import type { ShownMap } from "../mission/maps";
 
 export interface ObstacleName {
   text: string;

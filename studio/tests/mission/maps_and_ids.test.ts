@@ -4,7 +4,7 @@ import type { MapDescription } from "../../src/domain/map";
 import { freshMission, type Mission, wallCell, wallKey, withMark } from "../../src/domain/mission";
 import { defaultMission, farApart } from "../../src/mission/default_mission";
 import { drawn, editsOf } from "../../src/mission/edited";
-import type { ShownMap } from "../../src/mission/page_state";
+import type { ShownMap } from "../../src/mission/maps";
 import { Translation } from "../../src/mission/translate";
 import { mapOf } from "../domain/picture";
 
