@@ -17,7 +17,7 @@ const view = { width: 1400, height: 900 };
 const [moves, pace] = [40, 25]; // ms
 
 const vite = await createServer({ root: `${root}studio`, logLevel: "warn", server: { middlewareMode: true } });
-const { toScreen, wholeMap } = await vite.ssrLoadModule("/src/map/camera.ts");
+const { toScreen, wholeMap } = await vite.ssrLoadModule("/src/map/viewport/camera.ts");
 const server = spawn(command, ["serve", "--maps", dirname(resolve(map)), "--port", "0"], {
   stdio: ["ignore", "ignore", "pipe"],
 });

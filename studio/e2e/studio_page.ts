@@ -4,7 +4,7 @@ import { createRequire } from "node:module";
 import { type Browser, chromium as launcher, type Locator, type Page } from "playwright-core";
 import type { Cell, Point } from "../src/domain/geometry";
 import type { Plan } from "../src/domain/plan";
-import { toScreen, wholeMap } from "../src/map/camera";
+import { toScreen, wholeMap } from "../src/map/viewport/camera";
 import { chromium } from "./command";
 
 export const wide = { width: 1400, height: 900 };

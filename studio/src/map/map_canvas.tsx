@@ -5,9 +5,9 @@ import { useEffect, useId, useRef } from "preact/hooks";
 import type { Cell } from "../domain/geometry";
 import { cellOf, type Handle, handles, isAir } from "../domain/mission";
 import type { Scene, SceneEvents } from "../domain/scene";
+import { nearestFree, onMap } from "./interaction/snap";
 import "./map.css";
 import { MapView } from "./map_view";
-import { nearestFree, onMap } from "./snap";
 
 export interface MapCanvasProps {
   scene: ReadonlySignal<Scene | null>; // null: nothing to show yet

@@ -1,0 +1,62 @@
+// The stroke being drawn: of a wall, or of the eraser.
+import type { CellMap } from "../../domain/cell_map";
+import type { Point, Run } from "../../domain/geometry";
+import type { Scene } from "../../domain/scene";
+import { type Frame, inMapPoints } from "../viewport/frame";
+import { changed, strokeRuns } from "./stroke";
+
+export class Sketch {
+  #points: Point[] = [];
+  #radius = 0; // cells
+  #pointer: Point | null = null; // pixels
+
+  hover(at: Point | null): void {
+    this.#pointer = at;
+  }
+
+  add(point: Point, scale: number): void {
+    if (this.#points.length === 0) this.#radius = brush(scale);
+    this.#points.push(point);
+  }
+
+  finish(tool: "wall" | "erase", cells: CellMap): Run[] {
+    const runs = changed(strokeRuns(this.#points, this.#radius, cells), tool, cells);
+    this.drop();
+    return runs;
+  }
+
+  drop(): void {
+    this.#points = [];
+  }
+
+  draw(frame: Frame, scene: Scene): void {
+    if (scene.tool === "move") return;
+    const { context, theme } = frame;
+    const colour = scene.tool === "wall" ? theme.fixedEdge : theme.removed;
+    if (this.#points.length > 0) {
+      inMapPoints(frame, () => {
+        context.beginPath();
+        this.#points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+        if (this.#points.length === 1) context.lineTo(...this.#points[0]!);
+        context.lineJoin = "round";
+        context.lineCap = "round";
+        context.lineWidth = 2 * this.#radius;
+        context.globalAlpha = 0.7;
+        context.strokeStyle = colour;
+        context.stroke();
+        context.globalAlpha = 1;
+      });
+    } else if (this.#pointer) {
+      context.beginPath();
+      context.arc(...this.#pointer, brush(frame.camera.scale) * frame.camera.scale, 0, 2 * Math.PI);
+      context.strokeStyle = theme.ink;
+      context.lineWidth = 1.5;
+      context.stroke();
+    }
+  }
+}
+
+// So many cells that strokes hold together, and so many that one sees what one draws.
+function brush(scale: number): number {
+  return Math.max(1.2, 4 / scale);
+}
