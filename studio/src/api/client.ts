@@ -188,7 +188,8 @@ function mapPath(id: string, what = ""): string {
 }
 
 function refusal(problem: ProblemDocument): ServiceError {
-  return new ServiceError(problem.status === 404 ? "missing" : "refused", sentence(problem.detail || problem.title));
+  const isMapLost = problem.type?.endsWith("/map-not-found") ?? false;
+  return new ServiceError(isMapLost ? "missing" : "refused", sentence(problem.detail || problem.title));
 }
 
 // What answers without a problem document is not the service, but a proxy that does not find it.
@@ -202,10 +203,7 @@ async function failure(answer: Response): Promise<ServiceError> {
     }
   }
   if (answer.status >= 500) return new ServiceError("gone", "The server does not answer.");
-  return new ServiceError(
-    answer.status === 404 ? "missing" : "refused",
-    `The server answers with error ${answer.status}.`,
-  );
+  return new ServiceError("refused", `The server answers with error ${answer.status}.`);
 }
 
 function understood(error: unknown): ServiceError {

@@ -28,7 +28,7 @@ export interface Comparison {
 
 // An error, as RFC 9457 has it.
 export interface ProblemDocument {
-  type: string;
+  type?: string; // the service always says it, a proxy need not
   title: string;
   status: number;
   detail: string;

@@ -14,8 +14,8 @@ const json =
   (value: unknown, status = 200, headers = {}) =>
   () =>
     new Response(JSON.stringify(value), { status, headers: { "Content-Type": "application/json", ...headers } });
-const problem = (status: number, detail: string, headers = {}) =>
-  json({ type: "about:blank", title: "T", status, detail }, status, {
+const problem = (status: number, detail: string, headers = {}, type = "about:blank") =>
+  json({ type, title: "T", status, detail }, status, {
     "Content-Type": "application/problem+json",
     ...headers,
   });
@@ -78,13 +78,24 @@ it("says in words what the service refuses", async () => {
   expect([error.trouble, error.message]).toEqual(["refused", "The start lies inside obstacle 1."]);
 });
 
-it("knows a map that is not there, and a server that is gone", async () => {
+it("knows a map that is not there by the type of the problem, not by its status", async () => {
   answers = [
-    problem(404, "no such map"),
-    () => Promise.reject(new TypeError("fetch failed")),
-    () => new Response("", { status: 502 }),
+    problem(404, "no such map", {}, "/problems/map-not-found"),
+    problem(404, "no such map", {}, "https://maps.example/problems/map-not-found"),
+    stream('event: problem\ndata: {"type":"/problems/map-not-found","title":"T","status":404,"detail":"no"}\n\n'),
+    problem(404, "no such path", {}, "/problems/path-not-found"),
+    problem(404, "no such thing"),
+    json({ title: "T", status: 404, detail: "no type" }, 404, { "Content-Type": "application/problem+json" }),
+    () => new Response("", { status: 404 }),
   ];
   expect((await trouble(client.map("m"))).trouble).toBe("missing");
+  expect((await trouble(client.map("m"))).trouble).toBe("missing");
+  expect((await trouble(client.plan("m", request))).trouble).toBe("missing");
+  while (answers.length > 0) expect((await trouble(client.map("m"))).trouble).toBe("refused");
+});
+
+it("knows a server that is gone", async () => {
+  answers = [() => Promise.reject(new TypeError("fetch failed")), () => new Response("", { status: 502 })];
   expect((await trouble(client.map("m"))).trouble).toBe("gone");
   expect((await trouble(client.map("m"))).trouble).toBe("gone");
 });
