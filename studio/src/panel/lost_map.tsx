@@ -1,12 +1,11 @@
 // The service no longer has the map: why, and how it gets it again.
-import { useRef } from "preact/hooks";
 import { isUpload } from "../mission/maps";
 import { restoreFrom } from "../mission/opening";
 import type { Studio } from "../mission/studio";
+import { FileButton } from "./file_button";
 import { Icon } from "./icons";
 
 export function LostMapCard({ studio }: { studio: Studio }) {
-  const input = useRef<HTMLInputElement>(null);
   const lost = studio.lost.value;
   const { file } = lost ?? { file: null };
   const isShown = lost?.id === studio.mission.value?.map;
@@ -28,28 +27,19 @@ export function LostMapCard({ studio }: { studio: Studio }) {
                 Send it again
               </button>
             )}
-            <button type="button" class={file ? "button" : "button primary"} onClick={() => input.current?.click()}>
+            <FileButton
+              primary={!file}
+              label={`File of ${lost.name}`}
+              onFiles={(files) => void restoreFrom(studio, files)}
+            >
               Choose the file…
-            </button>
+            </FileButton>
             {!isShown && (
               <button type="button" class="button" onClick={() => (studio.lost.value = null)}>
                 Leave it
               </button>
             )}
           </div>
-          <input
-            ref={input}
-            class="spoken"
-            type="file"
-            multiple
-            tabIndex={-1}
-            aria-label={`File of ${lost.name}`}
-            onChange={(event) => {
-              const files = [...(event.currentTarget.files ?? [])];
-              event.currentTarget.value = "";
-              if (files.length > 0) void restoreFrom(studio, files);
-            }}
-          />
         </div>
       )}
     </div>

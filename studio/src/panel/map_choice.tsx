@@ -1,11 +1,10 @@
 // Which map: one of the server's, or a file of one's own.
-import { useRef } from "preact/hooks";
 import { openFiles } from "../mission/opening";
 import type { Studio } from "../mission/studio";
+import { FileButton } from "./file_button";
 import { Icon } from "./icons";
 
 export function MapChoice({ studio }: { studio: Studio }) {
-  const input = useRef<HTMLInputElement>(null);
   const current = studio.mission.value?.map ?? "";
   const uploads = studio.uploads.value;
   // The server's list has everybody's uploads and drawings, too.
@@ -30,27 +29,13 @@ export function MapChoice({ studio }: { studio: Studio }) {
           </option>
         ))}
       </select>
-      <button
-        type="button"
-        class="button"
+      <FileButton
         title="A map, both files of a ROS map, a plan or a mission"
-        onClick={() => input.current?.click()}
+        label="File to open"
+        onFiles={(files) => void openFiles(studio, files)}
       >
         <Icon name="open" /> Open file…
-      </button>
-      <input
-        ref={input}
-        class="spoken"
-        type="file"
-        multiple
-        tabIndex={-1}
-        aria-label="File to open"
-        onChange={(event) => {
-          const files = [...(event.currentTarget.files ?? [])];
-          event.currentTarget.value = "";
-          if (files.length > 0) void openFiles(studio, files);
-        }}
-      />
+      </FileButton>
     </div>
   );
 }
