@@ -20,6 +20,10 @@ export class ServiceError extends Error {
   }
 }
 
+export function stopped(): ServiceError {
+  return new ServiceError("stopped", "Stopped.");
+}
+
 export interface CheckReport {
   valid: boolean;
   violations: { rule: string; message: string }[];
@@ -208,7 +212,7 @@ async function failure(answer: Response): Promise<ServiceError> {
 
 function understood(error: unknown): ServiceError {
   if (error instanceof ServiceError) return error;
-  if (error instanceof DOMException && error.name === "AbortError") return new ServiceError("stopped", "Stopped.");
+  if (error instanceof DOMException && error.name === "AbortError") return stopped();
   return new ServiceError("gone", "The server does not answer.");
 }
 
@@ -219,15 +223,15 @@ function sentence(text: string): string {
 
 export function pause(milliseconds: number, signal?: AbortSignal): Promise<void> {
   return new Promise((done, fail) => {
-    const stopped = () => {
+    const stop = () => {
       clearTimeout(timer);
-      fail(new ServiceError("stopped", "Stopped."));
+      fail(stopped());
     };
     const timer = setTimeout(() => {
-      signal?.removeEventListener("abort", stopped);
+      signal?.removeEventListener("abort", stop);
       done();
     }, milliseconds);
-    if (signal?.aborted) stopped();
-    else signal?.addEventListener("abort", stopped, { once: true });
+    if (signal?.aborted) stop();
+    else signal?.addEventListener("abort", stop, { once: true });
   });
 }

@@ -96,3 +96,8 @@ type Figures = Partial<Record<(typeof members)[Objective], number | null>>;
 export function valueOf(of: Figures, objective: Objective): number | null {
   return of[members[objective]] ?? null;
 }
+
+// The plan's own objective; Infinity where there is no way.
+export function reached(plan: Plan): number {
+  return valueOf(plan.after, objectiveOf(plan)) ?? Infinity;
+}

@@ -3,11 +3,11 @@
 import { computed, effect, signal, type Signal } from "@preact/signals";
 import { asksTheSame, type LayerName, type Mark, type Mission } from "../domain/mission";
 import { type Units, unitsOf } from "../domain/units";
+import type { Results } from "../planning/results";
 import { Clock } from "../play/clock";
 import { drawnObstacles } from "./edited";
 import { type History, replace } from "./history";
 import type { ShownMap } from "./maps";
-import type { Results } from "./planner";
 
 export interface Notice {
   tone: "info" | "bad";

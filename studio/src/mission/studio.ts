@@ -3,6 +3,8 @@ import { batch, effect, signal, untracked } from "@preact/signals";
 import { type Client, ServiceError } from "../api/client";
 import type { MapEntry } from "../api/documents";
 import { hasEdits, type Mission, withEnoughRemovals } from "../domain/mission";
+import { Planner } from "../planning/planner";
+import { questionOf } from "../planning/request";
 import { duration } from "../play/motion";
 import { defaultMission } from "./default_mission";
 import { editsOf } from "./edited";
@@ -11,8 +13,6 @@ import { begin, type History, mapped, replace, step } from "./history";
 import type { KeptFile } from "./kept_file";
 import { decodeLink, encodeLink, fileOfLink, mapOfLink } from "./link";
 import { type HeldMap, isUpload, type LostMap, Maps } from "./maps";
-import { Planner } from "./planner";
-import { questionOf } from "./request";
 import { ServerWatch } from "./server_watch";
 import { Translation } from "./translate";
 
@@ -32,16 +32,16 @@ export class Studio extends Editor {
     readonly client: Client,
     readonly planner = new Planner(client),
   ) {
-    super(planner);
+    super(planner.results);
     this.#maps = new Maps(client);
     this.#watch = new ServerWatch(() => this.refreshList());
     effect(() => {
-      const failure = this.planner.failure.value;
+      const failure = this.results.failure.value;
       if (failure?.trouble === "gone") untracked(() => void this.#watch.await(() => this.follow()));
       if (failure?.trouble === "missing") untracked(() => this.#mapIsMissing());
     });
     effect(() => {
-      if (!this.planner.answered.value) return;
+      if (!this.results.answered.value) return;
       this.#redrawn = false;
       this.#watch.isWell();
     });
@@ -217,7 +217,7 @@ export class Studio extends Editor {
 
   #seekWhenPlanned(time: number): void {
     const stop = effect(() => {
-      const plan = this.planner.plans.value.after?.plan;
+      const plan = this.results.plans.value.after?.plan;
       if (!plan) return;
       this.clock.load(duration(plan));
       this.clock.seek(time);

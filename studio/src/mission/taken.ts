@@ -6,7 +6,7 @@ import { saveAs } from "./save_as";
 import type { Studio } from "./studio";
 
 export async function downloadPlan(studio: Studio, format: ExportFormat, ending: string): Promise<void> {
-  const plan = studio.planner.plans.value.after?.plan;
+  const plan = studio.results.plans.value.after?.plan;
   const map = studio.shown.value?.map.description;
   if (!plan || !map) return;
   await save(studio, async () => ({

@@ -5,10 +5,10 @@ import { CellMap } from "../domain/cell_map";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import { defaults, type LayerName, type Mission } from "../domain/mission";
 import type { FrontPoint, Plan } from "../domain/plan";
+import { type Judged, type Results, verdictOf } from "../planning/results";
 import { begin } from "./history";
 import { PageState } from "./page_state";
 import { markersOf } from "./plan_mission";
-import { type Judged, type Results, verdictOf } from "./planner";
 import { Translation } from "./translate";
 
 export interface PlanDocument {

@@ -4,9 +4,9 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { mostRemovals } from "../domain/mission";
 import { type Objective, valueOf } from "../domain/plan";
 import { clockTime, duration, type Units } from "../domain/units";
-import type { Front } from "../mission/curve";
 import type { PageState } from "../mission/page_state";
-import { keyOf } from "../mission/request";
+import type { Front } from "../planning/curve";
+import { keyOf } from "../planning/request";
 
 const thumb = 22; // width of the slider's knob: its middle is what the columns are aligned with
 

@@ -3,9 +3,9 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { Progress } from "../api/client";
 import { duration, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
-import type { Judged } from "../mission/planner";
 import { Studio } from "../mission/studio";
 import { arrivals, figuresText, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
+import type { Judged } from "../planning/results";
 import { Icon, type IconName } from "./icons";
 import { areBuildings } from "./obstacle_words";
 

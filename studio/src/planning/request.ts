@@ -1,7 +1,7 @@
 // A mission as the service is asked about it.
 import type { PlanRequest } from "../api/documents";
 import { marked, type Method, type Mission } from "../domain/mission";
-import type { PlanOptions } from "../domain/plan";
+import type { Plan, PlanOptions } from "../domain/plan";
 import { cellsPerUnit, type Units } from "../domain/units";
 
 // What a plan is asked for with. Obstacles are those of the map that is planned on.
@@ -67,8 +67,12 @@ function request(question: Question, method: Method | "draft", options: PlanOpti
 }
 
 // The first plan has to come soon, and is asked for again, with more time, when nothing changes for a moment.
-export const quick = 2; // seconds
+const quick = 2; // seconds
 const patient = 10;
+
+export function isHasty(plan: Plan): boolean {
+  return (plan.seconds?.total ?? 0) >= quick;
+}
 
 export function planRequest(question: Question, removals: number): PlanRequest {
   return request(question, question.method, { removals, time_limit: quick });

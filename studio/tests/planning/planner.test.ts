@@ -3,8 +3,9 @@ import { type CheckReport, type Progress, ServiceError } from "../../src/api/cli
 import type { PlanRequest } from "../../src/api/documents";
 import { freshMission } from "../../src/domain/mission";
 import type { Plan } from "../../src/domain/plan";
-import { Planner, type PlanService } from "../../src/mission/planner";
-import type { Question } from "../../src/mission/request";
+import type { PlanService } from "../../src/planning/plan_fetcher";
+import { Planner } from "../../src/planning/planner";
+import type { Question } from "../../src/planning/request";
 import { planOf } from "../domain/plans";
 
 interface Asked {
@@ -76,8 +77,8 @@ it("asks one at a time, and then the latest", async () => {
   const plan = planOf({ after: 50 });
   service.last().answer(plan);
   await settle();
-  expect(planner.plans.value.after?.plan).toBe(plan);
-  expect(planner.answered.value?.mission.start).toEqual([4, 0]);
+  expect(planner.results.plans.value.after?.plan).toBe(plan);
+  expect(planner.results.answered.value?.mission.start).toEqual([4, 0]);
 });
 
 it("drops a plan that takes long once there is a newer question", async () => {
@@ -89,7 +90,7 @@ it("drops a plan that takes long once there is a newer question", async () => {
   await settle();
   expect(slow.signal?.aborted).toBe(true);
   expect(startOf(service.last())).toBe(2);
-  expect(planner.failure.value).toBeNull();
+  expect(planner.results.failure.value).toBeNull();
 });
 
 it("lets a plan end that has only begun", async () => {
@@ -117,7 +118,7 @@ it("stops when told to, and says so", async () => {
   planner.stop();
   await settle();
   expect(service.last().signal?.aborted).toBe(true);
-  expect(planner.failure.value?.trouble).toBe("stopped");
+  expect(planner.results.failure.value?.trouble).toBe("stopped");
 });
 
 it("asks for the rest when it is calm, and not before", async () => {
@@ -129,10 +130,10 @@ it("asks for the rest when it is calm, and not before", async () => {
   await vi.advanceTimersByTimeAsync(20);
 
   expect(service.last().what).toBe("check");
-  expect(planner.plans.value.after?.verdict).toBeNull();
+  expect(planner.results.plans.value.after?.verdict).toBeNull();
   service.last().report({ valid: true, violations: [] });
   await settle();
-  expect(planner.plans.value.after?.verdict).toEqual({ valid: true });
+  expect(planner.results.plans.value.after?.verdict).toEqual({ valid: true });
 
   expect(service.last().request?.options?.removals).toBe(0);
   service.last().answer(planOf({}));
@@ -150,7 +151,7 @@ it("asks for the rest when it is calm, and not before", async () => {
   explained.removed[0]!.saves = 10;
   service.last().answer(explained);
   await settle();
-  expect(planner.plans.value.after?.plan).toBe(explained);
+  expect(planner.results.plans.value.after?.plan).toBe(explained);
   service.last().report({ valid: true, violations: [] });
   await settle();
 
@@ -159,7 +160,7 @@ it("asks for the rest when it is calm, and not before", async () => {
   await settle();
   service.last().report({ valid: false, violations: [{ rule: "x", message: "too early" }] });
   await settle();
-  expect(planner.plans.value.paper?.verdict).toEqual({ valid: false, reason: "too early" });
+  expect(planner.results.plans.value.paper?.verdict).toEqual({ valid: false, reason: "too early" });
 });
 
 // Answers all that is asked before what each removal saves.
@@ -182,7 +183,7 @@ it("gives up the rest when something changes", async () => {
   planner.ask(question(2));
   await settle();
   expect(check.signal?.aborted).toBe(true);
-  expect(planner.failure.value).toBeNull();
+  expect(planner.results.failure.value).toBeNull();
 });
 
 it("keeps the plan it has where another is worse", async () => {
@@ -195,7 +196,7 @@ it("keeps the plan it has where another is worse", async () => {
   await answerUntilExplained();
   service.last().answer(planOf({ removed: [5], after: 95 }));
   await settle();
-  expect(planner.plans.value.after?.plan).toBe(first);
+  expect(planner.results.plans.value.after?.plan).toBe(first);
 });
 
 it("shows a better plan that is found on the way along the curve, and has it checked", async () => {
@@ -205,9 +206,9 @@ it("shows a better plan that is found on the way along the curve, and has it che
   service.last().report({ valid: true, violations: [] });
   await settle();
   await answerUntilExplained(85);
-  expect(planner.plans.value.after?.plan.after.makespan).toBe(85);
-  expect(planner.plans.value.after?.verdict).toEqual({ valid: true });
-  expect(planner.front.value?.points[2]?.makespan).toBe(85);
+  expect(planner.results.plans.value.after?.plan.after.makespan).toBe(85);
+  expect(planner.results.plans.value.after?.verdict).toEqual({ valid: true });
+  expect(planner.results.front.value?.points[2]?.makespan).toBe(85);
 });
 
 it("takes the time for a better plan once there is one", async () => {
@@ -220,13 +221,13 @@ it("takes the time for a better plan once there is one", async () => {
   await answerUntilExplained();
   expect(service.last().request?.options?.time_limit).toBeUndefined();
   service.last().tell({ state: "planning", seconds: 5 });
-  expect(planner.progress.value?.seconds).toBe(5);
-  expect(planner.front.value?.points[2]?.makespan).toBe(90); // as the headline says
+  expect(planner.results.progress.value?.seconds).toBe(5);
+  expect(planner.results.front.value?.points[2]?.makespan).toBe(90); // as the headline says
   const better = planOf({ removed: [5], after: 80 });
   service.last().answer(better);
   await settle();
-  expect(planner.plans.value.after).toEqual({ plan: better, verdict: null });
-  expect(planner.progress.value).toBeNull();
+  expect(planner.results.plans.value.after).toEqual({ plan: better, verdict: null });
+  expect(planner.results.progress.value).toBeNull();
   expect(service.last().what).toBe("check");
 });
 
@@ -241,7 +242,7 @@ it("fetches the way without removals at once where it is shown, and keeps it whi
   expect(service.asked).toHaveLength(3);
   service.last().answer(planOf({ removed: [4] }));
   await settle();
-  expect(planner.plans.value.before?.plan).toBe(before);
+  expect(planner.results.plans.value.before?.plan).toBe(before);
 });
 
 // What 0, 1, 2, ... removals reach; the last is reached by all further ones.
@@ -260,20 +261,20 @@ it("shows each step of the curve as soon as it is known, and asks none of them t
   const asked = () => service.asked.map((one) => one.request?.options?.removals);
   service.last().answer(planOf({ after: 100 }));
   await settle();
-  expect(planner.front.value).toMatchObject({ points: [{ makespan: 100 }], from: 0, isDone: false });
-  expect(planner.plans.value.after).toBeUndefined();
+  expect(planner.results.front.value).toMatchObject({ points: [{ makespan: 100 }], from: 0, isDone: false });
+  expect(planner.results.plans.value.after).toBeUndefined();
   service.last().answer(planOf({ after: 90 }));
   await settle();
-  expect(planner.front.value?.points.map((point) => point.makespan)).toEqual([100, 90]);
+  expect(planner.results.front.value?.points.map((point) => point.makespan)).toEqual([100, 90]);
   planner.ask(question(1, { removals: "auto", price: 3 })); // the same curve at another price
   await vi.advanceTimersByTimeAsync(pace.patience + 1);
   await answerCurve([0, 0, 85, 80]);
-  expect(planner.front.value?.isDone).toBe(true);
+  expect(planner.results.front.value?.isDone).toBe(true);
   expect(asked()).toEqual([0, 1, 2, 2, 3, 4, 5, 6, 7, 8]); // the third was dropped on the way
 });
 
 it("takes as many removals as save their price, where the number is left to it", async () => {
-  const chosen = () => planner.plans.value.after?.plan.options.removals;
+  const chosen = () => planner.results.plans.value.after?.plan.options.removals;
   planner.ask(question(1, { removals: "auto", price: 10 }));
   await answerCurve([100, 95, 75, 66, 60]);
   expect(chosen()).toBe(2); // the first alone is not worth it, with the second it is
@@ -295,7 +296,7 @@ it("takes as many removals as save their price, where the number is left to it",
 it("never lets the curve rise where the time did not do", async () => {
   planner.ask(question(1, { removals: "auto", price: 0 }));
   await answerCurve([100, 90, 95]);
-  expect(planner.front.value?.points.map((point) => point.makespan)).toEqual([100, ...Array(8).fill(90)]);
+  expect(planner.results.front.value?.points.map((point) => point.makespan)).toEqual([100, ...Array(8).fill(90)]);
 });
 
 it("keeps what it shows when the service refuses or is gone", async () => {
@@ -306,12 +307,12 @@ it("keeps what it shows when the service refuses or is gone", async () => {
   planner.ask(question(2));
   service.last().fail(new ServiceError("gone", "The server does not answer."));
   await settle();
-  expect(planner.failure.value?.trouble).toBe("gone");
-  expect(planner.plans.value.after?.plan).toBe(plan);
+  expect(planner.results.failure.value?.trouble).toBe("gone");
+  expect(planner.results.plans.value.after?.plan).toBe(plan);
   planner.ask(question(2));
   service.last().answer(planOf({}));
   await settle();
-  expect(planner.failure.value).toBeNull();
+  expect(planner.results.failure.value).toBeNull();
 });
 
 describe("where plans take long", () => {
@@ -331,8 +332,8 @@ describe("where plans take long", () => {
       expect(service.last().request?.options).toMatchObject({ ...draft, removals: 2 });
       service.last().answer(planOf({ removed: [4], after: 95 }));
       await settle();
-      expect(planner.plans.value.after).toMatchObject({ verdict: null, draft: true });
-      expect(planner.answered.value?.mission.start).toEqual([x, 0]);
+      expect(planner.results.plans.value.after).toMatchObject({ verdict: null, draft: true });
+      expect(planner.results.answered.value?.mission.start).toEqual([x, 0]);
     }
     const drafts = service.asked.length;
     await vi.advanceTimersByTimeAsync(pace.calm - 10);
@@ -341,7 +342,7 @@ describe("where plans take long", () => {
     expect(service.last().request?.options?.select).toBe("exact");
     service.last().answer(plan);
     await settle();
-    expect(planner.plans.value.after).toEqual({ plan, verdict: null });
+    expect(planner.results.plans.value.after).toEqual({ plan, verdict: null });
     expect(service.last().what).toBe("check");
   });
 
@@ -354,7 +355,7 @@ describe("where plans take long", () => {
     await settle();
     expect(exact.signal?.aborted).toBe(true);
     expect(service.last().request?.options).toMatchObject(draft);
-    expect(planner.failure.value).toBeNull();
+    expect(planner.results.failure.value).toBeNull();
   });
 
   it("a draft that finds no way says nothing", async () => {
@@ -362,7 +363,7 @@ describe("where plans take long", () => {
     service.last().answer(planOf({ after: null }));
     await settle();
     expect(service.last().request?.options?.select).toBe("exact");
-    expect(planner.plans.value.after?.plan).toBe(plan);
+    expect(planner.results.plans.value.after?.plan).toBe(plan);
   });
 
   it("the way without removals is a draft, too, until the plan comes", async () => {
@@ -381,7 +382,7 @@ describe("where plans take long", () => {
     await vi.advanceTimersByTimeAsync(pace.calm + 1);
     planner.stop();
     await settle();
-    expect(planner.failure.value?.trouble).toBe("stopped");
+    expect(planner.results.failure.value?.trouble).toBe("stopped");
     planner.ask(question(2));
     expect(service.last().request?.options).toMatchObject(draft);
   });

@@ -1,6 +1,6 @@
 // The curve: what each number of removals reaches, as far as it is known.
 import { mostRemovals } from "../domain/mission";
-import { type FrontPoint, objectiveOf, type Plan, valueOf } from "../domain/plan";
+import { type FrontPoint, type Plan, reached } from "../domain/plan";
 
 export interface Front {
   points: readonly FrontPoint[]; // for `from` removals, one more, ...
@@ -47,8 +47,4 @@ export function bestAtPrice(plans: readonly Plan[], price: number): Plan {
     return Number.isNaN(saved) || (saved > 1e-9 && saved > price * (i - best) - 1e-9); // NaN: no way with either
   };
   return plans[plans.reduce((best, _, i) => (isWorth(i, best) ? i : best), 0)]!;
-}
-
-function reached(plan: Plan): number {
-  return valueOf(plan.after, objectiveOf(plan)) ?? Infinity;
 }

@@ -1,0 +1,189 @@
+// Asks the service for what a question needs and puts it into the results: first what has to follow the mouse, and the
+// rest when there is time.
+import { type CheckReport, type Progress, stopped } from "../api/client";
+import type { PlanRequest } from "../api/documents";
+import type { LayerName } from "../domain/mission";
+import { type Plan, reached } from "../domain/plan";
+import { bestAtPrice, Curve } from "./curve";
+import {
+  beforeRequest,
+  draftBeforeRequest,
+  draftRequest,
+  isHasty,
+  keyOf,
+  paperRequest,
+  planRequest,
+  type Question,
+  stepRequest,
+  thoroughRequest,
+} from "./request";
+import { type KnownResults, type Verdict, verdictOf } from "./results";
+
+export interface PlanService {
+  plan(map: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan>;
+  check(map: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport>;
+}
+
+export class PlanFetcher {
+  #curve: Curve | null = null;
+  #took = 0; // ms, the last plan that was no draft
+
+  // Where plans take longer than `fluent` ms, a draft comes first.
+  constructor(
+    private readonly service: PlanService,
+    private readonly results: KnownResults,
+    private readonly fluent: number,
+  ) {}
+
+  forget(): void {
+    this.#took = 0;
+    this.#curve = null;
+  }
+
+  // What has to follow the mouse: the plan, or a draft of it.
+  async fetchFirst(question: Question, stop: AbortSignal): Promise<void> {
+    const isSlow = this.#took > this.fluent && !this.#isKnown(question);
+    if (!isSlow || !(await this.#draft(question, stop))) await this.#plan(question, stop);
+  }
+
+  // Whether the plans hold, what other numbers of removals reach, what each removal saves, what the paper would do.
+  async fetchRest(question: Question, stop: AbortSignal): Promise<void> {
+    const { plans } = this.results;
+    if (plans.value.after?.draft) await this.#plan(question, stop);
+    await this.#judge("after", question, stop);
+    if (!plans.value.before) {
+      this.#show("before", await this.service.plan(question.map, beforeRequest(question), stop), stop);
+    }
+    await this.#judge("before", question, stop);
+    await this.#trace(question, stop);
+    if (!plans.value.after?.verdict) await this.#judge("after", question, stop); // it has improved on the way
+    await this.#explain(question, stop); // late: on large maps it takes longest
+    await this.#paper(question, stop);
+  }
+
+  async #plan(question: Question, stop: AbortSignal): Promise<void> {
+    const tell = (progress: Progress) => (this.results.progress.value = progress);
+    const kept = this.results.beforeFor(question);
+    const isKnown = this.#isKnown(question);
+    const { removals } = question;
+    const began = performance.now();
+    const [after, before] = await Promise.all([
+      removals === "auto"
+        ? this.#trace(question, stop, tell).then((plans) => bestAtPrice(plans, question.price))
+        : (this.#traced(question, removals) ??
+          this.service.plan(question.map, planRequest(question, removals), stop, tell)),
+      kept || !question.withBefore ? null : this.service.plan(question.map, beforeRequest(question), stop),
+    ]);
+    if (stop.aborted) throw stopped();
+    if (!isKnown) this.#took = performance.now() - began;
+    const beside = before ? { plan: before, verdict: null } : kept;
+    this.results.answer(question, { after: { plan: after, verdict: null }, ...(beside && { before: beside }) });
+    this.results.progress.value = null;
+  }
+
+  // The same, soon but roughly. Whether there is a way so soon.
+  async #draft(question: Question, stop: AbortSignal): Promise<boolean> {
+    const kept = this.results.beforeFor(question);
+    const shown = this.results.plans.value.after;
+    const removals = question.removals === "auto" ? (shown?.plan.removed.length ?? 1) : question.removals;
+    const [plan, before] = await Promise.all([
+      this.service.plan(question.map, draftRequest(question, removals), stop),
+      kept || !question.withBefore ? null : this.service.plan(question.map, draftBeforeRequest(question), stop),
+    ]);
+    if (stop.aborted) throw stopped();
+    if (plan.agents.length === 0) return false;
+    const beside = before ? { plan: before, verdict: null, draft: true } : kept;
+    this.results.answer(question, { after: { plan, verdict: null, draft: true }, ...(beside && { before: beside }) });
+    return true;
+  }
+
+  // What each number of removals reaches, one after the other: each is shown as soon as it is known, and what is known
+  // of an unchanged question is not asked again.
+  async #trace(question: Question, stop: AbortSignal, tell?: (progress: Progress) => void): Promise<readonly Plan[]> {
+    const key = keyOf.front(question);
+    if (this.#curve?.key !== key) this.#curve = new Curve(key, question.options.force?.length ?? 0);
+    const curve = this.#curve;
+    const began = performance.now();
+    const tellAll = (progress: Progress) => tell?.({ ...progress, seconds: (performance.now() - began) / 1000 });
+    while (!curve.isDone) {
+      const plan =
+        this.results.planFor(question, curve.next) ??
+        (await this.service.plan(question.map, stepRequest(question, curve.next), stop, tellAll));
+      if (stop.aborted) throw stopped();
+      curve.add(curve.next === question.removals ? this.#better(plan, stop) : plan);
+      this.results.front.value = curve.front();
+    }
+    return curve.plans;
+  }
+
+  // Whether the curve has the answer.
+  #isKnown(question: Question): boolean {
+    if (question.removals !== "auto") return this.#traced(question, question.removals) !== null;
+    return this.#curve?.key === keyOf.front(question) && this.#curve.isDone;
+  }
+
+  #traced(question: Question, removals: number): Plan | null {
+    const curve = this.#curve;
+    const plan = curve?.key === keyOf.front(question) ? curve.plans[removals - curve.from] : undefined;
+    return plan?.options.removals === removals ? plan : null;
+  }
+
+  // The plan or the one that is shown: the better of them is shown, so that curve and headline agree.
+  #better(plan: Plan, stop: AbortSignal): Plan {
+    const { after } = this.results.plans.value;
+    if (after && !after.draft && isAsGood(after.plan, plan)) return after.plan;
+    this.#show("after", plan, stop);
+    return plan;
+  }
+
+  // The plan again with what each removal saves; where time was short, perhaps a better one.
+  async #explain(question: Question, stop: AbortSignal): Promise<void> {
+    const shown = this.results.plans.value.after;
+    const short = shown !== undefined && isHasty(shown.plan);
+    if (!shown || (shown.plan.removed.length === 0 && !short)) return;
+    const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
+    const tell = (progress: Progress) => {
+      if (short && !stop.aborted) this.results.progress.value = progress;
+    };
+    try {
+      const plan = await this.service.plan(question.map, thoroughRequest(question, removals), stop, tell);
+      if (!isAsGood(plan, shown.plan)) return;
+      this.#show("after", plan, stop, hasSamePaths(plan, shown.plan) ? shown.verdict : null);
+    } finally {
+      if (short && !stop.aborted) this.results.progress.value = null;
+    }
+    await this.#judge("after", question, stop);
+  }
+
+  async #paper(question: Question, stop: AbortSignal): Promise<void> {
+    const shown = this.results.plans.value.after?.plan;
+    if (!shown) return;
+    const removals = question.removals === "auto" ? shown.removed.length : question.removals;
+    const paper =
+      question.method === "paper"
+        ? shown
+        : await this.service.plan(question.map, paperRequest(question, removals), stop);
+    this.#show("paper", paper, stop);
+    await this.#judge("paper", question, stop);
+  }
+
+  async #judge(layer: LayerName, question: Question, stop: AbortSignal): Promise<void> {
+    const { plans } = this.results;
+    const judged = plans.value[layer];
+    if (!judged) return;
+    const report = await this.service.check(question.map, judged.plan, stop);
+    if (plans.value[layer]?.plan === judged.plan) this.#show(layer, judged.plan, stop, verdictOf(report));
+  }
+
+  #show(layer: LayerName, plan: Plan, stop: AbortSignal, verdict: Verdict = null): void {
+    if (!stop.aborted) this.results.show(layer, { plan, verdict });
+  }
+}
+
+function isAsGood(plan: Plan, than: Plan): boolean {
+  return reached(plan) <= reached(than) * (1 + 1e-9);
+}
+
+function hasSamePaths(a: Plan, b: Plan): boolean {
+  return JSON.stringify(a.agents) === JSON.stringify(b.agents);
+}

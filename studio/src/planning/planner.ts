@@ -1,0 +1,116 @@
+// Keeps the results up with the mission. The latest question wins: one is asked at a time, those in between are
+// dropped. When nothing changes for a moment, the rest is asked.
+import { pause, ServiceError, stopped } from "../api/client";
+import { PlanFetcher, type PlanService } from "./plan_fetcher";
+import type { Question } from "./request";
+import { KnownResults } from "./results";
+
+export interface Pace {
+  calm: number; // ms without change after which the rest is asked
+  patience: number; // ms that a plan may take while a newer question waits
+  fluent: number; // ms: where plans take longer, a draft comes first
+}
+
+interface Work {
+  control: AbortController;
+  began: number;
+}
+
+export class Planner {
+  readonly results = new KnownResults();
+
+  readonly #fetcher: PlanFetcher;
+  #wanted: Question | null = null;
+  #working: Work | null = null;
+  #resting: AbortController | null = null;
+
+  constructor(
+    service: PlanService,
+    private readonly pace: Pace = { calm: 150, patience: 600, fluent: 80 },
+  ) {
+    this.#fetcher = new PlanFetcher(service, this.results, pace.fluent);
+  }
+
+  ask(question: Question): void {
+    this.#wanted = question;
+    this.#resting?.abort();
+    if (this.#working) return this.#hurry(this.#working);
+    if (this.results.isAnswered(question)) {
+      this.#wanted = null;
+      this.results.answered.value = question;
+      void this.#rest(question);
+    } else {
+      void this.#work();
+    }
+  }
+
+  // The plan under way is given up; what was shown before stays.
+  stop(): void {
+    this.#wanted = null;
+    this.#resting?.abort();
+    this.#working?.control.abort();
+    this.results.progress.value = null;
+    if (this.results.plans.value.after?.draft) this.results.failure.value = stopped();
+  }
+
+  // Whether what is shown answers the latest question.
+  isUpToDate(): boolean {
+    return this.#working === null && this.#wanted === null;
+  }
+
+  // Another map: nothing of the old plans fits.
+  clear(): void {
+    this.stop();
+    this.#fetcher.forget();
+    this.results.clear();
+  }
+
+  // A plan that takes long is dropped for a newer question, but not so soon that none ever ends.
+  #hurry(working: Work): void {
+    const left = working.began + this.pace.patience - performance.now();
+    setTimeout(() => this.#wanted && working.control.abort(), Math.max(0, left));
+  }
+
+  async #work(): Promise<void> {
+    let done: Question | null = null;
+    while (this.#wanted) {
+      const question = this.#wanted;
+      this.#wanted = null;
+      const control = new AbortController();
+      this.#working = { control, began: performance.now() };
+      done = null;
+      try {
+        await this.#fetcher.fetchFirst(question, control.signal);
+        this.results.failure.value = null;
+        done = question;
+      } catch (error) {
+        const trouble = asServiceError(error);
+        const dropped = trouble.trouble === "stopped" && this.#wanted !== null;
+        if (dropped) continue;
+        this.results.failure.value = trouble;
+        if (trouble.trouble === "refused") this.results.answer(question, {}); // plans of another question would mislead
+      }
+    }
+    this.#working = null;
+    this.results.progress.value = null;
+    if (done) void this.#rest(done);
+  }
+
+  async #rest(question: Question): Promise<void> {
+    const control = (this.#resting = new AbortController());
+    const stop = control.signal;
+    try {
+      await pause(this.pace.calm, stop);
+      await this.#fetcher.fetchRest(question, stop);
+    } catch (error) {
+      // What is beside the plan may be missing; but that nobody answers has to be said.
+      const trouble = asServiceError(error);
+      const said = trouble.trouble === "gone" || trouble.trouble === "missing";
+      if (said || (this.results.plans.value.after?.draft && !stop.aborted)) this.results.failure.value = trouble;
+    }
+  }
+}
+
+function asServiceError(error: unknown): ServiceError {
+  return error instanceof ServiceError ? error : new ServiceError("refused", `The page failed: ${String(error)}.`);
+}

@@ -1,0 +1,74 @@
+// What is known about a mission, and for which questions it holds.
+import { type Signal, signal } from "@preact/signals";
+import type { CheckReport, Progress, ServiceError } from "../api/client";
+import type { LayerName } from "../domain/mission";
+import type { Plan } from "../domain/plan";
+import type { Front } from "./curve";
+import { isHasty, keyOf, type Question } from "./request";
+
+// What the independent check says of a plan: null while it is not known.
+export type Verdict = { valid: true } | { valid: false; reason: string } | null;
+
+export interface Judged {
+  plan: Plan;
+  verdict: Verdict;
+  draft?: boolean; // made in a hurry: the plan itself follows
+}
+
+export type Plans = Readonly<Partial<Record<LayerName, Judged>>>;
+
+export interface Results {
+  plans: Signal<Plans>;
+  front: Signal<Front | null>;
+  answered: Signal<Question | null>; // what the plans answer
+  progress: Signal<Progress | null>;
+  failure: Signal<ServiceError | null>;
+}
+
+export class KnownResults implements Results {
+  readonly plans = signal<Plans>({});
+  readonly front = signal<Front | null>(null);
+  readonly answered = signal<Question | null>(null);
+  readonly progress = signal<Progress | null>(null);
+  readonly failure = signal<ServiceError | null>(null);
+
+  answer(question: Question, plans: Plans): void {
+    this.answered.value = question;
+    this.plans.value = plans;
+  }
+
+  show(layer: LayerName, judged: Judged): void {
+    this.plans.value = { ...this.plans.value, [layer]: judged };
+  }
+
+  clear(): void {
+    this.plans.value = {};
+    this.front.value = null;
+    this.answered.value = null;
+    this.failure.value = null;
+  }
+
+  isAnswered(question: Question): boolean {
+    const last = this.answered.value;
+    return last !== null && this.failure.value === null && keyOf.plan(last) === keyOf.plan(question);
+  }
+
+  // The way without removals, where it is still that of the question.
+  beforeFor(question: Question): Judged | undefined {
+    const last = this.answered.value;
+    const { before } = this.plans.value;
+    return last && !before?.draft && keyOf.before(last) === keyOf.before(question) ? before : undefined;
+  }
+
+  // The plan that is shown anyway, unless it had to be found in haste.
+  planFor(question: Question, removals: number): Plan | null {
+    const last = this.answered.value;
+    const { after } = this.plans.value;
+    const fits = last && keyOf.front(last) === keyOf.front(question) && last.removals === removals;
+    return fits && after && !after.draft && !isHasty(after.plan) ? after.plan : null;
+  }
+}
+
+export function verdictOf({ valid, violations }: CheckReport): Verdict {
+  return valid ? { valid } : { valid, reason: violations.map((violation) => violation.message).join("; ") };
+}
