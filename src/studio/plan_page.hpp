@@ -6,7 +6,7 @@
 
 namespace waybreaker::studio {
 
-// The viewer of studio/ with `data` in it: JSON with what it shows (`ViewerData` of studio/src/api/answers.ts).
+// The viewer of studio/ with `data` in it: JSON with what it shows (`PlanDocument` of studio/src/mission/viewer.ts).
 std::string plan_page(std::string_view title, std::string_view data);
 
 }  // namespace waybreaker::studio
