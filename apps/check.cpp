@@ -18,7 +18,7 @@ struct CheckOptions {
     std::string map;
     std::string plan;
     std::string json;
-    double tolerance = CheckRules().tolerance;
+    double tolerance = io::JudgeOptions().tolerance;
     bool ignore_digest = false;
 };
 

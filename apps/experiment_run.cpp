@@ -74,7 +74,7 @@ void run(const ExperimentRunOptions& options) {
     const experiment::Experiment experiment = read(options.spec);
     experiment::Store store(options.output, experiment, options.shard, WAYBREAKER_VERSION);
     heed_requests_to_end();
-    std::stop_source stop;
+    StopSource stop;
     const bool watched = isatty(STDERR_FILENO) == 1;
     const auto tell = [&](const experiment::RunProgress& progress) {
         if (watched) show(progress);

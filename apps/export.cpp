@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "help.hpp"
+#include "io/check_report.hpp"
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
@@ -37,7 +38,7 @@ void require_valid(const ExportOptions& options, const io::PlanFile& plan, const
         (plan.digest != map.digest && !options.ignore_digest)) {
         throw InputError(options.plan, 0, "was made for another map file (see waybreaker check, and --ignore-digest)");
     }
-    if (!check(map.map, plan.plan, plan.rules).empty()) {
+    if (!io::judge(plan, map, {.ignore_digest = options.ignore_digest}).empty()) {
         throw InputError(options.plan, 0,
                          fmt::format("is not valid: see waybreaker check {} {}", options.map, options.plan));
     }
@@ -56,7 +57,7 @@ void run(const ExportOptions& options) {
     const io::PlanFile plan = io::parse_plan(text, options.plan);
     const io::MapFile map = read_map(options, plan);
     require_valid(options, plan, map);
-    auto files = export_plan(options.exports, plan.plan, map, plan.search);
+    auto files = export_plan(options.exports, plan.plan, map, search_options(plan.method, body_of(plan)));
     if (!options.html.empty()) files.emplace_back(options.html, plan_html(map, std::array{NamedPlan{"plan", text}}));
     for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
 }

@@ -21,7 +21,7 @@ struct Suffix {
 };
 
 // Names that say what a file is. Others say nothing, and are as good for one format as for another.
-const std::array<Suffix, 17> suffixes{{{".json", {"--json", "--trace", "--geojson"}},
+const std::array<Suffix, 17> suffixes{{{".json", {"--json", "--save-mission", "--trace", "--geojson"}},
                                        {".svg", {"--svg"}},
                                        {".png", {"--png", "--opened-map"}},
                                        {".html", {"--html"}},

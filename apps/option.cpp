@@ -132,7 +132,8 @@ CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<do
         app, name, [&value](double length) { value = length; }, {0, most}, "CELLS", text);
 }
 
-CLI::Option* add_time_limit(CLI::App& app, const std::string& name, double& value, const std::string& text) {
+CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optional<double>& value,
+                            const std::string& text) {
     const auto read = [name, &value](const std::string& given) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         const auto seconds = given == "none" ? infinity : number<double>(given);

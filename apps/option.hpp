@@ -47,7 +47,8 @@ CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<do
                         const std::string& text);
 
 // A number of seconds above 0, or "none".
-CLI::Option* add_time_limit(CLI::App& app, const std::string& name, double& value, const std::string& text);
+CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optional<double>& value,
+                            const std::string& text);
 
 // Ids of obstacles: "17,4".
 CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,

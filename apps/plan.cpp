@@ -25,14 +25,10 @@
 namespace waybreaker::apps {
 namespace {
 
-const Agent& ground_agent(const Mission& mission) {
-    return *std::find_if(mission.agents.begin(), mission.agents.end(),
-                         [](const Agent& agent) { return agent.kind == AgentKind::ground; });
-}
-
 // Every step of the ground search on the closed map, searched once more so that listening slows down nothing else.
-std::string trace(const Map& map, const Mission& mission, SearchOptions search) {
-    const Agent& driver = ground_agent(mission);
+std::string trace(const Map& map, const Mission& mission, const Method& method) {
+    const Agent& driver = mission.first(AgentKind::ground);
+    SearchOptions search = search_options(method, driver.body);
     const OpenedMap closed(map);
     io::SearchTrace listener(closed, driver.start, driver.goal);
     search.listener = &listener;
@@ -69,59 +65,70 @@ render::PictureOptions picture_options(const io::MapFile& map, bool metres, Obje
 }
 
 // The plan, and what there is to compare it with: no removal, the paper's plan, more and fewer removals.
-std::string html(const io::PlanContext& context, const Plan& chosen, const Deadline& deadline) {
+std::string html(const io::PlanContext& context, const Plan& chosen, const Limits& limits, const Deadline& deadline) {
     MissionPlanner planner;
+    const auto what_is_left = [&] {
+        Limits left = limits;
+        left.seconds = time_left(deadline);
+        return left;
+    };
     std::vector<NamedPlan> plans;
-    const auto json = [&](const MissionOptions& options, const Plan& plan, std::span<const Plan> front = {}) {
+    const auto json = [&](const Mission& mission, const Method& method, const Plan& plan,
+                          std::span<const Plan> front = {}) {
         return io::plan_json(plan, {.map = context.map,
-                                    .mission = context.mission,
-                                    .options = options,
+                                    .mission = mission,
+                                    .method = method,
                                     .connectivity = context.connectivity,
                                     .timing_fields = context.timing_fields,
                                     .image = context.image,
                                     .front = front});
     };
-    const auto add = [&](const std::string& name, MissionOptions options) {
-        options.time_limit = time_left(deadline);
-        plans.push_back({name, json(options, planner.plan(context.map.map, context.mission, options))});
+    const auto add = [&](const std::string& name, const Mission& mission, const Method& method) {
+        const Plan plan = planner.plan(context.map.map, mission, method, what_is_left());
+        plans.push_back({name, json(mission, method, plan)});
     };
-    plans.push_back({"plan", json(context.options, chosen)});
-    MissionOptions usual = context.options;
+    plans.push_back({"plan", json(context.mission, context.method, chosen)});
+    Method usual = context.method;
     usual.explain = false;
-    MissionOptions none = usual;
-    none.removals = 0;
-    none.force.clear();
-    add("before", none);
-    if (context.options.select == Selection::exact) add("paper", paper_options(usual));
-    MissionOptions more = usual;
-    more.removals = std::max(more.removals, usual_most_removals);
-    more.time_limit = time_left(deadline);
-    const std::vector<Plan> front = planner.front(context.map.map, context.mission, more);
-    return plan_html(context.map, plans, json(more, front.back(), front));
+    Mission none = context.mission;
+    none.rules.removals = 0;
+    none.rules.force.clear();
+    add("before", none, usual);
+    if (usual.select == Selection::exact) {
+        Mission mission = context.mission;
+        Method paper = usual;
+        follow_paper(mission.rules, paper);
+        add("paper", mission, paper);
+    }
+    Mission more = context.mission;
+    more.rules.removals = std::max(more.rules.removals, usual_most_removals);
+    const std::vector<Plan> front = planner.front(context.map.map, more, usual, what_is_left());
+    return plan_html(context.map, plans, json(more, usual, front.back(), front));
 }
 
 // What goes where, standard output last: by then all files are complete.
 void write_outputs(const PlanOptions& options, const io::PlanContext& context, const Plan& explained,
-                   const Deadline& deadline) {
+                   const Limits& limits, const Deadline& deadline) {
     Plan plan = explained;
-    if (!options.explain) {  // for the page alone
-        for (Removal& removal : plan.removed) removal.saves.reset();
+    if (!context.method.explain) {  // for the page alone
+        for (Breach& breach : plan.breaches) breach.saves.reset();
         plan.next.clear();
     }
     const io::MapFile& file = context.map;
     const bool metres = has_metres(options, file);
-    const render::PictureOptions picture = picture_options(file, metres, context.options.objective);
+    const render::PictureOptions picture = picture_options(file, metres, context.mission.rules.objective);
     std::vector<std::pair<std::string, std::string>> outputs;
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
     if (!options.png.empty()) outputs.emplace_back(options.png, render::png(file.map, context.mission, plan, picture));
-    if (!options.html.empty()) outputs.emplace_back(options.html, html(context, explained, deadline));
+    if (!options.html.empty()) outputs.emplace_back(options.html, html(context, explained, limits, deadline));
     if (!options.trace.empty()) {
-        outputs.emplace_back(options.trace, trace(file.map, context.mission, context.options.search));
+        outputs.emplace_back(options.trace, trace(file.map, context.mission, context.method));
     }
     Plan exported = plan;
-    if (options.no_timing) exported.after.ground.seconds = 0;
-    for (auto& output : export_plan(options.exports, exported, file, context.options.search)) {
+    if (options.no_timing) exported.after.ground().seconds = 0;
+    for (auto& output : export_plan(options.exports, exported, file,
+                                    search_options(context.method, context.mission.first(AgentKind::ground).body))) {
         outputs.push_back(std::move(output));
     }
     const auto last =
@@ -132,19 +139,18 @@ void write_outputs(const PlanOptions& options, const io::PlanContext& context, c
     for (const auto& [path, bytes] : outputs) io::write_whole(path, bytes);
 }
 
-void require_plan(const Plan& plan, const Mission& mission, const MissionOptions& options) {
+void require_plan(const Plan& plan, const Mission& mission, const Limits& limits) {
     if (plan.status == PlanStatus::solved) return;
-    const Agent& driver = ground_agent(mission);
+    const Agent& driver = mission.first(AgentKind::ground);
     const std::string way =
         fmt::format("from {},{} to {},{}", driver.start.x, driver.start.y, driver.goal.x, driver.goal.y);
     if (plan.status == PlanStatus::limit_reached) {
-        if (options.search.expansion_limit == UINT64_MAX) {
+        if (limits.expansions == UINT64_MAX) {
             throw NoPlan(fmt::format("no plan {} was found in time; raise --time-limit", way));
         }
-        throw NoPlan(fmt::format("no plan {} within {} expansions; raise --expansion-limit", way,
-                                 options.search.expansion_limit));
+        throw NoPlan(fmt::format("no plan {} within {} expansions; raise --expansion-limit", way, limits.expansions));
     }
-    const std::size_t removed = plan.removed.size();
+    const std::size_t removed = plan.breaches.size();
     throw NoPlan(fmt::format("no plan: the ground agent cannot get {}{}", way,
                              removed == 0 ? "" : fmt::format(", even with {} removed obstacles", removed)));
 }
@@ -157,15 +163,16 @@ io::MapFile read_map(const PlanOptions& options) {
 }
 
 // One plan; or, with --removals auto, those for 0, 1, 2, ... removals as long as they gain.
-std::vector<Plan> plan_mission(const io::MapFile& file, const Mission& mission, MissionOptions options, bool front) {
+std::vector<Plan> plan_mission(const io::MapFile& file, const io::MissionDocument& asked, bool front) {
     Progress progress("planning");
-    options.progress = [&progress](const waybreaker::Progress& known) {
+    Limits limits = asked.limits;
+    limits.progress = [&progress](const waybreaker::Progress& known) {
         if (!std::isfinite(known.best)) return;
         progress.tell(fmt::format("best {:.1f}, none below {:.1f}", known.best, known.bound));
     };
     MissionPlanner planner;
-    std::vector<Plan> plans =
-        front ? planner.front(file.map, mission, options) : std::vector<Plan>{planner.plan(file.map, mission, options)};
+    std::vector<Plan> plans = front ? planner.front(file.map, asked.mission, asked.method, limits)
+                                    : std::vector<Plan>{planner.plan(file.map, asked.mission, asked.method, limits)};
     plans.back().seconds.label = file.label_seconds;
     plans.back().seconds.total += file.label_seconds;
     return plans;
@@ -173,30 +180,34 @@ std::vector<Plan> plan_mission(const io::MapFile& file, const Mission& mission, 
 
 void run(const PlanOptions& options) {
     validate(options);
-    const Deadline deadline(options.time_limit);
-    const io::MapFile file = read_map(options);
-    const Mission mission = mission_of(options, file);
-    MissionOptions mission_options = mission_options_of(options, file);
-    validate(mission_options.search);
+    const Stopwatch since_start;
+    io::MapFile file = read_map(options);
+    if (const auto weights = weights_of(options, file.map)) file.map = file.map.with_weights(*weights);
+    io::MissionDocument asked = mission_of(options, file);
+    if (!options.save_mission.empty()) io::write_whole(options.save_mission, io::mission_text(asked));
+    const Deadline deadline(asked.limits.seconds - since_start.seconds());
+    validate(search_options(asked.method, asked.mission.first(AgentKind::ground).body));
     try {
-        validate(file.map, mission, mission_options);
+        validate(file.map, asked.mission, asked.method, asked.limits);
     } catch (const InputError& error) {
         throw InputError(io::input_name(options.map), 0, error.what());
     }
-    mission_options.time_limit = time_left(deadline);
-    mission_options.explain = options.explain || !options.html.empty();
-    const std::vector<Plan> plans = plan_mission(file, mission, mission_options, options.removals_auto);
-    if (options.removals_auto) mission_options.removals = int(plans.size() + mission_options.force.size()) - 1;
+    asked.limits.seconds = time_left(deadline);
+    const bool explain = std::exchange(asked.method.explain, asked.method.explain || !options.html.empty());
+    const std::vector<Plan> plans = plan_mission(file, asked, options.removals_auto);
+    asked.method.explain = explain;
+    Rules& rules = asked.mission.rules;
+    if (options.removals_auto) rules.removals = int(plans.size() + rules.force.size()) - 1;
     const Plan& plan = plans.back();
     const io::PlanContext context{.map = file,
-                                  .mission = mission,
-                                  .options = mission_options,
+                                  .mission = asked.mission,
+                                  .method = asked.method,
                                   .connectivity = options.connectivity,
                                   .timing_fields = !options.no_timing,
                                   .image = options.image,
                                   .front = options.removals_auto ? std::span(plans) : std::span<const Plan>()};
-    write_outputs(options, context, plan, deadline);
-    require_plan(plan, mission, mission_options);
+    write_outputs(options, context, plan, asked.limits, deadline);
+    require_plan(plan, asked.mission, asked.limits);
 }
 
 }  // namespace

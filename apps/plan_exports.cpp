@@ -17,7 +17,7 @@ namespace {
 
 std::vector<io::OutputFile> opened_map(const std::string& path, const Plan& plan, const io::MapFile& map) {
     std::vector<ObstacleId> removed;
-    for (const Removal& removal : plan.removed) removed.push_back(removal.obstacle);
+    for (const Breach& removal : plan.breaches) removed.push_back(removal.obstacle);
     io::WrittenMap written = io::write_map(io::without_obstacles(map, removed), path);
     tell_losses(path, written.losses);
     return std::move(written.files);

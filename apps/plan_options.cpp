@@ -20,6 +20,7 @@ constexpr int most_auto_removals = 32;
 constexpr Range speeds{least_speed, most_speed};
 constexpr Range breach_times{0, most_breach_time};
 constexpr double largest_radius = 32;
+constexpr double default_seconds = 10;
 
 // A whole number, or "auto".
 void add_removals(CLI::App& command, PlanOptions& options) {
@@ -34,6 +35,8 @@ void add_removals(CLI::App& command, PlanOptions& options) {
 }
 
 void add_mission_options(CLI::App& command, PlanOptions& options) {
+    add_file(command, "--mission", options.mission,
+             "Read the mission from a mission file (JSON); other options override what it says");
     add_cell(command, "--start", options.start, "Cell where both agents start (default: as the map file says)");
     add_cell(command, "--goal", options.goal, "Cell where both agents end (default: as the map file says)");
     add_cell(command, "--air-start", options.air_start, "Cell where the air agent starts, if elsewhere");
@@ -45,10 +48,10 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
         command, "--air-speed", [&options](double speed) { options.air_speed = speed; }, speeds, "SPEED",
         "Cells per unit of time that the air agent flies (default: 1)");
     add_number(
-        command, "--breach-time", [&options](double time) { options.breach_time.per_obstacle = time; }, breach_times,
-        "TIME", "How long the air agent stays to breach an obstacle, beside what the map says of each (default: 0)");
+        command, "--breach-time", [&options](double time) { options.breach_time = time; }, breach_times, "TIME",
+        "How long the air agent stays to breach an obstacle, beside what the map says of each (default: 0)");
     add_number(
-        command, "--breach-time-per-cell", [&options](double time) { options.breach_time.per_cell = time; },
+        command, "--breach-time-per-cell", [&options](double time) { options.breach_time_per_cell = time; },
         breach_times, "TIME", "How much longer for each cell of the obstacle (default: 0)");
     add_obstacles(command, "--protect", options.protect, "Obstacles that must stay");
     add_obstacles(command, "--force", options.force, "Obstacles that must go; they count among the removals");
@@ -121,6 +124,8 @@ void add_search_options(CLI::App& command, PlanOptions& options) {
 
 void add_output_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--json", options.json, "Write the plan; - is standard output, here and below");
+    add_file(command, "--save-mission", options.save_mission,
+             "Write the mission, options included, as a mission file for --mission");
     add_file(command, "--svg", options.svg, "Write a picture");
     add_file(command, "--png", options.png, "Write a picture");
     add_file(command, "--html", options.html,
@@ -135,15 +140,6 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
 // What only a search with a heuristic knows, or can tell of its steps.
 bool needs_search(const PlanOptions& options) {
     return options.heuristic || options.weight || options.tie_break || !options.trace.empty();
-}
-
-// As the map says, unless something else is asked for.
-std::vector<double> weights_of(const std::string& source, const Map& map) {
-    if (!source.empty() && source != "cells") return io::read_weights(source, map);
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.obstacles())
-        weights.push_back(source.empty() ? obstacle.weight : obstacle.cells);
-    return weights;
 }
 
 }  // namespace
@@ -185,68 +181,109 @@ void validate(const PlanOptions& options) {
                                      {"--svg", options.svg},
                                      {"--png", options.png},
                                      {"--html", options.html},
-                                     {"--trace", options.trace}});
-    const NamedFiles inputs{{"MAP", options.map}, {"--weights", options.weights}};
+                                     {"--trace", options.trace},
+                                     {"--save-mission", options.save_mission}});
+    const NamedFiles inputs{{"MAP", options.map}, {"--weights", options.weights}, {"--mission", options.mission}};
     validate_inputs(inputs);
     validate_outputs(outputs, inputs);
 }
 
-Mission mission_of(const PlanOptions& options, const io::MapFile& map) {
+std::optional<std::vector<double>> weights_of(const PlanOptions& options, const Map& map) {
+    if (options.weights.empty()) return std::nullopt;
+    if (options.weights != "cells") return io::read_weights(options.weights, map);
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
+    return weights;
+}
+
+namespace {
+
+void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
     const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::XmlTask::*in_file,
                               const char* option) {
         if (given) return *given;
         if (map.task && (*map.task).*in_file) return *((*map.task).*in_file);
         throw InputError(fmt::format("{} X,Y is missing, and {} does not say it", option, map.source));
     };
-    const Cell start = place(options.start, &io::XmlTask::start, "--start");
-    const Cell goal = place(options.goal, &io::XmlTask::goal, "--goal");
-    Mission mission = ground_and_air(start, goal);
-    for (Agent& agent : mission.agents) {
-        agent.speed = agent.kind == AgentKind::air ? options.air_speed : options.ground_speed;
-        if (agent.kind != AgentKind::air) continue;
-        agent.start = options.air_start.value_or(start);
-        agent.goal = options.air_goal.value_or(goal);
+    if (mission.agents.empty()) {
+        mission = ground_and_air(place(options.start, &io::XmlTask::start, "--start"),
+                                 place(options.goal, &io::XmlTask::goal, "--goal"));
+        if (map.task) mission.agents.front().body = map.task->search.body;
     }
-    return mission;
+    for (Agent& agent : mission.agents) {
+        const bool flies = agent.kind == AgentKind::air;
+        if (options.start) agent.start = *options.start;
+        if (options.goal) agent.goal = *options.goal;
+        if (flies) {
+            agent.start = options.air_start.value_or(agent.start);
+            agent.goal = options.air_goal.value_or(agent.goal);
+        } else {
+            agent.body.corners = options.corners.value_or(agent.body.corners);
+            agent.body.radius = options.radius.value_or(agent.body.radius);
+        }
+        agent.speed = (flies ? options.air_speed : options.ground_speed).value_or(agent.speed);
+    }
 }
 
-MissionOptions mission_options_of(const PlanOptions& options, const io::MapFile& map) {
-    MissionOptions result;
-    // A budget alone stands in place of a count.
-    const int all = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
-    const int removals = options.removals.value_or(options.budget ? all : result.removals);
-    if (options.paper) result = paper_options(removals);
-    result.removals = removals;
-    result.select = options.select.value_or(result.select);
-    result.budget = options.budget.value_or(result.budget);
-    if (options.budget || !options.weights.empty()) result.weights = weights_of(options.weights, map.map);
-    result.bound = options.bound;
-    result.explain = options.explain;
-    result.time_limit = options.time_limit;
-    result.search = map.task ? map.task->search : SearchOptions{};
-    if (options.paper) result.search.planner = Planner::theta;
-    result.flight = options.flight.value_or(result.flight);
-    result.timing = options.timing.value_or(result.timing);
-    result.breach_time = options.breach_time;
-    result.protect = options.protect;
-    result.force = options.force;
-    result.objective = options.objective;
-    SearchOptions& search = result.search;
-    if (options.heuristic) search.heuristic = options.heuristic;
-    search.weight = options.weight.value_or(search.weight);
-    search.tie_break = options.tie_break.value_or(search.tie_break);
-    search.motion.corners = options.corners.value_or(search.motion.corners);
-    search.motion.radius = options.radius.value_or(search.motion.radius);
-    search.motion.diagonal = options.diagonal.value_or(search.motion.diagonal);
-    search.expansion_limit = options.expansion_limit;
-    const Planner by_default = map.task || options.paper || needs_search(options) ? search.planner : Planner::optimal;
-    search.planner = options.planner.value_or(by_default);
-    if (options.planner == Planner::optimal && planner_of(result) != Planner::optimal) {
+void set_rules(const PlanOptions& options, const Map& map, Rules& rules) {
+    if (options.budget) {
+        rules.budget = *options.budget;
+        // Alone it stands in place of a count.
+        rules.removals = int(std::min<std::size_t>(map.obstacles().size(), INT_MAX));
+    }
+    rules.removals = options.removals.value_or(rules.removals);
+    rules.breach_time.per_obstacle = options.breach_time.value_or(rules.breach_time.per_obstacle);
+    rules.breach_time.per_cell = options.breach_time_per_cell.value_or(rules.breach_time.per_cell);
+    if (!options.protect.empty()) rules.protect = options.protect;
+    if (!options.force.empty()) rules.force = options.force;
+    rules.objective = options.objective.value_or(rules.objective);
+}
+
+void set_method(const PlanOptions& options, Method& method) {
+    method.select = options.select.value_or(method.select);
+    method.flight = options.flight.value_or(method.flight);
+    method.planner = options.planner.value_or(method.planner);
+    if (options.heuristic) method.heuristic = options.heuristic;
+    method.weight = options.weight.value_or(method.weight);
+    method.tie_break = options.tie_break.value_or(method.tie_break);
+    method.diagonal = options.diagonal.value_or(method.diagonal);
+    method.bound = method.bound || options.bound;
+    method.explain = method.explain || options.explain;
+}
+
+}  // namespace
+
+io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map) {
+    const Limits limits{.seconds = default_seconds};
+    io::MissionDocument result{.mission = {}, .limits = limits};
+    if (!options.mission.empty()) result = io::read_mission_file(options.mission, limits);
+    Mission& mission = result.mission;
+    Method& method = result.method;
+    const bool from_map = map.task && options.mission.empty();
+    set_agents(options, map, mission);
+    set_rules(options, map.map, mission.rules);
+    if (from_map) {
+        const SearchOptions& search = map.task->search;
+        method.heuristic = search.heuristic;
+        method.weight = search.weight;
+        method.tie_break = search.tie_break;
+        method.diagonal = search.diagonal;
+        method.planner = search.planner;
+    } else if (needs_search(options)) {
+        method.planner = Planner::theta;
+    }
+    if (options.paper) follow_paper(mission.rules, method);
+    set_method(options, method);
+    mission.rules.timing = options.timing.value_or(mission.rules.timing);
+    result.limits.seconds = options.time_limit.value_or(result.limits.seconds);
+    result.limits.expansions = options.expansion_limit.value_or(result.limits.expansions);
+    const Planner planner = planner_of(method, mission.first(AgentKind::ground).body);
+    if (options.planner == Planner::optimal && planner != Planner::optimal) {
         throw InputError(
             "--planner optimal drives an agent of radius 0.5 or 0 that passes no blocked corner, and counts no hits; "
             "drop it, or the option that contradicts it");
     }
-    search.planner = planner_of(result);
+    method.planner = planner;
     return result;
 }
 

@@ -8,14 +8,16 @@
 
 #include "commands.hpp"
 #include "io/map_file.hpp"
+#include "io/mission_json.hpp"
 #include "plan_exports.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::apps {
 
 // As given on the command line. What is optional can come from --paper or from the map file.
 struct PlanOptions {
     std::string map;
+    std::string mission;  // a mission file
     std::optional<Cell> start;
     std::optional<Cell> goal;
     std::optional<Cell> air_start;
@@ -29,15 +31,16 @@ struct PlanOptions {
     std::string weights;
     bool bound = false;
     bool explain = false;
-    double time_limit = 10;  // seconds, of the whole call
+    std::optional<double> time_limit;  // seconds, of the whole call
     std::optional<FlightRule> flight;
     std::optional<Timing> timing;
-    double ground_speed = 1;
-    double air_speed = 1;
-    BreachTime breach_time;
+    std::optional<double> ground_speed;
+    std::optional<double> air_speed;
+    std::optional<double> breach_time;
+    std::optional<double> breach_time_per_cell;
     std::vector<ObstacleId> protect;
     std::vector<ObstacleId> force;
-    Objective objective = Objective::makespan;
+    std::optional<Objective> objective;
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;
 
@@ -48,10 +51,11 @@ struct PlanOptions {
     std::optional<Corners> corners;
     std::optional<double> radius;
     std::optional<bool> diagonal;
-    std::uint64_t expansion_limit = UINT64_MAX;
+    std::optional<std::uint64_t> expansion_limit;
 
     std::optional<double> cell_size;
     std::string json;
+    std::string save_mission;
     std::string svg;
     std::string png;
     std::string html;
@@ -65,10 +69,10 @@ void add_plan_options(CLI::App& command, PlanOptions& options);
 // Throws InputError, naming the options, if they contradict each other.
 void validate(const PlanOptions& options);
 
-// Start and goal of the map file, where it holds them, unless the options say otherwise.
-Mission mission_of(const PlanOptions& options, const io::MapFile& map);
+// What obstacles weigh, by id, where the options say so; throws InputError as io::read_weights does.
+std::optional<std::vector<double>> weights_of(const PlanOptions& options, const Map& map);
 
-// The options, else what --paper stands for, else what the map file says, else the defaults.
-MissionOptions mission_options_of(const PlanOptions& options, const io::MapFile& map);
+// The options, else what the mission file says or --paper stands for, else what the map file says, else the defaults.
+io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map);
 
 }  // namespace waybreaker::apps

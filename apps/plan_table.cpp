@@ -100,8 +100,7 @@ std::string quantities(const std::string& what, const std::vector<Quantity>& lis
     return aligned(rows, bold) + "\n";
 }
 
-std::string searches(const Outcome::Ground& before, const Outcome::Ground& after, const io::PlanContext& context,
-                     bool bold) {
+std::string searches(const Route& before, const Route& after, const io::PlanContext& context, bool bold) {
     std::vector<Row> rows{columns("ground search")};
     const auto add_count = [&](const std::string& name, std::uint64_t was, std::uint64_t is) {
         rows.push_back({name, std::to_string(was), std::to_string(is), change(double(was), double(is))});
@@ -122,29 +121,29 @@ std::string outcomes(const Plan& plan, const io::PlanContext& context, const Tab
     const double cell_size = context.map.cell_size;
     const bool seconds = style.metres && unit_speeds(context.mission);
     return quantities("length",
-                      {{"path A (ground)", before.ground.length, after.ground.length},
-                       {"path B (air)", before.air.length, after.air.length}},
+                      {{"path A (ground)", before.ground().length, after.ground().length},
+                       {"path B (air)", before.air().length, after.air().length}},
                       style.metres ? "m" : "", cell_size, style.bold) +
            quantities("time",
                       {{"makespan", before.makespan, after.makespan}, {"flowtime", before.flowtime, after.flowtime}},
                       seconds ? "s" : "", cell_size, style.bold) +
-           searches(before.ground, after.ground, context, style.bold);
+           searches(before.ground(), after.ground(), context, style.bold);
 }
 
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
-    const auto named = [](const Removal& removal) { return removal.source_id != 0; };
-    const bool source_ids = std::any_of(plan.removed.begin(), plan.removed.end(), named);
+    const auto named = [](const Breach& removal) { return removal.source_id != 0; };
+    const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
     const bool explained =
-        std::ranges::any_of(plan.removed, [](const Removal& removal) { return removal.saves.has_value(); });
-    const auto name_of = [&](const Removal& removal) { return context.map.name_of(removal.obstacle); };
-    const bool names = !std::ranges::all_of(plan.removed, &std::string_view::empty, name_of);
-    const bool counted = context.options.select == Selection::hits;
+        std::ranges::any_of(plan.breaches, [](const Breach& removal) { return removal.saves.has_value(); });
+    const auto name_of = [&](const Breach& removal) { return context.map.name_of(removal.obstacle); };
+    const bool names = !std::ranges::all_of(plan.breaches, &std::string_view::empty, name_of);
+    const bool counted = context.method.select == Selection::hits;
     std::vector<Row> rows{{"removed", "obstacle", "cells", "breach cell", "breached at", "entered at"}};
     if (counted) rows.front().insert(rows.front().begin() + 3, "hits");
     if (explained) rows.front().emplace_back("saves");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     if (names) rows.front().emplace_back("name");
-    for (const Removal& removal : plan.removed) {
+    for (const Breach& removal : plan.breaches) {
         rows.push_back({std::to_string(rows.size()), std::to_string(removal.obstacle.value),
                         std::to_string(removal.cells), text(removal.at), text(removal.cleared_at, 3),
                         text(removal.entered_at, 3)});
@@ -155,10 +154,11 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         if (names) rows.back().emplace_back(name_of(removal));
     }
     if (rows.size() > 1) return aligned(rows, style.bold, names);
-    if (context.options.removals == 0) return "nothing removed, as asked for\n";
+    if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
     if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";
-    return counted && context.options.timing == Timing::ignore ? "nothing removed: the search ran into no obstacle\n"
-                                                               : "nothing removed: no removal gains anything\n";
+    return counted && context.mission.rules.timing == Timing::ignore
+               ? "nothing removed: the search ran into no obstacle\n"
+               : "nothing removed: no removal gains anything\n";
 }
 
 // The objective as a person says it.
@@ -170,13 +170,13 @@ std::string words(Objective objective) {
 // What each further removal saves.
 std::string front(const io::PlanContext& context, const TableStyle& style) {
     if (context.front.empty()) return "";
-    std::vector<Row> rows{{"removals", words(context.options.objective), "saves", "no plan below", "obstacles"}};
+    std::vector<Row> rows{{"removals", words(context.mission.rules.objective), "saves", "no plan below", "obstacles"}};
     std::optional<double> before;
     for (const Plan& plan : context.front) {
-        const std::optional<double> reached = value(plan.after, context.options.objective);
+        const std::optional<double> reached = value(plan.after, context.mission.rules.objective);
         const std::optional<double> saves = before && reached ? std::optional(*before - *reached) : std::nullopt;
         std::vector<std::uint32_t> ids;
-        for (const Removal& removal : plan.removed) ids.push_back(removal.obstacle.value);
+        for (const Breach& removal : plan.breaches) ids.push_back(removal.obstacle.value);
         std::ranges::sort(ids);
         rows.push_back({std::to_string(rows.size() - 1), text(reached, 3), text(saves, 3), text(plan.bound, 3),
                         ids.empty() ? nothing : fmt::format("{}", fmt::join(ids, " "))});
@@ -188,7 +188,7 @@ std::string front(const io::PlanContext& context, const TableStyle& style) {
 // What one removal more would gain.
 std::string next(const Plan& plan, const io::PlanContext& context) {
     std::string lines;
-    for (const NextRemoval& removal : plan.next) {
+    for (const NextBreach& removal : plan.next) {
         const std::string_view name = context.map.name_of(removal.obstacle);
         lines += fmt::format("\none removal more, obstacle {}{}, would save {:.3f}\n", removal.obstacle.value,
                              name.empty() ? "" : fmt::format(" ({})", name), removal.saves);
@@ -200,7 +200,7 @@ std::string next(const Plan& plan, const io::PlanContext& context) {
 std::string waits(const Plan& plan) {
     double all = 0;
     std::vector<std::string> lines;
-    for (const AgentPlan& agent : plan.agents) {
+    for (const Itinerary& agent : plan.agents) {
         if (agent.kind != AgentKind::ground) continue;
         for (std::size_t i = 1; i < agent.path.size(); ++i) {
             const Waypoint& a = agent.path[i - 1];
@@ -217,11 +217,11 @@ std::string waits(const Plan& plan) {
 
 // How far the plan can be from the best.
 std::string bound(const Plan& plan, const io::PlanContext& context) {
-    const std::optional<double> reached = value(plan.after, context.options.objective);
+    const std::optional<double> reached = value(plan.after, context.mission.rules.objective);
     if (!plan.bound || !reached) return "";
-    const std::string objective = words(context.options.objective);
-    const double gap = *plan.bound > 0 ? *reached / *plan.bound - 1 : 0;
-    const int n = context.options.removals;
+    const std::string objective = words(context.mission.rules.objective);
+    const double gap = *plan.gap;
+    const int n = context.mission.rules.removals;
     const std::string removals = n == 1 ? "1 removal" : fmt::format("{} removals", n);
     if (gap < 1e-9) return fmt::format("\nno plan with at most {} has a smaller {}\n", removals, objective);
     return fmt::format("\nno {} is below {:.3f} with at most {}: the gap is {:.2f} %\n", objective, *plan.bound,
@@ -236,11 +236,11 @@ std::string limit(const Plan& plan) {
 
 // The paper's choice of obstacles can be worse than none.
 std::string warning(const Plan& plan, const io::PlanContext& context) {
-    const std::optional<double> before = value(plan.before, context.options.objective);
-    const std::optional<double> after = value(plan.after, context.options.objective);
+    const std::optional<double> before = value(plan.before, context.mission.rules.objective);
+    const std::optional<double> after = value(plan.after, context.mission.rules.objective);
     if (!before || !after || *after <= *before) return "";
     return fmt::format("\nnote: this plan is worse than removing nothing: {} {:.3f} instead of {:.3f}\n",
-                       words(context.options.objective), *after, *before);
+                       words(context.mission.rules.objective), *after, *before);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ void run(server::ServiceOptions options) {
     waiting.join();
 }
 
-void add_limits(CLI::App& command, server::Limits& limits) {
+void add_limits(CLI::App& command, server::ServiceLimits& limits) {
     constexpr std::int64_t most = 1'000'000;
     constexpr std::size_t megabyte = std::size_t{1} << 20;
     add_count(

@@ -18,7 +18,7 @@
 #include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::bench {
 namespace {
@@ -55,7 +55,7 @@ struct Batch {
         std::string text;
         for (std::size_t i = 0; i < plans.size(); ++i) {
             text += io::plan_json(plans[i].plan.value(),
-                                  {.map = map, .mission = missions[i], .options = {}, .timing_fields = false});
+                                  {.map = map, .mission = missions[i], .method = {}, .timing_fields = false});
         }
         return text;
     }

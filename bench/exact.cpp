@@ -11,7 +11,7 @@
 #include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::bench {
 namespace {
@@ -64,16 +64,13 @@ class Bench {
     const std::vector<CityMission>& missions() const { return missions_; }
 
     Measured measure(int removals) {
-        MissionOptions options;
-        options.removals = removals;
-        options.select = Selection::exact;
-        options.timing = Timing::enforce;
         Measured measured;
         for (const CityMission& mission : missions_) {
             const Map& map = maps_.at(mission.city);
-            const Mission both = ground_and_air(mission.start, mission.goal);
-            const Plan plan = planner_.plan(map, both, options);
-            measured.seconds.push_back(least_seconds(repeats_, [&] { planner_.plan(map, both, options); }));
+            Mission both = ground_and_air(mission.start, mission.goal);
+            both.rules.removals = removals;
+            const Plan plan = planner_.plan(map, both);
+            measured.seconds.push_back(least_seconds(repeats_, [&] { planner_.plan(map, both); }));
             if (plan.status != PlanStatus::solved) {
                 ++measured.without_plan;
                 continue;

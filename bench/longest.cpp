@@ -121,8 +121,8 @@ void run(const Arguments& arguments) {
     print_header();
     print("Theta*", measure(scenarios, arguments.repeats,
                             [&](Cell start, Cell goal) { return searcher.find(OpenedMap(map), start, goal).length; }));
-    print("shortest, square", shortest(Body::square));
-    const Measured point = shortest(Body::point);
+    print("shortest, square", shortest(Body{}));
+    const Measured point = shortest(point_body);
     print("shortest, point", point);
     if (!arguments.csv.empty()) write_csv(arguments.csv, scenarios, point);
     if (!arguments.against.empty()) compare(arguments.against, scenarios, point);

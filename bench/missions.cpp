@@ -13,7 +13,7 @@
 #include "program.hpp"
 #include "statistics.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::bench {
 namespace {
@@ -53,7 +53,7 @@ void require_found(const SearchResult& result) {
 Times measure(const std::vector<CityMission>& missions, int repeats) {
     const SearchOptions theta{.planner = Planner::theta};
     const SearchOptions counting{.planner = Planner::theta, .count_hits = true};
-    const MissionOptions paper = paper_options(3);
+    Method paper;
     std::map<std::string, Map> cities;
     for (const CityMission& mission : missions) cities.try_emplace(mission.city, read_city(mission.city));
     Searcher searcher;
@@ -64,7 +64,8 @@ Times measure(const std::vector<CityMission>& missions, int repeats) {
         const auto search = [&](Searcher& with, const SearchOptions& options) {
             require_found(with.find(OpenedMap(map), mission.start, mission.goal, options));
         };
-        const Mission both = ground_and_air(mission.start, mission.goal);
+        Mission both = ground_and_air(mission.start, mission.goal);
+        follow_paper(both.rules, paper);
         search(searcher, counting);  // brings map and nodes into the cache
         double with_hits = std::numeric_limits<double>::infinity();
         double without = with_hits;

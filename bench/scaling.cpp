@@ -31,7 +31,7 @@ class Bench {
         const CrossingResult result = searcher_.find(map, start, goal, options);
         const double seconds = least_seconds(repeats, [&] { searcher_.find(map, start, goal, options); });
         std::printf("%s,%g,%zu,%s,%d,%.3f,%.6f,%llu,%llu,%.4f\n", kind, at, map.obstacles().size(),
-                    body == Body::square ? "square" : "point", crossings, distance(start, goal), result.lower_bound,
+                    body == Body{} ? "square" : "point", crossings, distance(start, goal), result.lower_bound,
                     static_cast<unsigned long long>(result.expanded), static_cast<unsigned long long>(result.generated),
                     1e3 * seconds);
     }
@@ -78,8 +78,8 @@ void mosaics(Bench& bench, std::span<char*> sides) {
             const Cell start{mission.start.x + corner, mission.start.y + corner};
             const Cell goal{mission.goal.x + corner, mission.goal.y + corner};
             for (const int crossings : {0, 1, 3, 5}) {
-                bench.measure("mosaic", side, map, start, goal, Body::square, crossings);
-                bench.measure("mosaic", side, map, start, goal, Body::point, crossings);
+                bench.measure("mosaic", side, map, start, goal, Body{}, crossings);
+                bench.measure("mosaic", side, map, start, goal, point_body, crossings);
             }
         }
     }
@@ -91,7 +91,7 @@ void lengths(Bench& bench) {
         for (int i = 0; i < queries; ++i) {
             const auto [start, goal] = bench.far_apart(map, far);
             for (const int crossings : {0, 1, 3}) {
-                bench.measure("length", far, map, start, goal, Body::square, crossings);
+                bench.measure("length", far, map, start, goal, Body{}, crossings);
             }
         }
     }
@@ -104,7 +104,7 @@ void obstacles(Bench& bench) {
         for (int i = 0; i < queries; ++i) {
             const auto [start, goal] = bench.far_apart(map, 400);
             for (const int crossings : {0, 1, 3}) {
-                bench.measure("obstacles", count, map, start, goal, Body::square, crossings);
+                bench.measure("obstacles", count, map, start, goal, Body{}, crossings);
             }
         }
     }
@@ -115,8 +115,8 @@ void removals(Bench& bench) {
     for (const CityMission& mission : missions_of_paper()) {
         const Map& map = maps.try_emplace(mission.city, read_city(mission.city)).first->second;
         for (int crossings = 0; crossings <= 8; ++crossings) {
-            bench.measure("removals", crossings, map, mission.start, mission.goal, Body::square, crossings);
-            bench.measure("removals", crossings, map, mission.start, mission.goal, Body::point, crossings);
+            bench.measure("removals", crossings, map, mission.start, mission.goal, Body{}, crossings);
+            bench.measure("removals", crossings, map, mission.start, mission.goal, point_body, crossings);
         }
     }
 }

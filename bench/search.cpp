@@ -31,7 +31,7 @@ BENCHMARK_CAPTURE(find, astar, {.planner = Planner::astar})->Unit(benchmark::kMi
 BENCHMARK_CAPTURE(find, jps, {.planner = Planner::jps})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(find, dijkstra, {.planner = Planner::dijkstra})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(find, bfs, {.planner = Planner::bfs})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, theta_wide_agent, {.planner = Planner::theta, .motion = {.radius = 1.5}})
+BENCHMARK_CAPTURE(find, theta_wide_agent, {.planner = Planner::theta, .body = {.radius = 1.5}})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -47,13 +47,17 @@ waybreaker::Map map_of_level() {
 int main() {
     const waybreaker::Map map = map_of_level();
     waybreaker::MissionPlanner planner;
-    const auto mission = waybreaker::ground_and_air({1, 5}, {26, 4});
+    auto mission = waybreaker::ground_and_air({1, 5}, {26, 4});
+    waybreaker::Method method;
+    mission.rules.removals = 2;
+    waybreaker::follow_paper(mission.rules, method);
 
     // Two may go, yet the steel building N stays, however much it is in the way.
-    const waybreaker::Plan plan = planner.plan(map, mission, waybreaker::paper_options(2));
+    const waybreaker::Plan plan = planner.plan(map, mission, method);
     if (plan.status != waybreaker::PlanStatus::solved) return 1;
-    for (const auto& removal : plan.removed) {
+    for (const auto& removal : plan.breaches) {
         std::cout << "tear down building " << char(removal.source_id) << ", " << removal.cells << " tiles\n";
     }
-    std::cout << "the walk shrinks from " << *plan.before.ground.length << " to " << *plan.after.ground.length << "\n";
+    std::cout << "the walk shrinks from " << *plan.before.ground().length << " to " << *plan.after.ground().length
+              << "\n";
 }

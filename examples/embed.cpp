@@ -8,14 +8,15 @@ int main() {
     const waybreaker::Map map(std::move(grid));
 
     waybreaker::MissionPlanner planner;
-    const auto mission = waybreaker::ground_and_air({4, 4}, {36, 4});
-    const waybreaker::Plan plan = planner.plan(map, mission, {.removals = 1});
+    auto mission = waybreaker::ground_and_air({4, 4}, {36, 4});
+    mission.rules.removals = 1;
+    const waybreaker::Plan plan = planner.plan(map, mission);
     if (plan.status != waybreaker::PlanStatus::solved) return 1;
 
-    for (const auto& wall : plan.removed) {
+    for (const auto& wall : plan.breaches) {
         std::cout << "break wall " << wall.obstacle.value << " from (" << wall.at.x << ", " << wall.at.y << ")\n";
     }
     std::cout << "drive";
-    for (const auto& point : plan.after.ground.path) std::cout << " (" << point.x << ", " << point.y << ")";
+    for (const auto& point : plan.after.ground().path) std::cout << " (" << point.x << ", " << point.y << ")";
     std::cout << "\n" << *plan.before.makespan << " cells before, " << *plan.after.makespan << " after\n";
 }

@@ -1,7 +1,7 @@
 // Every plan that a test makes goes before the checker:
 //
-//     EXPECT_TRUE(is_valid(map, mission, options, plan));             // GoogleTest
-//     RC_ASSERT(plan_faults(map, mission, options, plan) == "");      // RapidCheck
+//     EXPECT_TRUE(is_valid(map, mission, plan));             // GoogleTest
+//     RC_ASSERT(plan_faults(map, mission, plan) == "");      // RapidCheck
 //
 // The test's program USES check.
 #pragma once
@@ -12,28 +12,9 @@
 #include <string>
 
 #include "waybreaker/check.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
-
-// What a plan made with these options must keep to.
-inline CheckRules rules_of(const MissionOptions& options, const Plan& plan) {
-    CheckRules rules{.motion = options.search.motion,
-                     .timing = options.timing,
-                     .breach_time = options.breach_time,
-                     .objective = options.objective,
-                     .removals = options.removals,
-                     .protect = options.protect,
-                     .force = options.force,
-                     .weights = {},
-                     .budget = options.budget,
-                     .gap = {}};
-    for (const Removal& removal : plan.removed) {
-        const std::size_t id = removal.obstacle.value;
-        if (id < options.weights.size()) rules.weights.push_back(options.weights[id]);
-    }
-    return rules;
-}
 
 // A violation in one line, with place and time.
 inline std::string line_of(const Violation& violation) {
@@ -45,12 +26,11 @@ inline std::string line_of(const Violation& violation) {
 }
 
 // What is wrong with the plan, one line each; empty if nothing is. Its agents are the mission's, in that order.
-inline std::string plan_faults(const Map& map, const Mission& mission, const MissionOptions& options,
-                               const Plan& plan) {
+inline std::string plan_faults(const Map& map, const Mission& mission, const Plan& plan) {
     std::string faults;
-    for (const Violation& violation : check(map, plan, rules_of(options, plan))) faults += line_of(violation) + "\n";
+    for (const Violation& violation : check(map, mission, plan)) faults += line_of(violation) + "\n";
     if (plan.status != PlanStatus::solved) return faults;
-    const auto same = [](const AgentPlan& planned, const Agent& agent) {
+    const auto same = [](const Itinerary& planned, const Agent& agent) {
         return planned.id == agent.id && planned.kind == agent.kind && planned.speed == agent.speed &&
                planned.start == agent.start && planned.goal == agent.goal;
     };
@@ -60,9 +40,8 @@ inline std::string plan_faults(const Map& map, const Mission& mission, const Mis
     return faults;
 }
 
-inline testing::AssertionResult is_valid(const Map& map, const Mission& mission, const MissionOptions& options,
-                                         const Plan& plan) {
-    const std::string faults = plan_faults(map, mission, options, plan);
+inline testing::AssertionResult is_valid(const Map& map, const Mission& mission, const Plan& plan) {
+    const std::string faults = plan_faults(map, mission, plan);
     return faults.empty() ? testing::AssertionSuccess() : testing::AssertionFailure() << faults;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plain_map.hpp"
-#include "waybreaker/motion.hpp"
+#include "waybreaker/body.hpp"
 
 namespace waybreaker {
 
@@ -60,8 +60,11 @@ inline Corners any_corners() {
     return *rc::gen::element(Corners::none, Corners::cut, Corners::squeeze);
 }
 
-inline Motion any_motion() {
-    return {.corners = any_corners(), .diagonal = *number(0, 3) < 3};
+inline Body any_body() {
+    return {.corners = any_corners()};
+}
+inline bool mostly() {
+    return *number(0, 3) < 3;
 }
 
 }  // namespace waybreaker

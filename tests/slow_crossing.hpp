@@ -70,8 +70,8 @@ class CrossingOracle {
           start_(start),
           goal_(goal),
           bends_{slow::centre(start), slow::centre(goal)} {
-        for (std::int64_t y = body == Body::square ? 0 : -1; y < 2 * map_.height; y += 2) {
-            for (std::int64_t x = body == Body::square ? 0 : -1; x < 2 * map_.width; x += 2) bends_.push_back({x, y});
+        for (std::int64_t y = body == Body{} ? 0 : -1; y < 2 * map_.height; y += 2) {
+            for (std::int64_t x = body == Body{} ? 0 : -1; x < 2 * map_.width; x += 2) bends_.push_back({x, y});
         }
         demands_.resize(bends_.size());
         for (std::size_t i = 0; i < bends_.size(); ++i) {
@@ -85,8 +85,8 @@ class CrossingOracle {
         for (const Cell c : map_.cells()) {
             if (!map_.blocked(c)) continue;
             const Set own = Set{1} << map_.at(c);
-            if (meets_box(a, b, slow::centre(c), body_ == Body::square ? 2 : 1)) all.push_back(own);
-            if (body_ == Body::square) continue;
+            if (meets_box(a, b, slow::centre(c), body_ == Body{} ? 2 : 1)) all.push_back(own);
+            if (body_ == Body{}) continue;
             for (const Cell side : {Cell{c.x - 1, c.y}, Cell{c.x + 1, c.y}, Cell{c.x, c.y - 1}, Cell{c.x, c.y + 1}}) {
                 if (!map_.blocked(side) || !slides_between(a, b, c, side)) continue;
                 all.push_back(map_.contains(side) ? own | Set{1} << map_.at(side) : own);

@@ -53,21 +53,21 @@ class Search {
     using Entry = std::tuple<double, float, Cell>;
 
     bool theta() const { return options_.planner == Planner::theta || options_.planner == Planner::lazy_theta; }
-    bool stands(Cell c) const { return plain_.contains(c) && sees(plain_, c, c, options_.motion); }
+    bool stands(Cell c) const { return plain_.contains(c) && sees(plain_, c, c, options_.body); }
 
     bool may_step(Cell from, int dx, int dy) const {
-        const Motion& motion = options_.motion;
+        const Body& body = options_.body;
         const Cell to{from.x + dx, from.y + dy};
         if ((dx == 0 && dy == 0) || !stands(to)) return false;
-        if (dx == 0 || dy == 0) return sees(plain_, from, to, motion);
+        if (dx == 0 || dy == 0) return sees(plain_, from, to, body);
         const int blocked_sides = (plain_.blocked({to.x, from.y}) ? 1 : 0) + (plain_.blocked({from.x, to.y}) ? 1 : 0);
-        switch (motion.corners) {
+        switch (body.corners) {
             case Corners::none:
-                return motion.diagonal && blocked_sides == 0 && sees(plain_, from, to, motion);
+                return options_.diagonal && blocked_sides == 0 && sees(plain_, from, to, body);
             case Corners::cut:
-                return motion.diagonal && blocked_sides <= 1;
+                return options_.diagonal && blocked_sides <= 1;
             case Corners::squeeze:
-                return motion.diagonal;
+                return options_.diagonal;
         }
         return false;
     }
@@ -78,9 +78,9 @@ class Search {
         if (options_.planner == Planner::dijkstra || options_.planner == Planner::bfs) return 0;
         const int dx = std::abs(c.x - goal_.x);
         const int dy = std::abs(c.y - goal_.y);
-        const Heuristic usual = theta()                    ? Heuristic::euclidean
-                                : options_.motion.diagonal ? Heuristic::octile
-                                                           : Heuristic::manhattan;
+        const Heuristic usual = theta()             ? Heuristic::euclidean
+                                : options_.diagonal ? Heuristic::octile
+                                                    : Heuristic::manhattan;
         switch (options_.heuristic.value_or(usual)) {
             case Heuristic::euclidean:
                 return distance(c, goal_);
@@ -122,9 +122,9 @@ class Search {
     std::set<std::uint32_t> in_the_way(Cell at) const {
         std::set<std::uint32_t> ids;
         if (!labels_.contains(at)) return ids;
-        const bool disc = options_.motion.corners == Corners::none;
-        const auto radius = std::int64_t(std::llround(options_.motion.radius * 1000));
-        const int margin = int(options_.motion.radius) + 1;
+        const bool disc = options_.body.corners == Corners::none;
+        const auto radius = std::int64_t(std::llround(options_.body.radius * 1000));
+        const int margin = int(options_.body.radius) + 1;
         for (int y = at.y - margin; y <= at.y + margin; ++y) {
             for (int x = at.x - margin; x <= at.x + margin; ++x) {
                 const Cell c{x, y};
@@ -144,7 +144,7 @@ class Search {
                 for (const std::uint32_t id : in_the_way(to)) ++result.hits[id];
                 if (!may_step(cell, dx, dy) || closed_.count(to) > 0) continue;
                 const bool trusted = options_.planner == Planner::lazy_theta;
-                if (theta() && (trusted || line_of_sight(map_, node.parent, to, options_.motion))) {
+                if (theta() && (trusted || line_of_sight(map_, node.parent, to, options_.body))) {
                     reach(to, node.parent, parent_g + distance(node.parent, to));
                 } else {
                     reach(to, cell, node.g + step_cost(cell, to));
@@ -157,7 +157,7 @@ class Search {
     // of equally good ones the first in scan order.
     void settle(Cell cell) {
         Node& node = nodes_[cell];
-        if (line_of_sight(map_, node.parent, cell, options_.motion)) return;
+        if (line_of_sight(map_, node.parent, cell, options_.body)) return;
         node.g = std::numeric_limits<double>::infinity();
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {

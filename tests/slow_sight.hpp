@@ -1,5 +1,5 @@
 // Line of sight, slow and obvious: every cell near the segment is tested against the definition (contract of
-// waybreaker/motion.hpp), one by one and in integers. Shares nothing with src/.
+// waybreaker/body.hpp), one by one and in integers. Shares nothing with src/.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "plain_map.hpp"
-#include "waybreaker/motion.hpp"
+#include "waybreaker/body.hpp"
 
 namespace waybreaker::slow {
 
@@ -92,14 +92,14 @@ inline bool pinched(const PlainMap& map, Cell from, Cell to, Cell at) {
 }
 
 // Whether the agent can move straight between two cells; whether it can stand on one, if both are the same.
-inline bool sees(const PlainMap& map, Cell from, Cell to, const Motion& motion = {}) {
-    const bool disc = motion.corners == Corners::none;
-    const auto radius = std::int64_t(std::llround(motion.radius * 1000));
-    const int margin = disc ? int(motion.radius) + 2 : 1;
+inline bool sees(const PlainMap& map, Cell from, Cell to, const Body& body = {}) {
+    const bool disc = body.corners == Corners::none;
+    const auto radius = std::int64_t(std::llround(body.radius * 1000));
+    const int margin = disc ? int(body.radius) + 2 : 1;
     for (int y = std::min(from.y, to.y) - margin; y <= std::max(from.y, to.y) + margin; ++y) {
         for (int x = std::min(from.x, to.x) - margin; x <= std::max(from.x, to.x) + margin; ++x) {
             const Cell c{x, y};
-            if (motion.corners == Corners::cut && pinched(map, from, to, c)) return false;
+            if (body.corners == Corners::cut && pinched(map, from, to, c)) return false;
             if (map.blocked(c) && (disc ? disc_meets(from, to, radius, c) : point_meets(from, to, c))) return false;
         }
     }

@@ -12,7 +12,6 @@
 #include <limits>
 #include <memory>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "waybreaker/map.hpp"
@@ -20,28 +19,22 @@
 
 namespace waybreaker {
 
-// What moves. `square`: a unit square that does not turn, so it contains the disc of radius 0.5; its path bends at cell
-// centres. `point`: its path bends at cell corners; it may touch obstacles and slip between diagonal neighbours.
-// Both start and end at cell centres.
-enum class Body { square, point };
-
 struct CrossingOptions {
-    Body body = Body::square;
+    // Of radius 0.5 or 0, corners `none`. The disc of 0.5 is searched as the unit square around it, which does not
+    // turn; its path bends at cell centres. The path of a point bends at cell corners, may touch obstacles and slip
+    // between diagonal neighbours. Both start and end at cell centres.
+    Body body = {};
     int crossings = 0;  // at most so many distinct obstacles, however often each is crossed
     // Crossed for nothing, as if they were gone; and never crossed. Indestructible obstacles never are.
     std::span<const ObstacleId> removed = {};
     std::span<const ObstacleId> protect = {};
-    std::span<const ObstacleId> only = {};  // if not empty: no others are crossed
-    // weights[id], > 0, of every obstacle (entry 0 is not used): then their sum is limited to `budget` as well.
-    std::span<const double> weights = {};
-    double budget = std::numeric_limits<double>::infinity();
+    std::span<const ObstacleId> only = {};                    // if not empty: no others are crossed
+    double budget = std::numeric_limits<double>::infinity();  // the crossed weigh at most so much together
     // A path that crosses an obstacle costs at least so many cells, however short it is: it cannot be open earlier.
     std::function<double(ObstacleId)> least_cost = {};
     double length_limit = std::numeric_limits<double>::infinity();  // dearer paths are not looked for
     double expected = 0;  // a guess of the cost, cells: near above it, the search is fastest
-    double time_limit = std::numeric_limits<double>::infinity();  // seconds
-    std::uint64_t expansion_limit = UINT64_MAX;
-    std::stop_token stop = {};
+    Limits limits = {};
 };
 
 struct CrossingPath {

@@ -79,6 +79,10 @@ class Map {
     // kept.
     const std::shared_ptr<const void>& identity() const { return identity_; }
 
+    // The same map, its obstacles weighing that: weights[id], of every obstacle; entry 0 is not used. Throws InputError
+    // unless there are obstacles().size() + 1 of them from least_weight to most_weight.
+    Map with_weights(std::span<const double> weights) const;
+
     // Cells of the map outside the obstacle and 8-adjacent to one of its cells, in scan order. They may be free or
     // belong to other obstacles. Time O(bounding box).
     std::vector<Cell> boundary(ObstacleId id) const;

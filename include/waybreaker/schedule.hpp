@@ -1,6 +1,6 @@
 // Schedule: who is where when, so that the ground agent touches no obstacle before it has been breached.
 //
-//     Schedule s = best_schedule(map, {.ground_path = path, .air_start = base, .air_goal = base, .removed = walls});
+//     Schedule s = best_schedule(map, {path, robot, drone, mission.rules, walls});
 //     drive(s.ground);  // waits, where it must, at the last turn before an obstacle
 //     fly(s.air);       // stays at each breach point until the obstacle is gone
 #pragma once
@@ -16,19 +16,13 @@
 
 namespace waybreaker {
 
-// A ground path with a wish for open obstacles, and who drives and flies.
+// A ground path, the obstacles that it needs open, and who drives and flies.
 struct ScheduleTask {
     std::span<const Point> ground_path;  // turning points, at least one; waits happen there
-    double ground_speed = 1;             // cells per unit of time, least_speed to most_speed
-    double radius = 0.5;                 // of the ground agent; 0 for a point
-    bool slips = true;                   // between diagonal neighbours, a point; false: they must be gone
-    Cell air_start;
-    Cell air_goal;
-    double air_speed = 1;
+    const Agent& driver;
+    const Agent& flyer;
+    const Rules& rules;  // of which count breach_time, objective and timing (ignore: the ground agent never waits)
     std::span<const ObstacleId> removed = {};  // what the path needs open
-    BreachTime breach_time = {};
-    Timing timing = Timing::enforce;  // ignore: the ground agent waits for nothing
-    Objective objective = Objective::makespan;
     // Seconds that best_schedule may take; then it gives the best flight found by then. It always finds one.
     double time_limit = std::numeric_limits<double>::infinity();
 };

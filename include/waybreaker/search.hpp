@@ -8,14 +8,13 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
+#include "waybreaker/body.hpp"
+#include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
-#include "waybreaker/motion.hpp"
 
 namespace waybreaker {
 
@@ -35,13 +34,15 @@ struct SearchOptions {
     std::optional<Heuristic> heuristic = std::nullopt;
     double weight = 1.0;  // of the heuristic, 1 to most_heuristic_weight
     TieBreak tie_break = TieBreak::g_max;
-    Motion motion = {};
-    bool count_hits = false;                                      // fill SearchResult::hits
-    std::uint64_t expansion_limit = UINT64_MAX;                   // stop after so many expansions
-    double time_limit = std::numeric_limits<double>::infinity();  // stop after so many seconds
-    std::stop_token stop = {};           // stop when asked to; both are checked every 1024 expansions
-    SearchListener* listener = nullptr;  // not owned; told of every step
+    bool diagonal = true;     // eight neighbours; false: four
+    Body body = {};           // of the ground agent
+    bool count_hits = false;  // fill SearchResult::hits
+    Limits limits = {};
+    SearchListener* listener = nullptr;  // not owned; called at every step
 };
+
+// Whether Planner::optimal moves an agent of that body: of radius 0.5 or 0, passing no blocked corner, by eight moves.
+bool can_drive_optimally(const Body& body, bool diagonal);
 
 // The heuristic that a search with these options uses.
 Heuristic heuristic_of(const SearchOptions& options);

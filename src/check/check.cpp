@@ -1,6 +1,7 @@
 #include "waybreaker/check.hpp"
 
 #include <array>
+#include <limits>
 #include <sstream>
 
 #include "check/judge.hpp"
@@ -10,20 +11,35 @@ namespace waybreaker {
 namespace checker {
 namespace {
 
-void validate(const CheckRules& rules) {
-    const double radius = rules.motion.radius;
-    if (!(radius >= 0 && radius <= 32)) throw InputError("the radius must be between 0 and 32 cells");
-    if (!(rules.tolerance >= 0 && rules.tolerance < 1))
+void validate(const Terms& terms) {
+    if (!(terms.body.radius >= 0 && terms.body.radius <= 32))
+        throw InputError("the radius must be between 0 and 32 cells");
+    if (!(terms.tolerance >= 0 && terms.tolerance < 1))
         throw InputError("the tolerance must be at least 0 and below 1");
     const auto is_time = [](double time) { return time >= 0 && std::isfinite(time); };
-    if (!is_time(rules.breach_time.per_obstacle) || !is_time(rules.breach_time.per_cell)) {
+    const BreachTime& time = terms.rules.breach_time;
+    if (!is_time(time.per_obstacle) || !is_time(time.per_cell)) {
         throw InputError("the breach time must be a number, at least 0");
     }
 }
 
+// Whom the itinerary is of: an agent of the mission as the mission has it.
+Violations judge_agents(const Mission& mission, const Plan& plan) {
+    Violations found;
+    for (const Itinerary& planned : plan.agents) {
+        const auto is_it = [&](const Agent& agent) {
+            return planned.id == agent.id && planned.kind == agent.kind && planned.speed == agent.speed &&
+                   planned.start == agent.start && planned.goal == agent.goal;
+        };
+        if (std::any_of(mission.agents.begin(), mission.agents.end(), is_it)) continue;
+        found.push_back({Rule::agents, "the mission has no such agent as the plan's " + planned.id, planned.id});
+    }
+    return found;
+}
+
 // The only agent of that kind; null, and a violation, if there is none or more than one.
-const AgentPlan* only_agent(const Plan& plan, AgentKind kind, Violations& violations) {
-    const auto is_kind = [kind](const AgentPlan& agent) { return agent.kind == kind; };
+const Itinerary* only_agent(const Plan& plan, AgentKind kind, Violations& violations) {
+    const auto is_kind = [kind](const Itinerary& agent) { return agent.kind == kind; };
     const auto count = std::count_if(plan.agents.begin(), plan.agents.end(), is_kind);
     if (count == 1) return &*std::find_if(plan.agents.begin(), plan.agents.end(), is_kind);
     const std::string word = kind == AgentKind::ground ? "ground" : "air";
@@ -31,17 +47,26 @@ const AgentPlan* only_agent(const Plan& plan, AgentKind kind, Violations& violat
     return nullptr;
 }
 
-Violations judge(const Map& map, const Plan& plan, const CheckRules& rules) {
-    Violations all = judge_removals(map, plan, rules);
+Violations judge(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms) {
+    Violations all = judge_removals(map, plan, terms);
+    append(all, judge_agents(mission, plan));
+    for (const Outcome* outcome : {&plan.before, &plan.after}) {
+        for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {
+            const auto is_kind = [kind](const Route& route) { return route.kind == kind; };
+            if (std::any_of(outcome->routes.begin(), outcome->routes.end(), is_kind)) continue;
+            all.push_back({Rule::agents, "an agent's route before or after removal is missing"});
+            return all;
+        }
+    }
     if (plan.agents.empty()) {
-        append(all, judge_figures(plan, nullptr, nullptr, rules));
+        append(all, judge_figures(plan, nullptr, nullptr, terms));
         return all;
     }
-    const AgentPlan* ground = only_agent(plan, AgentKind::ground, all);
-    const AgentPlan* air = only_agent(plan, AgentKind::air, all);
+    const Itinerary* ground = only_agent(plan, AgentKind::ground, all);
+    const Itinerary* air = only_agent(plan, AgentKind::air, all);
     if (!ground || !air) return all;
-    const Violations ground_times = judge_timetable(*ground, rules);
-    const Violations air_times = judge_timetable(*air, rules);
+    const Violations ground_times = judge_timetable(*ground, terms);
+    const Violations air_times = judge_timetable(*air, terms);
     append(all, ground_times);
     append(all, air_times);
     // Where somebody is at a time can be asked of a timetable that goes forward in time.
@@ -49,9 +74,9 @@ Violations judge(const Map& map, const Plan& plan, const CheckRules& rules) {
         return std::any_of(violations.begin(), violations.end(),
                            [](const Violation& v) { return v.rule == Rule::agents || v.rule == Rule::time; });
     };
-    if (!broken(ground_times)) append(all, judge_ground(map, plan, *ground, rules));
-    if (!broken(air_times)) append(all, judge_breaches(map, plan, *air, rules));
-    if (!broken(ground_times) && !broken(air_times)) append(all, judge_figures(plan, ground, air, rules));
+    if (!broken(ground_times)) append(all, judge_ground(map, plan, *ground, terms));
+    if (!broken(air_times)) append(all, judge_breaches(map, plan, *air, terms));
+    if (!broken(ground_times) && !broken(air_times)) append(all, judge_figures(plan, ground, air, terms));
     return all;
 }
 
@@ -81,9 +106,12 @@ std::string_view name(Rule rule) {
     return names.at(std::size_t(rule));
 }
 
-std::vector<Violation> check(const Map& map, const Plan& plan, const CheckRules& rules) {
-    checker::validate(rules);
-    std::vector<Violation> violations = checker::judge(map, plan, rules);
+std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan, double tolerance) {
+    const auto ground = std::find_if(mission.agents.begin(), mission.agents.end(),
+                                     [](const Agent& agent) { return agent.kind == AgentKind::ground; });
+    const checker::Terms terms{mission.rules, ground != mission.agents.end() ? ground->body : Body{}, tolerance};
+    checker::validate(terms);
+    std::vector<Violation> violations = checker::judge(map, mission, plan, terms);
     const auto time = [](const Violation& v) { return v.time.value_or(std::numeric_limits<double>::infinity()); };
     std::stable_sort(violations.begin(), violations.end(),
                      [&](const Violation& a, const Violation& b) { return time(a) < time(b); });

@@ -6,9 +6,9 @@ namespace {
 
 class FiguresJudge {
   public:
-    FiguresJudge(const Plan& plan, const CheckRules& rules) : plan_(plan), rules_(rules) {}
+    FiguresJudge(const Plan& plan, const Terms& terms) : plan_(plan), terms_(terms) {}
 
-    Violations judge(const AgentPlan* ground, const AgentPlan* air) {
+    Violations judge(const Itinerary* ground, const Itinerary* air) {
         judge_status(ground != nullptr);
         judge_before(ground, air);
         if (ground && air) judge_after(*ground, *air);
@@ -24,7 +24,7 @@ class FiguresJudge {
     // A figure must be there and be that.
     void expect(Rule rule, const std::string& what, std::optional<double> stated, double truth,
                 std::optional<double> time = {}) {
-        if (stated && agree(rules_, *stated, truth)) return;
+        if (stated && agree(terms_, *stated, truth)) return;
         report(rule, what + " is " + (stated ? text(*stated) : "missing") + " instead of " + text(truth), time);
     }
 
@@ -34,29 +34,29 @@ class FiguresJudge {
             return;
         }
         if (plan_.status == PlanStatus::solved) report(Rule::status, "the plan is solved, but there are no agents");
-        if (plan_.after.ground.length || plan_.after.makespan || plan_.after.flowtime) {
+        if (plan_.after.ground().length || plan_.after.makespan || plan_.after.flowtime) {
             report(Rule::status, "figures after removal without agents that reach them");
         }
-        if (plan_.status == PlanStatus::no_plan && plan_.before.ground.length) {
+        if (plan_.status == PlanStatus::no_plan && plan_.before.ground().length) {
             report(Rule::status, "there is no plan, but a ground path without removals");
         }
     }
 
-    void judge_before(const AgentPlan* ground, const AgentPlan* air) {
+    void judge_before(const Itinerary* ground, const Itinerary* air) {
         const Outcome& before = plan_.before;
-        if (before.ground.length.has_value() != before.makespan.has_value() ||
-            before.ground.length.has_value() != before.flowtime.has_value()) {
+        if (before.ground().length.has_value() != before.makespan.has_value() ||
+            before.ground().length.has_value() != before.flowtime.has_value()) {
             report(Rule::before, "before removal some figures are there and some missing");
             return;
         }
         if (!ground || !air) return;
-        const auto straight = [](const AgentPlan& agent) {
+        const auto straight = [](const Itinerary& agent) {
             return std::hypot(double(agent.goal.x) - agent.start.x, double(agent.goal.y) - agent.start.y);
         };
-        expect(Rule::before, "before removal the air agent's length", before.air.length, straight(*air));
-        const std::optional<double> length = before.ground.length;
+        expect(Rule::before, "before removal the air agent's length", before.air().length, straight(*air));
+        const std::optional<double> length = before.ground().length;
         if (!length) return;
-        if (*length < straight(*ground) - slack(rules_, *length)) {
+        if (*length < straight(*ground) - slack(terms_, *length)) {
             report(Rule::before, "before removal the ground path, " + text(*length) +
                                      " long, is shorter than the straight line, " + text(straight(*ground)));
         }
@@ -64,13 +64,13 @@ class FiguresJudge {
         const double flight = straight(*air) / air->speed;
         expect(Rule::before, "before removal the makespan", before.makespan, std::max(drive, flight));
         expect(Rule::before, "before removal the flowtime", before.flowtime, drive + flight);
-        if (before.ground_makespan || rules_.objective == Objective::ground_makespan) {
+        if (before.ground_makespan || terms_.rules.objective == Objective::ground_makespan) {
             expect(Rule::before, "before removal the ground agent's arrival", before.ground_makespan, drive);
         }
     }
 
-    void judge_after(const AgentPlan& ground, const AgentPlan& air) {
-        const auto length = [](const AgentPlan& agent) {
+    void judge_after(const Itinerary& ground, const Itinerary& air) {
+        const auto length = [](const Itinerary& agent) {
             double sum = 0;
             for (std::size_t i = 1; i < agent.path.size(); ++i) {
                 sum += std::hypot(agent.path[i].x - agent.path[i - 1].x, agent.path[i].y - agent.path[i - 1].y);
@@ -81,44 +81,44 @@ class FiguresJudge {
         const double ground_end = ground.path.back().t;
         const double air_end = air.path.back().t;
         const double end = std::max(ground_end, air_end);
-        expect(Rule::length, "the ground agent's length", after.ground.length, length(ground), ground_end);
-        expect(Rule::length, "the air agent's length", after.air.length, length(air), air_end);
+        expect(Rule::length, "the ground agent's length", after.ground().length, length(ground), ground_end);
+        expect(Rule::length, "the air agent's length", after.air().length, length(air), air_end);
         expect(Rule::makespan, "the makespan", after.makespan, end, end);
         expect(Rule::flowtime, "the flowtime", after.flowtime, ground_end + air_end, end);
         // Older plan files do not state it.
-        if (after.ground_makespan || rules_.objective == Objective::ground_makespan) {
+        if (after.ground_makespan || terms_.rules.objective == Objective::ground_makespan) {
             expect(Rule::ground_makespan, "the ground agent's arrival", after.ground_makespan, ground_end, ground_end);
         }
     }
 
     void judge_bound() {
-        const auto objective = [&](const Outcome& outcome) { return value(outcome, rules_.objective); };
+        const auto objective = [&](const Outcome& outcome) { return value(outcome, terms_.rules.objective); };
         const std::optional<double> reached = objective(plan_.after);
         judge_bound_below(reached, "what the plan reaches");
         // To remove nothing is one of the plans that the bound speaks of, unless something must go.
-        if (rules_.force.empty()) judge_bound_below(objective(plan_.before), "what is reached without removals");
-        if (!rules_.gap) return;
+        if (terms_.rules.force.empty()) judge_bound_below(objective(plan_.before), "what is reached without removals");
+        if (!plan_.gap) return;
         if (!plan_.bound || !reached) {
             report(Rule::gap, "a gap is stated without a bound or a plan");
         } else {
-            expect(Rule::gap, "the gap", rules_.gap, *plan_.bound > 0 ? *reached / *plan_.bound - 1 : 0);
+            expect(Rule::gap, "the gap", plan_.gap, *plan_.bound > 0 ? *reached / *plan_.bound - 1 : 0);
         }
     }
 
     void judge_bound_below(std::optional<double> reached, const std::string& what) {
-        if (!plan_.bound || !reached || *plan_.bound <= *reached + slack(rules_, *reached)) return;
+        if (!plan_.bound || !reached || *plan_.bound <= *reached + slack(terms_, *reached)) return;
         report(Rule::bound, "the bound, " + text(*plan_.bound) + ", is above " + what + ", " + text(*reached));
     }
 
     const Plan& plan_;
-    const CheckRules& rules_;
+    const Terms& terms_;
     Violations found_;
 };
 
 }  // namespace
 
-Violations judge_figures(const Plan& plan, const AgentPlan* ground, const AgentPlan* air, const CheckRules& rules) {
-    return FiguresJudge(plan, rules).judge(ground, air);
+Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Terms& terms) {
+    return FiguresJudge(plan, terms).judge(ground, air);
 }
 
 }  // namespace waybreaker::checker

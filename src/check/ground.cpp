@@ -9,20 +9,20 @@ namespace waybreaker::checker {
 namespace {
 
 // The ground agent's body in the judge's own terms.
-struct Body {
+struct Shape {
     std::int64_t radius = 0;        // thousandths of a cell; 0: a point
     bool bends_at_corners = false;  // of cells, beside their centres
     bool slips = true;              // between diagonal neighbours
 };
 
-Body body_of(const Motion& motion) {
-    const auto radius = std::int64_t(std::llround(motion.radius * 1000));
-    return {.radius = motion.corners == Corners::none ? radius : 0,
+Shape shape_of(const Body& body) {
+    const auto radius = std::int64_t(std::llround(body.radius * 1000));
+    return {.radius = body.corners == Corners::none ? radius : 0,
             .bends_at_corners = radius == 0,
-            .slips = motion.corners != Corners::cut};
+            .slips = body.corners != Corners::cut};
 }
 
-std::optional<Vertex> vertex(const Waypoint& point, const Map& map, const Body& body) {
+std::optional<Vertex> vertex(const Waypoint& point, const Map& map, const Shape& body) {
     if (!(point.x >= -0.5 && point.y >= -0.5)) return std::nullopt;
     if (!(point.x <= map.width() - 0.5 && point.y <= map.height() - 0.5)) return std::nullopt;
     const Vertex v{std::llround(2 * point.x), std::llround(2 * point.y)};
@@ -33,7 +33,7 @@ std::optional<Vertex> vertex(const Waypoint& point, const Map& map, const Body& 
 }
 
 // The body does not reach beyond the map.
-bool keeps_inside(Vertex v, const Map& map, const Body& body) {
+bool keeps_inside(Vertex v, const Map& map, const Shape& body) {
     const std::int64_t right = 2 * std::int64_t(map.width()) - 1 - v.x;
     const std::int64_t below = 2 * std::int64_t(map.height()) - 1 - v.y;
     return 500 * std::min({v.x + 1, v.y + 1, right, below}) >= body.radius;
@@ -41,13 +41,13 @@ bool keeps_inside(Vertex v, const Map& map, const Body& body) {
 
 class GroundJudge {
   public:
-    GroundJudge(const Map& map, const Plan& plan, const AgentPlan& ground, const CheckRules& rules)
+    GroundJudge(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms)
         : map_(map),
           plan_(plan),
           ground_(ground),
-          rules_(rules),
-          body_(body_of(rules.motion)),
-          standing_(standing_until(map, plan, rules)) {}
+          terms_(terms),
+          body_(shape_of(terms.body)),
+          standing_(standing_until(map, plan, terms)) {}
 
     Violations judge() {
         if (!read_legs()) return std::move(found_);
@@ -94,7 +94,7 @@ class GroundJudge {
         return v;
     }
 
-    bool stands(double until, double time) const { return time + slack(rules_, time) < until; }
+    bool stands(double until, double time) const { return time + slack(terms_, time) < until; }
 
     static std::string how_long(double until) {
         return std::isfinite(until) ? "stands until " + text(until) : "is not removed";
@@ -141,19 +141,19 @@ class GroundJudge {
     }
 
     void judge_entries() {
-        for (const Removal& removal : plan_.removed) {
-            if (!names_obstacle(map_, removal.obstacle)) continue;
-            const auto entry = entries_.find(removal.obstacle);
+        for (const Breach& breach : plan_.breaches) {
+            if (!names_obstacle(map_, breach.obstacle)) continue;
+            const auto entry = entries_.find(breach.obstacle);
             const bool never = entry == entries_.end();
-            if (never && !removal.entered_at) continue;
-            if (!never && removal.entered_at && agree(rules_, entry->second.time, *removal.entered_at)) continue;
-            const std::string stated = removal.entered_at ? text(*removal.entered_at) : "never";
+            if (never && !breach.entered_at) continue;
+            if (!never && breach.entered_at && agree(terms_, entry->second.time, *breach.entered_at)) continue;
+            const std::string stated = breach.entered_at ? text(*breach.entered_at) : "never";
             const std::string true_time = never ? "never" : text(entry->second.time);
             found_.push_back({Rule::entered,
-                              text(removal.obstacle) + " is said to be entered " + at_time(stated) +
-                                  "; it is entered " + at_time(true_time),
-                              ground_.id, removal.obstacle, never ? std::optional<Point>() : entry->second.place,
-                              never ? removal.entered_at : entry->second.time});
+                              text(breach.obstacle) + " is said to be entered " + at_time(stated) + "; it is entered " +
+                                  at_time(true_time),
+                              ground_.id, breach.obstacle, never ? std::optional<Point>() : entry->second.place,
+                              never ? breach.entered_at : entry->second.time});
         }
     }
 
@@ -161,9 +161,9 @@ class GroundJudge {
 
     const Map& map_;
     const Plan& plan_;
-    const AgentPlan& ground_;
-    const CheckRules& rules_;
-    const Body body_;
+    const Itinerary& ground_;
+    const Terms& terms_;
+    const Shape body_;
     const std::vector<double> standing_;
     std::vector<Leg> legs_;
     std::map<ObstacleId, Contact> entries_;  // the first contact with each obstacle met
@@ -172,18 +172,18 @@ class GroundJudge {
 
 }  // namespace
 
-std::vector<double> standing_until(const Map& map, const Plan& plan, const CheckRules& rules) {
+std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms& terms) {
     constexpr double for_ever = std::numeric_limits<double>::infinity();
     std::vector<double> until(map.obstacles().size() + 1, for_ever);
-    for (const Removal& removal : plan.removed) {
-        if (!names_obstacle(map, removal.obstacle)) continue;
-        until[removal.obstacle.value] = rules.timing == Timing::enforce ? removal.cleared_at : -for_ever;
+    for (const Breach& breach : plan.breaches) {
+        if (!names_obstacle(map, breach.obstacle)) continue;
+        until[breach.obstacle.value] = terms.rules.timing == Timing::enforce ? breach.cleared_at : -for_ever;
     }
     return until;
 }
 
-Violations judge_ground(const Map& map, const Plan& plan, const AgentPlan& ground, const CheckRules& rules) {
-    return GroundJudge(map, plan, ground, rules).judge();
+Violations judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms) {
+    return GroundJudge(map, plan, ground, terms).judge();
 }
 
 }  // namespace waybreaker::checker

@@ -13,6 +13,13 @@ namespace waybreaker::checker {
 
 using Violations = std::vector<Violation>;
 
+// What a plan is held against.
+struct Terms {
+    const Rules& rules;
+    Body body;  // of the ground agent
+    double tolerance;
+};
+
 // A path that breaks more is not followed to its end.
 inline constexpr std::size_t enough_violations = 1000;
 
@@ -21,11 +28,11 @@ inline void append(Violations& all, Violations more) {
 }
 
 // How far a number may be off.
-inline double slack(const CheckRules& rules, double value) {
-    return rules.tolerance * std::max(1.0, std::abs(value));
+inline double slack(const Terms& terms, double value) {
+    return terms.tolerance * std::max(1.0, std::abs(value));
 }
-inline bool agree(const CheckRules& rules, double a, double b) {
-    return std::abs(a - b) <= slack(rules, std::max(std::abs(a), std::abs(b)));
+inline bool agree(const Terms& terms, double a, double b) {
+    return std::abs(a - b) <= slack(terms, std::max(std::abs(a), std::abs(b)));
 }
 
 // "12.5", "12.5,3", "obstacle 17"
@@ -39,22 +46,22 @@ inline bool names_obstacle(const Map& map, ObstacleId obstacle) {
 }
 
 // Until when each obstacle stands, by id: for ever, unless it is removed. [0] is the outside of the map.
-std::vector<double> standing_until(const Map& map, const Plan& plan, const CheckRules& rules);
+std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms& terms);
 
 // A path from start to goal, in time and at the agent's speed.
-Violations judge_timetable(const AgentPlan& agent, const CheckRules& rules);
+Violations judge_timetable(const Itinerary& agent, const Terms& terms);
 
 // The ground agent's way, and when it enters what is removed. Precondition: its timetable is in order.
-Violations judge_ground(const Map& map, const Plan& plan, const AgentPlan& ground, const CheckRules& rules);
+Violations judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms);
 
 // What is removed: whether it may be, and is as described.
-Violations judge_removals(const Map& map, const Plan& plan, const CheckRules& rules);
+Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms);
 
 // That the air agent is where it breaches, as long as it takes, one after the other. Precondition: its timetable is in
 // order.
-Violations judge_breaches(const Map& map, const Plan& plan, const AgentPlan& air, const CheckRules& rules);
+Violations judge_breaches(const Map& map, const Plan& plan, const Itinerary& air, const Terms& terms);
 
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
-Violations judge_figures(const Plan& plan, const AgentPlan* ground, const AgentPlan* air, const CheckRules& rules);
+Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Terms& terms);
 
 }  // namespace waybreaker::checker

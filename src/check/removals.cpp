@@ -33,53 +33,54 @@ std::optional<std::string> objection(const Map& map, ObstacleId obstacle, const 
     return std::nullopt;
 }
 
-Violation violation(Rule rule, const std::string& message, const Removal& removal) {
-    return {rule, message, "", removal.obstacle, removal.at, removal.cleared_at};
+Violation violation(Rule rule, const std::string& message, const Breach& breach) {
+    return {rule, message, "", breach.obstacle, breach.at, breach.cleared_at};
 }
 
 // That it is what the plan says it is. Precondition: the map has such an obstacle.
-Violations judge_description(const Map& map, const Removal& removal) {
+Violations judge_description(const Map& map, const Breach& breach) {
     Violations found;
-    const Obstacle& obstacle = map.obstacle(removal.obstacle);
-    const std::string who = text(removal.obstacle);
+    const Obstacle& obstacle = map.obstacle(breach.obstacle);
+    const std::string who = text(breach.obstacle);
     const auto differs = [&](const std::string& what, std::int64_t truth, std::int64_t stated) {
         if (truth == stated) return;
         const std::string message = who + what + std::to_string(truth) + ", not " + std::to_string(stated);
-        found.push_back(violation(Rule::cells, message, removal));
+        found.push_back(violation(Rule::cells, message, breach));
     };
-    differs("'s number of cells is ", obstacle.cells, removal.cells);
-    differs("'s id in its source is ", obstacle.source_id, removal.source_id);
-    if (!on_boundary(map, removal.at, removal.obstacle)) {
-        const std::string message = who + " is breached from " + text(removal.at) + ", which is not on its boundary";
-        found.push_back(violation(Rule::boundary, message, removal));
+    differs("'s number of cells is ", obstacle.cells, breach.cells);
+    differs("'s id in its source is ", obstacle.source_id, breach.source_id);
+    if (!on_boundary(map, breach.at, breach.obstacle)) {
+        const std::string message = who + " is breached from " + text(breach.at) + ", which is not on its boundary";
+        found.push_back(violation(Rule::boundary, message, breach));
     }
     return found;
 }
 
 // That it is not too much: told of the first removal that is.
-Violations judge_amount(const Plan& plan, const CheckRules& rules) {
+Violations judge_amount(const Map& map, const Plan& plan, const Terms& terms) {
     Violations found;
-    const auto allowed = std::size_t(std::max(rules.removals, 0));
-    if (plan.removed.size() > allowed) {
-        const std::string message =
-            std::to_string(plan.removed.size()) + " obstacles are removed, " + std::to_string(allowed) + " are allowed";
-        found.push_back(violation(Rule::removals, message, plan.removed[allowed]));
+    const auto allowed = std::size_t(std::max(terms.rules.removals, 0));
+    if (plan.breaches.size() > allowed) {
+        const std::string message = std::to_string(plan.breaches.size()) + " obstacles are removed, " +
+                                    std::to_string(allowed) + " are allowed";
+        found.push_back(violation(Rule::removals, message, plan.breaches[allowed]));
     }
     double weight = 0;
-    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
-        weight += i < rules.weights.size() ? rules.weights[i] : 1;
-        if (weight <= rules.budget + slack(rules, rules.budget)) continue;
+    for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
+        if (!names_obstacle(map, plan.breaches[i].obstacle)) continue;
+        weight += map.obstacle(plan.breaches[i].obstacle).weight;
+        if (weight <= terms.rules.budget + slack(terms, terms.rules.budget)) continue;
         const std::string message =
-            "removals up to here weigh " + text(weight) + ", over the budget of " + text(rules.budget);
-        found.push_back(violation(Rule::budget, message, plan.removed[i]));
+            "removals up to here weigh " + text(weight) + ", over the budget of " + text(terms.rules.budget);
+        found.push_back(violation(Rule::budget, message, plan.breaches[i]));
         break;
     }
     return found;
 }
 
 // How far from where it should be an agent may be at a time.
-double room(const AgentPlan& agent, const CheckRules& rules, double time) {
-    return (1 + agent.speed) * slack(rules, time);
+double room(const Itinerary& agent, const Terms& terms, double time) {
+    return (1 + agent.speed) * slack(terms, time);
 }
 
 bool is_near(const Waypoint& point, Cell at, double room) {
@@ -87,15 +88,15 @@ bool is_near(const Waypoint& point, Cell at, double room) {
 }
 
 // The first point of the path at or after a time.
-auto first_point_from(const AgentPlan& agent, double time) {
+auto first_point_from(const Itinerary& agent, double time) {
     return std::partition_point(agent.path.begin(), agent.path.end(),
                                 [time](const Waypoint& point) { return point.t < time; });
 }
 
 // Whether the agent is at a cell at that time, give or take the tolerance.
-bool is_there(const AgentPlan& agent, Cell at, double time, const CheckRules& rules) {
-    const double hair = slack(rules, time);
-    const double allowed = room(agent, rules, time);
+bool is_there(const Itinerary& agent, Cell at, double time, const Terms& terms) {
+    const double hair = slack(terms, time);
+    const double allowed = room(agent, terms, time);
     for (auto b = first_point_from(agent, time - hair); b != agent.path.end(); ++b) {
         const auto a = b == agent.path.begin() ? b : b - 1;
         if (a->t > time + hair) break;
@@ -105,36 +106,36 @@ bool is_there(const AgentPlan& agent, Cell at, double time, const CheckRules& ru
     return false;
 }
 
-bool stays_there(const AgentPlan& agent, Cell at, double from, double to, const CheckRules& rules) {
-    if (!is_there(agent, at, from, rules) || !is_there(agent, at, to, rules)) return false;
-    const double hair = slack(rules, to);
+bool stays_there(const Itinerary& agent, Cell at, double from, double to, const Terms& terms) {
+    if (!is_there(agent, at, from, terms) || !is_there(agent, at, to, terms)) return false;
+    const double hair = slack(terms, to);
     for (auto point = first_point_from(agent, from + hair); point != agent.path.end(); ++point) {
         if (point->t > to - hair) break;
-        if (!is_near(*point, at, room(agent, rules, to))) return false;
+        if (!is_near(*point, at, room(agent, terms, to))) return false;
     }
     return true;
 }
 
 }  // namespace
 
-Violations judge_removals(const Map& map, const Plan& plan, const CheckRules& rules) {
+Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) {
     Violations found;
-    const Ids protect(rules.protect.begin(), rules.protect.end());
+    const Ids protect(terms.rules.protect.begin(), terms.rules.protect.end());
     Ids seen;
-    for (const Removal& removal : plan.removed) {
-        const ObstacleId obstacle = removal.obstacle;
+    for (const Breach& breach : plan.breaches) {
+        const ObstacleId obstacle = breach.obstacle;
         const bool is_new = seen.insert(obstacle).second;
-        if (!is_new) found.push_back(violation(Rule::repetition, text(obstacle) + " is removed twice", removal));
+        if (!is_new) found.push_back(violation(Rule::repetition, text(obstacle) + " is removed twice", breach));
         const auto reason = objection(map, obstacle, protect);
-        if (reason) found.push_back(violation(Rule::obstacle, *reason, removal));
-        if (names_obstacle(map, obstacle)) append(found, judge_description(map, removal));
+        if (reason) found.push_back(violation(Rule::obstacle, *reason, breach));
+        if (names_obstacle(map, obstacle)) append(found, judge_description(map, breach));
     }
-    append(found, judge_amount(plan, rules));
-    for (const ObstacleId id : rules.force) {
+    append(found, judge_amount(map, plan, terms));
+    for (const ObstacleId id : terms.rules.force) {
         if (seen.contains(id) || plan.agents.empty()) continue;
         found.push_back({Rule::removals, text(id) + " is not removed, though it must be", "", id});
     }
-    for (const NextRemoval& next : plan.next) {
+    for (const NextBreach& next : plan.next) {
         auto reason = objection(map, next.obstacle, protect);
         if (!reason && seen.contains(next.obstacle)) reason = text(next.obstacle) + " is removed already";
         if (reason) found.push_back({Rule::next, "as the next removal: " + *reason, "", next.obstacle});
@@ -142,25 +143,25 @@ Violations judge_removals(const Map& map, const Plan& plan, const CheckRules& ru
     return found;
 }
 
-Violations judge_breaches(const Map& map, const Plan& plan, const AgentPlan& air, const CheckRules& rules) {
+Violations judge_breaches(const Map& map, const Plan& plan, const Itinerary& air, const Terms& terms) {
     Violations found;
     double free_from = 0;  // the breach before is over
-    for (const Removal& removal : plan.removed) {
-        if (!names_obstacle(map, removal.obstacle)) continue;
+    for (const Breach& breach : plan.breaches) {
+        if (!names_obstacle(map, breach.obstacle)) continue;
         if (found.size() > enough_violations) break;
-        const double until = removal.cleared_at;
-        const double from = until - rules.breach_time.of(map.obstacle(removal.obstacle));
+        const double until = breach.cleared_at;
+        const double from = until - terms.rules.breach_time.of(map.obstacle(breach.obstacle));
         const auto report = [&](Rule rule, const std::string& what) {
-            found.push_back({rule, what, air.id, removal.obstacle, removal.at, until});
+            found.push_back({rule, what, air.id, breach.obstacle, breach.at, until});
         };
-        if (!stays_there(air, removal.at, from, until, rules)) {
+        if (!stays_there(air, breach.at, from, until, terms)) {
             const std::string when = from < until ? "from " + text(from) + " to " + text(until) : "at " + text(until);
-            report(Rule::breach, "the " + air.id + " agent is not at " + text(removal.at) + " " + when + " to breach " +
-                                     text(removal.obstacle));
+            report(Rule::breach, "the " + air.id + " agent is not at " + text(breach.at) + " " + when + " to breach " +
+                                     text(breach.obstacle));
         }
-        if (from < free_from - slack(rules, free_from)) {
-            report(Rule::order, text(removal.obstacle) +
-                                    " is breached before the one listed before it is cleared, at " + text(free_from));
+        if (from < free_from - slack(terms, free_from)) {
+            report(Rule::order, text(breach.obstacle) + " is breached before the one listed before it is cleared, at " +
+                                    text(free_from));
         }
         free_from = until;
     }

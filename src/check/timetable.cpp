@@ -9,7 +9,7 @@ Point place(const Waypoint& point) {
 }
 
 // What makes a timetable unreadable, if anything does.
-Violations judge_form(const AgentPlan& agent) {
+Violations judge_form(const Itinerary& agent) {
     const std::string who = "the " + agent.id + " agent";
     if (!(agent.speed > 0 && std::isfinite(agent.speed)))
         return {{Rule::agents, who + "'s speed is not above 0", agent.id}};
@@ -21,7 +21,7 @@ Violations judge_form(const AgentPlan& agent) {
     return {};
 }
 
-Violations judge_ends(const AgentPlan& agent, const CheckRules& rules) {
+Violations judge_ends(const Itinerary& agent, const Terms& terms) {
     const std::string who = "the " + agent.id + " agent ";
     const Waypoint& first = agent.path.front();
     const Waypoint& last = agent.path.back();
@@ -30,7 +30,7 @@ Violations judge_ends(const AgentPlan& agent, const CheckRules& rules) {
         const std::string message = who + "starts at " + text(place(first)) + " instead of " + text(agent.start);
         found.push_back({Rule::start, message, agent.id, {}, place(first), first.t});
     }
-    if (!agree(rules, first.t, 0)) {
+    if (!agree(terms, first.t, 0)) {
         found.push_back({Rule::start, who + "does not start at time 0", agent.id, {}, place(first), first.t});
     }
     if (place(last) != Point(agent.goal)) {
@@ -41,7 +41,7 @@ Violations judge_ends(const AgentPlan& agent, const CheckRules& rules) {
 }
 
 // Times are held against the sum of all moves and waits so far, so that errors within the tolerance cannot add up.
-Violations judge_moves(const AgentPlan& agent, const CheckRules& rules) {
+Violations judge_moves(const Itinerary& agent, const Terms& terms) {
     const std::string who = "the " + agent.id + " agent ";
     Violations found;
     double due = agent.path.front().t;
@@ -54,7 +54,7 @@ Violations judge_moves(const AgentPlan& agent, const CheckRules& rules) {
             found.push_back({Rule::time, message, agent.id, {}, place(a), a.t});
         }
         due += way > 0 ? way / agent.speed : b.t - a.t;
-        if (agree(rules, due, b.t)) continue;
+        if (agree(terms, due, b.t)) continue;
         const std::string message = who + "is at " + text(place(b)) + " at " + text(b.t) + "; at speed " +
                                     text(agent.speed) + " it gets there at " + text(due);
         found.push_back({Rule::speed, message, agent.id, {}, place(b), b.t});
@@ -65,11 +65,11 @@ Violations judge_moves(const AgentPlan& agent, const CheckRules& rules) {
 
 }  // namespace
 
-Violations judge_timetable(const AgentPlan& agent, const CheckRules& rules) {
+Violations judge_timetable(const Itinerary& agent, const Terms& terms) {
     Violations found = judge_form(agent);
     if (!found.empty()) return found;
-    found = judge_ends(agent, rules);
-    append(found, judge_moves(agent, rules));
+    found = judge_ends(agent, terms);
+    append(found, judge_moves(agent, terms));
     return found;
 }
 

@@ -2,10 +2,9 @@
 
 namespace waybreaker {
 
-void Bends::start_query(const Map& map, Body body) {
-    if (map_ == map.identity() && body_ == body) return;
+void Bends::start_query(const Map& map) {
+    if (map_ == map.identity()) return;
     map_ = map.identity();
-    body_ = body;
     bends_.assign(1, {});
     after_.assign(1, {});
     slots_.assign(1024, {});

@@ -21,7 +21,7 @@ struct Bend {
 
 class Bends {
   public:
-    void start_query(const Map& map, Body body);
+    void start_query(const Map& map);
 
     // The bend at the end of the straight run that a side is part of.
     std::uint32_t ahead(const Outline& outline, Side side);
@@ -47,10 +47,9 @@ class Bends {
         std::uint32_t bend = 0;  // 0: empty
     };
     std::shared_ptr<const void> map_;  // the identity of the map they are of
-    Body body_ = Body::square;
-    std::vector<Bend> bends_;  // from 1
-    std::vector<Side> after_;  // the side that each goes on with
-    std::vector<Slot> slots_;  // hash table, open addressing
+    std::vector<Bend> bends_;          // from 1
+    std::vector<Side> after_;          // the side that each goes on with
+    std::vector<Slot> slots_;          // hash table, open addressing
 };
 
 }  // namespace waybreaker

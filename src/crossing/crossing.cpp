@@ -92,7 +92,7 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
         std::sort(set.begin(), set.end());
         label.set = sets_.add(set);
     }
-    const Dominance dominates{*map_, sets_, options_->weights, goal_, limit_, accept_ == nullptr};
+    const Dominance dominates{*map_, sets_, options_->budget < infinity, goal_, limit_, accept_ == nullptr};
     const std::uint32_t place = places_.find_or_add(v);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
@@ -146,7 +146,7 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
 }
 
 std::optional<CrossingSearcher::Search::Outcome> CrossingSearcher::Search::interrupted() {
-    if (result_.expanded >= options_->expansion_limit) return Outcome::limit_reached;
+    if (result_.expanded >= options_->limits.expansions) return Outcome::limit_reached;
     if (!interrupt_.due()) return std::nullopt;
     return interrupt_.cause() == Interrupt::Cause::stop ? Outcome::stopped : Outcome::limit_reached;
 }
@@ -233,7 +233,7 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
     start_ = centre(start);
     goal_ = centre(goal);
     told_ = -1;
-    interrupt_ = Interrupt(options.time_limit, options.stop);
+    interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
     result_ = {};
     result_.lower_bound = infinity;
     const auto stands = [&](Cell c) {

@@ -1,8 +1,6 @@
 // Dominance: which of two ways to be at a vertex need not be followed.
 #pragma once
 
-#include <span>
-
 #include "crossing/labels.hpp"
 #include "waybreaker/map.hpp"
 
@@ -11,7 +9,7 @@ namespace waybreaker {
 struct Dominance {
     const Map& map;
     const ObstacleSets& sets;
-    std::span<const double> weights;  // by id; empty: none
+    bool weighs;  // whether the budget is limited
     Vertex goal;
     double limit;   // half cells: dearer paths are not looked for
     bool by_count;  // false: only what is crossed within what the other has crossed is as good
@@ -22,7 +20,7 @@ struct Dominance {
 
   private:
     bool lost(std::uint32_t obstacle, const Label& label) const;
-    double weight(std::uint32_t obstacle) const { return weights.empty() ? 0 : weights[obstacle]; }
+    double weight(std::uint32_t obstacle) const { return weighs ? map.obstacle(ObstacleId{obstacle}).weight : 0; }
 };
 
 }  // namespace waybreaker

@@ -8,10 +8,10 @@ namespace waybreaker {
 void Fan::start_query(const Map& map, Vertex goal, const CrossingOptions& options, Interrupt& interrupt) {
     map_ = &map;
     interrupt_ = &interrupt;
-    body_ = options.body;
+    reach_ = reach_of(options.body);
     goal_ = goal;
-    bends_ = &bends_of_[body_ == Body::square ? 0 : 1];
-    bends_->start_query(map, body_);
+    bends_ = &bends_of_[std::size_t(reach_ - 1)];
+    bends_->start_query(map);
     ray_.start_query(map, options);
 }
 
@@ -64,7 +64,7 @@ void Fan::look_into(const Sector& sector) {
             look_along(sector.straight, sector.turn);
         }
         const Step outward = sector.sliding + -sector.around.quadrant;
-        const Outline outline(*map_, body_, sector.around.obstacle);
+        const Outline outline(*map_, reach_, sector.around.obstacle);
         // Along the obstacle's own side. Where that ends at a corner, the ray to it is the sector's border.
         if (!scan(outline, {sector.around.cell, outward, sector.sliding}, -sector.turn))
             look_along(sector.sliding, -sector.turn);
@@ -127,7 +127,7 @@ std::optional<std::span<const Front>> Fan::ahead(const Reached& reached) const {
 
 // Both ways along the outline of what a ray has hit; or to one side only.
 void Fan::scan_from(Front front, Step direction, int only) {
-    const Outline outline(*map_, body_, front.obstacle);
+    const Outline outline(*map_, reach_, front.obstacle);
     if (outline.owns(front.cell + front.side)) {  // it was entered at a concave corner, through two boxes at once
         front.cell = front.cell + front.side;
         front.side = front.side.x != 0 ? Step{0, -sign(direction.y)} : Step{-sign(direction.x), 0};
@@ -198,7 +198,7 @@ std::optional<std::uint32_t> Fan::behind_notch(const Outline& outline, std::uint
 // Whether nothing that stands is between two near vertices.
 bool Fan::clear(Vertex a, Vertex b) const {
     constexpr int near = 16;  // cells
-    const int reach = reach_of(body_);
+    const int reach = reach_;
     const Step step = b - a;
     if (reach == 1 && (step.x == 0 || step.y == 0)) return false;  // along cell edges: a ray knows
     const auto first = [reach](int low) { return int(floor_divide(low - reach, 2)) + 1; };
@@ -223,13 +223,13 @@ void Fan::note(Vertex corner, int open) {
 
 // The corner of a standing obstacle that fills that quadrant of the vertex, if there is one to bend around.
 std::optional<Corner> Fan::corner_at(Vertex v, Step quadrant) const {
-    const bool square = body_ == Body::square;
+    const bool square = reach_ == 2;
     const Cell cell = square ? Cell{v.x / 2 + quadrant.x, v.y / 2 + quadrant.y}
                              : Cell{(v.x + quadrant.x) / 2, (v.y + quadrant.y) / 2};
     if (!map_->grid().blocked(cell) || !map_->grid().contains(cell)) return std::nullopt;
     const std::uint32_t obstacle = map_->obstacle_at(cell).value;
     if (ray_.open(obstacle)) return std::nullopt;
-    const Outline outline(*map_, body_, obstacle);
+    const Outline outline(*map_, reach_, obstacle);
     if (outline.owns(cell + Step{-quadrant.x, 0}) || outline.owns(cell + Step{0, -quadrant.y})) return std::nullopt;
     if (square && outline.owns(cell + -quadrant)) return std::nullopt;
     return Corner{quadrant, cell, obstacle};

@@ -105,10 +105,10 @@ class Fan {
 
     const Map* map_ = nullptr;
     Interrupt* interrupt_ = nullptr;
-    Body body_ = Body::square;
+    int reach_ = 2;  // half cells
     Vertex goal_;
     Ray ray_;
-    std::array<Bends, 2> bends_of_;  // by body
+    std::array<Bends, 2> bends_of_;  // by reach: of a point, of a square
     Bends* bends_ = nullptr;
     Done done_;
     std::uint64_t look_ = 0;  // numbers the sectors looked into

@@ -1,10 +1,10 @@
 // Interrupt: whether a search has to end early, asked for so often that the clock is read now and then only.
 #pragma once
 
-#include <stop_token>
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "waybreaker/limits.hpp"
 
 namespace waybreaker {
 
@@ -13,7 +13,7 @@ class Interrupt {
     enum class Cause { none, limit, stop };
 
     Interrupt() = default;
-    Interrupt(double seconds, std::stop_token stop) : deadline_(seconds), stop_(std::move(stop)) {}
+    Interrupt(double seconds, StopToken stop) : deadline_(seconds), stop_(std::move(stop)) {}
 
     // Once due, always due.
     bool due() {
@@ -27,7 +27,7 @@ class Interrupt {
 
   private:
     Deadline deadline_;
-    std::stop_token stop_;
+    StopToken stop_;
     unsigned calls_ = 0;
     Cause cause_ = Cause::none;
 };

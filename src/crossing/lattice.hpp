@@ -58,8 +58,9 @@ inline double length(Step s) {
 constexpr Vertex centre(Cell c) {
     return {2 * c.x, 2 * c.y};
 }
-constexpr int reach_of(Body body) {
-    return body == Body::square ? 2 : 1;
+// Half the side of the box around a cell that the body's centre cannot enter, in half cells.
+constexpr int reach_of(const Body& body) {
+    return body.is_point() ? 1 : 2;
 }
 
 constexpr std::int64_t floor_divide(std::int64_t a, std::int64_t b) {

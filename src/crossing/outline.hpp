@@ -16,8 +16,8 @@ struct Side {
 
 class Outline {
   public:
-    Outline(const Map& map, Body body, std::uint32_t obstacle)
-        : map_(&map), obstacle_(obstacle), reach_(reach_of(body)) {}
+    // `reach`: reach_of the body.
+    Outline(const Map& map, int reach, std::uint32_t obstacle) : map_(&map), obstacle_(obstacle), reach_(reach) {}
 
     // Bits first: they are few enough to stay near the processor.
     bool owns(Cell c) const {

@@ -19,7 +19,7 @@ void Ray::start_query(const Map& map, const CrossingOptions& options) {
     map_ = &map;
     touching_ = map.obstacles_touch();
     reach_ = reach_of(options.body);
-    weights_ = options.weights;
+    weighs_ = options.budget < std::numeric_limits<double>::infinity();
     allows_some_ = !options.only.empty();
     const std::size_t count = map.obstacles().size() + 1;
     // Fresh pages are zero and cost nothing until used: a big map costs no more than what the rays see of it.

@@ -50,7 +50,8 @@ class Ray {
     bool open(std::uint32_t obstacle) const { return marks_[obstacle].open == opening_; }
     // Never passed.
     bool solid(std::uint32_t obstacle) const;
-    double weight(std::uint32_t obstacle) const { return weights_.empty() ? 0 : weights_[obstacle]; }
+    // Against the budget; 0 where it is not limited.
+    double weight(std::uint32_t obstacle) const { return weighs_ ? map_->obstacle(ObstacleId{obstacle}).weight : 0; }
 
   private:
     struct Mark {
@@ -89,7 +90,7 @@ class Ray {
     int reach_ = 2;
     bool touching_ = false;
     bool allows_some_ = false;  // and no others
-    std::span<const double> weights_;
+    bool weighs_ = false;       // whether the budget is limited
     std::unique_ptr<Mark[], Free> marks_;
     std::size_t mark_count_ = 0;
     std::uint32_t query_ = 0;

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "core/range.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -20,13 +19,9 @@ void validate(const Map& map, const CrossingOptions& options) {
     check_ids(options.protect, "protect");
     check_ids(options.only, "cross");
     if (!(options.budget >= 0)) throw InputError("the budget cannot be negative");
-    if (options.weights.empty()) return;
-    if (options.weights.size() != map.obstacles().size() + 1) {
-        throw InputError("there are " + std::to_string(options.weights.size()) + " weights, not one for each of " +
-                         std::to_string(map.obstacles().size()) + " obstacles and one for id 0");
-    }
-    for (std::size_t id = 1; id < options.weights.size(); ++id) {
-        require_range(options.weights[id], least_weight, most_weight, "the weight of obstacle " + std::to_string(id));
+    const Body& body = options.body;
+    if (body.corners != Corners::none || (body.radius != 0.5 && body.radius != 0)) {
+        throw InputError("the crossing search moves an agent of radius 0.5 or 0 that passes no blocked corner");
     }
 }
 

@@ -8,33 +8,32 @@
 namespace waybreaker::experiment {
 namespace {
 
-MissionOptions mission_options(const Configuration& configuration, const std::stop_token& stop) {
-    MissionOptions options;
+waybreaker::Method method_of(const Configuration& configuration, Mission& mission) {
+    mission.rules.removals = configuration.removals;
+    waybreaker::Method method;
     switch (configuration.method) {
         case Method::paper:
-            options = paper_options(configuration.removals);
+            follow_paper(mission.rules, method);
             break;
         case Method::none:
-            options.select = configuration.planner == Planner::optimal ? Selection::exact : Selection::hits;
-            options.timing = Timing::ignore;
+            method.select = configuration.planner == Planner::optimal ? Selection::exact : Selection::hits;
+            mission.rules.timing = Timing::ignore;
             break;
         case Method::exact:
         case Method::greedy:
             break;
     }
-    options.removals = configuration.removals;
-    options.search.planner = configuration.planner;
-    options.search.weight = configuration.weight;
-    options.search.stop = stop;
-    return options;
+    method.planner = configuration.planner;
+    method.weight = configuration.weight;
+    return method;
 }
 
 Stage stage_of(const Outcome& outcome) {
-    return {.ground = outcome.ground.length,
-            .expanded = outcome.ground.expanded,
-            .generated = outcome.ground.generated,
-            .seconds = outcome.ground.seconds,
-            .air = outcome.air.length,
+    return {.ground = outcome.ground().length,
+            .expanded = outcome.ground().expanded,
+            .generated = outcome.ground().generated,
+            .seconds = outcome.ground().seconds,
+            .air = outcome.air().length.value_or(0),
             .makespan = outcome.makespan,
             .flowtime = outcome.flowtime};
 }
@@ -55,19 +54,20 @@ ResultStatus status_of(PlanStatus status) {
 }  // namespace
 
 Result Evaluator::plan(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
-                       const std::stop_token& stop) {
-    const Plan plan =
-        planner_.plan(map, ground_and_air(mission.start, mission.goal), mission_options(configuration, stop));
+                       const StopToken& stop) {
+    Mission asked = ground_and_air(mission.start, mission.goal);
+    const waybreaker::Method method = method_of(configuration, asked);
+    const Plan plan = planner_.plan(map, asked, method, {.stop = stop});
     Result result{.status = status_of(plan.status),
                   .before = stage_of(plan.before),
                   .after = stage_of(plan.after),
                   .bound = plan.bound};
-    for (const Removal& removal : plan.removed) result.removed.push_back(removal.obstacle);
+    for (const Breach& removal : plan.breaches) result.removed.push_back(removal.obstacle);
     return result;
 }
 
 Result Evaluator::evaluate(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
-                           const std::stop_token& stop) {
+                           const StopToken& stop) {
     const auto begin = std::chrono::steady_clock::now();
     Result result;
     try {

@@ -1,13 +1,11 @@
 // Evaluate: one job, from a mission and a configuration to a result.
 #pragma once
 
-#include <stop_token>
-
 #include "experiment/experiment.hpp"
 #include "experiment/result.hpp"
 #include "waybreaker/crossing.hpp"
 #include "waybreaker/map.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::experiment {
 
@@ -16,12 +14,12 @@ class Evaluator {
   public:
     // Never throws for what a mission can do wrong: that is a result as well. A job that is told to stop has timed out.
     Result evaluate(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
-                    const std::stop_token& stop);
+                    const StopToken& stop);
 
   private:
     Result plan(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
-                const std::stop_token& stop);
-    Result plan_greedily(const Map& map, const ExperimentMission& mission, int removals, const std::stop_token& stop);
+                const StopToken& stop);
+    Result plan_greedily(const Map& map, const ExperimentMission& mission, int removals, const StopToken& stop);
 
     MissionPlanner planner_;
     CrossingSearcher crossing_;

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::experiment {
 

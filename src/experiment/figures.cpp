@@ -119,7 +119,7 @@ Figure lengths(const SetSummary& summary) {
                    .y_label = "cells",
                    .categories = categories(summary),
                    .series = {}},
-                  "Removal shortens the path of the ground agent (A) and lengthens that of the air agent (B).",
+                  "Breach shortens the path of the ground agent (A) and lengthens that of the air agent (B).",
                   {},
                   "The vertical axis does not begin at 0. Empty markers and dashes: path B."};
     for (std::size_t i = 0; i < summary.series.size(); ++i) {

@@ -10,15 +10,17 @@ namespace waybreaker::experiment {
 namespace {
 
 // Both agents in time on a ground path.
-Stage scheduled(const Map& map, const ExperimentMission& mission, const CrossingResult& found,
+Stage scheduled(const Map& map, const Mission& mission, const CrossingResult& found,
                 std::span<const ObstacleId> removed, Result& result) {
     Stage stage;
     stage.expanded = found.expanded;
     stage.generated = found.generated;
     if (found.status != SearchStatus::found) return stage;
-    const Schedule schedule = best_schedule(
-        map,
-        {.ground_path = found.best.path, .air_start = mission.start, .air_goal = mission.goal, .removed = removed});
+    const Schedule schedule = best_schedule(map, {.ground_path = found.best.path,
+                                                  .driver = mission.first(AgentKind::ground),
+                                                  .flyer = mission.first(AgentKind::air),
+                                                  .rules = mission.rules,
+                                                  .removed = removed});
     stage.ground = found.best.length;
     stage.air = schedule.flight.length;
     stage.makespan = schedule.makespan;
@@ -30,21 +32,22 @@ Stage scheduled(const Map& map, const ExperimentMission& mission, const Crossing
 
 }  // namespace
 
-Result Evaluator::plan_greedily(const Map& map, const ExperimentMission& mission, int removals,
-                                const std::stop_token& stop) {
-    validate(map, ground_and_air(mission.start, mission.goal), {.removals = removals});
+Result Evaluator::plan_greedily(const Map& map, const ExperimentMission& mission, int removals, const StopToken& stop) {
+    Mission asked = ground_and_air(mission.start, mission.goal);
+    asked.rules.removals = removals;
+    validate(map, asked);
     const auto search = [&](int crossings, const std::vector<ObstacleId>& removed) {
         CrossingOptions options;
         options.crossings = crossings;
         options.removed = removed;
-        options.stop = stop;
+        options.limits.stop = stop;
         return crossing_.find(map, mission.start, mission.goal, options);
     };
     using Clock = std::chrono::steady_clock;
     Clock::time_point begin = Clock::now();
     const auto seconds = [&begin] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
     Result result;
-    result.before = result.after = scheduled(map, mission, search(0, {}), {}, result);
+    result.before = result.after = scheduled(map, asked, search(0, {}), {}, result);
     result.before.seconds = result.after.seconds = seconds();
     begin = Clock::now();
     std::vector<ObstacleId> removed;
@@ -53,7 +56,7 @@ Result Evaluator::plan_greedily(const Map& map, const ExperimentMission& mission
         if (next.best.crossed.empty()) break;
         removed.push_back(next.best.crossed.front());
         Result further = result;
-        further.after = scheduled(map, mission, next, removed, further);
+        further.after = scheduled(map, asked, next, removed, further);
         const bool better =
             further.after.makespan && (!result.after.makespan || *further.after.makespan < *result.after.makespan);
         if (better) result = further;

@@ -28,18 +28,19 @@ constexpr auto tick = std::chrono::milliseconds(50);          // how exactly tim
 constexpr auto store_every = std::chrono::milliseconds(500);  // what a kill -9 can cost
 
 Evaluate usual_evaluator() {
-    return [evaluator = std::make_shared<Evaluator>()](
-               const Map& map, const ExperimentMission& mission, const Configuration& configuration,
-               const std::stop_token& stop) { return evaluator->evaluate(map, mission, configuration, stop); };
+    return [evaluator = std::make_shared<Evaluator>()](const Map& map, const ExperimentMission& mission,
+                                                       const Configuration& configuration, const StopToken& stop) {
+        return evaluator->evaluate(map, mission, configuration, stop);
+    };
 }
 
 // What a thread is at: told to stop where it takes too long.
 class Shift {
   public:
-    std::stop_token begin() {
+    StopToken begin() {
         const std::scoped_lock lock(mutex_);
         since_ = Clock::now();
-        stop_ = std::stop_source();
+        stop_ = StopSource();
         return stop_.get_token();
     }
     void stop_if_longer(double seconds) {
@@ -50,7 +51,7 @@ class Shift {
   private:
     std::mutex mutex_;
     Clock::time_point since_;
-    std::stop_source stop_;
+    StopSource stop_;
 };
 
 // The threads and what they have done; the caller of run() waits, watches and stores.
@@ -111,7 +112,7 @@ class Work {
                 const std::size_t configurations = experiment_.configurations.size();
                 const ExperimentMission& mission = experiment_.missions[jobs_[i] / configurations];
                 if (mission.map != map_index) map = maps_.take(map_index = mission.map);
-                const std::stop_token stop = shift.begin();
+                const StopToken stop = shift.begin();
                 const CurrentJob current(jobs_[i]);
                 Row row{jobs_[i], evaluate(*map, mission, experiment_.configurations[jobs_[i] % configurations], stop)};
                 const std::scoped_lock lock(mutex_);

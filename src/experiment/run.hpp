@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <stop_token>
 
 #include "experiment/experiment.hpp"
 #include "experiment/store.hpp"
@@ -20,11 +19,11 @@ struct RunProgress {
     unsigned threads = 0;
 };
 
-using Evaluate = std::function<Result(const Map&, const ExperimentMission&, const Configuration&, std::stop_token)>;
+using Evaluate = std::function<Result(const Map&, const ExperimentMission&, const Configuration&, StopToken)>;
 
 struct RunOptions {
     unsigned threads = 0;  // 0: all cores
-    std::stop_token stop = {};
+    StopToken stop = {};
     std::function<void(const RunProgress&)> progress = {};  // called now and then, by the thread that called run()
     // Makes what evaluates jobs, one for each thread; by default an Evaluator.
     std::function<Evaluate()> evaluators = {};

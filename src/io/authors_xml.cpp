@@ -119,11 +119,11 @@ SearchOptions read_algorithm(const Element& algorithm) {
     search.heuristic = choice(algorithm, "metrictype", xml_heuristics, std::optional<Heuristic>());
     search.tie_break = choice(algorithm, "breakingties", xml_ties, TieBreak::g_max);
     if (const auto weight = algorithm.find("hweight")) search.weight = weight_of(*weight);
-    search.motion.diagonal = flag(algorithm, "allowdiagonal", true);
+    search.diagonal = flag(algorithm, "allowdiagonal", true);
     // As in the authors' program, the wider permission counts only together with the narrower one.
-    const bool cut = flag(algorithm, "cutcorners", false) && search.motion.diagonal;
+    const bool cut = flag(algorithm, "cutcorners", false) && search.diagonal;
     const bool squeeze = flag(algorithm, "allowsqueeze", false) && cut;
-    search.motion.corners = squeeze ? Corners::squeeze : cut ? Corners::cut : Corners::none;
+    search.body.corners = squeeze ? Corners::squeeze : cut ? Corners::cut : Corners::none;
     return search;
 }
 

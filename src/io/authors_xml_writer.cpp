@@ -54,9 +54,9 @@ void append_task(pugi::xml_node root, const Grid& grid, const XmlTask& task) {
     put_word(algorithm, "metrictype", xml_heuristics, std::optional(heuristic_of(search)));
     put_word(algorithm, "breakingties", xml_ties, search.tie_break);
     put(algorithm, "hweight", shortest_text(search.weight).c_str());
-    put(algorithm, "allowdiagonal", int(search.motion.diagonal));
-    put(algorithm, "cutcorners", int(search.motion.corners != Corners::none));
-    put(algorithm, "allowsqueeze", int(search.motion.corners == Corners::squeeze));
+    put(algorithm, "allowdiagonal", int(search.diagonal));
+    put(algorithm, "cutcorners", int(search.body.corners != Corners::none));
+    put(algorithm, "allowsqueeze", int(search.body.corners == Corners::squeeze));
 }
 
 std::string text_of(const pugi::xml_document& document) {

@@ -27,11 +27,19 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
     Violations violations = judge_size(plan, map.map);
     if (!violations.empty()) return violations;
     if (!options.ignore_digest) violations = judge_digest(plan, map);
-    CheckRules rules = plan.rules;
-    rules.tolerance = options.tolerance;
-    const Violations of_plan = check(map.map, plan.plan, rules);
-    violations.insert(violations.end(), of_plan.begin(), of_plan.end());
-    return violations;
+    const auto judge_on = [&](const Map& on) {
+        const Violations of_plan = check(on, plan.mission, plan.plan, options.tolerance);
+        violations.insert(violations.end(), of_plan.begin(), of_plan.end());
+        return violations;
+    };
+    if (plan.weights.empty()) return judge_on(map.map);
+    // Removed obstacles weigh what the plan file says: its weights may have been chosen for the mission.
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(obstacle.weight);
+    for (const auto& [obstacle, weight] : plan.weights) {
+        if (obstacle.value < weights.size()) weights[obstacle.value] = weight;
+    }
+    return judge_on(map.map.with_weights(weights));
 }
 
 std::string check_json(const Violations& violations) {

@@ -6,11 +6,12 @@
 
 #include "io/map_file.hpp"
 #include "io/plan_file.hpp"
+#include "waybreaker/check.hpp"
 
 namespace waybreaker::io {
 
 struct JudgeOptions {
-    double tolerance = CheckRules().tolerance;
+    double tolerance = 1e-6;
     bool ignore_digest = false;  // another map file will do, if only the plan holds on it
 };
 

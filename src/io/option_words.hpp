@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::io {
 

@@ -22,10 +22,10 @@ std::string decimals(double value, double per_unit) {
 }
 
 // The obstacle that the air agent opens at that point of its path, at the end of its stay.
-std::string breach_at(const Plan& plan, const AgentPlan& agent, std::size_t i) {
+std::string breach_at(const Plan& plan, const Itinerary& agent, std::size_t i) {
     const Waypoint& point = agent.path[i];
     if (agent.kind != AgentKind::air || (i + 1 < agent.path.size() && agent.path[i + 1] == point)) return "";
-    for (const Removal& removal : plan.removed) {
+    for (const Breach& removal : plan.breaches) {
         if (point == Waypoint{double(removal.at.x), double(removal.at.y), removal.cleared_at}) {
             return std::to_string(removal.obstacle.value);
         }
@@ -42,7 +42,7 @@ std::string plan_csv(const Plan& plan, const MapFile& map) {
     std::optional<geo::ToLonLat> to_lon_lat;
     if (map.georeference) to_lon_lat.emplace(*map.georeference);
     std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches\n";
-    for (const AgentPlan& agent : plan.agents) {
+    for (const Itinerary& agent : plan.agents) {
         const bool air = agent.kind == AgentKind::air;
         for (std::size_t i = 0; i < agent.path.size(); ++i) {
             const Waypoint& point = agent.path[i];

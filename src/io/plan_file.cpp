@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/json_field.hpp"
+#include "io/mission_json.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "waybreaker/error.hpp"
@@ -18,88 +19,53 @@ std::optional<double> number_or_null(const std::optional<JsonField>& field) {
     return field ? std::optional(field->number()) : std::nullopt;
 }
 
-Cell cell(const JsonField& field) {
-    const std::vector<JsonField> parts = field.items();
-    if (parts.size() != 2) field.fail("is not a cell, [x, y]");
-    return {int(parts[0].whole_number(INT_MIN, INT_MAX)), int(parts[1].whole_number(INT_MIN, INT_MAX))};
-}
-
-ObstacleId obstacle(const JsonField& field) {
-    return {std::uint32_t(field.whole_number(0, UINT32_MAX))};
-}
-
-double not_negative(const JsonField& field) {
-    const double value = field.number();
-    if (value < 0) field.fail("is below 0");
-    return value;
-}
-
-Motion motion(const JsonField& options) {
-    Motion result;
-    result.corners = options["corners"].one_of(corner_words);
-    result.radius = options["radius"].number();
-    if (result.radius < 0 || result.radius > 32) options["radius"].fail("is not between 0 and 32");
-    return result;
-}
-
-CheckRules rules(const JsonField& options) {
-    CheckRules result;
-    result.motion = motion(options);
-    result.timing = options["timing"].one_of(timing_words);
-    result.objective = options["objective"].one_of(objective_words);
+// Mission and method: as "options" say, which every plan file has, else as its copy of the mission file does.
+MissionDocument asked(const JsonField& root, const std::vector<Itinerary>& itineraries) {
+    MissionDocument result;
+    const auto copy = root.find("mission");
     // Without a number there is no limit but the budget.
-    const auto removals = options.find("removals");
-    result.removals = removals ? int(removals->whole_number(0, INT_MAX)) : INT_MAX;
-    if (const auto time = options.find("breach_time")) result.breach_time.per_obstacle = not_negative(*time);
-    if (const auto time = options.find("breach_time_per_cell")) result.breach_time.per_cell = not_negative(*time);
-    if (const auto budget = options.find("budget")) result.budget = not_negative(*budget);
-    if (const auto protect = options.find("protect")) {
-        for (const JsonField& id : protect->items()) result.protect.push_back(obstacle(id));
+    result.mission.rules.removals = INT_MAX;
+    if (copy) result = read_mission(*copy);
+    const JsonField options = root["options"];
+    for (const char* member : {"timing", "objective", "corners"}) options[member].text();
+    options["radius"].number();
+    read_rules(options, result.mission.rules);
+    read_method(options, result.method);
+    if (!copy) {
+        for (const Itinerary& agent : itineraries) {
+            result.mission.agents.push_back({agent.id, agent.kind, agent.start, agent.goal, agent.speed});
+        }
     }
-    if (const auto force = options.find("force")) {
-        for (const JsonField& id : force->items()) result.force.push_back(obstacle(id));
-    }
-    return result;
-}
-
-SearchOptions search(const JsonField& options) {
-    SearchOptions result;
-    result.motion = motion(options);
-    if (const auto planner = options.find("planner")) {
-        result.planner = planner->one_of(planner_words);
-    }
-    if (const auto heuristic = options.find("heuristic")) {
-        result.heuristic = heuristic->one_of(heuristic_words);
-    }
-    if (const auto weight = options.find("weight")) result.weight = not_negative(*weight);
-    if (const auto rule = options.find("tie_break")) {
-        result.tie_break = rule->one_of(tie_break_words);
+    Body body;
+    read_body(options, body);
+    for (Agent& agent : result.mission.agents) {
+        if (agent.kind == AgentKind::ground) agent.body = body;
     }
     return result;
 }
 
 Outcome outcome(const JsonField& field) {
     Outcome result;
-    result.ground.length = field["ground"]["length"].number_or_null();
+    result.ground().length = field["ground"]["length"].number_or_null();
     const JsonField ground = field["ground"];
     if (const auto count = ground.find("expanded"))
-        result.ground.expanded = std::uint64_t(count->whole_number(0, INT64_MAX));
+        result.ground().expanded = std::uint64_t(count->whole_number(0, INT64_MAX));
     if (const auto count = ground.find("generated")) {
-        result.ground.generated = std::uint64_t(count->whole_number(0, INT64_MAX));
+        result.ground().generated = std::uint64_t(count->whole_number(0, INT64_MAX));
     }
-    if (const auto seconds = ground.find("seconds")) result.ground.seconds = not_negative(*seconds);
-    result.air.length = field["air"]["length"].number();
+    if (const auto seconds = ground.find("seconds")) result.ground().seconds = read_not_negative(*seconds);
+    result.air().length = field["air"]["length"].number();
     result.makespan = field["makespan"].number_or_null();
     result.flowtime = field["flowtime"].number_or_null();
     result.ground_makespan = number_or_null(field.find("ground_makespan"));
     return result;
 }
 
-Removal removal(const JsonField& field) {
-    Removal result;
-    result.obstacle = obstacle(field["obstacle"]);
+Breach breach(const JsonField& field) {
+    Breach result;
+    result.obstacle = read_obstacle(field["obstacle"], 0);
     result.cells = std::uint32_t(field["cells"].whole_number(0, UINT32_MAX));
-    result.at = cell(field["at"]);
+    result.at = read_cell(field["at"]);
     result.cleared_at = field["cleared_at"].number();
     result.entered_at = field["entered_at"].number_or_null();
     if (const auto id = field.find("source_id")) result.source_id = id->whole_number(INT64_MIN, INT64_MAX);
@@ -108,9 +74,9 @@ Removal removal(const JsonField& field) {
     return result;
 }
 
-NextRemoval next_removal(const JsonField& field) {
-    NextRemoval result;
-    result.obstacle = obstacle(field["obstacle"]);
+NextBreach next_breach(const JsonField& field) {
+    NextBreach result;
+    result.obstacle = read_obstacle(field["obstacle"], 0);
     if (const auto id = field.find("source_id")) result.source_id = id->whole_number(INT64_MIN, INT64_MAX);
     result.saves = field["saves"].number();
     return result;
@@ -118,13 +84,13 @@ NextRemoval next_removal(const JsonField& field) {
 
 // Plan files of the first version do not say where an agent should start and end: then its path says so.
 Cell end_of(const JsonField& agent, const char* key, const Waypoint& point) {
-    if (const auto field = agent.find(key)) return cell(*field);
+    if (const auto field = agent.find(key)) return read_cell(*field);
     const auto whole = [](double value) { return int(std::lround(std::clamp(value, -1e9, 1e9))); };
     return {whole(point.x), whole(point.y)};
 }
 
-AgentPlan agent(const JsonField& field) {
-    AgentPlan result;
+Itinerary agent(const JsonField& field) {
+    Itinerary result;
     result.id = field["id"].text();
     result.kind = field["kind"].one_of(agent_words);
     result.speed = field["speed"].number();
@@ -157,26 +123,36 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     if (const auto unknown = root["map"].find("unknown")) {
         file.image.unknown_free = unknown->one_of<bool>({{"free", true}, {"blocked", false}});
     }
-    const JsonField options = root["options"];
-    file.connectivity = options["connectivity"].whole_number(4, 8) == 8 ? Connectivity::eight : Connectivity::four;
-    file.rules = rules(options);
-    file.search = search(options);
+    file.connectivity =
+        root["options"]["connectivity"].whole_number(4, 8) == 8 ? Connectivity::eight : Connectivity::four;
+    for (const JsonField& field : root["agents"].items()) file.plan.agents.push_back(agent(field));
+    MissionDocument made_for = asked(root, file.plan.agents);
+    file.mission = std::move(made_for.mission);
+    file.method = made_for.method;
     file.plan.before = outcome(root["before"]);
     file.plan.after = outcome(root["after"]);
     if (const auto bound = root.find("bound")) {
-        file.plan.bound = (*bound)[word_of(objective_keys, file.rules.objective).data()].number_or_null();
-        file.rules.gap = number_or_null(bound->find("gap"));
+        file.plan.bound = (*bound)[word_of(objective_keys, file.mission.rules.objective).data()].number_or_null();
+        file.plan.gap = number_or_null(bound->find("gap"));
     }
     for (const JsonField& field : root["removed"].items()) {
-        file.plan.removed.push_back(removal(field));
-        const auto weight = field.find("weight");
-        file.rules.weights.push_back(weight ? not_negative(*weight) : 1);
+        file.plan.breaches.push_back(breach(field));
+        if (const auto weight = field.find("weight")) {
+            file.weights.push_back({file.plan.breaches.back().obstacle, weight->number()});
+            if (!(file.weights.back().weight >= least_weight && file.weights.back().weight <= most_weight)) {
+                weight->fail("is no weight of an obstacle");
+            }
+        }
     }
     if (const auto next = root.find("next")) {
-        for (const JsonField& field : next->items()) file.plan.next.push_back(next_removal(field));
+        for (const JsonField& field : next->items()) file.plan.next.push_back(next_breach(field));
     }
-    for (const JsonField& field : root["agents"].items()) file.plan.agents.push_back(agent(field));
     return file;
+}
+
+Body body_of(const PlanFile& file) {
+    const auto ground = std::ranges::find(file.mission.agents, AgentKind::ground, &Agent::kind);
+    return ground == file.mission.agents.end() ? Body() : ground->body;
 }
 
 PlanFile read_plan_file(const std::string& path) {

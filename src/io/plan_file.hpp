@@ -5,15 +5,21 @@
 #include <string_view>
 
 #include "io/map_file.hpp"
-#include "waybreaker/check.hpp"
 #include "waybreaker/plan.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::io {
 
 struct PlanFile {
-    Plan plan;             // without seconds of its parts
-    SearchOptions search;  // of the ground agent
-    CheckRules rules;
+    Plan plan;  // without seconds of its parts
+    // What was asked and how it was planned. Files of the first version do not say all of it: the rest has defaults.
+    Mission mission;
+    Method method;
+    struct Weight {
+        ObstacleId obstacle;
+        double weight = 1;
+    };
+    std::vector<Weight> weights = {};  // of removed obstacles, where the file says them
     Connectivity connectivity = Connectivity::four;
     ImageReading image;
     // The map it was made for.
@@ -21,6 +27,9 @@ struct PlanFile {
     int height = 0;
     std::string digest;
 };
+
+// Of the mission's ground agent; the usual body if there is none.
+Body body_of(const PlanFile& file);
 
 // Larger files are refused; a path of half a million points fits.
 inline constexpr std::size_t max_plan_bytes = std::size_t{1} << 24;

@@ -12,7 +12,7 @@ Json feature(Json properties, Json geometry) {
     return {{"type", "Feature"}, {"properties", std::move(properties)}, {"geometry", std::move(geometry)}};
 }
 
-Json path_feature(const geo::ToLonLat& to_lon_lat, const AgentPlan& agent) {
+Json path_feature(const geo::ToLonLat& to_lon_lat, const Itinerary& agent) {
     Json line = Json::array();
     Json times = Json::array();
     for (const Waypoint& point : agent.path) {
@@ -34,7 +34,7 @@ Json path_feature(const geo::ToLonLat& to_lon_lat, const AgentPlan& agent) {
                    {{"type", "LineString"}, {"coordinates", std::move(line)}});
 }
 
-Json properties_of(const Removal& removal, const MapFile& map, const char* role, std::size_t order) {
+Json properties_of(const Breach& removal, const MapFile& map, const char* role, std::size_t order) {
     Json properties{{"role", role}, {"order", order}, {"obstacle", removal.obstacle.value}};
     properties["source_id"] = removal.source_id != 0 ? Json(removal.source_id) : Json();
     if (const std::string_view name = map.name_of(removal.obstacle); !name.empty()) properties["name"] = name;
@@ -55,15 +55,15 @@ std::string plan_geojson(const Plan& plan, const MapFile& map) {
     const geo::ToLonLat to_lon_lat(*map.georeference);
     const std::vector<std::vector<geo::Polygon>> outlines = geo::outlines(map.map);
     std::vector<Json> features;
-    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
-        const Removal& removal = plan.removed[i];
+    for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
+        const Breach& removal = plan.breaches[i];
         features.push_back(feature(properties_of(removal, map, "removed", i + 1),
                                    polygons_json(to_lon_lat, outlines[removal.obstacle.value])));
     }
-    for (const AgentPlan& agent : plan.agents) features.push_back(path_feature(to_lon_lat, agent));
-    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
-        const Json place{{"type", "Point"}, {"coordinates", position_json(to_lon_lat, plan.removed[i].at)}};
-        features.push_back(feature(properties_of(plan.removed[i], map, "breach", i + 1), place));
+    for (const Itinerary& agent : plan.agents) features.push_back(path_feature(to_lon_lat, agent));
+    for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
+        const Json place{{"type", "Point"}, {"coordinates", position_json(to_lon_lat, plan.breaches[i].at)}};
+        features.push_back(feature(properties_of(plan.breaches[i], map, "breach", i + 1), place));
     }
     Json head = Json::object();
     if (!map.title.empty()) head["title"] = map.title;

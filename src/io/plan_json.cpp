@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/mission_json.hpp"
 #include "io/option_words.hpp"
 
 namespace waybreaker::io {
@@ -34,36 +35,45 @@ Json map_json(const MapFile& map, const ImageReading& image) {
     return json;
 }
 
+// What plan files of the first version say of mission and method.
 Json options_json(const PlanContext& context) {
-    const MissionOptions& options = context.options;
-    const Motion& motion = options.search.motion;
-    Json json{{"planner", word_of(planner_words, options.search.planner)},
-              {"heuristic", word_of(heuristic_words, heuristic_of(options.search))},
-              {"weight", number(options.search.weight)},
-              {"tie_break", word_of(tie_break_words, options.search.tie_break)},
-              {"select", word_of(selection_words, options.select)},
-              {"flight", word_of(flight_words, options.flight)},
-              {"timing", word_of(timing_words, options.timing)},
-              {"objective", word_of(objective_words, options.objective)},
-              {"removals", options.removals},
-              {"breach_time", number(options.breach_time.per_obstacle)},
-              {"breach_time_per_cell", number(options.breach_time.per_cell)},
+    const Rules& rules = context.mission.rules;
+    const Body& body = context.mission.first(AgentKind::ground).body;
+    const SearchOptions search = search_options(context.method, body);
+    Json json{{"planner", word_of(planner_words, search.planner)},
+              {"heuristic", word_of(heuristic_words, heuristic_of(search))},
+              {"weight", number(search.weight)},
+              {"tie_break", word_of(tie_break_words, search.tie_break)},
+              {"select", word_of(selection_words, context.method.select)},
+              {"flight", word_of(flight_words, context.method.flight)},
+              {"timing", word_of(timing_words, rules.timing)},
+              {"objective", word_of(objective_words, rules.objective)},
+              {"removals", rules.removals},
+              {"breach_time", number(rules.breach_time.per_obstacle)},
+              {"breach_time_per_cell", number(rules.breach_time.per_cell)},
               {"connectivity", context.connectivity == Connectivity::four ? 4 : 8},
-              {"corners", word_of(corner_words, motion.corners)},
-              {"radius", number(motion.radius)}};
-    for (const ObstacleId id : options.protect) json["protect"].push_back(id.value);
-    for (const ObstacleId id : options.force) json["force"].push_back(id.value);
-    if (std::isfinite(options.budget)) json["budget"] = number(options.budget);
+              {"corners", word_of(corner_words, body.corners)},
+              {"radius", number(body.radius)}};
+    for (const ObstacleId id : rules.protect) json["protect"].push_back(id.value);
+    for (const ObstacleId id : rules.force) json["force"].push_back(id.value);
+    if (std::isfinite(rules.budget)) json["budget"] = number(rules.budget);
+    return json;
+}
+
+// What was asked and how it was planned; how long that may have taken is nothing that a plan depends on.
+Json mission_copy(const PlanContext& context) {
+    Json json = mission_json({context.mission, context.method, {}});
+    json.erase("limits");
     return json;
 }
 
 Json outcome_json(const Outcome& outcome, bool timing_fields) {
-    Json ground{{"length", number(outcome.ground.length)},
-                {"expanded", outcome.ground.expanded},
-                {"generated", outcome.ground.generated}};
-    if (timing_fields) ground["seconds"] = number(outcome.ground.seconds);
+    Json ground{{"length", number(outcome.ground().length)},
+                {"expanded", outcome.ground().expanded},
+                {"generated", outcome.ground().generated}};
+    if (timing_fields) ground["seconds"] = number(outcome.ground().seconds);
     return {{"ground", std::move(ground)},
-            {"air", {{"length", number(outcome.air.length)}}},
+            {"air", {{"length", number(outcome.air().length)}}},
             {"makespan", number(outcome.makespan)},
             {"flowtime", number(outcome.flowtime)},
             {"ground_makespan", number(outcome.ground_makespan)}};
@@ -71,10 +81,7 @@ Json outcome_json(const Outcome& outcome, bool timing_fields) {
 
 Json bound_json(const Plan& plan, Objective objective) {
     if (!plan.bound) return nullptr;
-    const std::optional<double> reached = value(plan.after, objective);
-    Json bound{{word_of(objective_keys, objective), number(plan.bound)}, {"gap", nullptr}};
-    if (reached) bound["gap"] = number(*plan.bound > 0 ? *reached / *plan.bound - 1 : 0);
-    return bound;
+    return {{word_of(objective_keys, objective), number(plan.bound)}, {"gap", number(plan.gap)}};
 }
 
 // Who an obstacle is in the world, as far as it is known.
@@ -83,26 +90,26 @@ void add_identity(Json& json, ObstacleId id, std::int64_t source_id, const MapFi
     if (const std::string_view name = map.name_of(id); !name.empty()) json["name"] = name;
 }
 
-Json removal_json(const Removal& removal, const PlanContext& context) {
-    const std::vector<double>& weights = context.options.weights;
-    Json json{{"obstacle", removal.obstacle.value}, {"cells", removal.cells}, {"hits", removal.hits}};
-    add_identity(json, removal.obstacle, removal.source_id, context.map);
-    if (!weights.empty()) json["weight"] = number(weights[removal.obstacle.value]);
-    json["at"] = place(removal.at);
-    json["cleared_at"] = number(removal.cleared_at);
-    json["entered_at"] = number(removal.entered_at);
-    if (removal.saves) json["saves"] = number(removal.saves);
+Json breach_json(const Breach& breach, const PlanContext& context) {
+    Json json{{"obstacle", breach.obstacle.value}, {"cells", breach.cells}, {"hits", breach.hits}};
+    add_identity(json, breach.obstacle, breach.source_id, context.map);
+    const double weight = context.map.map.obstacle(breach.obstacle).weight;
+    if (weight != 1 || std::isfinite(context.mission.rules.budget)) json["weight"] = number(weight);
+    json["at"] = place(breach.at);
+    json["cleared_at"] = number(breach.cleared_at);
+    json["entered_at"] = number(breach.entered_at);
+    if (breach.saves) json["saves"] = number(breach.saves);
     return json;
 }
 
-Json next_json(const NextRemoval& next, const MapFile& map) {
+Json next_json(const NextBreach& next, const MapFile& map) {
     Json json{{"obstacle", next.obstacle.value}};
     add_identity(json, next.obstacle, next.source_id, map);
     json["saves"] = number(next.saves);
     return json;
 }
 
-Json agent_json(const AgentPlan& agent) {
+Json agent_json(const Itinerary& agent) {
     Json path = Json::array();
     for (const Waypoint& point : agent.path) {
         path.push_back(Json::array({coordinate(point.x), coordinate(point.y), number(point.t)}));
@@ -118,7 +125,7 @@ Json agent_json(const AgentPlan& agent) {
 // One step of the front: what so many removals reach.
 Json step_json(const Plan& plan, Objective objective) {
     Json removed = Json::array();
-    for (const Removal& removal : plan.removed) removed.push_back(removal.obstacle.value);
+    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle.value);
     return {{"makespan", number(plan.after.makespan)},
             {"flowtime", number(plan.after.flowtime)},
             {"ground_makespan", number(plan.after.ground_makespan)},
@@ -134,21 +141,6 @@ Json seconds_json(const Plan::Seconds& seconds) {
             {"total", number(seconds.total)}};
 }
 
-// JSON for people: a line for each member of the document and for each object of a list, the rest on one line.
-std::string pretty(const Json& json, const std::string& indent = "") {
-    if (!json.is_structured() || json.empty()) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    const bool lines = indent.empty() || (json.is_array() && json.front().is_object());
-    const std::string inner = indent + "  ";
-    std::string text;
-    for (const auto& [key, value] : json.items()) {
-        if (!text.empty()) text += lines ? ",\n" + inner : ", ";
-        if (json.is_object()) text += Json(key).dump() + ": ";
-        text += pretty(value, inner);
-    }
-    if (lines) text = "\n" + inner + text + "\n" + indent;
-    return json.is_object() ? "{" + text + "}" : "[" + text + "]";
-}
-
 }  // namespace
 
 std::string plan_json(const Plan& plan, const PlanContext& context) {
@@ -156,17 +148,18 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     if (plan.limit_reached) json["limit_reached"] = true;
     json.update(Json{{"map", map_json(context.map, context.image)},
                      {"options", options_json(context)},
+                     {"mission", mission_copy(context)},
                      {"before", outcome_json(plan.before, context.timing_fields)},
                      {"after", outcome_json(plan.after, context.timing_fields)},
-                     {"bound", bound_json(plan, context.options.objective)},
+                     {"bound", bound_json(plan, context.mission.rules.objective)},
                      {"removed", Json::array()}});
-    for (const Removal& removal : plan.removed) {
-        json["removed"].push_back(removal_json(removal, context));
+    for (const Breach& breach : plan.breaches) {
+        json["removed"].push_back(breach_json(breach, context));
     }
-    for (const NextRemoval& next : plan.next) json["next"].push_back(next_json(next, context.map));
+    for (const NextBreach& next : plan.next) json["next"].push_back(next_json(next, context.map));
     json["agents"] = Json::array();
-    for (const Plan& step : context.front) json["front"].push_back(step_json(step, context.options.objective));
-    for (const AgentPlan& agent : plan.agents) json["agents"].push_back(agent_json(agent));
+    for (const Plan& step : context.front) json["front"].push_back(step_json(step, context.mission.rules.objective));
+    for (const Itinerary& agent : plan.agents) json["agents"].push_back(agent_json(agent));
     if (context.timing_fields) json["seconds"] = seconds_json(plan.seconds);
     return pretty(json) + "\n";
 }

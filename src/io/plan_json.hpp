@@ -5,8 +5,8 @@
 #include <string>
 
 #include "io/map_file.hpp"
-#include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::io {
 
@@ -14,7 +14,7 @@ namespace waybreaker::io {
 struct PlanContext {
     const MapFile& map;
     const Mission& mission;
-    const MissionOptions& options;
+    const Method& method;
     Connectivity connectivity = Connectivity::four;
     bool timing_fields = true;         // false: no "seconds" anywhere, so that equal input gives equal bytes
     ImageReading image = {};           // how the map was read

@@ -62,7 +62,7 @@ void turn(std::vector<Pose>& poses) {
 }
 
 // The corners of the way.
-std::vector<Pose> corners_of(const AgentPlan& agent, const MapFrame& frame) {
+std::vector<Pose> corners_of(const Itinerary& agent, const MapFrame& frame) {
     std::vector<Pose> corners;
     for (const Waypoint& point : agent.path) corners.push_back({frame.metres({point.x, point.y}), point.t});
     turn(corners);
@@ -74,7 +74,7 @@ double pieces_between(const Pose& a, const Pose& b, double step) {
     return std::max(1.0, std::ceil(std::hypot(b.at.x - a.at.x, b.at.y - a.at.y) / step - slack));
 }
 
-std::string path_text(const AgentPlan& agent, const std::vector<Pose>& corners, double step) {
+std::string path_text(const Itinerary& agent, const std::vector<Pose>& corners, double step) {
     const bool plain = agent.id == "ground" || agent.id == "air";
     std::string text =
         plain ? agent.id : nlohmann::json(agent.id).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
@@ -118,7 +118,7 @@ std::string plan_ros_path(const Plan& plan, const MapFile& map, std::optional<do
     std::string text;
     std::set<std::string> ids;
     for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {
-        for (const AgentPlan& agent : plan.agents) {
+        for (const Itinerary& agent : plan.agents) {
             if (agent.kind != kind) continue;
             if (!ids.insert(agent.id).second)
                 throw InputError("two agents have the same id, which is what paths of ROS are told apart by");

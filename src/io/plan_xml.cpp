@@ -20,7 +20,7 @@ void set(pugi::xml_node& node, const char* name, double value) {
 }
 
 // The turning points of a path, once each.
-Cells turns_of(const AgentPlan& agent) {
+Cells turns_of(const Itinerary& agent) {
     Cells cells;
     for (const Waypoint& point : agent.path) {
         const bool near = std::abs(point.x) <= max_side && std::abs(point.y) <= max_side;
@@ -74,7 +74,7 @@ void append_sections(pugi::xml_node parent, const Cells& turns) {
 // The map without what is removed, with a star wherever the ground agent goes.
 void append_picture(pugi::xml_node parent, const Plan& plan, const Map& map, const Cells& cells) {
     std::vector<ObstacleId> removed;
-    for (const Removal& removal : plan.removed) removed.push_back(removal.obstacle);
+    for (const Breach& removal : plan.breaches) removed.push_back(removal.obstacle);
     const OpenedMap opened(map, removed);
     std::vector<std::string> rows;
     for (Cell c; c.y < map.height(); ++c.y) {
@@ -89,7 +89,7 @@ void append_picture(pugi::xml_node parent, const Plan& plan, const Map& map, con
     }
 }
 
-void append_summary(pugi::xml_node log, const Outcome::Ground& ground, double cell_size) {
+void append_summary(pugi::xml_node log, const Route& ground, double cell_size) {
     pugi::xml_node summary = log.append_child("summary");
     set(summary, "numberofsteps", double(ground.expanded));
     set(summary, "nodescreated", double(ground.generated));
@@ -99,8 +99,8 @@ void append_summary(pugi::xml_node log, const Outcome::Ground& ground, double ce
 }
 
 void append_destroyed(pugi::xml_node parent, const Plan& plan) {
-    for (std::size_t i = 0; i < plan.removed.size(); ++i) {
-        const Removal& removal = plan.removed[i];
+    for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
+        const Breach& removal = plan.breaches[i];
         pugi::xml_node obstacle = parent.append_child("obstacle");
         set(obstacle, "number", double(i));
         set(obstacle, "id", removal.obstacle.value);
@@ -110,17 +110,17 @@ void append_destroyed(pugi::xml_node parent, const Plan& plan) {
     }
 }
 
-const AgentPlan* agent_of(const Plan& plan, AgentKind kind) {
+const Itinerary* agent_of(const Plan& plan, AgentKind kind) {
     const auto found = std::find_if(plan.agents.begin(), plan.agents.end(),
-                                    [&](const AgentPlan& agent) { return agent.kind == kind; });
+                                    [&](const Itinerary& agent) { return agent.kind == kind; });
     return found != plan.agents.end() ? &*found : nullptr;
 }
 
 }  // namespace
 
 std::string plan_xml(const Plan& plan, const MapFile& map, const SearchOptions& search) {
-    const AgentPlan* const ground = agent_of(plan, AgentKind::ground);
-    const AgentPlan* const air = agent_of(plan, AgentKind::air);
+    const Itinerary* const ground = agent_of(plan, AgentKind::ground);
+    const Itinerary* const air = agent_of(plan, AgentKind::air);
     XmlTask task{.title = map.title, .cell_size = map.cell_size, .start = {}, .goal = {}, .search = search};
     if (ground != nullptr) {
         task.start = ground->start;
@@ -131,7 +131,7 @@ std::string plan_xml(const Plan& plan, const MapFile& map, const SearchOptions& 
     append_task(root, map.map.grid(), task);
     pugi::xml_node log = root.append_child("log");
     log.append_child("mapfilename").text().set(map.source.c_str());
-    append_summary(log, plan.after.ground, map.cell_size);
+    append_summary(log, plan.after.ground(), map.cell_size);
     pugi::xml_node path = log.append_child("path");
     if (ground == nullptr) {
         path.text().set("Path NOT found!");

@@ -31,27 +31,27 @@ int cells_reached(Reaches reaches) {
 
 }  // namespace
 
-void validate(const Motion& motion) {
-    require_range(motion.radius, 0.5, max_radius, "the radius, in cells,");
-    if (motion.corners != Corners::none && motion.radius != 0.5) {
+void validate(const Body& body) {
+    if (body.radius != 0) require_range(body.radius, 0.5, max_radius, "the radius, in cells,");
+    if (body.corners != Corners::none && body.radius != 0.5) {
         throw InputError("an agent that cuts corners or squeezes through is a point: leave its radius at 0.5");
     }
 }
 
-bool fits(const OpenedMap& map, Cell at, const Motion& motion) {
-    validate(motion);
-    return LineOfSight(map, motion).fits(at);
+bool fits(const OpenedMap& map, Cell at, const Body& body) {
+    validate(body);
+    return LineOfSight(map, body).fits(at);
 }
 
-bool line_of_sight(const OpenedMap& map, Cell from, Cell to, const Motion& motion) {
-    validate(motion);
-    const LineOfSight sight(map, motion);
+bool line_of_sight(const OpenedMap& map, Cell from, Cell to, const Body& body) {
+    validate(body);
+    const LineOfSight sight(map, body);
     return sight.fits(from) && sight.fits(to) && sight.clear(from, to);
 }
 
-LineOfSight::LineOfSight(const OpenedMap& map, const Motion& motion)
-    : map_(&map), radius_(std::llround(motion.radius * double(unit))) {
-    switch (motion.corners) {
+LineOfSight::LineOfSight(const OpenedMap& map, const Body& body)
+    : map_(&map), radius_(std::llround(body.radius * double(unit))) {
+    switch (body.passes()) {
         case Corners::none:
             model_ = 2 * radius_ == unit ? Model::disc : Model::wide_disc;
             break;

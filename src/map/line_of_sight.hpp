@@ -7,14 +7,14 @@
 
 #include "core/sweep.hpp"
 #include "map/bit_run.hpp"
-#include "waybreaker/motion.hpp"
+#include "waybreaker/body.hpp"
 
 namespace waybreaker {
 
 // Sight for one map and one way of moving; made once for a search. The map must outlive it.
 class LineOfSight {
   public:
-    LineOfSight(const OpenedMap& map, const Motion& motion);
+    LineOfSight(const OpenedMap& map, const Body& body);
 
     bool is_unit_disc() const { return model_ == Model::disc; }
 

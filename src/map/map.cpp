@@ -84,6 +84,20 @@ Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
     return map;
 }
 
+Map Map::with_weights(std::span<const double> weights) const {
+    if (weights.size() != obstacles_.size() + 1) {
+        throw InputError("weights are needed for all " + std::to_string(obstacles_.size()) +
+                         " obstacles, by id, not for " + std::to_string(std::max<std::size_t>(weights.size(), 1) - 1));
+    }
+    Map map = *this;
+    for (Obstacle& obstacle : map.obstacles_) {
+        const double weight = weights[obstacle.id.value];
+        require_range(weight, least_weight, most_weight, "the weight of obstacle " + std::to_string(obstacle.id.value));
+        obstacle.weight = weight;
+    }
+    return map;
+}
+
 std::vector<Cell> Map::boundary(ObstacleId id) const {
     const Box& bounds = obstacle(id).bounds;
     const Cell first{std::max(bounds.min.x - 1, 0), std::max(bounds.min.y - 1, 0)};

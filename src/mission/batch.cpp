@@ -5,12 +5,12 @@
 #include <thread>
 
 #include "waybreaker/error.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 
-std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> missions, const MissionOptions& options,
-                                unsigned threads) {
+std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> missions, const Method& method,
+                                const Limits& limits, unsigned threads) {
     std::vector<BatchPlan> plans(missions.size());
     std::vector<std::exception_ptr> failures(missions.size());  // no fault of the missions: memory ran out, say
     std::atomic<std::size_t> next = 0;
@@ -19,7 +19,7 @@ std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> mission
         MissionPlanner planner;
         for (std::size_t i = next++; i < missions.size(); i = next++) {
             try {
-                plans[i].plan = planner.plan(map, missions[i], options);
+                plans[i].plan = planner.plan(map, missions[i], method, limits);
             } catch (const InputError& error) {
                 plans[i].error = error.what();
             } catch (...) {

@@ -8,42 +8,31 @@
 #include "waybreaker/flight.hpp"
 
 namespace waybreaker {
-namespace {
-
-const Agent& agent_of(const Mission& mission, AgentKind kind) {
-    return *std::ranges::find(mission.agents, kind, &Agent::kind);
-}
-
-}  // namespace
-
-double least_flight_time(const Map& map, const Agent& flyer, std::span<const ObstacleId> removed,
-                         const MissionOptions& options) {
+double least_flight_time(const Task& task, std::span<const ObstacleId> removed) {
+    const Agent& flyer = task.flyer;
     // The flight past all of them is no shorter than the one past as many as are solved with proof.
     const auto solved = removed.first(std::min(removed.size(), exact_flight_limit));
-    double time = fly_optimal(map, flyer.start, flyer.goal, solved).length / flyer.speed;
-    for (const ObstacleId id : removed) time += options.breach_time.of(map.obstacle(id));
+    double time = fly_optimal(task.map, flyer.start, flyer.goal, solved).length / flyer.speed;
+    for (const ObstacleId id : removed) time += task.rules.breach_time.of(task.map.obstacle(id));
     return time;
 }
 
-Task task_of(const Map& map, const Mission& mission, const MissionOptions& options) {
-    const Agent& flyer = agent_of(mission, AgentKind::air);
-    const Deadline deadline(options.time_limit);
-    const double least_flight = least_flight_time(map, flyer, options.force, options);
-    return {map, agent_of(mission, AgentKind::ground), flyer, options, deadline, least_flight};
+Task task_of(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+    const Agent& driver = mission.first(AgentKind::ground);
+    const Agent& flyer = mission.first(AgentKind::air);
+    Task task{map, driver, flyer, mission.rules, method, limits, Deadline(limits.seconds), 0};
+    task.least_flight = least_flight_time(task, task.rules.force);
+    return task;
 }
 
-Task task_of(const Task& task, const MissionOptions& options) {
-    const double least_flight = least_flight_time(task.map, task.flyer, options.force, options);
-    return {task.map, task.driver, task.flyer, options, task.deadline, least_flight};
-}
-
-double Task::radius() const {
-    const Motion& motion = options.search.motion;
-    return motion.corners == Corners::none ? motion.radius : 0;
+Task Task::under(const Rules& others) const {
+    Task task{map, driver, flyer, others, method, limits, deadline, 0, false};
+    task.least_flight = least_flight_time(task, others.force);
+    return task;
 }
 
 double Task::objective(double ground_time, double air_time) const {
-    switch (options.objective) {
+    switch (rules.objective) {
         case Objective::makespan:
             return std::max(ground_time, air_time);
         case Objective::flowtime:
@@ -55,19 +44,17 @@ double Task::objective(double ground_time, double air_time) const {
 }
 
 std::vector<ObstacleId> Task::with_forced(std::span<const ObstacleId> others) const {
-    std::vector<ObstacleId> all = options.force;
+    std::vector<ObstacleId> all = rules.force;
     std::ranges::copy_if(others, std::back_inserter(all),
-                         [&](ObstacleId id) { return std::ranges::find(options.force, id) == options.force.end(); });
+                         [&](ObstacleId id) { return std::ranges::find(rules.force, id) == rules.force.end(); });
     return all;
 }
 
 SearchOptions cell_search(const Task& task) {
-    SearchOptions search = task.options.search;
-    if (search.planner == Planner::optimal) {
-        search.planner = Planner::theta;
-        if (task.radius() == 0) search.motion = {.corners = Corners::squeeze};  // as a point goes
-    }
-    search.time_limit = std::min(search.time_limit, task.deadline.left());
+    SearchOptions search = search_options(task.method, task.driver.body);
+    if (search.planner == Planner::optimal) search.planner = Planner::theta;
+    search.limits = task.limits;
+    search.limits.seconds = task.deadline.left();
     return search;
 }
 
@@ -84,22 +71,16 @@ Candidate candidate_of(std::vector<ObstacleId> removed, const SearchResult& sear
 Draft draft_of(const Task& task, Candidate candidate) {
     const Stopwatch watch;
     const std::vector<Point> nowhere{task.driver.start};
-    const ScheduleTask wish{.ground_path = candidate.ground.path.empty() ? nowhere : candidate.ground.path,
-                            .ground_speed = task.driver.speed,
-                            .radius = task.radius(),
-                            .slips = task.options.search.motion.corners != Corners::cut,
-                            .air_start = task.flyer.start,
-                            .air_goal = task.flyer.goal,
-                            .air_speed = task.flyer.speed,
-                            .removed = candidate.removed,
-                            .breach_time = task.options.breach_time,
-                            .timing = task.options.timing,
-                            .objective = task.options.objective,
-                            .time_limit = task.deadline.left()};
+    const ScheduleTask asked{.ground_path = candidate.ground.path.empty() ? nowhere : candidate.ground.path,
+                             .driver = task.driver,
+                             .flyer = task.flyer,
+                             .rules = task.rules,
+                             .removed = candidate.removed,
+                             .time_limit = task.deadline.left()};
     Schedule schedule =
-        task.options.flight == FlightRule::optimal
-            ? best_schedule(task.map, wish)
-            : schedule_of(task.map, wish, fly_nearest(task.map, wish.air_start, wish.air_goal, wish.removed));
+        task.method.flight == FlightRule::optimal
+            ? best_schedule(task.map, asked)
+            : schedule_of(task.map, asked, fly_nearest(task.map, task.flyer.start, task.flyer.goal, asked.removed));
     return {std::move(candidate), std::move(schedule), watch.seconds()};
 }
 
@@ -110,7 +91,7 @@ double cost(const Task& task, const Draft& draft) {
 
 const Draft& best_of(const Task& task, const Draft& nothing, const std::vector<Draft>& drafts) {
     if (drafts.empty()) return nothing;
-    const Draft* best = task.options.timing == Timing::ignore ? &drafts.back() : &nothing;
+    const Draft* best = task.rules.timing == Timing::ignore ? &drafts.back() : &nothing;
     for (const Draft& draft : drafts) {
         if (cost(task, draft) < cost(task, *best) * (1 - 1e-9)) best = &draft;
     }

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
+#include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
 
@@ -16,37 +17,39 @@ struct Task {
     const Map& map;
     const Agent& driver;
     const Agent& flyer;
-    const MissionOptions& options;
+    const Rules& rules;
+    const Method& method;
+    const Limits& limits;
     Deadline deadline;  // of the whole call
-    // When the air agent ends at the earliest: straight, or past what is removed in any case.
+    // When the air agent ends at the earliest: straight, or past what must be removed.
     double least_flight;
+    bool reports = true;  // its progress
 
-    // Of the ground agent; 0 for a point.
-    double radius() const;
+    // The planner that drives the ground agent.
+    Planner planner() const { return planner_of(method, driver.body); }
     // When a ground path and a flight end, as the objective counts it.
     double objective(double ground_time, double air_time) const;
-    // How many obstacles may be removed beside those that are in any case.
-    int spare_removals() const { return options.removals - int(options.force.size()); }
-    void tell(double best, double bound) const {
-        if (options.progress) options.progress({best, bound});
+    // How many obstacles may be removed beside those that must be.
+    int spare_removals() const { return rules.removals - int(rules.force.size()); }
+    void report(double best, double bound) const {
+        if (reports && limits.progress) limits.progress({best, bound});
     }
-    // What is removed in any case, and others.
+    // What must be removed, and others.
     std::vector<ObstacleId> with_forced(std::span<const ObstacleId> others) const;
+    // The same mission under other rules, without reports of progress. The rules must outlive it.
+    Task under(const Rules& others) const;
 };
 
-// The task of a valid mission. The call's time begins now.
-Task task_of(const Map& map, const Mission& mission, const MissionOptions& options);
-// The same mission under other options.
-Task task_of(const Task& task, const MissionOptions& options);
+// The task of a valid mission. The call's time begins now. All arguments must outlive it.
+Task task_of(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
 
 // A lower bound of the time that the air agent takes to breach all these, and to get home.
-double least_flight_time(const Map& map, const Agent& flyer, std::span<const ObstacleId> removed,
-                         const MissionOptions& options);
+double least_flight_time(const Task& task, std::span<const ObstacleId> removed);
 
 struct Candidate {
     std::vector<ObstacleId> removed;  // each once
     SearchStatus status = SearchStatus::no_path;
-    Outcome::Ground ground;
+    Route ground;
     bool limited = false;  // a limit ended the search: there may be a shorter path
 };
 

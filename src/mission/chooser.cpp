@@ -16,7 +16,7 @@ constexpr double share_of_proof = 0.8;
 }  // namespace
 
 Draft Chooser::nothing() {
-    if (task_.options.select == Selection::exact)
+    if (task_.method.select == Selection::exact)
         return draft_of(task_, ground_candidate(task_, crossing_, searcher_, {}));
     const Stopwatch watch;
     SearchResult search = search_counting_hits(task_, searcher_);
@@ -24,27 +24,26 @@ Draft Chooser::nothing() {
     return draft_of(task_, candidate_of({}, search, watch.seconds()));
 }
 
-Draft Chooser::least(const MissionOptions& options, const Draft& nothing) {
-    if (options.force.empty()) return nothing;
-    const Task task = task_of(task_, options);
-    Draft opened = draft_of(task, ground_candidate(task, crossing_, searcher_, options.force));
+Draft Chooser::least(const Task& task, const Draft& nothing) {
+    const std::vector<ObstacleId>& force = task.rules.force;
+    if (force.empty()) return nothing;
+    Draft opened = draft_of(task, ground_candidate(task, crossing_, searcher_, force));
     limited_ = limited_ || opened.candidate.limited;
     // An obstacle that falls late may better be driven around.
     Candidate around = nothing.candidate;
-    around.removed = options.force;
+    around.removed = force;
     Draft other = draft_of(task, std::move(around));
     return cost(task, other) < cost(task, opened) ? other : opened;
 }
 
-std::vector<Draft> Chooser::drafts(const MissionOptions& options, const Draft& least) {
-    const Task task = task_of(task_, options);
+std::vector<Draft> Chooser::drafts(const Task& task, const Draft& least) {
     bound_.reset();
-    if (options.select == Selection::exact) {
+    if (task.method.select == Selection::exact) {
         const Deadline deadline = task.deadline.share(share_of_proof);
-        task.tell(cost(task, least), 0);
+        task.report(cost(task, least), 0);
         const Bound bound = bound_of(task, crossing_, cost(task, least), deadline);
         bound_ = bound.objective;
-        task.tell(cost(task, least), bound.objective);
+        task.report(cost(task, least), bound.objective);
         Choice choice = choice_by_proof(task, crossing_, searcher_, least, bound, deadline);
         limited_ = limited_ || bound.limited || choice.limited;
         return std::move(choice.drafts);

@@ -18,11 +18,11 @@ class Chooser {
 
     // The mission without removal.
     Draft nothing();
-    // What every choice starts from: the mission without removal, or with what the options remove in any case.
-    Draft least(const MissionOptions& options, const Draft& nothing);
-    // What the options' way of selecting leads to beyond that. Precondition: nothing() was called, for the paper's way
+    // What every choice under the task's rules starts from: the mission without removal, or with what must be removed.
+    Draft least(const Task& task, const Draft& nothing);
+    // What the method's way of selecting leads to beyond that. REQUIRES: nothing() was called, for the paper's way
     // counts there.
-    std::vector<Draft> drafts(const MissionOptions& options, const Draft& least);
+    std::vector<Draft> drafts(const Task& task, const Draft& least);
     // Of the objective, over all plans the last drafts() could have made, if its way proves one.
     std::optional<double> bound() const { return bound_; }
     // Whether a limit ended what has been chosen so far.

@@ -16,14 +16,14 @@ constexpr double rounding = 1e-9;  // relative: what is less is no gain
 
 // The crossing search drives the ground path itself where its body is the agent.
 bool drives_itself(const Task& task) {
-    return task.options.search.planner == Planner::optimal;
+    return task.planner() == Planner::optimal;
 }
 
 // Sets to try after the first, and expansions to look for them. A search for each takes long, and so do schedules of
 // many obstacles; where breaching takes time, there are very many sets that could be better and hardly one that is.
 int patience(const Task& task) {
     if (!drives_itself(task)) return 8;
-    return task.options.removals <= 3 ? 256 : 16;
+    return task.rules.removals <= 3 ? 256 : 16;
 }
 constexpr std::uint64_t patient_expansions = 10'000;
 // Of the time that is left: for the optimal ground path, before a quick search takes over.
@@ -32,7 +32,7 @@ constexpr double share_of_optimal_path = 0.5;
 constexpr double grace = 0.01;
 
 Body body_of(const Task& task) {
-    return drives_itself(task) && task.radius() > 0 ? Body::square : Body::point;
+    return drives_itself(task) ? task.driver.body : point_body;
 }
 
 double gap(Cell c, const Box& box) {
@@ -43,7 +43,7 @@ double gap(Cell c, const Box& box) {
 
 // The longest ground path, in cells, that could still lead to an objective.
 double longest_path(const Task& task, double objective) {
-    const double left = task.options.objective == Objective::flowtime ? objective - task.least_flight : objective;
+    const double left = task.rules.objective == Objective::flowtime ? objective - task.least_flight : objective;
     return left * task.driver.speed;
 }
 
@@ -51,27 +51,28 @@ double longest_path(const Task& task, double objective) {
 double least_cost(const Task& task, ObstacleId id) {
     const Obstacle& obstacle = task.map.obstacle(id);
     const double flight = std::max(gap(task.flyer.start, obstacle.bounds) - std::sqrt(2.0), 0.0);
-    const double cleared = flight / task.flyer.speed + task.options.breach_time.of(obstacle);
-    const double drive = std::max(gap(task.driver.goal, obstacle.bounds) - 0.5 - task.radius(), 0.0);
+    const double cleared = flight / task.flyer.speed + task.rules.breach_time.of(obstacle);
+    const double drive = std::max(gap(task.driver.goal, obstacle.bounds) - 0.5 - task.driver.body.reach(), 0.0);
     return cleared * task.driver.speed + drive;
 }
 
-CrossingOptions crossing_options(const Task& task, Body body, double longest, double seconds) {
-    const MissionOptions& options = task.options;
+// The task's limits, with so many seconds.
+Limits limits_of(const Task& task, double seconds) {
+    return {.seconds = seconds, .expansions = task.limits.expansions, .stop = task.limits.stop};
+}
+
+CrossingOptions crossing_options(const Task& task, const Body& body, double longest, double seconds) {
+    const Rules& rules = task.rules;
     CrossingOptions crossing;
     crossing.body = body;
     crossing.crossings = task.spare_removals();
-    crossing.removed = options.force;
-    crossing.protect = options.protect;
-    crossing.weights = options.weights;
-    crossing.budget = options.budget;
-    if (!options.weights.empty())
-        for (const ObstacleId id : options.force) crossing.budget -= options.weights[id.value];
+    crossing.removed = rules.force;
+    crossing.protect = rules.protect;
+    crossing.budget = rules.budget;
+    for (const ObstacleId id : rules.force) crossing.budget -= task.map.obstacle(id).weight;
     crossing.length_limit = longest;
-    crossing.time_limit = seconds;
-    crossing.expansion_limit = options.search.expansion_limit;
-    crossing.stop = options.search.stop;
-    if (options.timing == Timing::enforce) {
+    crossing.limits = limits_of(task, seconds);
+    if (rules.timing == Timing::enforce) {
         crossing.least_cost = [&task](ObstacleId id) { return least_cost(task, id); };
     }
     return crossing;
@@ -107,12 +108,10 @@ Candidate ground_candidate(const Task& task, CrossingSearcher& crossing, Searche
         CrossingOptions options;
         options.body = body_of(task);
         options.removed = removed;
-        options.stop = task.options.search.stop;
-        options.expansion_limit = task.options.search.expansion_limit;
-        options.time_limit = task.deadline.share(share_of_optimal_path).left();
+        options.limits = limits_of(task, task.deadline.share(share_of_optimal_path).left());
         const CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
         const bool out_of_time = found.status == SearchStatus::limit_reached && found.best.path.empty() &&
-                                 found.expanded < options.expansion_limit;
+                                 found.expanded < options.limits.expansions;
         if (!out_of_time) return candidate_of(std::move(removed), found, watch.seconds());
     }
     const SearchResult found =
@@ -142,7 +141,7 @@ Choice choice_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& s
                                                   : ground_candidate(task, crossing, searcher, removed);
         drafts.push_back(draft_of(task, std::move(candidate)));
         best = std::min(best, cost(task, drafts.back()));
-        task.tell(best, bound.objective);
+        task.report(best, bound.objective);
         searching = {};
     };
 
@@ -167,8 +166,8 @@ Choice choice_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& s
     if (first.status != SearchStatus::found || !beats_best(first.best)) return choice;
 
     options.length_limit = longest_path(task, best);
-    options.time_limit = deadline.left();
-    options.expansion_limit = std::min(options.expansion_limit, patient_expansions);
+    options.limits.seconds = deadline.left();
+    options.limits.expansions = std::min(options.limits.expansions, patient_expansions);
     CrossingSearcher enumerator;
     int tried = 0;
     bool gave_up = false;
@@ -184,10 +183,9 @@ Choice choice_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& s
     choice.limited = deadline.passed();
     const bool ended_early = gave_up || rest.status == SearchStatus::limit_reached;
     if (ended_early && !deadline.passed()) {  // what fewer removals reach, more must reach as well
-        MissionOptions fewer = task.options;
+        Rules fewer = task.rules;
         --fewer.removals;
-        fewer.progress = {};  // of these, more is known already
-        const Task less = task_of(task, fewer);
+        const Task less = task.under(fewer);
         Choice fewer_removals = choice_by_proof(less, crossing, searcher, least, bound, deadline);
         std::ranges::move(fewer_removals.drafts, std::back_inserter(drafts));
         choice.limited = choice.limited || fewer_removals.limited;
@@ -196,9 +194,9 @@ Choice choice_by_proof(const Task& task, CrossingSearcher& crossing, Searcher& s
 }
 
 Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
-    const CrossingOptions options = crossing_options(task, Body::point, longest_path(task, reached), deadline.left());
+    const CrossingOptions options = crossing_options(task, point_body, longest_path(task, reached), deadline.left());
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
-    if (task.options.objective != Objective::flowtime) {
+    if (task.rules.objective != Objective::flowtime) {
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
         return {std::min(least(found.lower_bound, task.least_flight), reached), std::move(found.best.crossed),
                 found.status == SearchStatus::limit_reached};
@@ -212,7 +210,7 @@ Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, con
                 return false;
             ++tried;
             const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
-            const double objective = least(path.cost, least_flight_time(task.map, task.flyer, removed, task.options));
+            const double objective = least(path.cost, least_flight_time(task, removed));
             if (objective < best.objective) best = {objective, path.crossed};
             return true;
         });

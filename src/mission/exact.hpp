@@ -9,7 +9,7 @@
 
 namespace waybreaker {
 
-// What is known of all plans with at most options.removals obstacles removed.
+// What is known of all plans with at most rules.removals obstacles removed.
 struct Bound {
     double objective = 0;                  // no plan is below it, whatever the agent's radius
     std::vector<ObstacleId> removed = {};  // of the best way that the proof has found: worth a try
@@ -26,7 +26,7 @@ struct Choice {
 // that a limit ends is a bound as well.
 Bound bound_of(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline);
 
-// The best draft there is for a set of at most options.removals obstacles, and what it had to beat on the way there;
+// The best draft there is for a set of at most rules.removals obstacles, and what it had to beat on the way there;
 // `least` is the draft without any but those that are removed in any case.
 // Sets come in the order of what their shortest path proves they cost at least; they end where that is no better than
 // the best draft, or where time or patience does. Where the deadline, or another limit, comes before the first set,

@@ -5,30 +5,29 @@
 namespace waybreaker {
 namespace {
 
-double best_cost(const Task& task, Chooser& chooser, const Draft& nothing, const MissionOptions& options,
+double best_cost(const Task& task, Chooser& chooser, const Draft& nothing, const Rules& rules,
                  std::vector<ObstacleId>* removed = nullptr) {
-    const Draft least = chooser.least(options, nothing);
-    const std::vector<Draft> drafts = chooser.drafts(options, least);
-    const Draft& best = best_of(task, least, drafts);
+    const Task other = task.under(rules);
+    const Draft least = chooser.least(other, nothing);
+    const std::vector<Draft> drafts = chooser.drafts(other, least);
+    const Draft& best = best_of(other, least, drafts);
     if (removed != nullptr) *removed = best.candidate.removed;
-    return cost(task, best);
+    return cost(other, best);
 }
 
 }  // namespace
 
 void explain(const Task& task, Chooser& chooser, const Draft& nothing, const Draft& best, Plan& plan) {
     const double reached = cost(task, best);
-    for (Removal& removal : plan.removed) {
-        MissionOptions without = task.options;
-        without.progress = {};
-        without.protect.push_back(removal.obstacle);
-        std::erase(without.force, removal.obstacle);
+    for (Breach& breach : plan.breaches) {
+        Rules without = task.rules;
+        without.protect.push_back(breach.obstacle);
+        std::erase(without.force, breach.obstacle);
         const double saves = best_cost(task, chooser, nothing, without) - reached;
         if (task.deadline.passed()) return;
-        removal.saves = saves;
+        breach.saves = saves;
     }
-    MissionOptions more = task.options;
-    more.progress = {};
+    Rules more = task.rules;
     ++more.removals;
     std::vector<ObstacleId> removed;
     const double gain = reached - best_cost(task, chooser, nothing, more, &removed);

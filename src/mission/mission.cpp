@@ -1,6 +1,4 @@
 // From mission to plan. plan() reads as the paper's section 3, with time.
-#include "waybreaker/mission.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,18 +10,20 @@
 #include "mission/chooser.hpp"
 #include "mission/exact.hpp"
 #include "mission/explain.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
 
 Outcome outcome(const Task& task, const Draft& draft) {
     Outcome result;
-    result.ground = draft.candidate.ground;
-    result.air.length = draft.schedule.flight.length;
-    result.air.path.push_back(task.flyer.start);
-    for (const BreachPoint& breach : draft.schedule.flight.breaches) result.air.path.push_back(breach.at);
-    result.air.path.push_back(task.flyer.goal);
-    if (result.ground.length) {
+    result.ground() = draft.candidate.ground;
+    Route& air = result.air();
+    air.length = draft.schedule.flight.length;
+    air.path.emplace_back(task.flyer.start);
+    for (const BreachPoint& breach : draft.schedule.flight.breaches) air.path.emplace_back(breach.at);
+    air.path.emplace_back(task.flyer.goal);
+    if (result.ground().length) {
         result.makespan = draft.schedule.makespan;
         result.flowtime = draft.schedule.flowtime;
         result.ground_makespan = draft.schedule.ground.back().t;
@@ -45,40 +45,38 @@ PlanStatus plan_status(SearchStatus search) {
     return PlanStatus::no_plan;
 }
 
-std::vector<Removal> removals(const Task& task, const Schedule& schedule, std::span<const std::uint32_t> hits) {
-    std::vector<Removal> removed;
+std::vector<Breach> breaches(const Task& task, const Schedule& schedule, std::span<const std::uint32_t> hits) {
+    std::vector<Breach> breaches;
     for (std::size_t i = 0; i < schedule.flight.breaches.size(); ++i) {
-        const BreachPoint& breach = schedule.flight.breaches[i];
-        const Obstacle& obstacle = task.map.obstacle(breach.obstacle);
-        removed.push_back({.obstacle = obstacle.id,
-                           .source_id = obstacle.source_id,
-                           .cells = obstacle.cells,
-                           .hits = hits.empty() ? 0 : hits[obstacle.id.value],
-                           .at = breach.at,
-                           .cleared_at = schedule.cleared_at[i],
-                           .entered_at = schedule.entered_at[i],
-                           .saves = std::nullopt});
+        const BreachPoint& point = schedule.flight.breaches[i];
+        const Obstacle& obstacle = task.map.obstacle(point.obstacle);
+        breaches.push_back({.obstacle = obstacle.id,
+                            .source_id = obstacle.source_id,
+                            .cells = obstacle.cells,
+                            .hits = hits.empty() ? 0 : hits[obstacle.id.value],
+                            .at = point.at,
+                            .cleared_at = schedule.cleared_at[i],
+                            .entered_at = schedule.entered_at[i],
+                            .saves = std::nullopt});
     }
-    return removed;
+    return breaches;
 }
 
 }  // namespace
 
-Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionOptions& options) {
-    validate(map, mission, options);
-    MissionOptions settled = options;
-    settled.search.planner = planner_of(options);
-    const Task task = task_of(map, mission, settled);
+Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+    validate(map, mission, method, limits);
+    const Task task = task_of(map, mission, method, limits);
     const Stopwatch total;
     Chooser chooser{task, searcher_, crossing_};
 
     // The ground path without removal; the paper counts on the way how often each obstacle is in it.
     const Draft nothing = chooser.nothing();
-    // Select the obstacles to remove (beyond those that are in any case), open the ground path, fly past them, and put
+    // Select the obstacles to remove (beyond those that must be), open the ground path, fly past them, and put
     // both in time.
     const Stopwatch selecting;
-    const Draft least = chooser.least(settled, nothing);
-    const std::vector<Draft> drafts = chooser.drafts(settled, least);
+    const Draft least = chooser.least(task, nothing);
+    const std::vector<Draft> drafts = chooser.drafts(task, least);
     const Draft& best = best_of(task, least, drafts);
     const double selected = selecting.seconds();
 
@@ -87,7 +85,7 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
     plan.status = plan_status(best.candidate.status);
     plan.before = outcome(task, nothing);
     plan.after = outcome(task, best);
-    plan.removed = removals(task, best.schedule, chooser.hits());
+    plan.breaches = breaches(task, best.schedule, chooser.hits());
     if (plan.status == PlanStatus::solved) {
         for (const Agent& agent : mission.agents) {
             const std::vector<Waypoint>& path =
@@ -95,11 +93,12 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
             plan.agents.push_back({agent.id, agent.kind, agent.speed, path, agent.start, agent.goal});
         }
         const double reached = cost(task, best);
-        if (const std::optional<double> bound = chooser.bound(); bound || options.bound) {
+        if (const std::optional<double> bound = chooser.bound(); bound || method.bound) {
             plan.bound =
                 std::min(bound ? *bound : bound_of(task, crossing_, reached, task.deadline).objective, reached);
+            plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
         }
-        if (options.explain) explain(task, chooser, nothing, best, plan);
+        if (method.explain) explain(task, chooser, nothing, best, plan);
     }
     const auto limited = [](const Draft& draft) { return draft.candidate.limited; };
     plan.limit_reached = chooser.limited() || limited(nothing) || limited(least) ||
@@ -116,18 +115,22 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const MissionO
     return plan;
 }
 
-std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const MissionOptions& options) {
-    validate(map, mission, options);
-    const Deadline deadline(options.time_limit);
+std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const Method& method,
+                                        const Limits& limits) {
+    validate(map, mission, method, limits);
+    const Rules& rules = mission.rules;
+    const Deadline deadline(limits.seconds);
     const auto plan_with = [&](int removals, bool explained) {
-        MissionOptions step = options;
-        step.removals = removals;
-        step.explain = explained;
-        step.time_limit = std::max(deadline.left(), 1e-3);
-        return plan(map, mission, step);
+        Mission step = mission;
+        step.rules.removals = removals;
+        Method how = method;
+        how.explain = explained;
+        Limits left = limits;
+        left.seconds = std::max(deadline.left(), 1e-3);
+        return plan(map, step, how, left);
     };
-    const auto reached = [&options](const Plan& plan) {
-        return value(plan.after, options.objective).value_or(std::numeric_limits<double>::infinity());
+    const auto reached = [&rules](const Plan& plan) {
+        return value(plan.after, rules.objective).value_or(std::numeric_limits<double>::infinity());
     };
     std::vector<Plan> plans;
     std::size_t worth = 0;  // plans that gained on what came before, and those between them
@@ -136,19 +139,19 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
     };
     // Removals that gain nothing alone may gain together: whether any do, the plan with all of them knows.
     std::optional<Plan> all;
-    for (int removals = int(options.force.size()); removals <= options.removals; ++removals) {
-        plans.push_back(all && removals == options.removals ? *all : plan_with(removals, false));
+    for (int removals = int(rules.force.size()); removals <= rules.removals; ++removals) {
+        plans.push_back(all && removals == rules.removals ? *all : plan_with(removals, false));
         if (beats_best(plans.back())) {
             worth = plans.size();
         } else if (!all) {
-            all = plan_with(options.removals, false);
+            all = plan_with(rules.removals, false);
         }
         if (deadline.passed() || (all && !beats_best(*all))) break;
     }
     plans.resize(worth);
     const bool cut = deadline.passed();
-    if (options.explain && !cut) {
-        Plan explained = plan_with(int(options.force.size() + plans.size()) - 1, true);
+    if (method.explain && !cut) {
+        Plan explained = plan_with(int(rules.force.size() + plans.size()) - 1, true);
         if (reached(explained) <= reached(plans.back())) plans.back() = std::move(explained);
     }
     plans.back().limit_reached = plans.back().limit_reached || cut;

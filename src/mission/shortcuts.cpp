@@ -35,8 +35,8 @@ class Shortcuts {
     Shortcuts(const Task& task, std::span<const Point> path)
         : task_(task),
           places_(places_of(path)),
-          most_(std::size_t(std::min(task.options.removals, most_removals))),
-          protected_(task.options.protect) {
+          most_(std::size_t(std::min(task.rules.removals, most_removals))),
+          protected_(task.rules.protect) {
         std::sort(protected_.begin(), protected_.end());
     }
 
@@ -74,10 +74,10 @@ class Shortcuts {
             crossed = std::move(*met);
         }
         double weight = 0;
-        for (const ObstacleId id : crossed) weight += weight_of(id);
+        for (const ObstacleId id : crossed) weight += task_.map.obstacle(id).weight;
         for (std::size_t count = 0; count + crossed.size() <= most_; ++count) {
             const Way& way = ways_[from][count];
-            if (!gains(count, crossed.size()) || way.weight + weight > task_.options.budget) continue;
+            if (!gains(count, crossed.size()) || way.weight + weight > task_.rules.budget) continue;
             ways_[to][count + crossed.size()] = {way.length + step, way.weight + weight, from, count, crossed};
         }
     }
@@ -94,7 +94,7 @@ class Shortcuts {
     std::optional<std::vector<ObstacleId>> in_the_way(Point a, Point b) const {
         std::vector<ObstacleId> met;
         const int steps = int(distance(a, b)) + 1;
-        const double reach = 0.5 + task_.radius() - rounding;
+        const double reach = 0.5 + task_.driver.body.reach() - rounding;
         for (int i = 0; i <= steps; ++i) {
             const Point at = between(a, b, double(i) / steps);
             for (Cell c{0, int(std::ceil(at.y - reach))}; c.y <= at.y + reach; ++c.y) {
@@ -113,10 +113,6 @@ class Shortcuts {
 
     bool removable(ObstacleId id) const {
         return task_.map.obstacle(id).destructible && !std::binary_search(protected_.begin(), protected_.end(), id);
-    }
-
-    double weight_of(ObstacleId id) const {
-        return task_.options.weights.empty() ? 1 : task_.options.weights[id.value];
     }
 
     std::vector<ObstacleId> crossed_on(const Way& last) const {

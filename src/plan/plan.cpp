@@ -1,6 +1,29 @@
 #include "waybreaker/plan.hpp"
 
+#include <algorithm>
+
 namespace waybreaker {
+namespace {
+
+template <class Routes>
+auto& first(Routes& routes, AgentKind kind) {
+    return *std::ranges::find(routes, kind, &Route::kind);
+}
+
+}  // namespace
+
+const Route& Outcome::ground() const {
+    return first(routes, AgentKind::ground);
+}
+const Route& Outcome::air() const {
+    return first(routes, AgentKind::air);
+}
+Route& Outcome::ground() {
+    return first(routes, AgentKind::ground);
+}
+Route& Outcome::air() {
+    return first(routes, AgentKind::air);
+}
 
 std::optional<double> value(const Outcome& outcome, Objective objective) {
     switch (objective) {

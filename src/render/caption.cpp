@@ -74,14 +74,14 @@ std::string time_unit(const Mission& mission, const PictureOptions& options) {
 }
 
 std::string headline(const Mission& mission, const Plan& plan, const PictureOptions& options) {
-    if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(plan.removed.size());
+    if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(plan.breaches.size());
     const double factor = time_factor(mission, options);
     const std::string after = number(plan.after.makespan, factor) + " " + time_unit(mission, options);
-    if (plan.removed.empty()) return fmt::format("Makespan {}, {}{}", after, removals(0), gap(plan, options));
+    if (plan.breaches.empty()) return fmt::format("Makespan {}, {}{}", after, removals(0), gap(plan, options));
     const std::string difference = change(plan.before.makespan, plan.after.makespan);
     return fmt::format(
         "Makespan {} {} {}{}, {}{}", plan.before.makespan ? number(plan.before.makespan, factor) : "(no way)", arrow,
-        after, difference.empty() ? "" : " (" + difference + ")", removals(plan.removed.size()), gap(plan, options));
+        after, difference.empty() ? "" : " (" + difference + ")", removals(plan.breaches.size()), gap(plan, options));
 }
 
 std::vector<FigureGroup> figures(const Mission& mission, const Plan& plan, const PictureOptions& options) {
@@ -93,8 +93,8 @@ std::vector<FigureGroup> figures(const Mission& mission, const Plan& plan, const
     const double of_length = options.cell_size;
     const double of_time = time_factor(mission, options);
     return {{fmt::format("length in {}", options.metres ? "metres" : "cells"),
-             {row("path A, ground", before.ground.length, after.ground.length, of_length),
-              row("path B, air", before.air.length, after.air.length, of_length)}},
+             {row("path A, ground", before.ground().length, after.ground().length, of_length),
+              row("path B, air", before.air().length, after.air().length, of_length)}},
             {fmt::format("time in {}", time_unit(mission, options)),
              {row("makespan", before.makespan, after.makespan, of_time),
               row("flowtime", before.flowtime, after.flowtime, of_time)}}};

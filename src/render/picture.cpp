@@ -62,7 +62,7 @@ std::string rectangle(Rectangle r, std::string_view more) {
 
 std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
-    const Sample sample(scene.map, scene.plan.removed, layout.sample_step);
+    const Sample sample(scene.map, scene.plan.breaches, layout.sample_step);
     const auto paths = outlines(sample.raster());
     std::string out =
         rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) + ground(scene.options.background, layout);
@@ -81,9 +81,9 @@ std::string draw_paths(const Scene& scene) {
         return path_sign(sign, scene.on_map(path), scene.unit());
     };
     std::string out;
-    if (before.air.path != after.air.path) out += draw(PathSign::air_before, before.air.path);
-    if (before.ground.path != after.ground.path) out += draw(PathSign::ground_before, before.ground.path);
-    return out + draw(PathSign::ground, after.ground.path) + draw(PathSign::air, after.air.path);
+    if (before.air().path != after.air().path) out += draw(PathSign::air_before, before.air().path);
+    if (before.ground().path != after.ground().path) out += draw(PathSign::ground_before, before.ground().path);
+    return out + draw(PathSign::ground, after.ground().path) + draw(PathSign::air, after.air().path);
 }
 
 struct Wait {
@@ -94,7 +94,7 @@ struct Wait {
 // Of the ground agent, in the order of its path.
 std::vector<Wait> waits(const Plan& plan) {
     std::vector<Wait> found;
-    for (const AgentPlan& agent : plan.agents) {
+    for (const Itinerary& agent : plan.agents) {
         if (agent.kind != AgentKind::ground) continue;
         for (std::size_t i = 1; i < agent.path.size(); ++i) {
             const Waypoint& a = agent.path[i - 1];
@@ -107,10 +107,10 @@ std::vector<Wait> waits(const Plan& plan) {
 
 // Breaches with their times, then waits with theirs. Many are neither numbered nor timed.
 std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
-    const std::vector<Removal>& removed = scene.plan.removed;
+    const std::vector<Breach>& removed = scene.plan.breaches;
     const std::vector<Wait> waiting = waits(scene.plan);
     std::vector<waybreaker::Point> places;
-    for (const Removal& removal : removed) places.emplace_back(removal.at);
+    for (const Breach& removal : removed) places.emplace_back(removal.at);
     for (const Wait& wait : waiting) places.push_back(wait.at);
     const std::vector<Point> points = scene.on_map(places);
     const bool numbered = points.size() <= 99;
@@ -170,16 +170,16 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     const Outcome& after = scene.plan.after;
 
     std::vector<LegendEntry> entries = {{start_sign(middle, unit), "start"}, {goal_sign(middle, unit), "goal"}};
-    if (!after.ground.path.empty()) entries.push_back({path(PathSign::ground), "ground path"});
-    if (before.ground.path != after.ground.path && !before.ground.path.empty()) {
+    if (!after.ground().path.empty()) entries.push_back({path(PathSign::ground), "ground path"});
+    if (before.ground().path != after.ground().path && !before.ground().path.empty()) {
         entries.push_back({path(PathSign::ground_before), "ground path before"});
     }
     entries.push_back({path(PathSign::air), "air path"});
-    if (before.air.path != after.air.path) entries.push_back({path(PathSign::air_before), "air path before"});
+    if (before.air().path != after.air().path) entries.push_back({path(PathSign::air_before), "air path before"});
     if (!std::all_of(all.begin(), all.end(), is_fixed)) entries.push_back({swatch(Look::obstacle), "obstacle"});
     if (std::any_of(all.begin(), all.end(), is_fixed))
         entries.push_back({swatch(Look::fixed_obstacle), "not removable"});
-    if (!scene.plan.removed.empty()) {
+    if (!scene.plan.breaches.empty()) {
         entries.push_back({swatch(Look::removed), "removed obstacle"});
         entries.push_back({breach_label(middle, "1", unit), "breach, when"});
     }

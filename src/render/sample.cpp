@@ -10,12 +10,12 @@ constexpr int coarse_side(int side, int step) {
     return (side + step - 1) / step;
 }
 
-std::vector<Look> looks_of(const Map& map, std::span<const Removal> removed) {
+std::vector<Look> looks_of(const Map& map, std::span<const Breach> removed) {
     std::vector<Look> looks(map.obstacles().size() + 1, Look::obstacle);
     for (const Obstacle& obstacle : map.obstacles()) {
         if (!obstacle.destructible) looks[obstacle.id.value] = Look::fixed_obstacle;
     }
-    for (const Removal& removal : removed) looks[removal.obstacle.value] = Look::removed;
+    for (const Breach& removal : removed) looks[removal.obstacle.value] = Look::removed;
     return looks;
 }
 
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> coarse_labels(const Map& map, std::span<const Look> l
 
 }  // namespace
 
-Sample::Sample(const Map& map, std::span<const Removal> removed, int step)
+Sample::Sample(const Map& map, std::span<const Breach> removed, int step)
     : map_(&map), step_(step), looks_(looks_of(map, removed)) {
     if (step == 1) return;
     coarse_labels_ = coarse_labels(map, looks_, step);

@@ -17,7 +17,7 @@ class Sample {
     // One cell of the raster stands for step * step cells of the map (fewer at the right and lower edges). With step 1
     // labels are obstacle ids; with more they are looks, so neighbours melt together: a coarse cell is removed if any
     // of its cells is, otherwise blocked if at least half of its cells are. Time O(cells of the map).
-    Sample(const Map& map, std::span<const Removal> removed, int step);
+    Sample(const Map& map, std::span<const Breach> removed, int step);
 
     LabelRaster raster() const;
 

@@ -68,7 +68,7 @@ class Best {
     const Tour& tour() const { return tour_; }
 
   private:
-    Objective objective() const { return course_.task().objective; }
+    Objective objective() const { return course_.task().rules.objective; }
     Rank rank_of(const Finish& finish) const { return rank(objective(), finish); }
     bool promises(const Finish& finish) const { return better(rank_of(finish), rank_, rounding_); }
 
@@ -113,8 +113,8 @@ Schedule best_schedule(const Map& map, const ScheduleTask& task) {
     validate(task);
     const Deadline deadline(task.time_limit);
     const Course course(map, task);
-    const Cell start = task.air_start;
-    const Cell goal = task.air_goal;
+    const Cell start = task.flyer.start;
+    const Cell goal = task.flyer.goal;
     const bool few = course.targets().size() <= exact_flight_limit;
     const Tour nearest = nearest_tour(start, goal, course.targets());
     const Tour known = improved_tour(start, nearest, goal, course.targets());

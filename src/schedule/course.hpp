@@ -27,8 +27,8 @@ class Course {
     Course(const Map& map, const ScheduleTask& task);
 
     std::span<const Target> targets() const { return targets_; }
-    Cell start() const { return task_.air_start; }
-    Cell goal() const { return task_.air_goal; }
+    Cell start() const { return task_.flyer.start; }
+    Cell goal() const { return task_.flyer.goal; }
     const ScheduleTask& task() const { return task_; }
 
     // When the ground agent finishes if it never waits.

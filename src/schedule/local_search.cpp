@@ -20,8 +20,8 @@ class LocalSearch {
           deadline_(deadline),
           rank_(rank_of(course_.finish(tour_))) {
         // Only cells that a better tour could visit, were each its only stop.
-        const double reach =
-            course_.reach(latest_air_finish(course_.task().objective, rank_.first + rounding_, course_.unhindered()));
+        const double reach = course_.reach(
+            latest_air_finish(course_.task().rules.objective, rank_.first + rounding_, course_.unhindered()));
         for (const Target& target : course_.targets()) {
             std::vector<Cell>& cells = cells_.emplace_back();
             std::ranges::copy_if(target.cells, std::back_inserter(cells), [&](Cell c) {
@@ -39,8 +39,8 @@ class LocalSearch {
   private:
     Cell at(std::size_t i) const { return i < tour_.size() ? tour_[i].at : course_.goal(); }
     Cell before(std::size_t i) const { return i > 0 ? tour_[i - 1].at : course_.start(); }
-    double flying(Cell a, Cell b) const { return distance(a, b) / course_.task().air_speed; }
-    Rank rank_of(const Finish& finish) const { return rank(course_.task().objective, finish); }
+    double flying(Cell a, Cell b) const { return distance(a, b) / course_.task().flyer.speed; }
+    Rank rank_of(const Finish& finish) const { return rank(course_.task().rules.objective, finish); }
 
     bool better_cells() {
         bool any = false;

@@ -11,20 +11,22 @@
 namespace waybreaker {
 
 void validate(const ScheduleTask& task) {
-    require_range(task.ground_speed, least_speed, most_speed, "the ground agent's speed");
-    require_range(task.air_speed, least_speed, most_speed, "the air agent's speed");
-    require_range(task.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
-    require_range(task.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
+    require_range(task.driver.speed, least_speed, most_speed, "the ground agent's speed");
+    require_range(task.flyer.speed, least_speed, most_speed, "the air agent's speed");
+    require_range(task.rules.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
+    require_range(task.rules.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
 }
 
 Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven,
                        ObstacleId obstacle) {
-    Breaching breaching{first_touch(map, obstacle, driven, task.radius), std::numeric_limits<double>::infinity(),
-                        task.breach_time.of(map.obstacle(obstacle))};
-    if (task.timing == Timing::ignore) return breaching;
+    Breaching breaching{first_touch(map, obstacle, driven, task.driver.body.reach()),
+                        std::numeric_limits<double>::infinity(), task.rules.breach_time.of(map.obstacle(obstacle))};
+    if (task.rules.timing == Timing::ignore) return breaching;
     // A point touches nothing when it passes between two diagonal neighbours.
     constexpr double hair = 1e-5;
-    const auto needed_by = task.slips || task.radius > 0 ? breaching.touched : first_touch(map, obstacle, driven, hair);
+    const auto needed_by = task.driver.body.passes() != Corners::cut || task.driver.body.reach() > 0
+                               ? breaching.touched
+                               : first_touch(map, obstacle, driven, hair);
     if (needed_by) breaching.needed_by = *needed_by;
     return breaching;
 }
@@ -37,10 +39,10 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
     // The air agent stays at each breach point until the obstacle is gone.
     const auto fly_to = [&](Cell to) {
         const Waypoint& from = schedule.air.back();
-        const double t = from.t + distance(Point(from.x, from.y), to) / task.air_speed;
+        const double t = from.t + distance(Point(from.x, from.y), to) / task.flyer.speed;
         schedule.air.push_back({double(to.x), double(to.y), t});
     };
-    schedule.air.push_back({double(task.air_start.x), double(task.air_start.y), 0});
+    schedule.air.push_back({double(task.flyer.start.x), double(task.flyer.start.y), 0});
     for (std::size_t i = 0; i < breachings.size(); ++i) {
         fly_to(flight.breaches[i].at);
         Waypoint there = schedule.air.back();
@@ -48,11 +50,11 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
         if (breachings[i].stay > 0) schedule.air.push_back(there);
         schedule.cleared_at.push_back(there.t);
     }
-    fly_to(task.air_goal);
+    fly_to(task.flyer.goal);
 
     // The ground agent waits for each obstacle at the last turn before it touches it: how long it is delayed from each
     // turn on.
-    const std::vector<Waypoint> turns = timed(task.ground_path, task.ground_speed);
+    const std::vector<Waypoint> turns = timed(task.ground_path, task.driver.speed);
     const auto turn_before = [&](double entry) {
         const auto after = std::ranges::upper_bound(turns, entry, {}, &Waypoint::t);
         return std::size_t(after - turns.begin()) - 1;
@@ -78,7 +80,7 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
         std::optional<double>& entered = schedule.entered_at.back();
         if (!entered) continue;
         *entered += delays[turn_before(*entered)];
-        if (task.timing == Timing::enforce) entered = std::max(*entered, schedule.cleared_at[i]);
+        if (task.rules.timing == Timing::enforce) entered = std::max(*entered, schedule.cleared_at[i]);
     }
 
     schedule.makespan = std::max(schedule.ground.back().t, schedule.air.back().t);
@@ -88,7 +90,7 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
 
 Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& flight) {
     validate(task);
-    const std::vector<Waypoint> driven = timed(task.ground_path, task.ground_speed);
+    const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed);
     std::vector<Breaching> breachings;
     for (const BreachPoint& breach : flight.breaches) {
         breachings.push_back(breaching_of(map, task, driven, breach.obstacle));

@@ -40,7 +40,7 @@ class BestFirst {
           moves_(moves),
           parents_(parents),
           observer_(observer),
-          deadline_(query.options.time_limit) {}
+          deadline_(query.options.limits.seconds) {}
 
     SearchResult run() {
         nodes_.begin_query(query_.map.width(), query_.map.height());
@@ -77,9 +77,9 @@ class BestFirst {
             const Cell cell = entry.key.cell();
             Node& node = nodes_.at(cell);
             if (nodes_.is_closed(node)) continue;  // by a shorter way, found later
-            if (result_.expanded >= query_.options.expansion_limit) return SearchStatus::limit_reached;
+            if (result_.expanded >= query_.options.limits.expansions) return SearchStatus::limit_reached;
             if (result_.expanded % 1024 == 0) {
-                if (query_.options.stop.stop_requested()) return SearchStatus::stopped;
+                if (query_.options.limits.stop.stop_requested()) return SearchStatus::stopped;
                 if (result_.expanded > 0 && deadline_.passed()) return SearchStatus::limit_reached;
             }
             parents_.settle(*this, cell, node);

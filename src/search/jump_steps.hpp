@@ -3,7 +3,7 @@
 
 #include "search/node_store.hpp"
 #include "search/surroundings.hpp"
-#include "waybreaker/motion.hpp"
+#include "waybreaker/body.hpp"
 
 namespace waybreaker {
 

@@ -25,13 +25,13 @@ Heuristic heuristic_of(const SearchOptions& options) {
     if (options.planner == Planner::dijkstra || options.planner == Planner::bfs) return Heuristic::zero;
     if (options.heuristic) return *options.heuristic;
     if (options.planner == Planner::theta || options.planner == Planner::lazy_theta) return Heuristic::euclidean;
-    return options.motion.diagonal ? Heuristic::octile : Heuristic::manhattan;
+    return options.diagonal ? Heuristic::octile : Heuristic::manhattan;
 }
 
 namespace {
 
-bool is_wide(const Motion& motion) {
-    return motion.corners == Corners::none && motion.radius > 0.5;
+bool is_wide(const Body& body) {
+    return body.reach() > 0.5;
 }
 
 // The parts are chosen one after the other, each choice a function: steps, parents, order, observer.
@@ -41,7 +41,7 @@ struct Assembly {
     NodeStore& nodes;
     OpenMemory& open;
 
-    HitCounter hit_counter() const { return {query.map, sight, is_wide(query.options.motion)}; }
+    HitCounter hit_counter() const { return {query.map, sight, is_wide(query.options.body)}; }
 
     template <class Order, class Steps, class Parents, class Observer>
     SearchResult run(const Steps& moves, const Parents& parents, Observer& observer) const {
@@ -80,32 +80,36 @@ struct Assembly {
     }
 
     SearchResult assemble() const {
-        const Motion& motion = query.options.motion;
+        const Corners corners = query.options.body.passes();
+        const bool diagonal = query.options.diagonal;
         if (query.options.planner == Planner::jps) {
-            return observe(JumpSteps(query.map, motion.corners, query.goal), StepParents{});
+            return observe(JumpSteps(query.map, corners, query.goal), StepParents{});
         }
         const bool unit_cost = query.options.planner == Planner::bfs;
-        if (is_wide(motion)) return parents(WideSteps(sight, motion, unit_cost));
-        return parents(GridSteps(query.map, motion, unit_cost));
+        if (is_wide(query.options.body)) return parents(WideSteps(sight, diagonal, unit_cost));
+        return parents(GridSteps(query.map, corners, diagonal, unit_cost));
     }
 };
 
 }  // namespace
 
+bool can_drive_optimally(const Body& body, bool diagonal) {
+    return diagonal && body.corners == Corners::none && (body.radius == 0.5 || body.radius == 0);
+}
+
 void validate(const SearchOptions& options) {
-    const Motion& motion = options.motion;
     require_range(options.weight, 1, most_heuristic_weight, "the heuristic's weight");
-    if (!(options.time_limit >= 0)) throw InputError("the time limit of a search cannot be negative");
+    if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
+    validate(options.body);
     if (options.planner == Planner::optimal) {
-        if (motion.corners == Corners::none && motion.diagonal && (motion.radius == 0.5 || motion.radius == 0)) return;
+        if (can_drive_optimally(options.body, options.diagonal)) return;
         throw InputError(
             "the optimal planner drives an agent of radius 0.5 or 0 that passes no blocked corner: use theta for "
             "others");
     }
-    validate(motion);
     if (options.planner != Planner::jps) return;
-    if (!options.motion.diagonal) throw InputError("jps needs eight neighbours: use astar for four");
-    if (is_wide(options.motion))
+    if (!options.diagonal) throw InputError("jps needs eight neighbours: use astar for four");
+    if (is_wide(options.body))
         throw InputError("jps plans for a radius of 0.5 only: use astar or theta for larger agents");
 }
 
@@ -113,7 +117,7 @@ SearchResult Searcher::find(const OpenedMap& map, Cell start, Cell goal, const S
     validate(options);
     if (options.planner == Planner::optimal)
         throw InputError("a Searcher has no optimal planner: use CrossingSearcher");
-    const LineOfSight sight(map, options.motion);
+    const LineOfSight sight(map, options.body);
     const auto stands = [&](Cell c) { return map.map().grid().contains(c) && sight.fits(c); };
     if (!stands(start) || !stands(goal)) {
         SearchResult nowhere;

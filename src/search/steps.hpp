@@ -13,8 +13,8 @@ namespace waybreaker {
 class GridSteps {
   public:
     // `unit_cost`: every step costs 1, so that path length is the number of steps (BFS).
-    GridSteps(const OpenedMap& map, const Motion& motion, bool unit_cost)
-        : legal_(legal_steps(motion.corners, motion.diagonal)) {
+    GridSteps(const OpenedMap& map, Corners corners, bool diagonal, bool unit_cost)
+        : legal_(legal_steps(corners, diagonal)) {
         for (std::size_t i = 0; i < steps.size(); ++i) {
             offset_[i] = steps[i].dy * std::ptrdiff_t(map.width()) + steps[i].dx;
             cost_[i] = unit_cost ? 1 : steps[i].cost;
@@ -39,8 +39,8 @@ class GridSteps {
 // The same for an agent that is wider than a cell: a step must be clear for its whole disc.
 class WideSteps {
   public:
-    WideSteps(const LineOfSight& sight, const Motion& motion, bool unit_cost)
-        : sight_(sight), diagonal_(motion.diagonal), unit_cost_(unit_cost) {}
+    WideSteps(const LineOfSight& sight, bool diagonal, bool unit_cost)
+        : sight_(sight), diagonal_(diagonal), unit_cost_(unit_cost) {}
 
     template <class Visit>
     void for_each(NodeStore& nodes, Cell cell, Cell /*parent*/, Neighbourhood blocked, Visit visit) const {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "waybreaker/motion.hpp"
+#include "waybreaker/body.hpp"
 
 namespace waybreaker {
 

@@ -26,17 +26,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A mission that has been put on its map.
+// A mission that has been put on its map; the map is one of its own where the request says what obstacles weigh.
 struct Posed {
-    Mission mission;
-    MissionOptions options;
+    io::MissionDocument asked;
+    std::optional<io::MapFile> weighed;
 };
 
 // The time that a request has for all its plans.
 class Allowance {
   public:
     Allowance(const Task& task, const Workplace& place)
-        : seconds_(std::min(task.request.options.options.time_limit, task.seconds)) {
+        : seconds_(std::min(task.request.options.limits.seconds, task.seconds)) {
         place.promise(seconds_);
     }
 
@@ -52,22 +52,31 @@ class Allowance {
     double seconds_;
 };
 
+const io::MapFile& map_of(const Task& task, const Posed& posed) {
+    return posed.weighed ? *posed.weighed : task.map->file;
+}
+
 Posed pose(const Task& task, const OptionsRequest& wanted, const Workplace& place, double seconds) try {
     const io::MapFile& file = task.map->file;
-    Posed posed{mission_of(task.request.mission, file), options_of(wanted, file)};
-    posed.options.search.stop = place.stop;
-    posed.options.progress = place.tell;
-    posed.options.time_limit = std::min(posed.options.time_limit, seconds);
-    validate(file.map, posed.mission, posed.options);
+    Posed posed{document_of(task.request.mission, wanted, file), {}};
+    if (const auto weights = weights_of(wanted, file.map)) {
+        posed.weighed = file;
+        posed.weighed->map = file.map.with_weights(*weights);
+    }
+    Limits& limits = posed.asked.limits;
+    limits.stop = place.stop;
+    limits.progress = place.tell;
+    limits.seconds = std::min(limits.seconds, seconds);
+    validate(map_of(task, posed).map, posed.asked.mission, posed.asked.method, limits);
     return posed;
 } catch (const InputError& error) {
     throw Problem(unprocessable, error.what(), "mission-unfit");
 }
 
 io::PlanContext context_of(const Task& task, const Posed& posed, std::span<const Plan> front = {}) {
-    return {.map = task.map->file,
-            .mission = posed.mission,
-            .options = posed.options,
+    return {.map = map_of(task, posed),
+            .mission = posed.asked.mission,
+            .method = posed.asked.method,
             .connectivity = task.map->connectivity,
             .timing_fields = task.request.timing_fields,
             .front = front};
@@ -75,19 +84,20 @@ io::PlanContext context_of(const Task& task, const Posed& posed, std::span<const
 
 std::string plan_text(const Task& task, const OptionsRequest& wanted, const Workplace& place, double seconds) {
     const Posed posed = pose(task, wanted, place, seconds);
-    const Plan plan = place.planner.plan(task.map->file.map, posed.mission, posed.options);
+    const auto& [mission, method, limits] = posed.asked;
+    const Plan plan = place.planner.plan(map_of(task, posed).map, mission, method, limits);
     return io::plan_json(plan, context_of(task, posed));
 }
 
 // Nothing removed, the paper's method and the proven choice.
-std::vector<Method> usual_methods(const OptionsRequest& common) {
-    Method none{"none", common};
-    none.options.options.removals = 0;
-    none.options.options.force.clear();
-    Method paper{"paper", common};
-    paper.options.options = paper_options(common.options);
+std::vector<Variant> usual_variants(const OptionsRequest& common) {
+    Variant none{"none", common};
+    none.options.rules.removals = 0;
+    none.options.rules.force.clear();
+    Variant paper{"paper", common};
+    follow_paper(paper.options.rules, paper.options.method);
     paper.options.planner_given = true;
-    return {std::move(none), std::move(paper), Method{"exact", common}};
+    return {std::move(none), std::move(paper), Variant{"exact", common}};
 }
 
 io::PlanFile plan_of(const ShelvedMap& map, const std::string& bytes) {
@@ -106,25 +116,16 @@ io::PlanFile plan_of(const ShelvedMap& map, const std::string& bytes) {
     return plan;
 }
 
-Mission mission_of(const Plan& plan) {
-    Mission mission;
-    for (const AgentPlan& agent : plan.agents) {
-        mission.agents.push_back({agent.id, agent.kind, agent.start, agent.goal, agent.speed});
-    }
-    return mission;
-}
-
 std::string picture(const io::MapFile& file, const io::PlanFile& plan, bool as_svg) {
     if (plan.plan.agents.empty()) throw Problem(unprocessable, "the plan has no agents to draw", "plan-invalid");
     const render::PictureOptions options{.cell_size = file.cell_size,
                                          .metres = file.georeference || file.cell_size != 1,
                                          .title = file.title.empty() ? file.source : file.title,
                                          .attribution = file.attribution,
-                                         .objective = plan.rules.objective,
+                                         .objective = plan.mission.rules.objective,
                                          .background = file.background};
-    const Mission mission = mission_of(plan.plan);
-    return as_svg ? render::svg(file.map, mission, plan.plan, options)
-                  : render::png(file.map, mission, plan.plan, options);
+    return as_svg ? render::svg(file.map, plan.mission, plan.plan, options)
+                  : render::png(file.map, plan.mission, plan.plan, options);
 }
 
 const std::map<std::string, std::string> export_types{{"json", json_type},
@@ -140,7 +141,7 @@ std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const
     if (format == "geojson") return io::plan_geojson(plan.plan, file);
     if (format == "csv") return io::plan_csv(plan.plan, file);
     if (format == "ros-path") return io::plan_ros_path(plan.plan, file);
-    if (format == "xml") return io::plan_xml(plan.plan, file, plan.search);
+    if (format == "xml") return io::plan_xml(plan.plan, file, search_options(plan.method, body_of(plan)));
     if (format == "svg" || format == "png") return picture(file, plan, format == "svg");
     return bytes;
 }
@@ -176,21 +177,22 @@ std::string plan_answer(const Task& task, const Workplace& place) {
 
 std::string front_answer(const Task& task, const Workplace& place) {
     Posed posed = pose(task, task.request.options, place, Allowance(task, place).share(1));
-    const std::vector<Plan> plans = place.planner.front(task.map->file.map, posed.mission, posed.options);
-    posed.options.removals = int(plans.size() + posed.options.force.size()) - 1;
+    auto& [mission, method, limits] = posed.asked;
+    const std::vector<Plan> plans = place.planner.front(map_of(task, posed).map, mission, method, limits);
+    mission.rules.removals = int(plans.size() + mission.rules.force.size()) - 1;
     return io::plan_json(plans.back(), context_of(task, posed, plans));
 }
 
 std::string compare_answer(const Task& task, const Workplace& place) {
-    const std::vector<Method> methods =
-        task.request.methods.empty() ? usual_methods(task.request.options) : task.request.methods;
+    const std::vector<Variant> variants =
+        task.request.variants.empty() ? usual_variants(task.request.options) : task.request.variants;
     const Allowance allowance(task, place);
-    std::size_t left = methods.size();
+    std::size_t left = variants.size();
     std::string text;
-    for (const Method& method : methods) {
+    for (const Variant& variant : variants) {
         if (!text.empty()) text += ",\n";
-        text += "{\"name\": " + Json(method.name).dump() +
-                ", \"plan\": " + plan_text(task, method.options, place, allowance.share(left--)) + "}";
+        text += "{\"name\": " + Json(variant.name).dump() +
+                ", \"plan\": " + plan_text(task, variant.options, place, allowance.share(left--)) + "}";
     }
     return "{\"format\": \"waybreaker-compare/1\", \"plans\": [\n" + text + "]}\n";
 }

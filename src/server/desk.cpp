@@ -68,7 +68,7 @@ std::string problem_event(const Failure& failure) {
     return event("problem", problem_json(failure.status, failure.detail, failure.kind));
 }
 
-Desk::Desk(const Limits& limits, Metrics& metrics)
+Desk::Desk(const ServiceLimits& limits, Metrics& metrics)
     : limits_(limits), metrics_(metrics), queue_(limits.workers, limits.queue) {}
 
 std::shared_ptr<Job> Desk::submit(Work work) {

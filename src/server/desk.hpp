@@ -28,7 +28,7 @@ std::string problem_event(const Failure& failure);
 
 class Desk {
   public:
-    Desk(const Limits& limits, Metrics& metrics);
+    Desk(const ServiceLimits& limits, Metrics& metrics);
 
     // Throws Problem if too many wait.
     std::shared_ptr<Job> submit(Work work);
@@ -41,7 +41,7 @@ class Desk {
     std::size_t running() const { return queue_.running(); }
 
   private:
-    Limits limits_;
+    ServiceLimits limits_;
     Metrics& metrics_;
     JobQueue queue_;
 };

@@ -20,14 +20,14 @@
 #include <vector>
 
 #include "server/message.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::server {
 
 // What work is done with.
 struct Workplace {
     MissionPlanner& planner;
-    std::stop_token stop;
+    StopToken stop;
     std::function<void(const Progress&)> tell;    // how far it is
     std::function<void(double seconds)> promise;  // in how long it will be done, counted from its begin
 };
@@ -59,7 +59,7 @@ class Job {
     void finish();
 
     Work work_;
-    std::stop_source stop_;
+    StopSource stop_;
     mutable std::mutex mutex_;
     State state_ = State::queued;
     std::chrono::steady_clock::time_point began_;

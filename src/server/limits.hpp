@@ -8,7 +8,7 @@ namespace waybreaker::server {
 // A quarter of the machine's memory.
 std::size_t default_memory();
 
-struct Limits {
+struct ServiceLimits {
     std::size_t upload_bytes = std::size_t{32} << 20;  // of a request's body
     std::size_t map_cells = std::size_t{4096} * 4096;  // of an uploaded map
     std::size_t maps = 32;                             // held in memory

@@ -66,7 +66,7 @@ bool MapShelf::is_id(const std::string& text) {
            text.find_first_not_of(letters) == std::string::npos;
 }
 
-MapShelf::MapShelf(const std::string& folder, const Limits& limits) : limits_(limits) {
+MapShelf::MapShelf(const std::string& folder, const ServiceLimits& limits) : limits_(limits) {
     if (folder.empty()) return;
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);

@@ -1,6 +1,6 @@
 // Map shelf: the maps a server knows, those of a folder, the one built in and those sent to it. Each is read once and
-// shared, read-only, by all who plan on it. All together they take no more memory than Limits say, and are no more: for
-// a new one others go, those first that were sent, of these the one not used for longest.
+// shared, read-only, by all who plan on it. All together they take no more memory than ServiceLimits say, and are no
+// more: for a new one others go, those first that were sent, of these the one not used for longest.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ using SharedMap = std::shared_ptr<const ShelvedMap>;
 class MapShelf {
   public:
     // `folder` may be empty. Throws InputError if it is not a folder.
-    MapShelf(const std::string& folder, const Limits& limits);
+    MapShelf(const std::string& folder, const ServiceLimits& limits);
 
     struct Entry {
         std::string id;
@@ -106,7 +106,7 @@ class MapShelf {
     void take_down(const std::string& id);
 
     std::string folder_;
-    Limits limits_;
+    ServiceLimits limits_;
     mutable std::mutex mutex_;
     std::mutex adding_;  // one upload is read at a time: reading needs several times the memory of the map
     std::size_t reserved_ = 0;

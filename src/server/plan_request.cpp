@@ -16,14 +16,8 @@ constexpr int max_depth = 8;
 constexpr int most_removals = 32;
 constexpr std::size_t most_methods = 8;
 
-Cell cell(const JsonField& field) {
-    const std::vector<JsonField> parts = field.items();
-    if (parts.size() != 2) field.fail("is not a cell, [x, y]");
-    return {int(parts[0].whole_number(INT_MIN, INT_MAX)), int(parts[1].whole_number(INT_MIN, INT_MAX))};
-}
-
 std::optional<Cell> cell_if(const std::optional<JsonField>& field) {
-    return field ? std::optional(cell(*field)) : std::nullopt;
+    return field ? std::optional(io::read_cell(*field)) : std::nullopt;
 }
 
 double positive(const JsonField& field) {
@@ -32,26 +26,11 @@ double positive(const JsonField& field) {
     return value;
 }
 
-double not_negative(const JsonField& field) {
-    const double value = field.number();
-    if (value < 0) field.fail("is below 0");
-    return value;
-}
-
-template <class Value>
-void set_word(const JsonField& object, const char* key, const io::Words<Value>& words, Value& target) {
-    if (const auto field = object.find(key)) target = field->one_of(words);
-}
-
 void set_truth(const JsonField& object, const char* key, bool& target) {
     if (const auto field = object.find(key)) target = field->truth();
 }
 
-ObstacleId obstacle(const JsonField& field) {
-    return {std::uint32_t(field.whole_number(1, UINT32_MAX))};
-}
-
-MissionRequest mission(const JsonField& field) {
+MissionRequest short_mission(const JsonField& field) {
     field.allow({"start", "goal", "air_start", "air_goal", "ground_speed", "air_speed"});
     MissionRequest result;
     result.start = cell_if(field.find("start"));
@@ -71,52 +50,16 @@ void set_weights(const JsonField& field, OptionsRequest& result) {
     for (const JsonField& pair : field.items()) {
         const std::vector<JsonField> parts = pair.items();
         if (parts.size() != 2) pair.fail("is not [obstacle, weight]");
-        result.weights.push_back({obstacle(parts[0]), positive(parts[1])});
+        result.weights.push_back({io::read_obstacle(parts[0]), positive(parts[1])});
     }
 }
 
-void set_search(const JsonField& field, OptionsRequest& result) {
-    SearchOptions& search = result.options.search;
-    if (const auto planner = field.find("planner")) {
-        search.planner = planner->one_of(io::planner_words);
-        result.planner_given = true;
-    }
-    if (const auto heuristic = field.find("heuristic")) search.heuristic = heuristic->one_of(io::heuristic_words);
-    if (const auto weight = field.find("weight")) search.weight = weight->number();
-    set_word(field, "tie_break", io::tie_break_words, search.tie_break);
-    set_word(field, "corners", io::corner_words, search.motion.corners);
-    if (const auto radius = field.find("radius")) search.motion.radius = not_negative(*radius);
-    if (const auto moves = field.find("moves")) {
-        const auto count = moves->whole_number(4, 8);
-        if (count != 4 && count != 8) moves->fail("is neither 4 nor 8");
-        search.motion.diagonal = count == 8;
-    }
-}
-
-void set_choice(const JsonField& field, OptionsRequest& result) {
-    MissionOptions& options = result.options;
-    const auto removals = field.find("removals");
-    if (removals) options.removals = int(removals->whole_number(0, most_removals));
+void set_paper(const JsonField& field, OptionsRequest& result) {
     bool paper = false;
     set_truth(field, "paper", paper);
-    if (paper) {
-        options = paper_options(options);
-        result.planner_given = true;
-    }
-    if (const auto budget = field.find("budget")) {
-        options.budget = positive(*budget);
-        result.budget_alone = !removals;
-    }
-    if (const auto weights = field.find("weights")) set_weights(*weights, result);
-    if (const auto limit = field.find("time_limit")) options.time_limit = positive(*limit);
-    if (const auto protect = field.find("protect")) {
-        options.protect.clear();
-        for (const JsonField& id : protect->items()) options.protect.push_back(obstacle(id));
-    }
-    if (const auto force = field.find("force")) {
-        options.force.clear();
-        for (const JsonField& id : force->items()) options.force.push_back(obstacle(id));
-    }
+    if (!paper) return;
+    follow_paper(result.rules, result.method);
+    result.planner_given = true;
 }
 
 // What `field` says, over what was there.
@@ -125,24 +68,39 @@ OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
         {"paper",     "removals", "select",    "flight",  "timing", "objective", "breach_time", "breach_time_per_cell",
          "protect",   "force",    "budget",    "weights", "bound",  "explain",   "time_limit",  "planner",
          "heuristic", "weight",   "tie_break", "corners", "radius", "moves"});
-    set_choice(field, result);
-    MissionOptions& options = result.options;
-    set_word(field, "select", io::selection_words, options.select);
-    set_word(field, "flight", io::flight_words, options.flight);
-    set_word(field, "timing", io::timing_words, options.timing);
-    set_word(field, "objective", io::objective_words, options.objective);
-    if (const auto time = field.find("breach_time")) options.breach_time.per_obstacle = not_negative(*time);
-    if (const auto time = field.find("breach_time_per_cell")) options.breach_time.per_cell = not_negative(*time);
-    set_truth(field, "bound", options.bound);
-    set_truth(field, "explain", options.explain);
-    set_search(field, result);
+    if (const auto removals = field.find("removals"))
+        result.rules.removals = int(removals->whole_number(0, most_removals));
+    set_paper(field, result);
+    if (const auto budget = field.find("budget")) {
+        positive(*budget);
+        result.budget_alone = !field.find("removals");
+    }
+    if (const auto weights = field.find("weights")) set_weights(*weights, result);
+    if (const auto limit = field.find("time_limit")) result.limits.seconds = positive(*limit);
+    io::read_rules(field, result.rules);
+    io::read_method(field, result.method);
+    result.planner_given = result.planner_given || field.find("planner");
+    if (const auto radius = field.find("radius")) result.radius = io::read_not_negative(*radius);
+    if (const auto corners = field.find("corners")) result.corners = corners->one_of(io::corner_words);
     return result;
 }
 
-std::vector<Method> methods(const JsonField& field, const OptionsRequest& common) {
+// A mission file inside a request, or as one.
+void set_document(const JsonField& field, PlanRequest& request) {
+    io::MissionDocument document = io::read_mission(field);
+    if (document.mission.rules.removals > most_removals) {
+        field["rules"]["removals"].fail("is above " + std::to_string(most_removals));
+    }
+    request.mission.agents = std::move(document.mission.agents);
+    request.options.rules = std::move(document.mission.rules);
+    request.options.method = document.method;
+    request.options.limits = document.limits;
+}
+
+std::vector<Variant> variants(const JsonField& field, const OptionsRequest& common) {
     const std::vector<JsonField> items = field.items();
     if (items.size() > most_methods) field.fail("has more than " + std::to_string(most_methods) + " methods");
-    std::vector<Method> result;
+    std::vector<Variant> result;
     for (const JsonField& item : items) {
         item.allow({"name", "options"});
         result.push_back({item["name"].text(), options(item["options"], common)});
@@ -150,12 +108,83 @@ std::vector<Method> methods(const JsonField& field, const OptionsRequest& common
     return result;
 }
 
-bool has_search_words(const SearchOptions& search) {
-    return search.heuristic || search.weight != 1 || search.tie_break != TieBreak::g_max;
+bool has_search_words(const Method& method) {
+    return method.heuristic || method.weight != 1 || method.tie_break != TieBreak::g_max;
 }
 
-// As the map says, unless the request does.
-std::vector<double> weights_of(const OptionsRequest& request, const Map& map) {
+std::vector<Agent> agents_of(const MissionRequest& request, const io::MapFile& map) {
+    if (!request.agents.empty()) return request.agents;
+    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::XmlTask::*in_file,
+                              const std::string& member) {
+        if (given) return *given;
+        if (map.task) {
+            if (const std::optional<Cell> said = (*map.task).*in_file) return *said;
+        }
+        throw InputError("mission." + member + " is missing, and the map does not say it");
+    };
+    const Cell start = place(request.start, &io::XmlTask::start, "start");
+    const Cell goal = place(request.goal, &io::XmlTask::goal, "goal");
+    std::vector<Agent> agents = ground_and_air(start, goal).agents;
+    for (Agent& agent : agents) {
+        const bool flies = agent.kind == AgentKind::air;
+        agent.speed = flies ? request.air_speed : request.ground_speed;
+        if (!flies) continue;
+        agent.start = request.air_start.value_or(start);
+        agent.goal = request.air_goal.value_or(goal);
+    }
+    return agents;
+}
+
+}  // namespace
+
+PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) {
+    if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
+    const auto document = io::parse_json(bytes, name, max_depth);
+    const JsonField root(document);
+    PlanRequest request;
+    if (root.json().contains("format")) {
+        set_document(root, request);
+        return request;
+    }
+    root.allow({"mission", "options", "methods", "no_timing"});
+    if (const auto field = root.find("mission")) {
+        if (field->json().contains("format")) {
+            set_document(*field, request);
+        } else {
+            request.mission = short_mission(*field);
+        }
+    }
+    if (const auto field = root.find("options")) request.options = options(*field, request.options);
+    if (const auto field = root.find("methods")) request.variants = variants(*field, request.options);
+    if (const auto field = root.find("no_timing")) request.timing_fields = !field->truth();
+    return request;
+}
+
+io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map) {
+    io::MissionDocument result{{agents_of(mission, map), options.rules}, options.method, options.limits};
+    Rules& rules = result.mission.rules;
+    if (options.budget_alone) rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
+    Body body;
+    for (Agent& agent : result.mission.agents) {
+        if (agent.kind == AgentKind::air) continue;
+        agent.body.radius = options.radius.value_or(agent.body.radius);
+        agent.body.corners = options.corners.value_or(agent.body.corners);
+        body = agent.body;
+    }
+    Method& method = result.method;
+    if (!options.planner_given && has_search_words(method)) method.planner = Planner::theta;
+    const Planner planner = planner_of(method, body);
+    if (options.planner_given && method.planner == Planner::optimal && planner != Planner::optimal) {
+        throw InputError(
+            "the planner optimal drives an agent of radius 0.5 or 0 that passes no blocked corner, and "
+            "counts no hits");
+    }
+    method.planner = planner;
+    return result;
+}
+
+std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const Map& map) {
+    if (!request.weights_of_cells && request.weights.empty()) return std::nullopt;
     std::vector<double> weights{0};
     for (const Obstacle& obstacle : map.obstacles()) {
         weights.push_back(request.weights_of_cells ? obstacle.cells : obstacle.weight);
@@ -167,61 +196,6 @@ std::vector<double> weights_of(const OptionsRequest& request, const Map& map) {
         weights[obstacle.value] = weight;
     }
     return weights;
-}
-
-}  // namespace
-
-PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) {
-    if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
-    const auto document = io::parse_json(bytes, name, max_depth);
-    const JsonField root(document);
-    root.allow({"mission", "options", "methods", "no_timing"});
-    PlanRequest request;
-    if (const auto field = root.find("mission")) request.mission = mission(*field);
-    if (const auto field = root.find("options")) request.options = options(*field);
-    if (const auto field = root.find("methods")) request.methods = methods(*field, request.options);
-    if (const auto field = root.find("no_timing")) request.timing_fields = !field->truth();
-    return request;
-}
-
-Mission mission_of(const MissionRequest& request, const io::MapFile& map) {
-    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::XmlTask::*in_file,
-                              const std::string& member) {
-        if (given) return *given;
-        if (map.task) {
-            if (const std::optional<Cell> said = (*map.task).*in_file) return *said;
-        }
-        throw InputError("mission." + member + " is missing, and the map does not say it");
-    };
-    const Cell start = place(request.start, &io::XmlTask::start, "start");
-    const Cell goal = place(request.goal, &io::XmlTask::goal, "goal");
-    Mission mission = ground_and_air(start, goal);
-    for (Agent& agent : mission.agents) {
-        const bool flies = agent.kind == AgentKind::air;
-        agent.speed = flies ? request.air_speed : request.ground_speed;
-        if (!flies) continue;
-        agent.start = request.air_start.value_or(start);
-        agent.goal = request.air_goal.value_or(goal);
-    }
-    return mission;
-}
-
-MissionOptions options_of(const OptionsRequest& request, const io::MapFile& map) {
-    MissionOptions options = request.options;
-    const bool weighed = request.weights_of_cells || !request.weights.empty();
-    if (request.budget_alone) options.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
-    if (weighed || request.budget_alone || options.budget < std::numeric_limits<double>::infinity()) {
-        options.weights = weights_of(request, map.map);
-    }
-    if (!request.planner_given && has_search_words(options.search)) options.search.planner = Planner::theta;
-    if (request.planner_given && options.search.planner == Planner::optimal &&
-        planner_of(options) != Planner::optimal) {
-        throw InputError(
-            "the planner optimal drives an agent of radius 0.5 or 0 that passes no blocked corner, and "
-            "counts no hits");
-    }
-    options.search.planner = planner_of(options);
-    return options;
 }
 
 }  // namespace waybreaker::server

@@ -1,27 +1,29 @@
-// What a client asks to be planned, as JSON:
+// What a client asks to be planned, as JSON: a mission file (io/mission_json.hpp), or in short
 //
 //     {"mission": {"start": [256, 434], "goal": [118, 55], "air_speed": 2},
 //      "options": {"removals": 2, "select": "exact", "protect": [17]}}
 //
-// Members are named as in plan files (contract, section 4) and as the options of `waybreaker plan`; what is left out
-// has the same defaults.
+// "mission" can be a mission file as well, which "options" override. Options are named as in plan files (contract,
+// section 4) and as those of `waybreaker plan`; what is left out has the same defaults.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/map_file.hpp"
-#include "waybreaker/mission.hpp"
+#include "io/mission_json.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::server {
 
 // Largest request that is parsed.
 inline constexpr std::size_t max_request_bytes = std::size_t{1} << 20;
 
+// Who goes where: a mission file's agents, or what the short form says.
 struct MissionRequest {
+    std::vector<Agent> agents;  // empty: as below
     std::optional<Cell> start;  // else as the map's file says
     std::optional<Cell> goal;
     std::optional<Cell> air_start;  // else the ground agent's
@@ -31,7 +33,11 @@ struct MissionRequest {
 };
 
 struct OptionsRequest {
-    MissionOptions options;
+    Rules rules;
+    Method method;
+    Limits limits;
+    std::optional<double> radius;  // of the ground agent, else as the mission says
+    std::optional<Corners> corners;
     bool planner_given = false;
     struct Weight {
         ObstacleId obstacle;
@@ -42,7 +48,8 @@ struct OptionsRequest {
     bool budget_alone = false;      // stands in place of a count
 };
 
-struct Method {
+// One of several plans to compare.
+struct Variant {
     std::string name;
     OptionsRequest options;
 };
@@ -50,15 +57,16 @@ struct Method {
 struct PlanRequest {
     MissionRequest mission;
     OptionsRequest options;
-    std::vector<Method> methods;  // to compare, options those of the request unless a method says otherwise
-    bool timing_fields = true;    // false: no measured seconds in the answer
+    std::vector<Variant> variants;  // options those of the request unless a variant says otherwise
+    bool timing_fields = true;      // false: no measured seconds in the answer
 };
 
 // Throws InputError: "request: ", where in it, what is wrong. `name` is how it is called.
 PlanRequest parse_plan_request(std::string_view bytes, const std::string& name = "request");
 
-// Both put on a map. Throw InputError if they do not fit it.
-Mission mission_of(const MissionRequest& request, const io::MapFile& map);
-MissionOptions options_of(const OptionsRequest& request, const io::MapFile& map);
+// Both put on a map; throws InputError if they do not fit it.
+io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map);
+// What obstacles weigh, by id, if the request says that.
+std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const Map& map);
 
 }  // namespace waybreaker::server

@@ -281,10 +281,11 @@ std::optional<std::string> Route::id_in(const std::string& asked) const {
     return MapShelf::is_id(id) ? std::optional(id) : std::nullopt;
 }
 
-std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metrics, const Limits& limits) {
+std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metrics, const ServiceLimits& limits) {
     std::vector<Route> all;
     all.push_back(ready("/healthz", "{\"status\": \"ok\"}\n"));
     all.push_back(ready("/api/v1/openapi.json", openapi_json()));
+    all.push_back(ready("/api/v1/mission.schema.json", mission_schema()));
     all.push_back(get("/metrics", [&](const Call&) {
         return given(metrics_text(shelf, desk, metrics), "text/plain; version=0.0.4; charset=utf-8");
     }));

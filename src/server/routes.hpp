@@ -43,6 +43,6 @@ struct Route {
 };
 
 // Their handlers keep the references.
-std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metrics, const Limits& limits);
+std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metrics, const ServiceLimits& limits);
 
 }  // namespace waybreaker::server

@@ -126,7 +126,7 @@ Service::House::House(ServiceOptions options)
 }
 
 ListenerOptions Service::House::listener_options() const {
-    const Limits& limits = options_.limits;
+    const ServiceLimits& limits = options_.limits;
     return {.host = options_.host,
             .port = options_.port,
             .patience = {.reading = milliseconds(limits.patience),

@@ -19,7 +19,7 @@ struct ServiceOptions {
     int port = 0;  // 0: any that is free
     std::string token;
     bool insecure = false;  // other machines may ask without a token
-    Limits limits;
+    ServiceLimits limits;
     std::function<void(const std::string&)> log = [](const std::string&) {};  // of a JSON object, a line; any thread
 };
 
@@ -43,5 +43,7 @@ class Service {
 
 // The served description of the service, OpenAPI 3.1.
 std::string openapi_json();
+// JSON Schema of the mission file.
+std::string mission_schema();
 
 }  // namespace waybreaker::server

@@ -23,7 +23,7 @@ Leg leg_between(Cell from, Cell to, double start, double end) {
 }
 
 // A way of moving for which slow_sight.hpp knows what it means.
-Motion motion_of(std::int64_t radius) {
+Body body_of(std::int64_t radius) {
     if (radius == 0) return {.corners = Corners::squeeze};
     return {.radius = double(radius) / 1000};
 }
@@ -79,7 +79,7 @@ RC_GTEST_PROP(Contact, IsWhatHidesTheView, ()) {
     PlainMap framed{map.width() + 10, map.height() + 10, {}};
     framed.obstacles.resize(std::size_t(framed.width) * std::size_t(framed.height), 0);
     for (const Cell c : labels.cells()) framed.obstacles[framed.index({c.x + 5, c.y + 5})] = labels.at(c);
-    const bool sees = slow::sees(framed, {from.x + 5, from.y + 5}, {to.x + 5, to.y + 5}, motion_of(radius));
+    const bool sees = slow::sees(framed, {from.x + 5, from.y + 5}, {to.x + 5, to.y + 5}, body_of(radius));
     RC_ASSERT(contacts(map, leg, radius).empty() == sees);
 }
 
@@ -134,7 +134,7 @@ TEST(Contact, IsExactFarAway) {
 // The judge uses the public map and plan, and nothing of how planners see them.
 TEST(Judge, SharesNoGeometryWithThePlanner) {
     const std::set<std::string> allowed{"waybreaker/check.hpp", "waybreaker/error.hpp", "waybreaker/map.hpp",
-                                        "waybreaker/motion.hpp", "waybreaker/plan.hpp"};
+                                        "waybreaker/mission.hpp", "waybreaker/plan.hpp"};
     const std::vector<std::string> forbidden{"line_of_sight(", "fits(",  ".boundary(", "first_touch(",
                                              "path_length(",   "timed(", " distance(", "OpenedMap"};
     int files = 0;

@@ -14,7 +14,7 @@ namespace {
 
 // A plan without figures of the mission before.
 Plan plan_of(const Map& map, const ScheduleTask& task, const Schedule& schedule) {
-    std::vector<Removal> removed;
+    std::vector<Breach> removed;
     for (std::size_t i = 0; i < schedule.cleared_at.size(); ++i) {
         const BreachPoint& breach = schedule.flight.breaches[i];
         removed.push_back({.obstacle = breach.obstacle,
@@ -24,8 +24,8 @@ Plan plan_of(const Map& map, const ScheduleTask& task, const Schedule& schedule)
                            .entered_at = schedule.entered_at[i]});
     }
     Plan plan = hand_made(schedule.ground, schedule.air, removed);
-    plan.agents[0].speed = task.ground_speed;
-    plan.agents[1].speed = task.air_speed;
+    plan.agents[0].speed = task.driver.speed;
+    plan.agents[1].speed = task.flyer.speed;
     plan.after.makespan = schedule.makespan;
     plan.after.flowtime = schedule.flowtime;
     return plan;
@@ -34,31 +34,31 @@ Plan plan_of(const Map& map, const ScheduleTask& task, const Schedule& schedule)
 RC_GTEST_PROP(ExactPlan, IsValid, ()) {
     const PlainMap plain = *random_map(20, 20);
     const Map map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
-    const Body body = *rc::gen::element(Body::square, Body::point);
+    const Body body = *rc::gen::element(Body{}, point_body);
     const int crossings = *number(0, 4);
     CrossingOptions options{.body = body, .crossings = crossings};
     const double least = *rc::gen::element(0.0, 10.0, 60.0);
     options.least_cost = [least](ObstacleId) { return least; };
     const CrossingResult result = CrossingSearcher().find(map, any_free_cell(plain), any_free_cell(plain), options);
     RC_PRE(result.status == SearchStatus::found);
-    ScheduleTask task;
-    task.ground_path = result.best.path;
-    task.ground_speed = *rc::gen::element(0.5, 1.0, 4.0);
-    task.radius = body == Body::point ? 0 : 0.5;
-    task.air_start = any_cell(plain);
-    task.air_goal = any_cell(plain);
-    task.air_speed = *rc::gen::element(0.5, 1.0, 4.0);
-    task.removed = result.best.crossed;
-    task.breach_time = {*rc::gen::element(0.0, 0.0, 3.0), *rc::gen::element(0.0, 0.0, 0.3)};
+    Mission mission = ground_and_air(any_cell(plain), any_cell(plain));
+    Agent& driver = mission.agents[0];
+    Agent& flyer = mission.agents[1];
+    driver.body = body;
+    driver.speed = *rc::gen::element(0.5, 1.0, 4.0);
+    flyer.speed = *rc::gen::element(0.5, 1.0, 4.0);
+    mission.rules.removals = crossings;
+    mission.rules.breach_time = {*rc::gen::element(0.0, 0.0, 3.0), *rc::gen::element(0.0, 0.0, 0.3)};
+    const ScheduleTask task{.ground_path = result.best.path,
+                            .driver = driver,
+                            .flyer = flyer,
+                            .rules = mission.rules,
+                            .removed = result.best.crossed};
     const Plan plan = plan_of(map, task, best_schedule(map, task));
+    driver.start = plan.agents[0].start;
+    driver.goal = plan.agents[0].goal;
     std::string faults;
-    for (const Violation& violation : check(map, plan,
-                                            {.motion = {.radius = task.radius},
-                                            .timing = Timing::enforce,
-                                            .breach_time = task.breach_time,
-                                            .removals = crossings})) {
-        faults += line_of(violation) + "\n";
-    }
+    for (const Violation& violation : check(map, mission, plan)) faults += line_of(violation) + "\n";
     RC_ASSERT(faults == "");
 }
 

@@ -29,7 +29,7 @@ inline std::vector<Waypoint> driven(const std::vector<Point>& path, double speed
     return points;
 }
 
-inline AgentPlan agent(AgentKind kind, const std::vector<Waypoint>& path, double speed = 1) {
+inline Itinerary agent(AgentKind kind, const std::vector<Waypoint>& path, double speed = 1) {
     return {.id = kind == AgentKind::ground ? "ground" : "air",
             .kind = kind,
             .speed = speed,
@@ -40,31 +40,43 @@ inline AgentPlan agent(AgentKind kind, const std::vector<Waypoint>& path, double
 
 // Sets what follows from the agents' paths. Precondition: agents[0] is the ground agent.
 inline void set_figures(Plan& plan) {
-    const AgentPlan& ground = plan.agents[0];
-    const AgentPlan& air = plan.agents[1];
-    plan.after.ground.length = way(ground.path);
-    plan.after.air.length = way(air.path);
+    const Itinerary& ground = plan.agents[0];
+    const Itinerary& air = plan.agents[1];
+    plan.after.ground().length = way(ground.path);
+    plan.after.air().length = way(air.path);
     plan.after.makespan = std::max(ground.path.back().t, air.path.back().t);
     plan.after.flowtime = ground.path.back().t + air.path.back().t;
 }
 
 // A plan in which nobody could have got there without removals.
 inline Plan hand_made(const std::vector<Waypoint>& ground, const std::vector<Waypoint>& air,
-                      const std::vector<Removal>& removed = {}) {
+                      const std::vector<Breach>& removed = {}) {
     Plan plan;
     plan.status = PlanStatus::solved;
     plan.agents = {agent(AgentKind::ground, ground), agent(AgentKind::air, air)};
-    plan.removed = removed;
-    plan.before.air.length = std::hypot(air.back().x - air.front().x, air.back().y - air.front().y);
+    plan.breaches = removed;
+    plan.before.air().length = std::hypot(air.back().x - air.front().x, air.back().y - air.front().y);
     set_figures(plan);
     return plan;
 }
 
+// A mission with the plan's agents, so that nothing but the rules can be broken.
+inline Mission mission_of(const Plan& plan, const Rules& rules = {}, const Body& body = {}) {
+    Mission mission{{}, rules};
+    for (const Itinerary& planned : plan.agents) {
+        mission.agents.push_back({planned.id, planned.kind, planned.start, planned.goal, planned.speed, body});
+    }
+    return mission;
+}
+
 // Which rules a plan breaks.
-inline std::set<Rule> broken_rules(const Map& map, const Plan& plan, const CheckRules& rules) {
+inline std::set<Rule> broken_rules(const Map& map, const Mission& mission, const Plan& plan) {
     std::set<Rule> broken;
-    for (const Violation& violation : check(map, plan, rules)) broken.insert(violation.rule);
+    for (const Violation& violation : check(map, mission, plan)) broken.insert(violation.rule);
     return broken;
+}
+inline std::set<Rule> broken_rules(const Map& map, const Plan& plan, const Rules& rules = {}, const Body& body = {}) {
+    return broken_rules(map, mission_of(plan, rules, body), plan);
 }
 
 }  // namespace waybreaker

@@ -15,13 +15,13 @@ namespace {
 // A valid plan; agents[0] is the ground agent, which enters removed[entered].
 struct Case {
     const Map& map;
+    Mission mission;
     Plan plan;
-    CheckRules rules;
     std::size_t entered = 0;
 
-    AgentPlan& ground() { return plan.agents[0]; }
-    AgentPlan& air() { return plan.agents[1]; }
-    Removal& removal() { return plan.removed[entered]; }
+    Itinerary& ground() { return plan.agents[0]; }
+    Itinerary& air() { return plan.agents[1]; }
+    Breach& removal() { return plan.breaches[entered]; }
 };
 
 struct Mutation {
@@ -31,7 +31,7 @@ struct Mutation {
 };
 
 // The agent drives or flies on without a stop, so that nothing but its way is new.
-void retime(AgentPlan& agent) {
+void retime(Itinerary& agent) {
     for (std::size_t i = 1; i < agent.path.size(); ++i) {
         const Waypoint& a = agent.path[i - 1];
         Waypoint& b = agent.path[i];
@@ -51,8 +51,8 @@ std::optional<Cell> find_cell(const Map& map, Holds holds) {
 }
 
 bool is_removed(const Plan& plan, ObstacleId obstacle) {
-    return std::any_of(plan.removed.begin(), plan.removed.end(),
-                       [obstacle](const Removal& removal) { return removal.obstacle == obstacle; });
+    return std::any_of(plan.breaches.begin(), plan.breaches.end(),
+                       [obstacle](const Breach& removal) { return removal.obstacle == obstacle; });
 }
 
 bool through_a_wall(Case& c) {
@@ -85,15 +85,15 @@ bool add(std::optional<double>& number, double amount) {
 const std::vector<Mutation> mutations{
     {"drives through a wall", Rule::collision, through_a_wall},
     {"drives through what is not removed any more", Rule::collision,
-     [](Case& c) { return c.plan.removed.erase(c.plan.removed.begin() + std::ptrdiff_t(c.entered)), true; }},
+     [](Case& c) { return c.plan.breaches.erase(c.plan.breaches.begin() + std::ptrdiff_t(c.entered)), true; }},
     {"enters too early", Rule::collision,
      [](Case& c) {
-         c.rules.timing = Timing::enforce;
+         c.mission.rules.timing = Timing::enforce;
          return c.removal().cleared_at > *c.removal().entered_at + 0.01;
      }},
     {"is cleared after it is entered", Rule::collision,
      [](Case& c) {
-         c.rules.timing = Timing::enforce;
+         c.mission.rules.timing = Timing::enforce;
          c.removal().cleared_at = *c.removal().entered_at + 1;
          return true;
      }},
@@ -136,22 +136,24 @@ const std::vector<Mutation> mutations{
     {"has nobody to fly", Rule::agents, [](Case& c) { return c.plan.agents.pop_back(), true; }},
     {"has two to drive", Rule::agents, [](Case& c) { return c.plan.agents.push_back(c.ground()), true; }},
     {"has no path", Rule::agents, [](Case& c) { return c.ground().path.clear(), true; }},
+    {"is another than the mission's", Rule::agents, [](Case& c) { return c.air().id = "else", true; }},
+    {"has no route", Rule::agents, [](Case& c) { return c.plan.after.routes.pop_back(), true; }},
     {"has no speed", Rule::agents, [](Case& c) { return c.ground().speed = 0, true; }},
     {"removes what there is not", Rule::obstacle,
      [](Case& c) { return c.removal().obstacle.value = std::uint32_t(c.map.obstacles().size()) + 1, true; }},
     {"removes nothing", Rule::obstacle, [](Case& c) { return c.removal().obstacle.value = 0, true; }},
     {"removes what is protected", Rule::obstacle,
-     [](Case& c) { return c.rules.protect.push_back(c.removal().obstacle), true; }},
+     [](Case& c) { return c.mission.rules.protect.push_back(c.removal().obstacle), true; }},
     {"removes it twice", Rule::repetition,
-     [](Case& c) { return c.plan.removed.push_back(c.plan.removed.back()), true; }},
+     [](Case& c) { return c.plan.breaches.push_back(c.plan.breaches.back()), true; }},
     {"removes too many", Rule::removals,
-     [](Case& c) { return c.rules.removals = int(c.plan.removed.size()) - 1, true; }},
+     [](Case& c) { return c.mission.rules.removals = int(c.plan.breaches.size()) - 1, true; }},
     {"removes what is too heavy", Rule::budget,
-     [](Case& c) { return c.rules.budget = double(c.plan.removed.size()) - 0.5, true; }},
+     [](Case& c) { return c.mission.rules.budget = double(c.plan.breaches.size()) - 0.5, true; }},
     {"leaves what must go", Rule::removals,
      [](Case& c) {
-         c.rules.force = {c.removal().obstacle};
-         c.plan.removed.erase(std::ranges::find(c.plan.removed, c.rules.force[0], &Removal::obstacle));
+         c.mission.rules.force = {c.removal().obstacle};
+         c.plan.breaches.erase(std::ranges::find(c.plan.breaches, c.mission.rules.force[0], &Breach::obstacle));
          return true;
      }},
     {"counts cells wrongly", Rule::cells, [](Case& c) { return c.removal().cells += 1, true; }},
@@ -171,11 +173,11 @@ const std::vector<Mutation> mutations{
     {"is breached later", Rule::breach,
      [](Case& c) { return c.removal().cleared_at += 0.2, c.air().path.back().t > c.removal().cleared_at + 1; }},
     {"is breached before the mission", Rule::breach, [](Case& c) { return c.removal().cleared_at = -1, true; }},
-    {"takes time to breach", Rule::breach, [](Case& c) { return c.rules.breach_time.per_cell = 0.01, true; }},
+    {"takes time to breach", Rule::breach, [](Case& c) { return c.mission.rules.breach_time.per_cell = 0.01, true; }},
     {"lists the last breach first", Rule::order,
      [](Case& c) {
-         std::reverse(c.plan.removed.begin(), c.plan.removed.end());
-         return c.plan.removed.front().cleared_at > c.plan.removed.back().cleared_at + 0.01;
+         std::reverse(c.plan.breaches.begin(), c.plan.breaches.end());
+         return c.plan.breaches.front().cleared_at > c.plan.breaches.back().cleared_at + 0.01;
      }},
     {"would remove it again next", Rule::next,
      [](Case& c) { return c.plan.next.push_back({.obstacle = c.removal().obstacle}), true; }},
@@ -185,14 +187,14 @@ const std::vector<Mutation> mutations{
     {"says it is never entered", Rule::entered, [](Case& c) { return c.removal().entered_at.reset(), true; }},
     {"says it is entered", Rule::entered,
      [](Case& c) {
-         for (Removal& removal : c.plan.removed) {
+         for (Breach& removal : c.plan.breaches) {
              if (!removal.entered_at) return removal.entered_at = 1, true;
          }
          return false;
      }},
-    {"drives farther than it says", Rule::length, [](Case& c) { return add(c.plan.after.ground.length, -0.01); }},
-    {"flies farther than it says", Rule::length, [](Case& c) { return c.plan.after.air.length -= 0.01, true; }},
-    {"has no length", Rule::length, [](Case& c) { return c.plan.after.ground.length.reset(), true; }},
+    {"drives farther than it says", Rule::length, [](Case& c) { return add(c.plan.after.ground().length, -0.01); }},
+    {"flies farther than it says", Rule::length, [](Case& c) { return add(c.plan.after.air().length, -0.01); }},
+    {"has no length", Rule::length, [](Case& c) { return c.plan.after.ground().length.reset(), true; }},
     {"ends later than it says", Rule::makespan, [](Case& c) { return add(c.plan.after.makespan, -0.01); }},
     {"ends earlier than it says", Rule::makespan, [](Case& c) { return add(c.plan.after.makespan, 0.01); }},
     {"adds up wrongly", Rule::flowtime, [](Case& c) { return add(c.plan.after.flowtime, 0.01); }},
@@ -201,23 +203,23 @@ const std::vector<Mutation> mutations{
     {"was there at another time before", Rule::before,
      [](Case& c) { return add(c.plan.before.ground_makespan, 0.01); }},
     {"was shorter before than straight", Rule::before,
-     [](Case& c) { return c.plan.before.ground.length ? (c.plan.before.ground.length = -1, true) : false; }},
+     [](Case& c) { return c.plan.before.ground().length ? (c.plan.before.ground().length = -1, true) : false; }},
     {"added up wrongly before", Rule::before, [](Case& c) { return add(c.plan.before.flowtime, 0.01); }},
     {"ended at another time before", Rule::before, [](Case& c) { return add(c.plan.before.makespan, 0.01); }},
     {"had no end before", Rule::before,
      [](Case& c) { return c.plan.before.makespan ? (c.plan.before.makespan.reset(), true) : false; }},
-    {"flew another way before", Rule::before, [](Case& c) { return c.plan.before.air.length += 0.01, true; }},
+    {"flew another way before", Rule::before, [](Case& c) { return add(c.plan.before.air().length, 0.01); }},
     {"is better than its bound", Rule::bound,
      [](Case& c) { return c.plan.bound = *c.plan.after.makespan + 0.01, true; }},
     {"is better than its bound on the flowtime", Rule::bound,
      [](Case& c) {
-         c.rules.objective = Objective::flowtime;
+         c.mission.rules.objective = Objective::flowtime;
          c.plan.bound = *c.plan.after.flowtime + 0.01;
          return true;
      }},
     {"is better than its bound on the ground agent's arrival", Rule::bound,
      [](Case& c) {
-         c.rules.objective = Objective::ground_makespan;
+         c.mission.rules.objective = Objective::ground_makespan;
          c.plan.bound = *c.plan.after.ground_makespan + 0.01;
          return true;
      }},
@@ -230,10 +232,10 @@ const std::vector<Mutation> mutations{
     {"has another gap", Rule::gap,
      [](Case& c) {
          c.plan.bound = *c.plan.after.makespan / 1.5;
-         c.rules.gap = 0.4;
+         c.plan.gap = 0.4;
          return *c.plan.bound > 0;
      }},
-    {"has a gap to nothing", Rule::gap, [](Case& c) { return c.rules.gap = 0.1, true; }},
+    {"has a gap to nothing", Rule::gap, [](Case& c) { return c.plan.gap = 0.1, true; }},
     {"says there is no plan", Rule::status, [](Case& c) { return c.plan.status = PlanStatus::no_plan, true; }},
     {"has no agents", Rule::status, [](Case& c) { return c.plan.agents.clear(), true; }},
 };
@@ -245,26 +247,27 @@ void for_any_case(const std::function<void(const Case&)>& visit) {
     Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
     mission.agents[0].speed = *rc::gen::element(0.5, 1.0, 4.0);
     mission.agents[1].speed = *rc::gen::element(0.5, 1.0, 4.0);
-    MissionOptions options = paper_options(*number(1, 4));
-    options.timing = Timing::ignore;
-    const Plan plan = MissionPlanner().plan(map, mission, options);
+    mission.rules.removals = *number(1, 4);
+    Method method;
+    follow_paper(mission.rules, method);
+    const Plan plan = MissionPlanner().plan(map, mission, method);
     RC_PRE(plan.status == PlanStatus::solved);
-    const auto entered = std::find_if(plan.removed.begin(), plan.removed.end(),
-                                      [](const Removal& removal) { return removal.entered_at.has_value(); });
-    RC_PRE(entered != plan.removed.end());
-    visit({map, plan, rules_of(options, plan), std::size_t(entered - plan.removed.begin())});
+    const auto entered = std::find_if(plan.breaches.begin(), plan.breaches.end(),
+                                      [](const Breach& removal) { return removal.entered_at.has_value(); });
+    RC_PRE(entered != plan.breaches.end());
+    visit({map, mission, plan, std::size_t(entered - plan.breaches.begin())});
 }
 
 TEST(Mutation, IsRejectedForTheRightReason) {
     std::map<std::string, int> made;
     const bool all_rejected = rc::check("every mutation of every plan is rejected", [&] {
         for_any_case([&](const Case& valid) {
-            RC_ASSERT(broken_rules(valid.map, valid.plan, valid.rules).empty());
+            RC_ASSERT(broken_rules(valid.map, valid.mission, valid.plan).empty());
             for (const Mutation& mutation : mutations) {
                 Case mutant = valid;
                 if (!mutation.mutate(mutant)) continue;
                 ++made[mutation.name];
-                const std::set<Rule> broken = broken_rules(mutant.map, mutant.plan, mutant.rules);
+                const std::set<Rule> broken = broken_rules(mutant.map, mutant.mission, mutant.plan);
                 if (!broken.contains(mutation.broken)) {
                     std::string message = mutation.name + ", but breaks only";
                     for (const Rule rule : broken) message.append(" ").append(name(rule));

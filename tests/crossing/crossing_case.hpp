@@ -23,11 +23,10 @@ struct CrossingCase {
     Map map;
     Cell start;
     Cell goal;
-    Body body = Body::square;
+    Body body = {};
     int crossings = 0;
     std::vector<ObstacleId> removed = {};
     std::vector<ObstacleId> protect = {};
-    std::vector<double> weights = {};  // whole numbers, so that sums are exact
     double budget = std::numeric_limits<double>::infinity();
     std::vector<double> least_cost = {};  // empty: none
 
@@ -37,7 +36,6 @@ struct CrossingCase {
         options.crossings = crossings;
         options.removed = removed;
         options.protect = protect;
-        options.weights = weights;
         options.budget = budget;
         if (!least_cost.empty()) options.least_cost = [this](ObstacleId id) { return least_cost[id.value]; };
         return options;
@@ -60,7 +58,7 @@ struct CrossingCase {
 
     double weight(slow::Set set) const {
         double sum = 0;
-        for (std::size_t id = 0; id < weights.size(); ++id) sum += (set >> id & 1) ? weights[id] : 0;
+        for (const Obstacle& obstacle : map.obstacles()) sum += (set >> obstacle.id.value & 1) ? obstacle.weight : 0;
         return sum;
     }
 
@@ -89,12 +87,12 @@ struct CrossingCase {
             }
             out << '\n';
         }
-        out << (problem.body == Body::square ? "square" : "point") << " from " << problem.start.x << ","
-            << problem.start.y << " to " << problem.goal.x << "," << problem.goal.y << ", n = " << problem.crossings;
+        out << (problem.body == Body{} ? "square" : "point") << " from " << problem.start.x << "," << problem.start.y
+            << " to " << problem.goal.x << "," << problem.goal.y << ", n = " << problem.crossings;
         list(", removed", problem.removed);
         list(", protected", problem.protect);
         out << ", weights";
-        for (const double weight : problem.weights) out << ' ' << weight;
+        for (const Obstacle& obstacle : problem.map.obstacles()) out << ' ' << obstacle.weight;
         out << ", budget " << problem.budget << ", least costs";
         for (const double cost : problem.least_cost) out << ' ' << cost;
         return out << '\n';
@@ -146,10 +144,12 @@ inline int most_crossings(const Map& map) {
     return obstacles <= 9 ? 4 : obstacles <= 13 ? 3 : obstacles <= 25 ? 2 : 1;
 }
 
-inline std::pair<std::vector<double>, double> random_budget(const Map& map) {
+// A budget, and weights in whole numbers, so that sums are exact.
+inline double random_budget(Map& map) {
     std::vector<double> weights;
     for (std::size_t id = 0; id <= map.obstacles().size(); ++id) weights.push_back(*number(1, 4));
-    return {weights, *number(0, 8)};
+    map = map.with_weights(weights);
+    return *number(0, 8);
 }
 
 inline CrossingCase random_case(Map map) {
@@ -160,9 +160,8 @@ inline CrossingCase random_case(Map map) {
     };
     std::vector<ObstacleId> removed = sometimes(2);
     std::vector<ObstacleId> protect = sometimes(2);
-    std::vector<double> weights;
     double budget = std::numeric_limits<double>::infinity();
-    if (*number(0, 3) == 0) std::tie(weights, budget) = random_budget(map);
+    if (*number(0, 3) == 0) budget = random_budget(map);
     std::vector<double> least_cost;
     if (*number(0, 3) == 0) {
         for (std::size_t id = 0; id <= map.obstacles().size(); ++id) least_cost.push_back(*number(0, 16));
@@ -170,8 +169,8 @@ inline CrossingCase random_case(Map map) {
     const PlainMap opened = plain(map, removed);
     const Cell start = *number(0, 20) == 0 ? any_cell(opened) : any_free_cell(opened);
     const Cell goal = *number(0, 20) == 0 ? any_cell(opened) : any_free_cell(opened);
-    const Body body = *rc::gen::element(Body::square, Body::point);
-    return {std::move(map), start, goal, body, crossings, removed, protect, weights, budget, least_cost};
+    const Body body = *rc::gen::element(Body{}, point_body);
+    return {std::move(map), start, goal, body, crossings, removed, protect, budget, least_cost};
 }
 
 inline rc::Gen<CrossingCase> any_case(int most_side) {
@@ -199,9 +198,9 @@ inline rc::Gen<CrossingCase> any_walls() {
         }
         CrossingCase problem{
             Map::from_labels(width, height, labels), {0, *number(0, height - 1)}, {width - 1, *number(0, height - 1)}};
-        problem.body = *rc::gen::element(Body::square, Body::point);
+        problem.body = *rc::gen::element(Body{}, point_body);
         problem.crossings = *number(0, 3);
-        if (*number(0, 1) == 0) std::tie(problem.weights, problem.budget) = random_budget(problem.map);
+        if (*number(0, 1) == 0) problem.budget = random_budget(problem.map);
         return problem;
     });
 }

@@ -61,9 +61,9 @@ RC_GTEST_PROP(Crossing, IsTheShortest, ()) {
     const Map map = *number(0, 1) == 0 ? random_connected_map(9) : random_label_map(9);
     for (int mission = 0; mission < 4; ++mission) {
         CrossingCase problem = random_case(map);
-        for (const Body body : {Body::square, Body::point}) {
+        for (const Body body : {Body{}, point_body}) {
             problem.body = body;
-            Judge(problem).check(problem, searcher.find(map, problem.start, problem.goal, problem.options()));
+            Judge(problem).check(problem, searcher.find(problem.map, problem.start, problem.goal, problem.options()));
         }
     }
 }
@@ -75,7 +75,7 @@ RC_GTEST_PROP(Crossing, IsTheShortestThroughWalls, ()) {
     Judge judge(problem);
     for (int limits = 0; limits < 24; ++limits) {
         problem.crossings = *number(0, 4);
-        if (limits >= 8) std::tie(problem.weights, problem.budget) = random_budget(problem.map);
+        if (limits >= 8) problem.budget = random_budget(problem.map);
         judge.check(problem, searcher.find(problem.map, problem.start, problem.goal, problem.options()));
     }
 }
@@ -103,23 +103,23 @@ RC_GTEST_PROP(Crossing, HoldsWhatItProvedWhenStopped, ()) {
     CrossingOptions options = problem.options();
     switch (*number(0, 3)) {
         case 0:
-            options.expansion_limit = std::uint64_t(*number(0, 30));
+            options.limits.expansions = std::uint64_t(*number(0, 30));
             break;
         case 1:
             options.length_limit = *number(0, 20);
             break;
         case 2:
-            options.time_limit = 0;
+            options.limits.seconds = 0;
             break;
         default: {
-            std::stop_source source;
+            StopSource source;
             source.request_stop();
-            options.stop = source.get_token();
+            options.limits.stop = source.get_token();
         }
     }
     const CrossingResult result = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
-    RC_LOG() << problem << "limits: " << options.expansion_limit << " expansions, length " << options.length_limit
-             << ", time " << options.time_limit << "; found " << result.best.cost << ", least " << expected
+    RC_LOG() << problem << "limits: " << options.limits.expansions << " expansions, length " << options.length_limit
+             << ", time " << options.limits.seconds << "; found " << result.best.cost << ", least " << expected
              << ", bound " << result.lower_bound << '\n';
     if (result.status == SearchStatus::found) {
         RC_ASSERT(judge.path_fault(problem, result.best) == "");
@@ -161,7 +161,7 @@ TEST(Crossing, NeverPassesAProtectedObstacle) {
         ...)";
     const Map map = map_from_ascii(picture);
     const std::vector<ObstacleId> protect{map.obstacle_at(mark_in_ascii(picture, 'a'))};
-    const CrossingOptions options{.body = Body::point, .crossings = 1, .protect = protect};
+    const CrossingOptions options{.body = point_body, .crossings = 1, .protect = protect};
     CrossingSearcher().enumerate(map, {0, 2}, {0, 0}, options, [&](const CrossingPath& path) {
         EXPECT_EQ(std::ranges::count(path.crossed, protect[0]), 0);
         return true;
@@ -196,7 +196,7 @@ TEST(Crossing, ListsObstaclesInTheOrderOfThePath) {
         .cab.)";
     const Map map = map_from_ascii(picture);
     const auto id = [&](char letter) { return map.obstacle_at(mark_in_ascii(picture, letter)); };
-    for (const Body body : {Body::square, Body::point}) {
+    for (const Body body : {Body{}, point_body}) {
         const CrossingResult result = CrossingSearcher().find(map, {4, 1}, {0, 1}, {.body = body, .crossings = 3});
         EXPECT_EQ(result.best.crossed, (std::vector<ObstacleId>{id('b'), id('a'), id('c')}));
     }
@@ -215,16 +215,13 @@ TEST(Crossing, RefusesOptionsOutOfRange) {
     const auto find = [&](const CrossingOptions& options) { CrossingSearcher().find(map, {0, 0}, {1, 0}, options); };
     const std::vector<ObstacleId> unknown{{2}};
     const std::vector<ObstacleId> none{{0}};
-    const std::vector<double> few{1};
-    const std::vector<double> nothing{1, 0};
-    const std::vector<double> unclear{1, std::nan("")};
     EXPECT_THROW(find({.crossings = -1}), InputError);
     EXPECT_THROW(find({.removed = unknown}), InputError);
     EXPECT_THROW(find({.removed = none}), InputError);
     EXPECT_THROW(find({.protect = unknown}), InputError);
-    EXPECT_THROW(find({.weights = few}), InputError);
-    EXPECT_THROW(find({.weights = nothing}), InputError);
-    EXPECT_THROW(find({.weights = unclear}), InputError);
+    EXPECT_THROW(find({.body = {.radius = 1}}), InputError);
+    EXPECT_THROW(find({.body = {.corners = Corners::cut}}), InputError);
+    EXPECT_THROW(find({.budget = -1}), InputError);
     EXPECT_NO_THROW(find({.crossings = 1000}));
 }
 

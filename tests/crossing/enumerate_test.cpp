@@ -86,7 +86,7 @@ TEST(Enumerate, TellsOfSetsBehindSqueezes) {
              ".......G ........ ......a. .....ea. ....aaa. ........ eee..... S.......",
          }) {
         const Map map = map_from_ascii(picture);
-        const CrossingCase problem{map, mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'), Body::point, 1};
+        const CrossingCase problem{map, mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'), point_body, 1};
         EXPECT_EQ(enumeration_fault(problem), "") << picture;
     }
 }

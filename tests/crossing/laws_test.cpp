@@ -28,7 +28,6 @@ CrossingCase plain_case(int most_side) {
     CrossingCase problem = *any_case(most_side);
     problem.removed.clear();
     problem.protect.clear();
-    problem.weights.clear();
     problem.budget = std::numeric_limits<double>::infinity();
     problem.least_cost.clear();
     return problem;
@@ -48,9 +47,9 @@ RC_GTEST_PROP(CrossingLaws, MoreCrossingsNeverCostMore, ()) {
 RC_GTEST_PROP(CrossingLaws, ASquareIsNeverFasterThanAPoint, ()) {
     CrossingCase problem = *any_case(40);
     CrossingOptions options = problem.options();
-    options.body = Body::square;
+    options.body = Body{};
     const double square = cost(problem.map, problem.start, problem.goal, options);
-    options.body = Body::point;
+    options.body = point_body;
     const double point = cost(problem.map, problem.start, problem.goal, options);
     RC_LOG() << problem << square << ' ' << point << '\n';
     RC_ASSERT(point <= square * (1 + 1e-12));
@@ -79,7 +78,7 @@ RC_GTEST_PROP(CrossingLaws, MirrorsChangeNoLength, ()) {
 
 RC_GTEST_PROP(CrossingLaws, APointsPathGrowsWithTheMap, ()) {
     CrossingCase problem = plain_case(14);
-    problem.body = Body::point;
+    problem.body = point_body;
     const double there = cost(problem.map, problem.start, problem.goal, problem.options());
     const auto large = [](Cell c) { return Cell{3 * c.x + 1, 3 * c.y + 1}; };
     const Map map = seen(problem.map, 3 * problem.map.width(), 3 * problem.map.height(), [](Cell c) {

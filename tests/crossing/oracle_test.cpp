@@ -23,20 +23,20 @@ double shortest(Body body, std::string_view picture, std::string_view gone = "")
 const double root2 = std::sqrt(2.0);
 
 TEST(CrossingOracle, GoesStraightWhereNothingStands) {
-    EXPECT_DOUBLE_EQ(shortest(Body::square, "S... .... ...G"), std::hypot(3, 2));
-    EXPECT_DOUBLE_EQ(shortest(Body::point, "S... .... ...G"), std::hypot(3, 2));
-    EXPECT_DOUBLE_EQ(shortest(Body::point, "S.a. ..a. ..aG", "a"), std::hypot(3, 2));
-    EXPECT_DOUBLE_EQ(shortest(Body::square, "S.a. ..a. ..aG", "a"), std::hypot(3, 2));
+    EXPECT_DOUBLE_EQ(shortest(Body{}, "S... .... ...G"), std::hypot(3, 2));
+    EXPECT_DOUBLE_EQ(shortest(point_body, "S... .... ...G"), std::hypot(3, 2));
+    EXPECT_DOUBLE_EQ(shortest(point_body, "S.a. ..a. ..aG", "a"), std::hypot(3, 2));
+    EXPECT_DOUBLE_EQ(shortest(Body{}, "S.a. ..a. ..aG", "a"), std::hypot(3, 2));
 }
 
 TEST(CrossingOracle, BendsAtCentresOrAtCorners) {
     const std::string_view picture = R"(
         S.a.G
         .....)";
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture), 2 + 2 * root2);                // (1, 1) and (3, 1)
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture), 1 + 2 * std::hypot(1.5, 0.5));  // (1.5, 0.5) and (2.5, 0.5)
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture, "a"), 4);
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture, "a"), 4);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture), 2 + 2 * root2);                     // (1, 1) and (3, 1)
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture), 1 + 2 * std::hypot(1.5, 0.5));  // (1.5, 0.5) and (2.5, 0.5)
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture, "a"), 4);
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture, "a"), 4);
 }
 
 TEST(CrossingOracle, TouchesTheSidesOfANarrowCorridor) {
@@ -44,30 +44,30 @@ TEST(CrossingOracle, TouchesTheSidesOfANarrowCorridor) {
         aaaaa
         S...G
         bbbbb)";
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture), 4);
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture), 4);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture), 4);
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture), 4);
 }
 
 TEST(CrossingOracle, SlipsBetweenDiagonalNeighboursOnlyAsAPoint) {
     const std::string_view picture = R"(
         S#
         #G)";
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture), root2);
-    EXPECT_EQ(shortest(Body::square, picture), CrossingOracle::nowhere);
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture), root2);
+    EXPECT_EQ(shortest(Body{}, picture), CrossingOracle::nowhere);
     const std::string_view ring = R"(
         ..a..
         .aSa.
         ..a.G)";
-    EXPECT_DOUBLE_EQ(shortest(Body::point, ring), root2 / 2 + std::hypot(1.5, 0.5));
-    EXPECT_EQ(shortest(Body::square, ring), CrossingOracle::nowhere);
+    EXPECT_DOUBLE_EQ(shortest(point_body, ring), root2 / 2 + std::hypot(1.5, 0.5));
+    EXPECT_EQ(shortest(Body{}, ring), CrossingOracle::nowhere);
 }
 
 TEST(CrossingOracle, CutsNoCornerAsASquare) {
     const std::string_view picture = R"(
         S#
         .G)";
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture), 2);
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture), root2);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture), 2);
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture), root2);
 }
 
 TEST(CrossingOracle, StaysOnTheMap) {
@@ -75,10 +75,10 @@ TEST(CrossingOracle, StaysOnTheMap) {
         .a.
         SaG
         .a.)";
-    EXPECT_EQ(shortest(Body::point, picture), CrossingOracle::nowhere);
-    EXPECT_EQ(shortest(Body::square, picture), CrossingOracle::nowhere);
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture, "a"), 2);
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture, "a"), 2);
+    EXPECT_EQ(shortest(point_body, picture), CrossingOracle::nowhere);
+    EXPECT_EQ(shortest(Body{}, picture), CrossingOracle::nowhere);
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture, "a"), 2);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture, "a"), 2);
 }
 
 // Both reach from edge to edge. Without a, the way leads along b; where both stand, their border is closed.
@@ -88,12 +88,12 @@ TEST(CrossingOracle, SlidesBetweenTwoObstaclesOnceOneIsGone) {
         ..aa..
         S.bb.G
         ..bb..)";
-    EXPECT_EQ(shortest(Body::point, picture), CrossingOracle::nowhere);
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture, "a"), 2 + 2 * std::hypot(1.5, 0.5));
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture, "b"), 5);
-    EXPECT_EQ(shortest(Body::square, picture), CrossingOracle::nowhere);
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture, "a"), 3 + 2 * root2);
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture, "b"), 5);
+    EXPECT_EQ(shortest(point_body, picture), CrossingOracle::nowhere);
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture, "a"), 2 + 2 * std::hypot(1.5, 0.5));
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture, "b"), 5);
+    EXPECT_EQ(shortest(Body{}, picture), CrossingOracle::nowhere);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture, "a"), 3 + 2 * root2);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture, "b"), 5);
 }
 
 TEST(CrossingOracle, CrossesAnObstacleTwiceForTheSamePrice) {
@@ -101,9 +101,9 @@ TEST(CrossingOracle, CrossesAnObstacleTwiceForTheSamePrice) {
         S.a.a.G
         ..aaa..
         ..aaa..)";
-    EXPECT_EQ(shortest(Body::square, picture), CrossingOracle::nowhere);
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture, "a"), 6);
-    EXPECT_DOUBLE_EQ(shortest(Body::point, picture, "a"), 6);
+    EXPECT_EQ(shortest(Body{}, picture), CrossingOracle::nowhere);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture, "a"), 6);
+    EXPECT_DOUBLE_EQ(shortest(point_body, picture, "a"), 6);
 }
 
 TEST(CrossingOracle, LeavesNestedRingsOneByOne) {
@@ -115,15 +115,15 @@ TEST(CrossingOracle, LeavesNestedRingsOneByOne) {
         a.bbb.a.
         a.....a.
         aaaaaaa.)";
-    EXPECT_EQ(shortest(Body::point, picture), CrossingOracle::nowhere);
-    EXPECT_EQ(shortest(Body::point, picture, "a"), CrossingOracle::nowhere);
-    EXPECT_EQ(shortest(Body::square, picture, "b"), CrossingOracle::nowhere);
-    EXPECT_DOUBLE_EQ(shortest(Body::square, picture, "ab"), 4);
+    EXPECT_EQ(shortest(point_body, picture), CrossingOracle::nowhere);
+    EXPECT_EQ(shortest(point_body, picture, "a"), CrossingOracle::nowhere);
+    EXPECT_EQ(shortest(Body{}, picture, "b"), CrossingOracle::nowhere);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, picture, "ab"), 4);
 }
 
 TEST(CrossingOracle, OpensNoEndInsideAnObstacle) {
     const Map map = map_from_ascii("aa..");
-    const CrossingOracle oracle(plain(map), Body::square, {0, 0}, {3, 0});
+    const CrossingOracle oracle(plain(map), Body{}, {0, 0}, {3, 0});
     EXPECT_EQ(oracle.shortest(0), CrossingOracle::nowhere);
     EXPECT_DOUBLE_EQ(oracle.shortest(2), 3);
 }

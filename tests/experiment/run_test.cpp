@@ -21,12 +21,11 @@ class RunExperiment : public SmallExperiment {
     template <class Before>
     static std::function<Evaluate()> evaluators(Before before) {
         return [before] {
-            return
-                [before, usual = std::make_shared<Evaluator>()](const Map& map, const ExperimentMission& mission,
-                                                                const Configuration& one, const std::stop_token& stop) {
-                    before(mission, one, stop);
-                    return usual->evaluate(map, mission, one, stop);
-                };
+            return [before, usual = std::make_shared<Evaluator>()](const Map& map, const ExperimentMission& mission,
+                                                                   const Configuration& one, const StopToken& stop) {
+                before(mission, one, stop);
+                return usual->evaluate(map, mission, one, stop);
+            };
         };
     }
 
@@ -79,15 +78,16 @@ TEST_F(RunExperiment, StoresWhatThePlannerSays) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             const Configuration& one = results.experiment().configurations[i];
             if (one.method != Method::paper && one.method != Method::exact) continue;
-            MissionOptions options = one.method == Method::paper ? paper_options(one.removals) : MissionOptions{};
-            options.removals = one.removals;
-            options.search.weight = one.weight;
-            const Plan plan = planner.plan(map, ground_and_air(mission.start, mission.goal), options);
+            Mission asked = ground_and_air(mission.start, mission.goal);
+            asked.rules.removals = one.removals;
+            waybreaker::Method how{.weight = one.weight};
+            if (one.method == Method::paper) follow_paper(asked.rules, how);
+            const Plan plan = planner.plan(map, asked, how);
             const Result& stored = row[i].value();
             EXPECT_EQ(stored.after.makespan, plan.after.makespan) << i;
             EXPECT_EQ(stored.before.flowtime, plan.before.flowtime) << i;
-            EXPECT_EQ(stored.after.expanded, plan.after.ground.expanded) << i;
-            EXPECT_EQ(stored.after.air, plan.after.air.length) << i;
+            EXPECT_EQ(stored.after.expanded, plan.after.ground().expanded) << i;
+            EXPECT_EQ(stored.after.air, plan.after.air().length.value()) << i;
             EXPECT_EQ(stored.bound, plan.bound) << i;
         }
     });
@@ -137,7 +137,7 @@ TEST_F(RunExperiment, IsTheSameForAnyNumberOfThreadsAndShards) {
 TEST_F(RunExperiment, GoesOnWhereItWasTold) {
     run_into("whole.db");
     std::atomic<int> left = 20;
-    std::stop_source stop;
+    StopSource stop;
     const auto count_down = [&](auto&...) {
         if (--left > 0) return;
         stop.request_stop();
@@ -180,7 +180,7 @@ TEST_F(RunExperiment, SurvivesBeingKilledAtAnyTime) {
 
 TEST_F(RunExperiment, RecordsWhatTakesTooLong) {
     experiment.time_limit = 0.2;
-    const auto dawdle = [](const ExperimentMission& mission, const Configuration& one, const std::stop_token& stop) {
+    const auto dawdle = [](const ExperimentMission& mission, const Configuration& one, const StopToken& stop) {
         if (mission.map != 1 || one.removals != 2) return;
         while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     };
@@ -191,7 +191,7 @@ TEST_F(RunExperiment, RecordsWhatTakesTooLong) {
 }
 
 TEST_F(RunExperiment, RecordsAJobThatTakesTheProgramDownTwice) {
-    const auto crash = [](const ExperimentMission& mission, const Configuration& one, const std::stop_token&) {
+    const auto crash = [](const ExperimentMission& mission, const Configuration& one, const StopToken&) {
         if (mission.start == Cell{6, 1} && one.method == Method::greedy && one.removals == 1) std::abort();
     };
     const auto attempt = [&] {

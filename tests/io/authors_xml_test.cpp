@@ -49,8 +49,8 @@ TEST(AuthorsXml, NeedsNothingButItsGrid) {
     EXPECT_EQ(plain.search.heuristic, std::nullopt);
     EXPECT_EQ(plain.search.weight, 1);
     EXPECT_EQ(plain.search.tie_break, TieBreak::g_max);
-    EXPECT_EQ(plain.search.motion.corners, Corners::none);
-    EXPECT_TRUE(plain.search.motion.diagonal);
+    EXPECT_EQ(plain.search.body.corners, Corners::none);
+    EXPECT_TRUE(plain.search.diagonal);
 }
 
 TEST(AuthorsXml, SaysHowToSearch) {
@@ -68,14 +68,14 @@ TEST(AuthorsXml, SaysHowToSearch) {
     EXPECT_EQ(search("<hweight>1.5</hweight>").weight, 1.5);
     EXPECT_EQ(search("<breakingties>g-min</breakingties>").tie_break, TieBreak::g_min);
     EXPECT_EQ(search("<breakingties>none</breakingties>").tie_break, TieBreak::g_max);
-    EXPECT_FALSE(search("<allowdiagonal>0</allowdiagonal>").motion.diagonal);
+    EXPECT_FALSE(search("<allowdiagonal>0</allowdiagonal>").diagonal);
 }
 
 TEST(AuthorsXml, CountsTheWiderPermissionOnlyWithTheNarrower) {
     const auto corners = [](const std::string& diagonal, const std::string& cut, const std::string& squeeze) {
         return search("<allowdiagonal>" + diagonal + "</allowdiagonal><cutcorners>" + cut +
                       "</cutcorners><allowsqueeze>" + squeeze + "</allowsqueeze>")
-            .motion.corners;
+            .body.corners;
     };
     EXPECT_EQ(corners("1", "0", "0"), Corners::none);
     EXPECT_EQ(corners("1", "0", "1"), Corners::none);

@@ -12,7 +12,7 @@
 #include "project_folder.hpp"
 #include "shared_data.hpp"
 #include "temporary_folder.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -83,7 +83,7 @@ TEST_F(WrittenMaps, KeepATask) {
                        .start = Cell{0, 0},
                        .goal = Cell{4, 0},
                        .search = {.planner = Planner::jps, .heuristic = Heuristic::octile, .weight = 1.25}};
-    map.task->search.motion.corners = Corners::cut;
+    map.task->search.body.corners = Corners::cut;
     map.task->search.tie_break = TieBreak::g_min;
     write(map, "y.xml");
     const XmlTask task = *read_map_file(path("y.xml")).task;
@@ -93,8 +93,8 @@ TEST_F(WrittenMaps, KeepATask) {
     EXPECT_EQ(task.search.heuristic, Heuristic::octile);
     EXPECT_EQ(task.search.weight, 1.25);
     EXPECT_EQ(task.search.tie_break, TieBreak::g_min);
-    EXPECT_EQ(task.search.motion.corners, Corners::cut);
-    EXPECT_TRUE(task.search.motion.diagonal);
+    EXPECT_EQ(task.search.body.corners, Corners::cut);
+    EXPECT_TRUE(task.search.diagonal);
 }
 
 TEST_F(WrittenMaps, SayWhatIsLost) {

@@ -30,14 +30,14 @@ MapFile map_file(Map map) {
 }
 
 void expect_same(const Outcome& written, const Outcome& read) {
-    RC_ASSERT(read.ground.length == written.ground.length);
-    RC_ASSERT(read.air.length == written.air.length);
+    RC_ASSERT(read.ground().length == written.ground().length);
+    RC_ASSERT(read.air().length == written.air().length);
     RC_ASSERT(read.makespan == written.makespan);
     RC_ASSERT(read.flowtime == written.flowtime);
     RC_ASSERT(read.ground_makespan == written.ground_makespan);
 }
 
-void expect_same(const Removal& written, const Removal& read) {
+void expect_same(const Breach& written, const Breach& read) {
     RC_ASSERT(read.obstacle == written.obstacle);
     RC_ASSERT(read.source_id == written.source_id);
     RC_ASSERT(read.cells == written.cells);
@@ -48,7 +48,7 @@ void expect_same(const Removal& written, const Removal& read) {
     RC_ASSERT(read.saves == written.saves);
 }
 
-void expect_same(const AgentPlan& written, const AgentPlan& read) {
+void expect_same(const Itinerary& written, const Itinerary& read) {
     RC_ASSERT(read.id == written.id);
     RC_ASSERT(read.kind == written.kind);
     RC_ASSERT(read.speed == written.speed);
@@ -57,10 +57,9 @@ void expect_same(const AgentPlan& written, const AgentPlan& read) {
     RC_ASSERT(read.path == written.path);
 }
 
-MissionOptions any_options(const Map& map) {
-    MissionOptions options;
+Rules any_rules(const Map& map) {
+    Rules options;
     options.removals = *number(0, 3);
-    options.search.motion.corners = any_corners();
     options.timing = *rc::gen::element(Timing::enforce, Timing::ignore);
     options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     options.breach_time = {*rc::gen::element(0.0, 1.5), *rc::gen::element(0.0, 0.25)};
@@ -69,45 +68,65 @@ MissionOptions any_options(const Map& map) {
         const bool stays = std::ranges::count(options.protect, obstacle.id) > 0;
         if (!stays && int(options.force.size()) < std::min(options.removals, 1)) options.force.push_back(obstacle.id);
     }
-    options.weights.assign(map.obstacles().size() + 1, 1.5);
     options.budget = *rc::gen::element(3.0, std::numeric_limits<double>::infinity());
     return options;
 }
 
 RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     const PlainMap plain = *random_map(20, 16);
-    const MapFile file = map_file(Map(plain.grid()));
+    const Map map(plain.grid());
+    const double weight = *rc::gen::element(1.0, 1.5);
+    const MapFile file = map_file(map.with_weights(std::vector<double>(map.obstacles().size() + 1, weight)));
     Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
     mission.agents[1].speed = 3;
-    const MissionOptions options = any_options(file.map);
-    Plan plan = MissionPlanner().plan(file.map, mission, options);
-    if (plan.after.makespan) plan.bound = *plan.after.makespan / 2;
-    for (Removal& removal : plan.removed) removal.saves = 0.1;
+    mission.agents[0].body.corners = any_corners();
+    mission.rules = any_rules(file.map);
+    const Method method{.select = *rc::gen::element(Selection::exact, Selection::hits),
+                        .weight = *rc::gen::element(1.0, 1.25),
+                        .tie_break = *rc::gen::element(TieBreak::g_max, TieBreak::g_min),
+                        .diagonal = *rc::gen::arbitrary<bool>(),
+                        .bound = *rc::gen::arbitrary<bool>()};
+    Plan plan = MissionPlanner().plan(file.map, mission, method);
+    for (Breach& breach : plan.breaches) breach.saves = 0.1;
     plan.next = {{.obstacle = {7}, .source_id = -7, .saves = 0.7}};
-    const PlanFile read = parse_plan(plan_json(plan, {file, mission, options, Connectivity::eight, true}), "plan.json");
+    const PlanFile read = parse_plan(plan_json(plan, {file, mission, method, Connectivity::eight, true}), "plan.json");
 
     RC_ASSERT(read.width == file.map.width() && read.height == file.map.height());
     RC_ASSERT(read.digest == file.digest);
     RC_ASSERT(read.connectivity == Connectivity::eight);
-    const CheckRules rules = rules_of(options, plan);
-    RC_ASSERT(read.rules.motion.corners == rules.motion.corners);
-    RC_ASSERT(read.rules.motion.radius == rules.motion.radius);
-    RC_ASSERT(read.rules.timing == rules.timing);
-    RC_ASSERT(read.rules.breach_time.per_obstacle == rules.breach_time.per_obstacle);
-    RC_ASSERT(read.rules.breach_time.per_cell == rules.breach_time.per_cell);
-    RC_ASSERT(read.rules.objective == rules.objective);
-    RC_ASSERT(read.rules.removals == rules.removals);
-    RC_ASSERT(read.rules.protect == rules.protect);
-    RC_ASSERT(read.rules.force == rules.force);
-    RC_ASSERT(read.rules.weights == rules.weights);
-    RC_ASSERT(read.rules.budget == rules.budget);
-    RC_ASSERT(read.rules.gap.has_value() == plan.bound.has_value());
+    const Rules& rules = read.mission.rules;
+    RC_ASSERT(rules.timing == mission.rules.timing);
+    RC_ASSERT(rules.breach_time.per_obstacle == mission.rules.breach_time.per_obstacle);
+    RC_ASSERT(rules.breach_time.per_cell == mission.rules.breach_time.per_cell);
+    RC_ASSERT(rules.objective == mission.rules.objective);
+    RC_ASSERT(rules.removals == mission.rules.removals);
+    RC_ASSERT(rules.protect == mission.rules.protect);
+    RC_ASSERT(rules.force == mission.rules.force);
+    RC_ASSERT(rules.budget == mission.rules.budget);
+    RC_ASSERT(read.mission.agents.size() == 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Agent& agent = read.mission.agents[i];
+        RC_ASSERT(agent.id == mission.agents[i].id && agent.kind == mission.agents[i].kind);
+        RC_ASSERT(agent.start == mission.agents[i].start && agent.goal == mission.agents[i].goal);
+        RC_ASSERT(agent.speed == mission.agents[i].speed && agent.body == mission.agents[i].body);
+    }
+    RC_ASSERT(read.method.select == method.select);
+    RC_ASSERT(read.method.flight == method.flight);
+    RC_ASSERT(read.method.planner == planner_of(method, mission.agents[0].body));
+    RC_ASSERT(read.method.weight == method.weight);
+    RC_ASSERT(read.method.tie_break == method.tie_break);
+    RC_ASSERT(read.method.diagonal == method.diagonal);
+    RC_ASSERT(read.method.bound == method.bound);
+    const bool weighed = weight != 1 || std::isfinite(rules.budget);
+    RC_ASSERT(read.weights.size() == (weighed ? plan.breaches.size() : 0));
+    for (const auto& [obstacle, stated] : read.weights) RC_ASSERT(stated == weight);
+    RC_ASSERT(read.plan.gap == plan.gap);
     RC_ASSERT(read.plan.status == plan.status);
     RC_ASSERT(read.plan.bound == plan.bound);
     expect_same(plan.before, read.plan.before);
     expect_same(plan.after, read.plan.after);
-    RC_ASSERT(read.plan.removed.size() == plan.removed.size());
-    for (std::size_t i = 0; i < plan.removed.size(); ++i) expect_same(plan.removed[i], read.plan.removed[i]);
+    RC_ASSERT(read.plan.breaches.size() == plan.breaches.size());
+    for (std::size_t i = 0; i < plan.breaches.size(); ++i) expect_same(plan.breaches[i], read.plan.breaches[i]);
     RC_ASSERT(read.plan.agents.size() == plan.agents.size());
     for (std::size_t i = 0; i < plan.agents.size(); ++i) expect_same(plan.agents[i], read.plan.agents[i]);
     RC_ASSERT(read.plan.next.size() == 1U);
@@ -156,20 +175,20 @@ std::string refusal(const std::string& bytes) {
 
 TEST(PlanFile, IsReadAndHolds) {
     const PlanFile file = parse_plan(small_plan, "p.json");
-    EXPECT_TRUE(check(map_from_ascii("..#."), file.plan, file.rules).empty());
+    EXPECT_TRUE(check(map_from_ascii("..#."), file.mission, file.plan).empty());
     EXPECT_EQ(file.plan.agents[0].goal, (Cell{3, 0})) << "where its path ends, as nothing else is said";
 }
 
 TEST(PlanFile, MaySayMore) {
     PlanFile file = parse_plan(with("/options/breach_time", 2), "p.json");
-    EXPECT_EQ(file.rules.breach_time.per_obstacle, 2);
-    EXPECT_EQ(parse_plan(with("/options/breach_time_per_cell", 0.5), "p.json").rules.breach_time.per_cell, 0.5);
-    EXPECT_EQ(parse_plan(with("/options/budget", 2.5), "p.json").rules.budget, 2.5);
-    EXPECT_EQ(parse_plan(with("/options/protect", {3, 4}), "p.json").rules.protect,
+    EXPECT_EQ(file.mission.rules.breach_time.per_obstacle, 2);
+    EXPECT_EQ(parse_plan(with("/options/breach_time_per_cell", 0.5), "p.json").mission.rules.breach_time.per_cell, 0.5);
+    EXPECT_EQ(parse_plan(with("/options/budget", 2.5), "p.json").mission.rules.budget, 2.5);
+    EXPECT_EQ(parse_plan(with("/options/protect", {3, 4}), "p.json").mission.rules.protect,
               (std::vector<ObstacleId>{{3}, {4}}));
-    EXPECT_EQ(parse_plan(with("/removed/0/weight", 7), "p.json").rules.weights, std::vector<double>{7});
-    EXPECT_EQ(parse_plan(with("/removed/0/saves", 7), "p.json").plan.removed[0].saves, 7);
-    EXPECT_EQ(parse_plan(with("/removed/0/source_id", INT64_MIN), "p.json").plan.removed[0].source_id, INT64_MIN);
+    EXPECT_EQ(parse_plan(with("/removed/0/weight", 7), "p.json").weights.at(0).weight, 7);
+    EXPECT_EQ(parse_plan(with("/removed/0/saves", 7), "p.json").plan.breaches[0].saves, 7);
+    EXPECT_EQ(parse_plan(with("/removed/0/source_id", INT64_MIN), "p.json").plan.breaches[0].source_id, INT64_MIN);
     EXPECT_EQ(parse_plan(with("/agents/0/goal", {2, 0}), "p.json").plan.agents[0].goal, (Cell{2, 0}));
     EXPECT_EQ(parse_plan(with("/agents/0/path/0", {1e300, -1e300, 0}), "p.json").plan.agents[0].start,
               (Cell{1000000000, -1000000000}));
@@ -180,10 +199,10 @@ TEST(PlanFile, MaySayMore) {
     EXPECT_EQ(file.plan.next[0].source_id, 5);
     EXPECT_EQ(file.plan.next[0].saves, 1.5);
     EXPECT_EQ(parse_plan(without("/bound"), "p.json").plan.bound, std::nullopt);
-    EXPECT_EQ(parse_plan(without("/options/removals"), "p.json").rules.removals, INT_MAX);
+    EXPECT_EQ(parse_plan(without("/options/removals"), "p.json").mission.rules.removals, INT_MAX);
     file = parse_plan(with("/bound", {{"makespan", 2.5}, {"gap", 0.2}}), "p.json");
     EXPECT_EQ(file.plan.bound, 2.5);
-    EXPECT_EQ(file.rules.gap, 0.2);
+    EXPECT_EQ(file.plan.gap, 0.2);
 }
 
 TEST(PlanFile, IsRefusedWithPlaceAndReason) {

@@ -13,7 +13,7 @@
 #include "project_folder.hpp"
 #include "shared_data.hpp"
 #include "temporary_folder.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -67,7 +67,7 @@ TEST_F(PlanGeojson, HasThePathsWhereTheCellsAre) {
     ASSERT_EQ(paths.size(), 2U);
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const OGRLineString& line = *paths[i]->GetGeometryRef()->toLineString();
-        const AgentPlan& agent = plan.agents[i];
+        const Itinerary& agent = plan.agents[i];
         EXPECT_EQ(paths[i]->GetFieldAsString("agent"), agent.id);
         ASSERT_EQ(std::size_t(line.getNumPoints()), agent.path.size());
         int times = 0;
@@ -87,12 +87,12 @@ TEST_F(PlanGeojson, HasThePathsWhereTheCellsAre) {
 TEST_F(PlanGeojson, HasBreachesAndRemovedObstacles) {
     const auto breaches = features("breach");
     const auto removed = features("removed");
-    ASSERT_EQ(plan.removed.size(), 3U);
+    ASSERT_EQ(plan.breaches.size(), 3U);
     ASSERT_EQ(breaches.size(), 3U);
     ASSERT_EQ(removed.size(), 3U);
-    EXPECT_EQ(map.name_of(plan.removed[2].obstacle), "Endoskopie");
+    EXPECT_EQ(map.name_of(plan.breaches[2].obstacle), "Endoskopie");
     for (std::size_t i = 0; i < removed.size(); ++i) {
-        const Removal& removal = plan.removed[i];
+        const Breach& removal = plan.breaches[i];
         expect_at(*breaches[i]->GetGeometryRef()->toPoint(), removal.at.x, removal.at.y);
         for (const auto* feature : {breaches[i].get(), removed[i].get()}) {
             EXPECT_EQ(feature->GetFieldAsInteger64("source_id"), removal.source_id);

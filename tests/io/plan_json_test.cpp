@@ -31,24 +31,27 @@ bool has_key(const Json& json, const std::string& name) {
 class PlanJson : public testing::Test {
   protected:
     PlanJson() {
+        mission.rules.removals = 1;
+        follow_paper(mission.rules, method);
+        plan.before.air().length = 0;
         plan.status = PlanStatus::solved;
-        plan.before.ground.length = 5.5;
-        plan.before.ground.expanded = 7;
-        plan.before.ground.generated = 9;
+        plan.before.ground().length = 5.5;
+        plan.before.ground().expanded = 7;
+        plan.before.ground().generated = 9;
         plan.before.makespan = 5.5;
         plan.before.flowtime = 8.5;
         plan.before.ground_makespan = 5.5;
-        plan.after.ground.length = 4.5;
-        plan.after.air.length = 3;
+        plan.after.ground().length = 4.5;
+        plan.after.air().length = 3;
         plan.after.makespan = 4.5;
         plan.after.flowtime = 7.5;
         plan.after.ground_makespan = 4.5;
-        plan.removed = {
+        plan.breaches = {
             {.obstacle = ObstacleId{1}, .cells = 2, .hits = 11, .at = {2, 0}, .cleared_at = 1.25, .entered_at = {}}};
         plan.agents = {{"ground", AgentKind::ground, 1, {{0, 0, 0}, {4, 1.5, 4.5}}, {0, 0}, {4, 2}},
                        {"air", AgentKind::air, 2, {{0, 0, 0}, {4, 2, 2.25}}, {0, 0}, {4, 2}}};
     }
-    std::string text() const { return plan_json(plan, {file, mission, options, Connectivity::eight, timing_fields}); }
+    std::string text() const { return plan_json(plan, {file, mission, method, Connectivity::eight, timing_fields}); }
     Json json() const { return Json::parse(text()); }
 
     Plan plan;
@@ -61,15 +64,15 @@ class PlanJson : public testing::Test {
                  .title = {},
                  .task = {}};
     Mission mission = ground_and_air({0, 0}, {4, 2});
-    MissionOptions options = paper_options(1);
+    Method method;
     bool timing_fields = true;
 };
 
 TEST_F(PlanJson, HasTheKeysOfTheContractInItsOrder) {
     plan.bound = 4.0;
     const Json plan_file = json();
-    EXPECT_EQ(keys(plan_file),
-              (Keys{"format", "status", "map", "options", "before", "after", "bound", "removed", "agents", "seconds"}));
+    EXPECT_EQ(keys(plan_file), (Keys{"format", "status", "map", "options", "mission", "before", "after", "bound",
+                                     "removed", "agents", "seconds"}));
     EXPECT_EQ(keys(plan_file["map"]), (Keys{"source", "width", "height", "cell_size", "digest"}));
     EXPECT_EQ(keys(plan_file["options"]),
               (Keys{"planner", "heuristic", "weight", "tie_break", "select", "flight", "timing", "objective",
@@ -113,13 +116,13 @@ TEST_F(PlanJson, NamesOptionsAsTheCommandLineDoes) {
         {Planner::theta, "theta"}, {Planner::lazy_theta, "lazy-theta"}, {Planner::astar, "astar"},
         {Planner::jps, "jps"},     {Planner::dijkstra, "dijkstra"},     {Planner::bfs, "bfs"}};
     for (const auto& [planner, name] : planners) {
-        options.search.planner = planner;
+        method.planner = planner;
         EXPECT_EQ(json()["options"]["planner"], name);
     }
     const std::vector<std::pair<Corners, std::string>> corner_rules{
         {Corners::none, "none"}, {Corners::cut, "cut"}, {Corners::squeeze, "squeeze"}};
     for (const auto& [corners, name] : corner_rules) {
-        options.search.motion.corners = corners;
+        mission.agents[0].body.corners = corners;
         EXPECT_EQ(json()["options"]["corners"], name);
     }
     const std::vector<std::pair<PlanStatus, std::string>> states{{PlanStatus::solved, "solved"},
@@ -130,16 +133,16 @@ TEST_F(PlanJson, NamesOptionsAsTheCommandLineDoes) {
         plan.status = status;
         EXPECT_EQ(json()["status"], name);
     }
-    options.flight = FlightRule::nearest;
+    method.flight = FlightRule::nearest;
     EXPECT_EQ(json()["options"]["flight"], "nearest");
 }
 
 TEST_F(PlanJson, HasNullForWhatIsNotThereOrNotFinite) {
-    plan.before.ground.length = std::nullopt;
+    plan.before.ground().length = std::nullopt;
     plan.before.makespan = std::numeric_limits<double>::infinity();
     plan.before.flowtime = std::numeric_limits<double>::quiet_NaN();
     plan.agents.clear();
-    plan.removed.clear();
+    plan.breaches.clear();
     const Json plan_file = json();
     EXPECT_TRUE(plan_file["before"]["ground"]["length"].is_null());
     EXPECT_TRUE(plan_file["before"]["makespan"].is_null());
@@ -150,17 +153,19 @@ TEST_F(PlanJson, HasNullForWhatIsNotThereOrNotFinite) {
 
 TEST_F(PlanJson, ProvesHowFarThePlanMayBeFromTheBest) {
     plan.bound = 4.0;
+    plan.gap = 0.125;
     EXPECT_EQ(json()["bound"].dump(), R"({"makespan":4.0,"gap":0.125})");
-    options.objective = Objective::flowtime;
+    mission.rules.objective = Objective::flowtime;
     plan.bound = 7.5;
+    plan.gap = 0;
     EXPECT_EQ(json()["bound"].dump(), R"({"flowtime":7.5,"gap":0.0})");
-    plan.after.flowtime = std::nullopt;
+    plan.gap = std::nullopt;
     EXPECT_EQ(json()["bound"].dump(), R"({"flowtime":7.5,"gap":null})");
 }
 
 TEST_F(PlanJson, NamesTheSourceOfARemovedObstacleWhereItIsKnown) {
-    plan.removed[0].source_id = -42;
-    plan.removed[0].entered_at = 2.5;
+    plan.breaches[0].source_id = -42;
+    plan.breaches[0].entered_at = 2.5;
     const Json removed = json()["removed"][0];
     EXPECT_EQ(removed["source_id"], -42);
     EXPECT_EQ(removed["entered_at"], 2.5);
@@ -182,15 +187,15 @@ TEST_F(PlanJson, HasTheNamesOfObstaclesThatHaveOne) {
 TEST_F(PlanJson, NamesWhatOnlySomeMissionsHave) {
     for (const char* key : {"protect", "budget"}) EXPECT_FALSE(has_key(json()["options"], key));
     EXPECT_FALSE(has_key(json(), "next"));
-    options.timing = Timing::enforce;
-    options.select = Selection::exact;
-    options.breach_time = {1.5, 0.25};
-    options.protect = {{1}, {2}};
-    options.budget = 4;
-    options.weights = {0, 2.5};
-    options.search.heuristic = Heuristic::octile;
-    options.search.tie_break = TieBreak::g_min;
-    plan.removed[0].saves = 3.5;
+    mission.rules.timing = Timing::enforce;
+    method.select = Selection::exact;
+    mission.rules.breach_time = {1.5, 0.25};
+    mission.rules.protect = {{1}, {2}};
+    mission.rules.budget = 4;
+    file.map = file.map.with_weights(std::vector<double>{0, 2.5});
+    method.heuristic = Heuristic::octile;
+    method.tie_break = TieBreak::g_min;
+    plan.breaches[0].saves = 3.5;
     plan.next = {{.obstacle = {2}, .source_id = 77, .saves = 0.5}};
     const Json written = json()["options"];
     EXPECT_EQ(written["timing"], "enforce");
@@ -220,6 +225,10 @@ TEST_F(PlanJson, IsWrittenForPeople) {
   "status": "solved",
   "map": {"source": "town.map", "width": 5, "height": 3, "cell_size": 1.0, "digest": "sha256:00"},
   "options": {"planner": "theta", "heuristic": "euclidean", "weight": 1.0, "tie_break": "g-max", "select": "hits", "flight": "optimal", "timing": "ignore", "objective": "makespan", "removals": 1, "breach_time": 0.0, "breach_time_per_cell": 0.0, "connectivity": 8, "corners": "none", "radius": 0.5},
+  "mission": {"format": "waybreaker-mission/1", "agents": [
+      {"id": "ground", "kind": "ground", "start": [0, 0], "goal": [4, 2], "speed": 1.0, "radius": 0.5, "corners": "none"},
+      {"id": "air", "kind": "air", "start": [0, 0], "goal": [4, 2], "speed": 1.0}
+    ], "rules": {"removals": 1, "protect": [], "force": [], "breach_time": 0.0, "breach_time_per_cell": 0.0, "timing": "ignore", "objective": "makespan"}, "method": {"select": "hits", "flight": "optimal", "planner": "theta", "weight": 1.0, "tie_break": "g-max", "moves": 8, "bound": false, "explain": false}},
   "before": {"ground": {"length": 5.5, "expanded": 7, "generated": 9}, "air": {"length": 0.0}, "makespan": 5.5, "flowtime": 8.5, "ground_makespan": 5.5},
   "after": {"ground": {"length": 4.5, "expanded": 0, "generated": 0}, "air": {"length": 3.0}, "makespan": 4.5, "flowtime": 7.5, "ground_makespan": 4.5},
   "bound": null,

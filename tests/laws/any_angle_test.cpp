@@ -16,7 +16,7 @@ namespace waybreaker {
 namespace {
 
 // Dijkstra over all pairs of free cells in sight of each other.
-double shortest_any_angle(const PlainMap& map, Cell start, Cell goal, const Motion& motion) {
+double shortest_any_angle(const PlainMap& map, Cell start, Cell goal, const Body& body) {
     std::vector<Cell> rest = map.free_cells();
     std::vector<double> length(map.obstacles.size(), std::numeric_limits<double>::infinity());
     length[map.index(start)] = 0;
@@ -29,8 +29,7 @@ double shortest_any_angle(const PlainMap& map, Cell start, Cell goal, const Moti
         if (cell == goal || here == std::numeric_limits<double>::infinity()) break;
         for (const Cell to : rest) {
             double& known = length[map.index(to)];
-            if (here + distance(cell, to) < known && slow::sees(map, cell, to, motion))
-                known = here + distance(cell, to);
+            if (here + distance(cell, to) < known && slow::sees(map, cell, to, body)) known = here + distance(cell, to);
         }
     }
     return length[map.index(goal)];
@@ -41,11 +40,11 @@ RC_GTEST_PROP(AnyAngle, PathsAreLegalAndNoShorterThanTheShortest, ()) {
     const Map map(plain.grid());
     const Cell start = any_free_cell(plain);
     const Cell goal = any_free_cell(plain);
-    const Motion motion{.corners = any_corners()};
-    const double shortest = shortest_any_angle(plain, start, goal, motion);
+    const Body body{.corners = any_corners()};
+    const double shortest = shortest_any_angle(plain, start, goal, body);
     for (const Planner planner : {Planner::theta, Planner::lazy_theta}) {
         for (const double weight : {1.0, 1.5}) {
-            const SearchOptions options{.planner = planner, .weight = weight, .motion = motion};
+            const SearchOptions options{.planner = planner, .weight = weight, .body = body};
             const SearchResult result = Searcher().find(OpenedMap(map), start, goal, options);
             const std::string fault = path_fault(plain, start, goal, options, result);
             if (!fault.empty()) RC_LOG() << fault << '\n';
@@ -62,7 +61,7 @@ RC_GTEST_PROP(AnyAngle, PathsOfWideAgentsAreLegal, ()) {
     const Cell start = any_free_cell(plain);
     const Cell goal = any_free_cell(plain);
     for (const Planner planner : {Planner::theta, Planner::lazy_theta}) {
-        const SearchOptions options{.planner = planner, .motion = {.radius = *rc::gen::element(0.501, 1.0, 1.7)}};
+        const SearchOptions options{.planner = planner, .body = {.radius = *rc::gen::element(0.501, 1.0, 1.7)}};
         const SearchResult result = Searcher().find(OpenedMap(map), start, goal, options);
         RC_ASSERT(path_fault(plain, start, goal, options, result).empty());
     }

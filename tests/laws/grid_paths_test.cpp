@@ -41,14 +41,14 @@ RC_GTEST_PROP(GridPaths, AreEquallyLongByAnyOptimalPlanner, ()) {
     // Wide maps for jumps across words of bits.
     const World world(*random_map(*rc::gen::element(24, 200), *rc::gen::element(3, 24)));
     const Corners corners = any_corners();
-    const SearchResult optimal = world.find({.planner = Planner::dijkstra, .motion = {.corners = corners}});
+    const SearchResult optimal = world.find({.planner = Planner::dijkstra, .body = {.corners = corners}});
     for (const Heuristic heuristic : {Heuristic::octile, Heuristic::euclidean, Heuristic::chebyshev, Heuristic::zero}) {
         for (const TieBreak tie_break : {TieBreak::g_max, TieBreak::g_min}) {
             for (const Planner planner : {Planner::astar, Planner::jps}) {
                 check_equally_long(optimal, world.find({.planner = planner,
                                                         .heuristic = heuristic,
                                                         .tie_break = tie_break,
-                                                        .motion = {.corners = corners}}));
+                                                        .body = {.corners = corners}}));
             }
         }
     }
@@ -56,23 +56,22 @@ RC_GTEST_PROP(GridPaths, AreEquallyLongByAnyOptimalPlanner, ()) {
 
 RC_GTEST_PROP(GridPaths, OfWideAgentsAreEquallyLong, ()) {
     const World world(*random_map(30, 24));
-    const Motion motion{.radius = *rc::gen::element(0.5, 0.501, 0.75, 1.2, 2.25)};
-    check_equally_long(world.find({.planner = Planner::dijkstra, .motion = motion}),
-                       world.find({.planner = Planner::astar, .motion = motion}));
+    const Body body{.radius = *rc::gen::element(0.5, 0.501, 0.75, 1.2, 2.25)};
+    check_equally_long(world.find({.planner = Planner::dijkstra, .body = body}),
+                       world.find({.planner = Planner::astar, .body = body}));
 }
 
 RC_GTEST_PROP(GridPaths, OfBfsAreShortestOnFourNeighbours, ()) {
     const World world(*random_map(24, 24));
-    const Motion motion{.diagonal = false};
-    const SearchResult by_moves = world.find({.planner = Planner::bfs, .motion = motion});
-    check_equally_long(by_moves, world.find({.planner = Planner::dijkstra, .motion = motion}));
-    check_equally_long(by_moves, world.find({.planner = Planner::astar, .motion = motion}));
+    const SearchResult by_moves = world.find({.planner = Planner::bfs, .diagonal = false});
+    check_equally_long(by_moves, world.find({.planner = Planner::dijkstra, .diagonal = false}));
+    check_equally_long(by_moves, world.find({.planner = Planner::astar, .diagonal = false}));
 }
 
 // On eight neighbours BFS takes the fewest moves: no more than a shortest path has.
 RC_GTEST_PROP(GridPaths, OfBfsTakeTheFewestMoves, ()) {
     const World world(*random_map(24, 24));
-    const Motion motion{.corners = any_corners()};
+    const Body body{.corners = any_corners()};
     const auto moves = [](const SearchResult& result) {
         int count = 0;
         for (std::size_t i = 1; i < result.path.size(); ++i) {
@@ -81,19 +80,19 @@ RC_GTEST_PROP(GridPaths, OfBfsTakeTheFewestMoves, ()) {
         }
         return count;
     };
-    const SearchResult fewest = world.find({.planner = Planner::bfs, .motion = motion});
-    const SearchResult shortest = world.find({.planner = Planner::dijkstra, .motion = motion});
+    const SearchResult fewest = world.find({.planner = Planner::bfs, .body = body});
+    const SearchResult shortest = world.find({.planner = Planner::dijkstra, .body = body});
     RC_ASSERT(moves(fewest) <= moves(shortest));
     RC_ASSERT(fewest.length >= shortest.length - 1e-9);
 }
 
 RC_GTEST_PROP(GridPaths, StayWithinTheHeuristicsWeight, ()) {
     const World world(*random_map(30, 30));
-    const Motion motion{.corners = any_corners()};
+    const Body body{.corners = any_corners()};
     const double weight = *rc::gen::element(1.1, 1.5, 2.0, 5.0);
-    const SearchResult optimal = world.find({.planner = Planner::dijkstra, .motion = motion});
+    const SearchResult optimal = world.find({.planner = Planner::dijkstra, .body = body});
     for (const Planner planner : {Planner::astar, Planner::jps}) {
-        const SearchResult greedy = world.find({.planner = planner, .weight = weight, .motion = motion});
+        const SearchResult greedy = world.find({.planner = planner, .weight = weight, .body = body});
         RC_ASSERT(greedy.status == optimal.status);
         RC_ASSERT(greedy.length <= weight * optimal.length + 1e-9);
         RC_ASSERT(greedy.length >= optimal.length - 1e-9);
@@ -105,8 +104,8 @@ RC_GTEST_PROP(GridPaths, ShortenWithFreedom, ()) {
     const PlainMap closed = *random_map(24, 24);
     const World world(closed);
     const Map map(closed.grid());
-    const auto length = [&world](const Motion& motion) {
-        const SearchResult result = world.find({.planner = Planner::astar, .motion = motion});
+    const auto length = [&world](const Body& body, bool diagonal = true) {
+        const SearchResult result = world.find({.planner = Planner::astar, .diagonal = diagonal, .body = body});
         return result.status == SearchStatus::found ? result.length : std::numeric_limits<double>::infinity();
     };
     const double none = length({});
@@ -114,7 +113,7 @@ RC_GTEST_PROP(GridPaths, ShortenWithFreedom, ()) {
     const double squeeze = length({.corners = Corners::squeeze});
     RC_ASSERT(squeeze <= cut + 1e-9);
     RC_ASSERT(cut <= none + 1e-9);
-    RC_ASSERT(none <= length({.diagonal = false}) + 1e-9);
+    RC_ASSERT(none <= length({}, false) + 1e-9);
     RC_ASSERT(none <= length({.radius = 0.9}) + 1e-9);
     // Removals too.
     if (closed.blocked(world.start) || closed.blocked(world.goal)) return;

@@ -15,7 +15,8 @@ RC_GTEST_PROP(Hits, ZeroMeansThatRemovalChangesNothing, ()) {
     const Cell start = any_free_cell(plain);
     const Cell goal = any_free_cell(plain);
     const SearchOptions options{.planner = *rc::gen::element(Planner::astar, Planner::dijkstra, Planner::bfs),
-                                .motion = any_motion(),
+                                .diagonal = mostly(),
+                                .body = any_body(),
                                 .count_hits = true};
     Searcher searcher;
     const SearchResult before = searcher.find(OpenedMap(map), start, goal, options);

@@ -11,16 +11,16 @@ namespace waybreaker {
 namespace {
 
 // All pairs of cells of the map, for one way of moving.
-void check_all_pairs(const PlainMap& plain, const Motion& motion) {
+void check_all_pairs(const PlainMap& plain, const Body& body) {
     const Map map(plain.grid());
     const OpenedMap opened(map);
     for (const Cell a : plain.cells()) {
-        const bool stands = slow::sees(plain, a, a, motion);
-        RC_ASSERT(fits(opened, a, motion) == stands);
-        RC_ASSERT(line_of_sight(opened, a, a, motion) == stands);
+        const bool stands = slow::sees(plain, a, a, body);
+        RC_ASSERT(fits(opened, a, body) == stands);
+        RC_ASSERT(line_of_sight(opened, a, a, body) == stands);
         for (const Cell b : plain.cells()) {
-            const bool sees = slow::sees(plain, a, b, motion);
-            const bool claimed = line_of_sight(opened, a, b, motion);
+            const bool sees = slow::sees(plain, a, b, body);
+            const bool claimed = line_of_sight(opened, a, b, body);
             if (sees != claimed) {
                 RC_LOG() << a.x << ',' << a.y << " to " << b.x << ',' << b.y << ": claimed " << claimed << '\n';
             }
@@ -59,13 +59,13 @@ RC_GTEST_PROP(LineOfSight, LooksAlongLongLines, ()) {
     const std::vector<ObstacleId> removed = some_obstacles(map, 6);
     const PlainMap open = plain(map, removed);
     const OpenedMap opened(map, removed);
-    const Motion motion{.corners = any_corners()};
+    const Body body{.corners = any_corners()};
     for (int i = 0; i < 40; ++i) {
         const Cell a = any_free_cell(open);
         const Cell b = any_free_cell(open);
-        const bool sees = slow::sees(open, a, b, motion);
-        RC_ASSERT(line_of_sight(opened, a, b, motion) == sees);
-        RC_ASSERT(line_of_sight(opened, b, a, motion) == sees);
+        const bool sees = slow::sees(open, a, b, body);
+        RC_ASSERT(line_of_sight(opened, a, b, body) == sees);
+        RC_ASSERT(line_of_sight(opened, b, a, body) == sees);
     }
 }
 
@@ -105,11 +105,11 @@ TEST(LineOfSight, TouchesButDoesNotCross) {
 }
 
 TEST(LineOfSight, RefusesImpossibleAgents) {
-    EXPECT_THROW(validate(Motion{.radius = 0.499}), InputError);
-    EXPECT_THROW(validate(Motion{.radius = 32.001}), InputError);
-    EXPECT_THROW(validate(Motion{.radius = std::nan("")}), InputError);
-    EXPECT_THROW(validate(Motion{.corners = Corners::cut, .radius = 1}), InputError);
-    EXPECT_NO_THROW(validate(Motion{.radius = 32}));
+    EXPECT_THROW(validate(Body{.radius = 0.499}), InputError);
+    EXPECT_THROW(validate(Body{.radius = 32.001}), InputError);
+    EXPECT_THROW(validate(Body{.radius = std::nan("")}), InputError);
+    EXPECT_THROW(validate(Body{.radius = 1, .corners = Corners::cut}), InputError);
+    EXPECT_NO_THROW(validate(Body{.radius = 32}));
 }
 
 }  // namespace

@@ -112,5 +112,18 @@ TEST(Map, RefusesWeightsAndTimesOutOfRange) {
     }
 }
 
+TEST(Map, CanWeighObstaclesAnew) {
+    const Map map = map_from_ascii("a.b.c");
+    const Map heavy = map.with_weights(std::vector<double>{0, 2, 0.5, 1});
+    EXPECT_EQ(heavy.obstacle({1}).weight, 2);
+    EXPECT_EQ(heavy.obstacle({2}).weight, 0.5);
+    EXPECT_EQ(map.obstacle({1}).weight, 1) << "the map it was made from stays as it is";
+    EXPECT_EQ(heavy.identity(), map.identity()) << "the same cells";
+    for (const std::vector<double>& wrong :
+         {std::vector<double>{}, {0}, {0, 1, 1}, {0, 1, 1, 0}, {0, 1, 1, 1e13}, {0, 1, std::nan(""), 1}}) {
+        EXPECT_THROW(map.with_weights(wrong), InputError);
+    }
+}
+
 }  // namespace
 }  // namespace waybreaker

@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "random_map.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
@@ -14,12 +14,12 @@ RC_GTEST_PROP(Batch, GivesWhatEachMissionGivesAlone, ()) {
     std::vector<Mission> missions;
     for (int i = *number(0, 12); i > 0; --i) {
         missions.push_back(ground_and_air(any_free_cell(plain_map), any_free_cell(plain_map)));
+        missions.back().rules.removals = *number(0, 3);
     }
-    const MissionOptions options{.removals = *number(0, 3)};
-    const std::vector<BatchPlan> results = plan_all(map, missions, options, unsigned(*number(1, 4)));
+    const std::vector<BatchPlan> results = plan_all(map, missions, {}, {}, unsigned(*number(1, 4)));
     RC_ASSERT(results.size() == missions.size());
     for (std::size_t i = 0; i < missions.size(); ++i) {
-        const Plan alone = MissionPlanner().plan(map, missions[i], options);
+        const Plan alone = MissionPlanner().plan(map, missions[i]);
         RC_ASSERT(results[i].plan.has_value());
         const Plan& plan = *results[i].plan;
         RC_ASSERT(plan.status == alone.status);

@@ -9,7 +9,8 @@
 #include "checked_plan.hpp"
 #include "random_map.hpp"
 #include "waybreaker/crossing.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
+#include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
 namespace {
@@ -19,30 +20,32 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct World {
     Map map;
     Mission mission;
-    MissionOptions options;
+    Method method;
+    Limits limits;
 };
 
 World any_world() {
     PlainMap plain = *random_map(12, 12);
     while (Map(plain.grid()).obstacles().size() > 8) plain = *random_map(12, 12);
-    World world{Map(plain.grid()), ground_and_air(any_free_cell(plain), any_free_cell(plain)), {}};
-    world.options.removals = *number(0, 3);
-    world.options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
+    World world{Map(plain.grid()), ground_and_air(any_free_cell(plain), any_free_cell(plain)), {}, {}};
+    world.mission.rules.removals = *number(0, 3);
+    world.mission.rules.objective =
+        *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     if (*rc::gen::arbitrary<bool>()) {
         world.mission.agents[1].start = any_cell(plain);
         world.mission.agents[1].goal = any_cell(plain);
         world.mission.agents[1].speed = *rc::gen::element(0.5, 1.0, 2.0);
-        world.options.breach_time = {*rc::gen::element(0.0, 3.0), *rc::gen::element(0.0, 0.25)};
+        world.mission.rules.breach_time = {*rc::gen::element(0.0, 3.0), *rc::gen::element(0.0, 0.25)};
     }
     for (const Obstacle& obstacle : world.map.obstacles()) {
-        if (int(world.options.force.size()) == world.options.removals) break;
-        if (*number(0, 7) == 0) world.options.force.push_back(obstacle.id);
+        if (int(world.mission.rules.force.size()) == world.mission.rules.removals) break;
+        if (*number(0, 7) == 0) world.mission.rules.force.push_back(obstacle.id);
     }
     return world;
 }
 
 double objective(const World& world, const Plan& plan) {
-    return value(plan.after, world.options.objective).value_or(infinity);
+    return value(plan.after, world.mission.rules.objective).value_or(infinity);
 }
 
 // The shortest ground path with exactly these obstacles gone, and the best flight for it.
@@ -52,17 +55,15 @@ double cost_of(const World& world, const std::vector<ObstacleId>& removed) {
     const CrossingResult path = CrossingSearcher().find(world.map, driver.start, driver.goal, {.removed = removed});
     if (path.status != SearchStatus::found) return infinity;
     const Schedule schedule = best_schedule(world.map, {.ground_path = path.best.path,
-                                                        .air_start = flyer.start,
-                                                        .air_goal = flyer.goal,
-                                                        .air_speed = flyer.speed,
-                                                        .removed = removed,
-                                                        .breach_time = world.options.breach_time,
-                                                        .objective = world.options.objective});
-    if (world.options.objective == Objective::ground_makespan) return schedule.ground.back().t;
-    return world.options.objective == Objective::makespan ? schedule.makespan : schedule.flowtime;
+                                                        .driver = driver,
+                                                        .flyer = flyer,
+                                                        .rules = world.mission.rules,
+                                                        .removed = removed});
+    if (world.mission.rules.objective == Objective::ground_makespan) return schedule.ground.back().t;
+    return world.mission.rules.objective == Objective::makespan ? schedule.makespan : schedule.flowtime;
 }
 
-// The least cost over all sets of at most options.removals obstacles that hold those of options.force.
+// The least cost over all sets of at most rules.removals obstacles that hold those of rules.force.
 double least_cost(const World& world) {
     double least = infinity;
     const std::size_t count = world.map.obstacles().size();
@@ -71,23 +72,23 @@ double least_cost(const World& world) {
         for (std::uint32_t i = 0; i < count; ++i) {
             if ((set >> i) & 1U) removed.push_back(ObstacleId{i + 1});
         }
-        if (!std::ranges::includes(removed, world.options.force)) continue;
-        if (int(removed.size()) <= world.options.removals) least = std::min(least, cost_of(world, removed));
+        if (!std::ranges::includes(removed, world.mission.rules.force)) continue;
+        if (int(removed.size()) <= world.mission.rules.removals) least = std::min(least, cost_of(world, removed));
     }
     return least;
 }
 
 RC_GTEST_PROP(ExactChoice, IsAsGoodAsEverySetAndItsBoundHoldsForAll, ()) {
     const World world = any_world();
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
-    RC_ASSERT(plan_faults(world.map, world.mission, world.options, plan) == "");
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    RC_ASSERT(plan_faults(world.map, world.mission, plan) == "");
     const double least = least_cost(world);
     RC_ASSERT((plan.status == PlanStatus::solved) == (least < infinity));
     if (plan.status != PlanStatus::solved) return;
     RC_ASSERT(plan.bound.has_value());
     RC_ASSERT(*plan.bound <= least * (1 + 1e-9));
     // Of equally short ground paths one may enter an obstacle later and wait less than the other.
-    const double waits = *plan.after.makespan - *plan.after.ground.length / world.mission.agents[0].speed;
+    const double waits = *plan.after.makespan - *plan.after.ground().length / world.mission.agents[0].speed;
     RC_ASSERT(objective(world, plan) <= least + std::max(waits, 0.0) + 1);
 }
 
@@ -95,29 +96,29 @@ RC_GTEST_PROP(ExactChoice, IsAsGoodAsEverySetAndItsBoundHoldsForAll, ()) {
 RC_GTEST_PROP(ExactChoice, EndsWithTheShortestCrossingPath, ()) {
     World world = any_world();
     world.mission.agents[1] = {"air", AgentKind::air, world.mission.agents[0].start, world.mission.agents[0].goal, 1};
-    world.options.breach_time = {};
-    world.options.objective = Objective::makespan;
-    world.options.force = {};
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    world.mission.rules.breach_time = {};
+    world.mission.rules.objective = Objective::makespan;
+    world.mission.rules.force = {};
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
     const Agent& driver = world.mission.agents[0];
     const CrossingResult path =
-        CrossingSearcher().find(world.map, driver.start, driver.goal, {.crossings = world.options.removals});
+        CrossingSearcher().find(world.map, driver.start, driver.goal, {.crossings = world.mission.rules.removals});
     RC_ASSERT((plan.status == PlanStatus::solved) == (path.status == SearchStatus::found));
     if (plan.status != PlanStatus::solved) return;
     RC_ASSERT(*plan.after.makespan >= path.best.length * (1 - 1e-9));
-    RC_ASSERT(*plan.after.makespan <= path.best.length + 1.5 * world.options.removals);
+    RC_ASSERT(*plan.after.makespan <= path.best.length + 1.5 * world.mission.rules.removals);
 }
 
 RC_GTEST_PROP(ExactChoice, MoreRemovalsNeverCostMoreAndTheFrontSaysSo, ()) {
     World world = any_world();
-    const std::vector<Plan> front = MissionPlanner().front(world.map, world.mission, world.options);
+    const std::vector<Plan> front = MissionPlanner().front(world.map, world.mission, world.method, world.limits);
     RC_ASSERT(!front.empty());
     for (std::size_t n = 1; n < front.size(); ++n) {
         RC_ASSERT(objective(world, front[n]) <= objective(world, front[n - 1]) * (1 + 1e-9));
     }
     const double reached = objective(world, front.back());
-    world.options.removals = int(front.size() + world.options.force.size()) - 1;
-    RC_ASSERT(objective(world, MissionPlanner().plan(world.map, world.mission, world.options)) == reached);
+    world.mission.rules.removals = int(front.size() + world.mission.rules.force.size()) - 1;
+    RC_ASSERT(objective(world, MissionPlanner().plan(world.map, world.mission, world.method, world.limits)) == reached);
 }
 
 TEST(ExactChoice, FrontGoesOnWhereOnlyManyRemovalsGainTogether) {
@@ -125,31 +126,31 @@ TEST(ExactChoice, FrontGoesOnWhereOnlyManyRemovalsGainTogether) {
         ....a.b.c.d....
         .wwwwwwwwwwwww.
         ...............)");
-    const Mission mission = ground_and_air({0, 0}, {14, 0});
-    MissionOptions options{.removals = 32, .protect = {map.obstacle_at({1, 1})}};
-    const std::vector<Plan> front = MissionPlanner().front(map, mission, options);
+    Mission mission = ground_and_air({0, 0}, {14, 0});
+    mission.rules = {.removals = 32, .protect = {map.obstacle_at({1, 1})}};
+    const std::vector<Plan> front = MissionPlanner().front(map, mission);
     ASSERT_EQ(front.size(), 5U);
     EXPECT_GT(*front[3].after.makespan, 16);
     EXPECT_NEAR(*front[4].after.makespan, 14, 1e-9);
-    options.removals = 3;
-    EXPECT_EQ(MissionPlanner().front(map, mission, options).size(), 1U) << "three gain nothing";
-    options.removals = 4;
-    EXPECT_EQ(MissionPlanner().front(map, mission, options).size(), 5U);
+    mission.rules.removals = 3;
+    EXPECT_EQ(MissionPlanner().front(map, mission).size(), 1U) << "three gain nothing";
+    mission.rules.removals = 4;
+    EXPECT_EQ(MissionPlanner().front(map, mission).size(), 5U);
 }
 
 RC_GTEST_PROP(ExactChoice, ExplainsWhatEachRemovalSaves, ()) {
     World world = any_world();
-    world.options.explain = true;
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    world.method.explain = true;
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
     if (plan.status != PlanStatus::solved) return;
-    for (const Removal& removal : plan.removed) {
+    for (const Breach& removal : plan.breaches) {
         World without = world;
-        without.options.explain = false;
-        without.options.protect.push_back(removal.obstacle);
-        std::erase(without.options.force, removal.obstacle);
-        const double cost = objective(without, MissionPlanner().plan(world.map, world.mission, without.options));
+        without.method.explain = false;
+        without.mission.rules.protect.push_back(removal.obstacle);
+        std::erase(without.mission.rules.force, removal.obstacle);
+        const double cost = objective(without, MissionPlanner().plan(world.map, without.mission, without.method));
         RC_ASSERT(removal.saves.has_value());
-        const bool forced = std::ranges::count(world.options.force, removal.obstacle) > 0;
+        const bool forced = std::ranges::count(world.mission.rules.force, removal.obstacle) > 0;
         RC_ASSERT(forced || *removal.saves >= -1e-9);
         RC_ASSERT(cost == infinity || std::abs(cost - objective(world, plan) - *removal.saves) < 1e-6);
     }
@@ -157,10 +158,10 @@ RC_GTEST_PROP(ExactChoice, ExplainsWhatEachRemovalSaves, ()) {
 
 RC_GTEST_PROP(ExactChoice, TellsWhatItKnowsAsItLearnsIt, ()) {
     World world = any_world();
-    world.options.explain = *rc::gen::arbitrary<bool>();  // which plans more, and says nothing of it
+    world.method.explain = *rc::gen::arbitrary<bool>();  // which plans more, and says nothing of it
     std::vector<Progress> told;
-    world.options.progress = [&told](const Progress& progress) { told.push_back(progress); };
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    world.limits.progress = [&told](const Progress& progress) { told.push_back(progress); };
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
     RC_ASSERT(!told.empty());
     for (std::size_t i = 1; i < told.size(); ++i) {
         RC_ASSERT(told[i].best <= told[i - 1].best);
@@ -174,26 +175,26 @@ RC_GTEST_PROP(ExactChoice, TellsWhatItKnowsAsItLearnsIt, ()) {
 RC_GTEST_PROP(ExactChoice, HoldsWhatItProvedWhenStopped, ()) {
     World world = any_world();
     if (*number(0, 3) == 0) {
-        world.options.time_limit = 1e-9;
+        world.limits.seconds = 1e-9;
     } else {
-        world.options.search.expansion_limit = std::uint64_t(*number(1, 30));
+        world.limits.expansions = std::uint64_t(*number(1, 30));
     }
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
     if (plan.status != PlanStatus::solved) return;
-    RC_ASSERT(plan_faults(world.map, world.mission, world.options, plan) == "");
+    RC_ASSERT(plan_faults(world.map, world.mission, plan) == "");
     RC_ASSERT(plan.bound.has_value());
     RC_ASSERT(*plan.bound <= least_cost(world) * (1 + 1e-9));
     RC_ASSERT(*plan.bound <= objective(world, plan) * (1 + 1e-9));
-    const Plan again = MissionPlanner().plan(world.map, world.mission, world.options);
+    const Plan again = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
     RC_ASSERT(again.bound == plan.bound);
     for (std::size_t i = 0; i < plan.agents.size(); ++i) RC_ASSERT(again.agents[i].path == plan.agents[i].path);
 }
 
 RC_GTEST_PROP(ExactChoice, SaysSoWhenALimitCostsTime, ()) {
     World world = any_world();
-    const Plan whole = MissionPlanner().plan(world.map, world.mission, world.options);
-    world.options.search.expansion_limit = std::uint64_t(*number(1, 30));
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    const Plan whole = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    world.limits.expansions = std::uint64_t(*number(1, 30));
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
     if (plan.status != whole.status) RC_ASSERT(plan.limit_reached);
     if (plan.status != PlanStatus::solved) return;
     RC_TAG(plan.limit_reached);
@@ -206,9 +207,9 @@ RC_GTEST_PROP(ExactChoice, SaysSoWhenALimitCostsTime, ()) {
 RC_GTEST_PROP(ExactChoice, ProvesNoLessWhenItMayExpandMore, ()) {
     World world = any_world();
     double before = 0;
-    for (world.options.search.expansion_limit = 1; world.options.search.expansion_limit < 60;
-         world.options.search.expansion_limit += std::uint64_t(*number(1, 9))) {
-        const Plan plan = MissionPlanner().plan(world.map, world.mission, world.options);
+    for (world.limits.expansions = 1; world.limits.expansions < 60;
+         world.limits.expansions += std::uint64_t(*number(1, 9))) {
+        const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
         if (!plan.before.makespan || plan.status != PlanStatus::solved) continue;
         RC_ASSERT(*plan.bound >= before * (1 - 1e-9));
         before = *plan.bound;
@@ -220,12 +221,12 @@ TEST(ExactChoice, OpensWhatIsMostInTheWayWhenOutOfTime) {
         ..a....
         ..a.b..
         ..a....)");
-    const Mission mission = ground_and_air({0, 1}, {6, 1});
-    const MissionOptions options{.removals = 1, .time_limit = 1e-9};
-    const Plan plan = MissionPlanner().plan(map, mission, options);
-    EXPECT_TRUE(is_valid(map, mission, options, plan));
-    ASSERT_EQ(plan.removed.size(), 1U);
-    EXPECT_EQ(plan.removed[0].obstacle, map.obstacle_at({2, 0}));
+    Mission mission = ground_and_air({0, 1}, {6, 1});
+    mission.rules.removals = 1;
+    const Plan plan = MissionPlanner().plan(map, mission, {}, {.seconds = 1e-9});
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    ASSERT_EQ(plan.breaches.size(), 1U);
+    EXPECT_EQ(plan.breaches[0].obstacle, map.obstacle_at({2, 0}));
     EXPECT_DOUBLE_EQ(plan.bound.value(), 6);  // the straight line
 }
 

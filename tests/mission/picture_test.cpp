@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ascii_map.hpp"
-#include "waybreaker/mission.hpp"
+#include "paper_plan.hpp"
 
 namespace waybreaker {
 namespace {
@@ -21,13 +21,13 @@ std::string drawn(const Map& map, const Plan& plan) {
     for (Cell c; c.y < map.height(); ++c.y) {
         for (c.x = 0; c.x < map.width(); ++c.x) {
             if (map.obstacle_at(c)) at(c) = '#';
-            for (const Removal& removal : plan.removed) at(c) = removal.obstacle == map.obstacle_at(c) ? 'x' : at(c);
+            for (const Breach& removal : plan.breaches) at(c) = removal.obstacle == map.obstacle_at(c) ? 'x' : at(c);
         }
     }
-    for (const Point p : plan.after.ground.path) at({int(p.x), int(p.y)}) = '+';
-    for (const Removal& removal : plan.removed) at(removal.at) = 'o';
-    at(plan.after.air.path.front()) = 'S';
-    at(plan.after.air.path.back()) = 'G';
+    for (const Point p : plan.after.ground().path) at({int(p.x), int(p.y)}) = '+';
+    for (const Breach& removal : plan.breaches) at(removal.at) = 'o';
+    at(plan.agents[1].start) = 'S';
+    at(plan.agents[1].goal) = 'G';
     return joined(rows);
 }
 
@@ -35,7 +35,7 @@ std::string drawn(const Map& map, const Plan& plan) {
 std::string planned(std::string_view picture, int removals) {
     const Map map = map_from_ascii(picture);
     const Mission mission = ground_and_air(mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'));
-    return drawn(map, MissionPlanner().plan(map, mission, paper_options(removals)));
+    return drawn(map, paper_plan(map, mission, removals));
 }
 
 std::string expected(std::string_view picture) {

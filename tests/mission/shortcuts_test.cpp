@@ -34,10 +34,15 @@ constexpr std::string_view two_walls = R"(
     ...a..........
     ..............)";
 
-std::vector<ObstacleId> chosen(std::string_view picture, const MissionOptions& options) {
-    const Map map = map_from_ascii(picture);
-    const Mission mission = ground_and_air(mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'));
-    const Task task = task_of(map, mission, options);
+// Each obstacle weighs 3.
+std::vector<ObstacleId> chosen(std::string_view picture, const Rules& rules) {
+    const Map light = map_from_ascii(picture);
+    const Map map = light.with_weights(std::vector<double>(light.obstacles().size() + 1, 3));
+    Mission mission = ground_and_air(mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'));
+    mission.rules = rules;
+    const Method method;
+    const Limits limits;
+    const Task task = task_of(map, mission, method, limits);
     return chosen_by_shortcuts(task, shortest(map, task.driver.start, task.driver.goal));
 }
 
@@ -61,19 +66,21 @@ TEST(Shortcuts, TakeAllThatStandsInTheWay) {
 
 TEST(Shortcuts, LeaveWhatIsProtectedOrTooHeavy) {
     EXPECT_TRUE(chosen(two_walls, {.removals = 2, .protect = {{1}, {2}}}).empty());
-    EXPECT_EQ(chosen(two_walls, {.removals = 2, .weights = {0, 3, 3}, .budget = 5}).size(), 1U);
-    EXPECT_EQ(chosen(two_walls, {.removals = 2, .weights = {0, 3, 3}, .budget = 6}).size(), 2U);
+    EXPECT_EQ(chosen(two_walls, {.removals = 2, .budget = 5}).size(), 1U);
+    EXPECT_EQ(chosen(two_walls, {.removals = 2, .budget = 6}).size(), 2U);
 }
 
 RC_GTEST_PROP(Shortcuts, OpenAShorterPath, ()) {
     const PlainMap plain = *random_map(20, 20);
     const Map map(plain.grid());
-    const Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
-    const MissionOptions options{.removals = *number(0, 3)};
-    const Task task = task_of(map, mission, options);
+    Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
+    mission.rules.removals = *number(0, 3);
+    const Method method;
+    const Limits limits;
+    const Task task = task_of(map, mission, method, limits);
     const std::vector<Point> closed = shortest(map, task.driver.start, task.driver.goal);
     const std::vector<ObstacleId> removed = chosen_by_shortcuts(task, closed);
-    RC_ASSERT(int(removed.size()) <= options.removals);
+    RC_ASSERT(int(removed.size()) <= mission.rules.removals);
     if (removed.empty()) return;
     RC_ASSERT(std::adjacent_find(removed.begin(), removed.end()) == removed.end());
     RC_ASSERT(length(shortest(map, task.driver.start, task.driver.goal, removed)) < length(closed));

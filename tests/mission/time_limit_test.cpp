@@ -8,7 +8,7 @@
 
 #include "core/stopwatch.hpp"
 #include "waybreaker/check.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
@@ -27,26 +27,27 @@ Map scattered(int side, int percent) {
     return Map(std::move(grid));
 }
 
-Mission across(const Map& map) {
-    return ground_and_air({0, 0}, {map.width() - 1, map.height() - 1});
+Mission across(const Map& map, int removals, Objective objective = Objective::makespan) {
+    Mission mission = ground_and_air({0, 0}, {map.width() - 1, map.height() - 1});
+    mission.rules.removals = removals;
+    mission.rules.objective = objective;
+    return mission;
 }
 
-MissionOptions everything(Objective objective) {
-    return {.removals = 5, .objective = objective, .bound = true, .explain = true, .time_limit = limit};
-}
+constexpr Method everything{.bound = true, .explain = true};
 
 class WholeCall : public testing::TestWithParam<Objective> {};
 
 TEST_P(WholeCall, EndsInTimeWithAPlanAndWhatIsProven) {
     const Map map = scattered(300, 30);
-    const MissionOptions options = everything(GetParam());
+    const Mission mission = across(map, 5, GetParam());
     const Stopwatch watch;
-    const Plan plan = MissionPlanner().plan(map, across(map), options);
+    const Plan plan = MissionPlanner().plan(map, mission, everything, {.seconds = limit});
     EXPECT_LT(watch.seconds(), far_too_long);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(plan.limit_reached);
-    EXPECT_LE(plan.bound.value(), value(plan.after, options.objective).value());
-    EXPECT_TRUE(check(map, plan, {.objective = options.objective, .removals = options.removals}).empty());
+    EXPECT_LE(plan.bound.value(), value(plan.after, GetParam()).value());
+    EXPECT_TRUE(check(map, mission, plan).empty());
 }
 
 std::string name_of(const testing::TestParamInfo<Objective>& objective) {
@@ -61,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Objectives, WholeCall,
 TEST(TimeLimit, HoldsForTheFront) {
     const Map map = scattered(300, 30);
     const Stopwatch watch;
-    const std::vector<Plan> front = MissionPlanner().front(map, across(map), everything(Objective::makespan));
+    const std::vector<Plan> front = MissionPlanner().front(map, across(map, 5), everything, {.seconds = limit});
     EXPECT_LT(watch.seconds(), far_too_long);
     ASSERT_FALSE(front.empty());
     EXPECT_TRUE(front.back().limit_reached);
@@ -69,11 +70,10 @@ TEST(TimeLimit, HoldsForTheFront) {
 
 TEST(TimeLimit, HoldsForSchedulesOfManyRemovals) {
     const Map map = scattered(12, 45);
-    MissionOptions options = everything(Objective::makespan);
-    options.removals = 50;
-    options.breach_time.per_obstacle = 1;
+    Mission mission = across(map, 50);
+    mission.rules.breach_time.per_obstacle = 1;
     const Stopwatch watch;
-    MissionPlanner().plan(map, across(map), options);
+    MissionPlanner().plan(map, mission, everything, {.seconds = limit});
     EXPECT_LT(watch.seconds(), far_too_long);
 }
 
@@ -83,16 +83,17 @@ TEST(TimeLimit, HoldsForAPointThatPassesBetweenCorners) {
         for (c.x = (c.y + 1) % 2; c.x < 800; c.x += 2) grid.set_blocked(c, true);
     }
     const Map checkerboard(std::move(grid));
-    MissionOptions options = everything(Objective::makespan);
-    options.search.motion.radius = 0;
+    Mission mission = ground_and_air({0, 0}, {798, 400});
+    mission.rules.removals = 5;
+    mission.agents[0].body = point_body;
     const Stopwatch watch;
-    MissionPlanner().plan(checkerboard, ground_and_air({0, 0}, {798, 400}), options);
+    MissionPlanner().plan(checkerboard, mission, everything, {.seconds = limit});
     EXPECT_LT(watch.seconds(), far_too_long);
 }
 
 TEST(TimeLimit, IsNotReachedWhereThereIsTime) {
     const Map map = scattered(30, 10);
-    EXPECT_FALSE(MissionPlanner().plan(map, across(map), {.removals = 1}).limit_reached);
+    EXPECT_FALSE(MissionPlanner().plan(map, across(map, 1)).limit_reached);
 }
 
 }  // namespace

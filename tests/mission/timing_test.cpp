@@ -7,7 +7,7 @@
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
@@ -15,32 +15,34 @@ namespace {
 struct World {
     Map map;
     Mission mission;
-    MissionOptions options;
+    Method method;
+    Limits limits;
 
     Plan plan() const {
-        const Plan plan = MissionPlanner().plan(map, mission, options);
-        RC_ASSERT(plan_faults(map, mission, options, plan) == "");
+        const Plan plan = MissionPlanner().plan(map, mission, method, limits);
+        RC_ASSERT(plan_faults(map, mission, plan) == "");
         return plan;
     }
     // What the plan costs; infinity if there is none.
     double cost() const { return cost(plan().after); }
     double cost(const Outcome& outcome) const {
-        return value(outcome, options.objective).value_or(std::numeric_limits<double>::infinity());
+        return value(outcome, mission.rules.objective).value_or(std::numeric_limits<double>::infinity());
     }
 };
 
 World any_world() {
     const PlainMap plain = *random_map(24, 20);
-    World world{Map(plain.grid()), ground_and_air(any_free_cell(plain), any_free_cell(plain)), {}};
+    World world{Map(plain.grid()), ground_and_air(any_free_cell(plain), any_free_cell(plain)), {}, {}};
     if (*rc::gen::arbitrary<bool>()) world.mission.agents[1].start = any_cell(plain);
     if (*rc::gen::arbitrary<bool>()) world.mission.agents[1].goal = any_cell(plain);
     world.mission.agents[0].speed = *rc::gen::element(0.3, 1.0, 1.0, 3.0);
     world.mission.agents[1].speed = *rc::gen::element(0.5, 1.0, 1.0, 4.0);
-    world.options.select = Selection::hits;
-    world.options.removals = *number(0, 4);
-    world.options.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);
-    world.options.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
-    world.options.breach_time = {*rc::gen::element(0.0, 0.0, 2.5), *rc::gen::element(0.0, 0.0, 0.2)};
+    world.method.select = Selection::hits;
+    world.mission.rules.removals = *number(0, 4);
+    world.method.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);
+    world.mission.rules.objective =
+        *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
+    world.mission.rules.breach_time = {*rc::gen::element(0.0, 0.0, 2.5), *rc::gen::element(0.0, 0.0, 0.2)};
     return world;
 }
 
@@ -57,7 +59,7 @@ RC_GTEST_PROP(Timing, NeverMakesAPlanWorseThanToRemoveNothing, ()) {
 RC_GTEST_PROP(Timing, MoreRemovalsNeverCostMore, ()) {
     World world = any_world();
     const double few = world.cost();
-    world.options.removals += *number(1, 5);
+    world.mission.rules.removals += *number(1, 5);
     RC_ASSERT(no_more(world.cost(), few));
 }
 
@@ -65,14 +67,14 @@ RC_GTEST_PROP(Timing, OnlyWhatIsNeededIsRemoved, ()) {
     const World world = any_world();
     const Plan plan = world.plan();
     if (plan.status != PlanStatus::solved) return;
-    for (const Removal& removal : plan.removed) RC_ASSERT(removal.entered_at.has_value());
+    for (const Breach& removal : plan.breaches) RC_ASSERT(removal.entered_at.has_value());
 }
 
 RC_GTEST_PROP(Timing, ALongerBreachOrASlowerFlightNeverHelps, ()) {
     World world = any_world();
     const double before = world.cost();
     if (*rc::gen::arbitrary<bool>()) {
-        world.options.breach_time.per_obstacle += 1.5;
+        world.mission.rules.breach_time.per_obstacle += 1.5;
     } else {
         world.mission.agents[1].speed *= 0.7;
     }
@@ -81,14 +83,14 @@ RC_GTEST_PROP(Timing, ALongerBreachOrASlowerFlightNeverHelps, ()) {
 
 RC_GTEST_PROP(Timing, WhatIsProtectedOrTooDearStays, ()) {
     World world = any_world();
-    world.options.removals = 4;
-    world.options.protect = some_obstacles(world.map, 3);
-    world.options.weights.assign(world.map.obstacles().size() + 1, 1.5);
-    world.options.budget = *rc::gen::element(1.0, 2.0, 3.0, 100.0);
+    world.mission.rules.removals = 4;
+    world.mission.rules.protect = some_obstacles(world.map, 3);
+    world.map = world.map.with_weights(std::vector<double>(world.map.obstacles().size() + 1, 1.5));
+    world.mission.rules.budget = *rc::gen::element(1.0, 2.0, 3.0, 100.0);
     const Plan plan = world.plan();
-    RC_ASSERT(double(plan.removed.size()) * 1.5 <= world.options.budget);
-    for (const Removal& removal : plan.removed) {
-        RC_ASSERT(std::ranges::count(world.options.protect, removal.obstacle) == 0);
+    RC_ASSERT(double(plan.breaches.size()) * 1.5 <= world.mission.rules.budget);
+    for (const Breach& removal : plan.breaches) {
+        RC_ASSERT(std::ranges::count(world.mission.rules.protect, removal.obstacle) == 0);
     }
 }
 
@@ -97,11 +99,11 @@ RC_GTEST_PROP(Timing, WhatMustGoGoes, ()) {
     std::vector<ObstacleId> force = some_obstacles(world.map, 2);
     std::ranges::sort(force);
     force.erase(std::unique(force.begin(), force.end()), force.end());
-    world.options.removals = std::max(world.options.removals, int(force.size()));
-    world.options.force = force;
+    world.mission.rules.removals = std::max(world.mission.rules.removals, int(force.size()));
+    world.mission.rules.force = force;
     const Plan plan = world.plan();
     for (const ObstacleId id : force) {
-        RC_ASSERT(plan.agents.empty() || std::ranges::count(plan.removed, id, &Removal::obstacle) == 1);
+        RC_ASSERT(plan.agents.empty() || std::ranges::count(plan.breaches, id, &Breach::obstacle) == 1);
     }
 }
 
@@ -118,11 +120,9 @@ Plan plan_past_the_wall(double air_speed, double breach_time) {
     const Map map = map_from_ascii(wall);
     Mission mission = ground_and_air({0, 3}, {12, 3});
     mission.agents[1].speed = air_speed;
-    MissionOptions options;
-    options.select = Selection::hits;
-    options.breach_time.per_obstacle = breach_time;
-    const Plan plan = MissionPlanner().plan(map, mission, options);
-    EXPECT_TRUE(is_valid(map, mission, options, plan));
+    mission.rules.breach_time.per_obstacle = breach_time;
+    const Plan plan = MissionPlanner().plan(map, mission, {.select = Selection::hits});
+    EXPECT_TRUE(is_valid(map, mission, plan));
     return plan;
 }
 
@@ -134,17 +134,17 @@ TEST(Timing, NoWaitWhereTheAirAgentIsThereFirst) {
 
 TEST(Timing, AShortWaitIsBetterThanTheWayAround) {
     const Plan plan = plan_past_the_wall(1, 0.5);
-    ASSERT_EQ(plan.removed.size(), 1U);
-    EXPECT_DOUBLE_EQ(plan.removed[0].cleared_at, 5.5);
-    EXPECT_DOUBLE_EQ(plan.removed[0].entered_at.value(), 5.5);
+    ASSERT_EQ(plan.breaches.size(), 1U);
+    EXPECT_DOUBLE_EQ(plan.breaches[0].cleared_at, 5.5);
+    EXPECT_DOUBLE_EQ(plan.breaches[0].entered_at.value(), 5.5);
     EXPECT_EQ(plan.agents[0].path, (std::vector<Waypoint>{{0, 3, 0}, {0, 3, 0.5}, {12, 3, 12.5}}));
     EXPECT_EQ(plan.agents[1].path, (std::vector<Waypoint>{{0, 3, 0}, {5, 3, 5}, {5, 3, 5.5}, {12, 3, 12.5}}));
 }
 
 TEST(Timing, TheWayAroundIsBetterThanALongWait) {
     const Plan plan = plan_past_the_wall(1, 5);
-    EXPECT_TRUE(plan.removed.empty());
-    EXPECT_EQ(plan.after.ground.path, plan.before.ground.path);
+    EXPECT_TRUE(plan.breaches.empty());
+    EXPECT_EQ(plan.after.ground().path, plan.before.ground().path);
     EXPECT_EQ(plan.after.makespan, plan.before.makespan);
 }
 
@@ -153,12 +153,10 @@ TEST(Timing, AWallAcrossTheMapIsWaitedForHoweverLong) {
         ..a..
         ..a..
         ..a..)");
-    MissionOptions options;
-    options.select = Selection::hits;
-    options.breach_time.per_cell = 30;
-    const Mission mission = ground_and_air({0, 1}, {4, 1});
-    const Plan plan = MissionPlanner().plan(map, mission, options);
-    EXPECT_TRUE(is_valid(map, mission, options, plan));
+    Mission mission = ground_and_air({0, 1}, {4, 1});
+    mission.rules.breach_time.per_cell = 30;
+    const Plan plan = MissionPlanner().plan(map, mission, {.select = Selection::hits});
+    EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_DOUBLE_EQ(plan.after.makespan.value(), 1 + 90 + 3);
 }
 

@@ -5,7 +5,7 @@
 
 #include "ascii_map.hpp"
 #include "input_error.hpp"
-#include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
@@ -18,9 +18,9 @@ const Map& small_map() {
     return map;
 }
 
-std::string refusal(const Mission& mission, const MissionOptions& options = {}, const Map& map = small_map()) {
-    const std::string said = input_error([&] { validate(map, mission, options); });
-    EXPECT_EQ(said, input_error([&] { MissionPlanner().plan(map, mission, options); })) << "a plan validates first";
+std::string refusal(const Mission& mission, const Method& method = {}, const Map& map = small_map()) {
+    const std::string said = input_error([&] { validate(map, mission, method); });
+    EXPECT_EQ(said, input_error([&] { MissionPlanner().plan(map, mission, method); })) << "a plan validates first";
     return said;
 }
 
@@ -32,7 +32,7 @@ void expect_words(const std::string& message, const std::vector<std::string>& wo
 
 TEST(ValidateMission, AcceptsWhatCanBePlanned) {
     EXPECT_EQ(refusal(ground_and_air({0, 0}, {3, 2})), "");
-    EXPECT_EQ(refusal(ground_and_air({0, 0}, {0, 0}), paper_options(0)), "");
+    EXPECT_EQ(refusal(ground_and_air({0, 0}, {0, 0}), {.select = Selection::hits}), "");
 }
 
 TEST(ValidateMission, RefusesPlacesOffTheMap) {
@@ -46,9 +46,9 @@ TEST(ValidateMission, RefusesPlacesOffTheMap) {
 TEST(ValidateMission, RefusesToStartInAWallAndNamesAFreeCell) {
     expect_words(refusal(ground_and_air({1, 1}, {3, 2})), {"ground", "start", "1,1", "obstacle 1", "free cell"});
     expect_words(refusal(ground_and_air({0, 0}, {2, 1})), {"ground", "goal", "2,1", "obstacle 1", "free cell"});
-    MissionOptions wide;
-    wide.search.motion.radius = 0.75;
-    expect_words(refusal(ground_and_air({0, 0}, {3, 2}), wide), {"ground", "0,0", "0.75", "no free cell"});
+    Mission wide = ground_and_air({0, 0}, {3, 2});
+    wide.agents[0].body.radius = 0.75;
+    expect_words(refusal(wide), {"ground", "0,0", "0.75", "no free cell"});
     const Map full = map_from_ascii("###");
     expect_words(refusal(ground_and_air({0, 0}, {2, 0}), {}, full), {"obstacle 1", "no free cell"});
 }
@@ -59,70 +59,72 @@ TEST(ValidateMission, LetsTheAirAgentStartOverAWall) {
     EXPECT_EQ(refusal(mission), "");
 }
 
-TEST(ValidateMission, RefusesWrongOptions) {
-    const Mission mission = ground_and_air({0, 0}, {3, 2});
-    expect_words(refusal(mission, paper_options(-1)), {"removals", "negative"});
-    MissionOptions options;
+TEST(ValidateMission, RefusesAMethodThatCannotPlanIt) {
+    Mission mission = ground_and_air({0, 0}, {3, 2});
     for (const double weight : {0.5, 1e7, HUGE_VAL, std::nan("")}) {
-        options.search.weight = weight;
-        expect_words(refusal(mission, options), {"weight", "from 1 to 1e+06"});
+        expect_words(refusal(mission, {.weight = weight}), {"weight", "from 1 to 1e+06"});
     }
-    options = {};
-    options.search = {.planner = Planner::jps, .motion = {.diagonal = false}};
-    expect_words(refusal(mission, options), {"jps", "astar"});
-    options.search = {.motion = {.radius = 33}};
-    expect_words(refusal(mission, options), {"radius", "0.5 to 32"});
-    options.search = {.motion = {.radius = 1e300}};
-    expect_words(refusal(mission, options), {"not 1e+300"});
+    expect_words(refusal(mission, {.planner = Planner::jps, .diagonal = false}), {"jps", "astar"});
+    mission.agents[0].body.radius = 1;
+    expect_words(refusal(mission, {.planner = Planner::jps}), {"jps", "radius of 0.5"});
+    const std::string no_time = input_error([&] {
+        MissionPlanner().plan(small_map(), ground_and_air({0, 0}, {3, 2}), {}, {.seconds = 0});
+    });
+    expect_words(no_time, {"time limit"});
+}
+
+TEST(ValidateMission, RefusesImpossibleBodies) {
+    Mission mission = ground_and_air({0, 0}, {3, 2});
+    for (const double radius : {-1.0, 0.1, 33.0, 1e300, std::nan("")}) {
+        mission.agents[0].body.radius = radius;
+        expect_words(refusal(mission), {"radius", "0.5 to 32"});
+    }
+    mission.agents[0].body = {.radius = 1, .corners = Corners::cut};
+    expect_words(refusal(mission), {"point", "0.5"});
+    mission.agents[0].body = point_body;
+    EXPECT_EQ(refusal(mission), "");
+    EXPECT_EQ(refusal(mission, {.select = Selection::hits}), "");
 }
 
 TEST(ValidateMission, RefusesImpossibleRemovals) {
-    const Mission mission = ground_and_air({0, 0}, {3, 2});
+    Mission mission = ground_and_air({0, 0}, {3, 2});
+    Rules& rules = mission.rules;
+    rules.removals = -1;
+    expect_words(refusal(mission), {"removals", "negative"});
+    rules = {};
     for (const double time : {-1.0, 2e9, std::nan(""), HUGE_VAL}) {
-        MissionOptions options;
-        options.breach_time.per_obstacle = time;
-        expect_words(refusal(mission, options), {"breach", "time"});
-        options.breach_time = {0, time};
-        expect_words(refusal(mission, options), {"breach", "time"});
+        rules.breach_time = {time, 0};
+        expect_words(refusal(mission), {"breach", "time"});
+        rules.breach_time = {0, time};
+        expect_words(refusal(mission), {"breach", "time"});
     }
-    MissionOptions options;
-    options.protect = {{1}, {2}};
-    expect_words(refusal(mission, options), {"no obstacle 2", "has 1"});
-    options.protect = {{0}};
-    expect_words(refusal(mission, options), {"no obstacle 0"});
-    options.protect = {{1}};
-    EXPECT_EQ(refusal(mission, options), "");
-    options.weights = {0};
-    expect_words(refusal(mission, options), {"weights", "all 1 obstacles", "not for 0"});
-    for (const double weight : {0.0, 1e-300, 1e13, std::nan("")}) {
-        options.weights = {0, weight};
-        expect_words(refusal(mission, options), {"weight of obstacle 1", "from 1e-09 to 1e+12"});
-    }
-    options.weights = {0, 2};
-    options.budget = -1;
-    expect_words(refusal(mission, options), {"budget", "-1"});
-    options.budget = 3;
-    options.time_limit = 0;
-    expect_words(refusal(mission, options), {"time limit"});
+    rules = {.protect = {{1}, {2}}};
+    expect_words(refusal(mission), {"no obstacle 2", "has 1"});
+    rules.protect = {{0}};
+    expect_words(refusal(mission), {"no obstacle 0"});
+    rules.protect = {{1}};
+    EXPECT_EQ(refusal(mission), "");
+    rules.budget = -1;
+    expect_words(refusal(mission), {"budget", "-1"});
 }
 
 TEST(ValidateMission, RefusesToForceWhatCannotBe) {
-    const Mission mission = ground_and_air({0, 0}, {3, 2});
-    MissionOptions options;
-    options.force = {{2}};
-    expect_words(refusal(mission, options), {"no obstacle 2 to force", "has 1"});
-    options.force = {{1}};
-    EXPECT_EQ(refusal(mission, options), "");
-    options.protect = {{1}};
-    expect_words(refusal(mission, options), {"obstacle 1", "protected"});
-    options.protect = {};
-    options.removals = 0;
-    expect_words(refusal(mission, options), {"at most 0 obstacles", "1 are"});
-    options.removals = 3;
-    options.budget = 0.5;
-    expect_words(refusal(mission, options), {"weigh 1", "budget of 0.5"});
-    options.force = {{1}, {1}};
-    expect_words(refusal(mission, options), {"obstacle 1", "twice"});
+    Mission mission = ground_and_air({0, 0}, {3, 2});
+    Rules& rules = mission.rules;
+    rules.force = {{2}};
+    expect_words(refusal(mission), {"no obstacle 2 to force", "has 1"});
+    rules.force = {{1}};
+    EXPECT_EQ(refusal(mission), "");
+    rules.protect = {{1}};
+    expect_words(refusal(mission), {"obstacle 1", "protected"});
+    rules.protect = {};
+    rules.removals = 0;
+    expect_words(refusal(mission), {"at most 0 obstacles", "1 must be"});
+    rules.removals = 3;
+    rules.budget = 0.5;
+    expect_words(refusal(mission), {"weigh 1", "budget of 0.5"});
+    rules.force = {{1}, {1}};
+    expect_words(refusal(mission), {"obstacle 1", "twice"});
 }
 
 TEST(ValidateMission, RefusesImpossibleAgents) {

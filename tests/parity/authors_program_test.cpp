@@ -15,8 +15,8 @@
 #include "shared_data.hpp"
 #include "waybreaker/breach.hpp"
 #include "waybreaker/flight.hpp"
-#include "waybreaker/mission.hpp"
 #include "waybreaker/movingai.hpp"
+#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 namespace {

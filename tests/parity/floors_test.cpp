@@ -61,9 +61,8 @@ TEST(Floors, AreTheShortestPathsOfAPoint) {
             SCOPED_TRACE(testing::Message() << row.map << ' ' << row.start.x << ',' << row.start.y << " to "
                                             << row.goal.x << ',' << row.goal.y << ", n = " << n);
             const double floor = row.floors[std::size_t(n)];
-            const CrossingResult point = searcher.find(map, row.start, row.goal, {.body = Body::point, .crossings = n});
-            const CrossingResult square =
-                searcher.find(map, row.start, row.goal, {.body = Body::square, .crossings = n});
+            const CrossingResult point = searcher.find(map, row.start, row.goal, {.body = point_body, .crossings = n});
+            const CrossingResult square = searcher.find(map, row.start, row.goal, {.body = Body{}, .crossings = n});
             EXPECT_NEAR(point.best.length, floor, 1e-4 + 1e-6 * floor);  // given to four digits after the point
             EXPECT_GE(square.best.length, point.best.length * (1 - 1e-12));
             EXPECT_LE(point.best.crossed.size(), std::size_t(n));

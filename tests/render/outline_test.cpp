@@ -129,7 +129,7 @@ TEST(Outline, NothingForAFreeMap) {
 
 struct RandomMap {
     Map map;
-    std::vector<Removal> removed;
+    std::vector<Breach> removed;
 };
 
 // Few labels on few cells: touching, nested, torn obstacles; every third one fixed, some removed.
@@ -148,7 +148,7 @@ RandomMap random_map() {
 }
 
 Look look_of(const RandomMap& world, ObstacleId id) {
-    for (const Removal& removal : world.removed) {
+    for (const Breach& removal : world.removed) {
         if (removal.obstacle == id) return Look::removed;
     }
     return world.map.obstacle(id).destructible ? Look::obstacle : Look::fixed_obstacle;

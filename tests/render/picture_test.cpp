@@ -86,7 +86,7 @@ TEST(Picture, MarksTheRemovedObstacle) {
 
 TEST(Picture, TellsWhenWhatIsBreachedAndHowLongTheGroundAgentWaits) {
     World world = wall();
-    world.plan.removed[0].cleared_at = 4.25;
+    world.plan.breaches[0].cleared_at = 4.25;
     const auto without_waits = parsed(svg_of(world));
     EXPECT_TRUE(says(without_waits, "breach, when"));
     EXPECT_TRUE(says(without_waits, "4.2"));
@@ -113,7 +113,7 @@ TEST(Picture, TellsTheGapToTheBestPossible) {
 TEST(Picture, WithoutRemovalsHasNoBefore) {
     World world = wall();
     world.plan.after = world.plan.before;
-    world.plan.removed.clear();
+    world.plan.breaches.clear();
     const auto picture = parsed(svg_of(world));
     EXPECT_TRUE(says(picture, "Makespan 11.5 cells at speed 1, no obstacle removed"));
     for (const char* entry : {"removed obstacle", "breach, when", "ground path before", "air path before"}) {
@@ -146,7 +146,7 @@ TEST(Picture, SaysThatThereIsNoPlan) {
 
 TEST(Picture, SaysThatRemovalOpenedTheWay) {
     World world = wall();
-    world.plan.before.ground = {};
+    world.plan.before.ground() = {};
     world.plan.before.makespan.reset();
     world.plan.before.flowtime.reset();
     EXPECT_TRUE(says(parsed(svg_of(world)), "Makespan (no way) → 7.2 cells at speed 1, 1 obstacle removed"));
@@ -244,7 +244,7 @@ TEST(Picture, AStartThatIsTheGoalIsARingAroundIt) {
 
 TEST(Picture, ManyRemovalsAreNotNumbered) {
     World world = wall();
-    world.plan.removed.assign(5000, world.plan.removed.front());
+    world.plan.breaches.assign(5000, world.plan.breaches.front());
     EXPECT_FALSE(says(parsed(svg_of(world)), "2"));
 }
 

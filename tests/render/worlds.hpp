@@ -30,13 +30,13 @@ inline constexpr std::string_view wall_picture = R"(
     ....a...
     ........)";
 
-inline Outcome outcome(std::vector<waybreaker::Point> ground, std::vector<Cell> air, double ground_length,
+inline Outcome outcome(std::vector<waybreaker::Point> ground, std::vector<waybreaker::Point> air, double ground_length,
                        double air_length) {
     Outcome outcome;
-    outcome.ground.path = std::move(ground);
-    outcome.ground.length = ground_length;
-    outcome.air.path = std::move(air);
-    outcome.air.length = air_length;
+    outcome.ground().path = std::move(ground);
+    outcome.ground().length = ground_length;
+    outcome.air().path = std::move(air);
+    outcome.air().length = air_length;
     outcome.makespan = std::max(ground_length, air_length);
     outcome.flowtime = ground_length + air_length;
     return outcome;
@@ -48,15 +48,15 @@ inline World wall() {
     world.plan.status = PlanStatus::solved;
     world.plan.before = outcome({{0, 2}, {3, 6}, {5, 6}, {7, 2}}, {{0, 2}, {7, 2}}, 11.5, 7);
     world.plan.after = outcome({{0, 2}, {7, 2}}, {{0, 2}, {3, 1}, {7, 2}}, 7, 7.2);
-    world.plan.removed = {{.obstacle = {1}, .cells = 6, .at = {3, 1}, .entered_at = 3.5}};
+    world.plan.breaches = {{.obstacle = {1}, .cells = 6, .at = {3, 1}, .entered_at = 3.5}};
     return world;
 }
 
 // A mission on a map, with no plan: the ground agent cannot get there.
 inline World unsolved(Map map, Cell start, Cell goal) {
     World world{std::move(map), ground_and_air(start, goal), {}};
-    world.plan.before.air = {.length = distance(start, goal), .path = {start, goal}};
-    world.plan.after.air = world.plan.before.air;
+    world.plan.before.air() = {.kind = AgentKind::air, .length = distance(start, goal), .path = {start, goal}};
+    world.plan.after.air() = world.plan.before.air();
     return world;
 }
 

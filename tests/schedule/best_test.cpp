@@ -19,13 +19,12 @@ struct World {
     Map map;
     std::vector<Point> street;
     std::vector<ObstacleId> removed;
-    ScheduleTask task;
+    Agent driver = {};
+    Agent flyer = {.kind = AgentKind::air};
+    Rules rules = {};
 
-    ScheduleTask with_spans() const {
-        ScheduleTask result = task;
-        result.ground_path = street;
-        result.removed = removed;
-        return result;
+    ScheduleTask task() const {
+        return {.ground_path = street, .driver = driver, .flyer = flyer, .rules = rules, .removed = removed};
     }
 };
 
@@ -41,24 +40,24 @@ World any_world(int width, int height, int obstacles, int side) {
         }
     }
     labels[0] = 0;
-    World world{Map::from_labels(width, height, labels), {}, {}, {}};
+    World world{Map::from_labels(width, height, labels), {}, {}};
     for (const Obstacle& obstacle : world.map.obstacles()) world.removed.push_back(obstacle.id);
     const int turns = *number(1, 4);
     for (int i = 0; i < turns; ++i) world.street.push_back(any_place());
-    world.task.ground_speed = *rc::gen::element(0.5, 1.0, 1.0, 3.0);
-    world.task.air_speed = *rc::gen::element(0.5, 1.0, 1.0, 3.0);
-    world.task.radius = *rc::gen::element(0.0, 0.5, 1.5);
-    world.task.air_start =
+    world.driver.speed = *rc::gen::element(0.5, 1.0, 1.0, 3.0);
+    world.flyer.speed = *rc::gen::element(0.5, 1.0, 1.0, 3.0);
+    world.driver.body.radius = *rc::gen::element(0.0, 0.5, 1.5);
+    world.flyer.start =
         *rc::gen::arbitrary<bool>() ? any_place() : Cell{int(world.street.front().x), int(world.street.front().y)};
-    world.task.air_goal =
+    world.flyer.goal =
         *rc::gen::arbitrary<bool>() ? any_place() : Cell{int(world.street.back().x), int(world.street.back().y)};
-    world.task.breach_time.per_obstacle = *rc::gen::element(0.0, 0.0, 1.0, 7.5);
-    world.task.breach_time.per_cell = *rc::gen::element(0.0, 0.0, 0.1, 2.0);
-    world.task.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
+    world.rules.breach_time.per_obstacle = *rc::gen::element(0.0, 0.0, 1.0, 7.5);
+    world.rules.breach_time.per_cell = *rc::gen::element(0.0, 0.0, 0.1, 2.0);
+    world.rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     // Where it waits from the first moment on it touches nothing.
     const Point& first = world.street.front();
     const std::vector<Waypoint> waiting{{first.x, first.y, 0}, {first.x, first.y, 1}};
-    for (const ObstacleId id : world.removed) RC_PRE(!first_touch(world.map, id, waiting, world.task.radius));
+    for (const ObstacleId id : world.removed) RC_PRE(!first_touch(world.map, id, waiting, world.driver.body.reach()));
     return world;
 }
 
@@ -76,24 +75,24 @@ Rank rank(Objective objective, const Schedule& schedule) {
 // Every order and every boundary cell.
 class BruteForce {
   public:
-    explicit BruteForce(const World& world) : map_(world.map), task_(world.with_spans()) {
-        const std::vector<Waypoint> driven = timed(task_.ground_path, task_.ground_speed);
+    explicit BruteForce(const World& world) : map_(world.map), task_(world.task()) {
+        const std::vector<Waypoint> driven = timed(task_.ground_path, task_.driver.speed);
         unhindered_ = driven.back().t;
         for (const ObstacleId id : task_.removed) {
             cells_.push_back(map_.boundary(id));
-            entries_.push_back(first_touch(map_, id, driven, task_.radius));
-            stays_.push_back(task_.breach_time.of(map_.obstacle(id)));
+            entries_.push_back(first_touch(map_, id, driven, task_.driver.body.reach()));
+            stays_.push_back(task_.rules.breach_time.of(map_.obstacle(id)));
         }
         visited_.assign(cells_.size(), false);
-        go(task_.air_start, 0, unhindered_);
+        go(task_.flyer.start, 0, unhindered_);
     }
     Rank best() const { return best_; }
 
   private:
     void go(Cell at, double t, double ground) {
         if (std::ranges::count(visited_, false) == 0) {
-            const double air = t + distance(at, task_.air_goal) / task_.air_speed;
-            const Rank found = rank(task_.objective, ground, air);
+            const double air = t + distance(at, task_.flyer.goal) / task_.flyer.speed;
+            const Rank found = rank(task_.rules.objective, ground, air);
             if (found.first < best_.first - 1e-9) best_ = found;
             if (found.first < best_.first + 1e-9) best_.second = std::min(best_.second, found.second);
         }
@@ -101,7 +100,7 @@ class BruteForce {
             if (visited_[i]) continue;
             visited_[i] = true;
             for (const Cell c : cells_[i]) {
-                const double cleared = t + distance(at, c) / task_.air_speed + stays_[i];
+                const double cleared = t + distance(at, c) / task_.flyer.speed + stays_[i];
                 const double wait = entries_[i] ? std::max(cleared - *entries_[i], 0.0) : 0;
                 go(c, cleared, std::max(ground, unhindered_ + wait));
             }
@@ -122,7 +121,7 @@ class BruteForce {
 // What any schedule promises: the path at its speed with waits at its turns, the flight with stays, nothing touched
 // before it is cleared.
 void expect_consistent(const World& world, const Schedule& schedule) {
-    const ScheduleTask task = world.with_spans();
+    const ScheduleTask task = world.task();
     constexpr double hair = 1e-6;
     std::vector<Point> turns;
     for (std::size_t i = 0; i < schedule.ground.size(); ++i) {
@@ -132,7 +131,7 @@ void expect_consistent(const World& world, const Schedule& schedule) {
         } else {
             const Waypoint& a = schedule.ground[i - 1];
             const double way = std::hypot(b.x - a.x, b.y - a.y);
-            const bool at_speed = std::abs((b.t - a.t) * task.ground_speed - way) < hair;
+            const bool at_speed = std::abs((b.t - a.t) * task.driver.speed - way) < hair;
             RC_ASSERT((way == 0 && b.t >= a.t) || at_speed);
         }
         const Point at{b.x, b.y};
@@ -144,24 +143,25 @@ void expect_consistent(const World& world, const Schedule& schedule) {
     std::set<ObstacleId> breached;
     double flown = 0;
     double t = 0;
-    Cell at = task.air_start;
+    Cell at = task.flyer.start;
     for (std::size_t i = 0; i < schedule.flight.breaches.size(); ++i) {
         const BreachPoint& breach = schedule.flight.breaches[i];
         breached.insert(breach.obstacle);
         const std::vector<Cell> boundary = world.map.boundary(breach.obstacle);
         RC_ASSERT(std::ranges::count(boundary, breach.at) == 1);
         flown += distance(at, breach.at);
-        t += distance(at, breach.at) / task.air_speed + task.breach_time.of(world.map.obstacle(breach.obstacle));
+        t +=
+            distance(at, breach.at) / task.flyer.speed + task.rules.breach_time.of(world.map.obstacle(breach.obstacle));
         RC_ASSERT(std::abs(schedule.cleared_at[i] - t) < hair);
         const auto entered =
-            first_touch(world.map, breach.obstacle, schedule.ground, std::max(task.radius - 1e-9, 0.0));
+            first_touch(world.map, breach.obstacle, schedule.ground, std::max(task.driver.body.reach() - 1e-9, 0.0));
         if (entered) RC_ASSERT(*entered > t - hair);
-        if (entered && task.radius > 0) RC_ASSERT(std::abs(*schedule.entered_at[i] - *entered) < 1e-4);
+        if (entered && task.driver.body.reach() > 0) RC_ASSERT(std::abs(*schedule.entered_at[i] - *entered) < 1e-4);
         at = breach.at;
     }
     RC_ASSERT(breached.size() == world.removed.size());
-    flown += distance(at, task.air_goal);
-    t += distance(at, task.air_goal) / task.air_speed;
+    flown += distance(at, task.flyer.goal);
+    t += distance(at, task.flyer.goal) / task.flyer.speed;
     RC_ASSERT(std::abs(schedule.flight.length - flown) < hair);
     RC_ASSERT(std::abs(schedule.air.back().t - t) < hair);
     RC_ASSERT(schedule.makespan == std::max(schedule.air.back().t, schedule.ground.back().t));
@@ -169,8 +169,8 @@ void expect_consistent(const World& world, const Schedule& schedule) {
 }
 
 void show(const World& world, const Schedule& schedule) {
-    RC_LOG() << plain(world.map) << "air " << world.task.air_start.x << ',' << world.task.air_start.y << " to "
-             << world.task.air_goal.x << ',' << world.task.air_goal.y;
+    RC_LOG() << plain(world.map) << "air " << world.flyer.start.x << ',' << world.flyer.start.y << " to "
+             << world.flyer.goal.x << ',' << world.flyer.goal.y;
     RC_LOG() << "\nground";
     for (const Waypoint& p : schedule.ground) RC_LOG() << "  " << p.x << ',' << p.y << " at " << p.t;
     RC_LOG() << "\nair";
@@ -179,12 +179,12 @@ void show(const World& world, const Schedule& schedule) {
 }
 
 void expect_best(const World& world) {
-    const Schedule schedule = best_schedule(world.map, world.with_spans());
+    const Schedule schedule = best_schedule(world.map, world.task());
     show(world, schedule);
     RC_ASSERT(schedule.optimal);
     expect_consistent(world, schedule);
     const Rank expected = BruteForce(world).best();
-    const Rank found = rank(world.task.objective, schedule);
+    const Rank found = rank(world.rules.objective, schedule);
     RC_LOG() << "found " << found.first << ' ' << found.second << ", best " << expected.first << ' ' << expected.second;
     RC_ASSERT(std::abs(found.first - expected.first) < 1e-6);
     RC_ASSERT(std::abs(found.second - expected.second) < 1e-6);
@@ -202,8 +202,8 @@ RC_GTEST_PROP(BestSchedule, IsTheBestForMoreTinyObstacles, ()) {
 }
 
 double objective(const World& world) {
-    const Schedule schedule = best_schedule(world.map, world.with_spans());
-    return rank(world.task.objective, schedule).first;
+    const Schedule schedule = best_schedule(world.map, world.task());
+    return rank(world.rules.objective, schedule).first;
 }
 
 World any_large_world() {
@@ -213,15 +213,15 @@ World any_large_world() {
 RC_GTEST_PROP(BestSchedule, IsNeverEarlierWithASlowerAirAgent, ()) {
     World world = any_large_world();
     const double before = objective(world);
-    world.task.air_speed *= *rc::gen::element(0.3, 0.9);
+    world.flyer.speed *= *rc::gen::element(0.3, 0.9);
     RC_ASSERT(objective(world) >= before - 1e-6);
 }
 
 RC_GTEST_PROP(BestSchedule, IsNeverEarlierWithLongerBreaches, ()) {
     World world = any_large_world();
     const double before = objective(world);
-    world.task.breach_time.per_obstacle += *rc::gen::element(0.0, 2.0);
-    world.task.breach_time.per_cell += 0.3;
+    world.rules.breach_time.per_obstacle += *rc::gen::element(0.0, 2.0);
+    world.rules.breach_time.per_cell += 0.3;
     RC_ASSERT(objective(world) >= before - 1e-6);
 }
 
@@ -235,17 +235,17 @@ RC_GTEST_PROP(BestSchedule, IsNeverEarlierWithOneObstacleMore, ()) {
 // No flight rule of the air agent alone is better, for few obstacles and for many.
 RC_GTEST_PROP(BestSchedule, IsNoWorseThanFlightsMadeWithoutASchedule, ()) {
     const World world = any_world(60, 60, *number(1, 14), 12);
-    const ScheduleTask task = world.with_spans();
+    const ScheduleTask task = world.task();
     const Schedule best = best_schedule(world.map, task);
     RC_ASSERT(best.optimal == (world.removed.size() <= exact_flight_limit));
     expect_consistent(world, best);
     for (const auto fly : {fly_nearest, fly_optimal}) {
-        const Flight flight = fly(world.map, task.air_start, task.air_goal, task.removed);
+        const Flight flight = fly(world.map, task.flyer.start, task.flyer.goal, task.removed);
         const Schedule other = schedule_of(world.map, task, flight);
         expect_consistent(world, other);
-        if (task.objective == Objective::makespan) RC_ASSERT(best.makespan <= other.makespan + 1e-6);
-        if (task.objective == Objective::flowtime) RC_ASSERT(best.flowtime <= other.flowtime + 1e-6);
-        if (task.objective == Objective::ground_makespan)
+        if (task.rules.objective == Objective::makespan) RC_ASSERT(best.makespan <= other.makespan + 1e-6);
+        if (task.rules.objective == Objective::flowtime) RC_ASSERT(best.flowtime <= other.flowtime + 1e-6);
+        if (task.rules.objective == Objective::ground_makespan)
             RC_ASSERT(best.ground.back().t <= other.ground.back().t + 1e-6);
     }
 }
@@ -257,8 +257,8 @@ TEST(BestSchedule, FliesAheadOfTheGroundAgent) {
         ....a....b....c....)");
     const std::vector<Point> street{{0, 1}, {18, 1}};
     const std::vector<ObstacleId> all{{1}, {2}, {3}};
-    ScheduleTask task{.ground_path = street, .air_start = {0, 1}, .air_goal = {18, 1}, .removed = all};
-    const Schedule schedule = best_schedule(map, task);
+    const Mission mission = ground_and_air({0, 1}, {18, 1});
+    const Schedule schedule = best_schedule(map, {street, mission.agents[0], mission.agents[1], mission.rules, all});
     EXPECT_EQ(schedule.flight.breaches, (std::vector<BreachPoint>{{{1}, {3, 1}}, {{2}, {8, 1}}, {{3}, {13, 1}}}));
     EXPECT_DOUBLE_EQ(schedule.makespan, 18);
     EXPECT_EQ(schedule.ground.size(), 2U) << "no wait";
@@ -273,9 +273,9 @@ TEST(BestSchedule, OpensFirstWhatIsNeededFirst) {
         a...........b)");
     const std::vector<Point> street{{9, 1}, {12, 1}, {0, 1}};
     const std::vector<ObstacleId> both{{1}, {2}};
-    ScheduleTask task{.ground_path = street, .air_start = {4, 1}, .air_goal = {6, 1}, .removed = both};
+    const Mission mission = ground_and_air({4, 1}, {6, 1});
     EXPECT_EQ(fly_optimal(map, {4, 1}, {6, 1}, both).breaches.front().obstacle, ObstacleId{1});
-    const Schedule schedule = best_schedule(map, task);
+    const Schedule schedule = best_schedule(map, {street, mission.agents[0], mission.agents[1], mission.rules, both});
     EXPECT_EQ(schedule.flight.breaches.front().obstacle, ObstacleId{2});
     EXPECT_DOUBLE_EQ(schedule.makespan, 7 + 10 + 5);
 }

@@ -20,14 +20,20 @@ const Map& two_walls() {
 const std::vector<Point> street{{0, 1}, {5, 1}, {9, 1}};
 const std::vector<ObstacleId> both{{1}, {2}};
 
-ScheduleTask task() {
-    return {.ground_path = street, .air_start = {0, 0}, .air_goal = {9, 0}, .removed = both};
+ScheduleTask task(const Mission& mission, std::span<const Point> path = street) {
+    return {.ground_path = path,
+            .driver = mission.agents[0],
+            .flyer = mission.agents[1],
+            .rules = mission.rules,
+            .removed = both};
 }
+
+const Mission mission = ground_and_air({0, 0}, {9, 0});
 
 const Flight in_order{{{{1}, {2, 0}}, {{2}, {6, 0}}}, 9};
 
 TEST(Waits, AreNotNeededWhenTheAirAgentIsAhead) {
-    const Schedule schedule = schedule_of(two_walls(), task(), in_order);
+    const Schedule schedule = schedule_of(two_walls(), task(mission), in_order);
     EXPECT_EQ(schedule.ground, (std::vector<Waypoint>{{0, 1, 0}, {5, 1, 5}, {9, 1, 9}}));
     EXPECT_EQ(schedule.air, (std::vector<Waypoint>{{0, 0, 0}, {2, 0, 2}, {6, 0, 6}, {9, 0, 9}}));
     EXPECT_EQ(schedule.cleared_at, (std::vector<double>{2, 6}));
@@ -38,23 +44,23 @@ TEST(Waits, AreNotNeededWhenTheAirAgentIsAhead) {
 
 TEST(Waits, NeedSpeedsAndTimesInRange) {
     for (const double speed : {0.0, 1e-320, 1e7, std::nan("")}) {
-        ScheduleTask wrong = task();
-        wrong.ground_speed = speed;
-        EXPECT_THROW(schedule_of(two_walls(), wrong, in_order), InputError) << speed;
-        wrong = task();
-        wrong.air_speed = speed;
-        EXPECT_THROW(best_schedule(two_walls(), wrong), InputError) << speed;
+        Mission wrong = mission;
+        wrong.agents[0].speed = speed;
+        EXPECT_THROW(schedule_of(two_walls(), task(wrong), in_order), InputError) << speed;
+        wrong = mission;
+        wrong.agents[1].speed = speed;
+        EXPECT_THROW(best_schedule(two_walls(), task(wrong)), InputError) << speed;
     }
-    ScheduleTask wrong = task();
-    wrong.breach_time.per_cell = 1e10;
-    EXPECT_THROW(best_schedule(two_walls(), wrong), InputError);
+    Mission wrong = mission;
+    wrong.rules.breach_time.per_cell = 1e10;
+    EXPECT_THROW(best_schedule(two_walls(), task(wrong)), InputError);
 }
 
 TEST(Waits, AreAtTheLastTurnBeforeTheObstacle) {
-    ScheduleTask slow = task();
-    slow.air_speed = 0.5;
-    slow.breach_time = {.per_obstacle = 1, .per_cell = 0.25};
-    const Schedule schedule = schedule_of(two_walls(), slow, in_order);
+    Mission slow = mission;
+    slow.agents[1].speed = 0.5;
+    slow.rules.breach_time = {.per_obstacle = 1, .per_cell = 0.25};
+    const Schedule schedule = schedule_of(two_walls(), task(slow), in_order);
     EXPECT_EQ(schedule.air,
               (std::vector<Waypoint>{{0, 0, 0}, {2, 0, 4}, {2, 0, 5.5}, {6, 0, 13.5}, {6, 0, 15}, {9, 0, 21}}));
     EXPECT_EQ(schedule.cleared_at, (std::vector<double>{5.5, 15}));
@@ -66,7 +72,7 @@ TEST(Waits, AreAtTheLastTurnBeforeTheObstacle) {
 
 TEST(Waits, ForOneObstacleServeTheNext) {
     const Flight reversed{{{{2}, {6, 0}}, {{1}, {4, 0}}}, 6 + 2 + 5};
-    const Schedule schedule = schedule_of(two_walls(), task(), reversed);
+    const Schedule schedule = schedule_of(two_walls(), task(mission), reversed);
     EXPECT_EQ(schedule.ground, (std::vector<Waypoint>{{0, 1, 0}, {0, 1, 6}, {5, 1, 11}, {9, 1, 15}}));
     EXPECT_EQ(schedule.cleared_at, (std::vector<double>{6, 8}));
     EXPECT_EQ(schedule.entered_at, (std::vector<std::optional<double>>{12, 8}));
@@ -74,19 +80,17 @@ TEST(Waits, ForOneObstacleServeTheNext) {
 
 TEST(Waits, IgnoreWhatTheGroundAgentNeverTouches) {
     const std::vector<Point> short_street{{0, 1}, {5, 1}};
-    ScheduleTask first = task();
-    first.ground_path = short_street;
-    first.breach_time = {.per_obstacle = 3};
-    const Schedule schedule = schedule_of(two_walls(), first, in_order);
+    Mission first = mission;
+    first.rules.breach_time = {.per_obstacle = 3};
+    const Schedule schedule = schedule_of(two_walls(), task(first, short_street), in_order);
     EXPECT_EQ(schedule.entered_at, (std::vector<std::optional<double>>{5, std::nullopt}));
     EXPECT_EQ(schedule.ground.back(), (Waypoint{5, 1, 8}));
     EXPECT_EQ(schedule.makespan, 15);
 }
 
 TEST(Waits, TakeNoFlightAndNoDrive) {
-    ScheduleTask still = task();
     const std::vector<Point> place{{4, 1}};
-    still.ground_path = place;
+    ScheduleTask still = task(mission, place);
     still.removed = {};
     const Schedule schedule = schedule_of(two_walls(), still, {{}, 9});
     EXPECT_EQ(schedule.ground, (std::vector<Waypoint>{{4, 1, 0}}));

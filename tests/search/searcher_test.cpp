@@ -96,13 +96,13 @@ RC_GTEST_PROP(Searcher, StopsAtItsExpansionLimit, ()) {
     const Cell goal = any_free_cell(plain);
     SearchOptions options{.planner = any_planner()};
     const SearchResult whole = Searcher().find(OpenedMap(map), start, goal, options);
-    options.expansion_limit = std::uint64_t(*number(0, int(whole.expanded) + 2));
+    options.limits.expansions = std::uint64_t(*number(0, int(whole.expanded) + 2));
     const SearchResult part = Searcher().find(OpenedMap(map), start, goal, options);
-    if (options.expansion_limit >= whole.expanded) {
+    if (options.limits.expansions >= whole.expanded) {
         RC_ASSERT(same(whole, part));
     } else {
         RC_ASSERT(part.status == SearchStatus::limit_reached);
-        RC_ASSERT(part.expanded == options.expansion_limit);
+        RC_ASSERT(part.expanded == options.limits.expansions);
         RC_ASSERT(part.path.empty());
         RC_ASSERT(part.length == 0);
     }
@@ -110,10 +110,10 @@ RC_GTEST_PROP(Searcher, StopsAtItsExpansionLimit, ()) {
 
 TEST(Searcher, StopsWhenAsked) {
     const Map map(Grid(200, 200));
-    std::stop_source source;
+    StopSource source;
     struct StopSoon : SearchListener {
-        explicit StopSoon(std::stop_source& stop) : source(stop) {}
-        std::stop_source& source;
+        explicit StopSoon(StopSource& stop) : source(stop) {}
+        StopSource& source;
         int count = 0;
         void generated(Cell, Cell, double, double) override {}
         void updated(Cell, Cell, double, double) override {}
@@ -124,7 +124,7 @@ TEST(Searcher, StopsWhenAsked) {
     for (const Planner planner : {Planner::dijkstra, Planner::bfs}) {
         const SearchResult result =
             Searcher().find(OpenedMap(map), {0, 0}, {199, 199},
-                            {.planner = planner, .stop = source.get_token(), .listener = &listener});
+                            {.planner = planner, .limits = {.stop = source.get_token()}, .listener = &listener});
         EXPECT_EQ(result.status, SearchStatus::stopped);
         EXPECT_LE(result.expanded, 1024U);
         EXPECT_TRUE(result.path.empty());
@@ -193,9 +193,9 @@ TEST(Searcher, WalksTheThinnestMaps) {
 TEST(Searcher, RefusesOptionsThatContradictEachOther) {
     EXPECT_THROW(validate(SearchOptions{.weight = 0.99}), InputError);
     EXPECT_THROW(validate(SearchOptions{.weight = std::nan("")}), InputError);
-    EXPECT_THROW(validate(SearchOptions{.planner = Planner::jps, .motion = {.diagonal = false}}), InputError);
-    EXPECT_THROW(validate(SearchOptions{.planner = Planner::jps, .motion = {.radius = 1}}), InputError);
-    EXPECT_THROW(validate(SearchOptions{.motion = {.radius = 0.1}}), InputError);
+    EXPECT_THROW(validate(SearchOptions{.planner = Planner::jps, .diagonal = false}), InputError);
+    EXPECT_THROW(validate(SearchOptions{.planner = Planner::jps, .body = {.radius = 1}}), InputError);
+    EXPECT_THROW(validate(SearchOptions{.body = {.radius = 0.1}}), InputError);
     const Map map(Grid(2, 2));
     EXPECT_THROW(Searcher().find(OpenedMap(map), {0, 0}, {1, 1}, {.weight = 0}), InputError);
 }

@@ -49,18 +49,22 @@ RC_GTEST_PROP(SlowSearch, AgreesWithThetaOfAnyMotion, ()) {
     check_same(*random_map(24, 18), 3,
                {.weight = *rc::gen::element(1.0, 2.0),
                 .tie_break = *rc::gen::element(TieBreak::g_max, TieBreak::g_min),
-                .motion = any_motion()});
+                .diagonal = mostly(),
+                .body = any_body()});
 }
 
 RC_GTEST_PROP(SlowSearch, AgreesWithWideAgents, ()) {
     const Planner planner = *rc::gen::element(Planner::theta, Planner::astar, Planner::dijkstra, Planner::bfs);
     check_same(*random_map(24, 18), 3,
-               {.planner = planner, .motion = {.radius = *rc::gen::element(0.501, 0.8, 1.3, 2.0)}});
+               {.planner = planner, .body = {.radius = *rc::gen::element(0.501, 0.8, 1.3, 2.0)}});
 }
 
 RC_GTEST_PROP(SlowSearch, AgreesWithLazyTheta, ()) {
     check_same(*random_map(30, 24), 3,
-               {.planner = Planner::lazy_theta, .weight = *rc::gen::element(1.0, 1.5), .motion = any_motion()});
+               {.planner = Planner::lazy_theta,
+                .weight = *rc::gen::element(1.0, 1.5),
+                .diagonal = mostly(),
+                .body = any_body()});
 }
 
 RC_GTEST_PROP(SlowSearch, AgreesWithGridPlanners, ()) {
@@ -70,7 +74,8 @@ RC_GTEST_PROP(SlowSearch, AgreesWithGridPlanners, ()) {
                                                                          Heuristic::chebyshev, Heuristic::zero),
                 .weight = *rc::gen::element(1.0, 1.5),
                 .tie_break = *rc::gen::element(TieBreak::g_max, TieBreak::g_min),
-                .motion = any_motion()});
+                .diagonal = mostly(),
+                .body = any_body()});
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ std::string studded(int mark = 0) {
     return text;
 }
 
-Limits with_memory(std::size_t bytes) {
-    Limits limits;
+ServiceLimits with_memory(std::size_t bytes) {
+    ServiceLimits limits;
     limits.memory = bytes;
     return limits;
 }

@@ -1,6 +1,7 @@
 // The description is one that tools take: what Redocly's recommended rules demand, and that numbers say their units.
 #include <functional>
 
+#include "io/mission_json.hpp"
 #include "live_server.hpp"
 #include "schema_check.hpp"
 #include "server/problem_kind.hpp"
@@ -128,6 +129,27 @@ TEST_F(ProblemTest, SaysLineAndColumnOfTheBody) {
     EXPECT_EQ(detail("/edits", "{\"free\":\n[7]}"), "edits:2:2: free[0] is not an array");
     EXPECT_EQ(detail("/check", "{\"format\":\n\n 7}"), "the plan:3:2: format is not a text");
     EXPECT_EQ(detail("/export?format=csv", "{"), "the plan:1:2: this is not JSON: it ends too early");
+}
+
+TEST_F(ProblemTest, DescribesTheMissionFile) {
+    begin();
+    const Json schema = get_json("/api/v1/mission.schema.json");
+    io::MissionDocument document{ground_and_air({0, 0}, {3, 2})};
+    document.mission.rules.budget = 2.5;
+    document.mission.rules.protect = {{2}};
+    document.method.heuristic = Heuristic::octile;
+    document.limits.expansions = 100;
+    Json written = Json::parse(io::mission_text(document));
+    EXPECT_EQ(schema_faults(schema, schema, written), std::vector<std::string>());
+    // It names all members that can be written, and no others.
+    for (const char* part : {"rules", "method", "limits"}) {
+        for (const auto& [member, value] : schema["properties"][part]["properties"].items()) {
+            const bool forced = std::string(part) == "rules" && member == "force";
+            EXPECT_TRUE(forced || written[part].contains(member)) << part << '.' << member;
+        }
+    }
+    written["agents"][0]["kind"] = "submarine";
+    EXPECT_FALSE(schema_faults(schema, schema, written).empty());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "server/plan_request.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "input_error.hpp"
@@ -17,17 +18,16 @@ std::string refusal(const std::string& text) {
 
 TEST(PlanRequest, WhatIsLeftOutHasTheDefaultsOfTheCommand) {
     const PlanRequest request = parse_plan_request("{}");
-    const MissionOptions options = options_of(request.options, three_cells());
-    EXPECT_EQ(options.removals, MissionOptions().removals);
-    EXPECT_EQ(options.search.planner, Planner::optimal);
-    EXPECT_TRUE(options.weights.empty());
+    EXPECT_EQ(request.options.rules.removals, Rules().removals);
+    EXPECT_EQ(request.options.method.planner, Planner::optimal);
+    EXPECT_FALSE(weights_of(request.options, three_cells().map));
     EXPECT_TRUE(request.timing_fields);
 }
 
 TEST(PlanRequest, AgentsGoWhereTheyAreToldTo) {
     const PlanRequest request = parse_plan_request(
         R"({"mission": {"start": [0, 0], "goal": [2, 0], "air_goal": [4, 0], "air_speed": 2, "ground_speed": 0.5}})");
-    const Mission mission = mission_of(request.mission, three_cells());
+    const Mission mission = document_of(request.mission, request.options, three_cells()).mission;
     ASSERT_EQ(mission.agents.size(), 2U);
     for (const Agent& agent : mission.agents) {
         const bool flies = agent.kind == AgentKind::air;
@@ -40,23 +40,27 @@ TEST(PlanRequest, AgentsGoWhereTheyAreToldTo) {
 TEST(PlanRequest, ThePaperIsItsMethodUnlessOneSaysOtherwise) {
     const PlanRequest request =
         parse_plan_request(R"({"options": {"paper": true, "removals": 2, "timing": "enforce"}})");
-    const MissionOptions options = options_of(request.options, three_cells());
-    EXPECT_EQ(options.select, Selection::hits);
-    EXPECT_EQ(options.flight, FlightRule::nearest);
-    EXPECT_EQ(options.search.planner, Planner::theta);
-    EXPECT_EQ(options.timing, Timing::enforce);
+    const Method& method = request.options.method;
+    EXPECT_EQ(method.select, Selection::hits);
+    EXPECT_EQ(method.flight, FlightRule::nearest);
+    EXPECT_EQ(method.planner, Planner::theta);
+    EXPECT_EQ(request.options.rules.timing, Timing::enforce);
 }
 
 TEST(PlanRequest, WeightsAndBudget) {
     const auto weights = [](const std::string& options) {
-        return options_of(parse_plan_request(R"({"options": )" + options + "}").options, three_cells());
+        const PlanRequest request = parse_plan_request(fmt::format(R"({{"options": {}}})", options));
+        return weights_of(request.options, three_cells().map).value();
     };
-    EXPECT_EQ(weights(R"({"weights": [[2, 0.5]]})").weights, (std::vector<double>{0, 1, 0.5}));
-    const MissionOptions by_cells = weights(R"({"weights": "cells", "budget": 2})");
-    EXPECT_EQ(by_cells.weights[1], 1);
-    EXPECT_EQ(by_cells.weights[2], 2);
-    EXPECT_EQ(by_cells.removals, 2);  // a budget alone stands in place of a count
-    EXPECT_EQ(weights(R"({"budget": 2, "removals": 1})").removals, 1);
+    const auto rules = [](const std::string& options) {
+        const PlanRequest request = parse_plan_request(
+            fmt::format(R"({{"mission": {{"start": [0, 0], "goal": [2, 0]}}, "options": {}}})", options));
+        return document_of(request.mission, request.options, three_cells()).mission.rules;
+    };
+    EXPECT_EQ(weights(R"({"weights": [[2, 0.5]]})"), (std::vector<double>{0, 1, 0.5}));
+    EXPECT_EQ(weights(R"({"weights": "cells", "budget": 2})"), (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(rules(R"({"weights": "cells", "budget": 2})").removals, 2) << "a budget alone stands in place of a count";
+    EXPECT_EQ(rules(R"({"budget": 2, "removals": 1})").removals, 1);
     EXPECT_NE(input_error([&] { weights(R"({"weights": [[3, 1]]})"); }), "");
 }
 
@@ -64,11 +68,11 @@ TEST(PlanRequest, MethodsStartFromTheOptions) {
     const PlanRequest request = parse_plan_request(
         R"({"options": {"removals": 1, "protect": [2]}, "methods": [{"name": "a", "options": {"select": "hits"}},
                                                                     {"name": "b", "options": {"removals": 0}}]})");
-    ASSERT_EQ(request.methods.size(), 2U);
-    EXPECT_EQ(request.methods[0].options.options.removals, 1);
-    EXPECT_EQ(request.methods[0].options.options.select, Selection::hits);
-    EXPECT_EQ(request.methods[1].options.options.removals, 0);
-    EXPECT_EQ(request.methods[1].options.options.protect, (std::vector<ObstacleId>{{2}}));
+    ASSERT_EQ(request.variants.size(), 2U);
+    EXPECT_EQ(request.variants[0].options.rules.removals, 1);
+    EXPECT_EQ(request.variants[0].options.method.select, Selection::hits);
+    EXPECT_EQ(request.variants[1].options.rules.removals, 0);
+    EXPECT_EQ(request.variants[1].options.rules.protect, (std::vector<ObstacleId>{{2}}));
 }
 
 TEST(PlanRequest, SaysWhatIsWrongAndWhere) {
@@ -80,6 +84,28 @@ TEST(PlanRequest, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(refusal(R"({"plan": 1})"),
               "request:1:2: the document has a member that is none of mission, options, methods, no_timing");
     EXPECT_EQ(refusal("{\n!"), "request:2:1: this is not JSON");
+    EXPECT_EQ(refusal(R"({"format": "waybreaker-mission/2"})"), "request:1:12: format is not waybreaker-mission/1");
+}
+
+constexpr auto mission_file = R"({"format": "waybreaker-mission/1",
+    "agents": [{"id": "robot", "kind": "ground", "start": [0, 0], "goal": [2, 0], "radius": 0},
+               {"id": "drone", "kind": "air", "start": [4, 0], "goal": [0, 0], "speed": 3}],
+    "rules": {"removals": 2, "breach_time": 5}, "method": {"explain": true}, "limits": {"seconds": 2}})";
+
+TEST(PlanRequest, TakesAMissionFile) {
+    const std::string inside = fmt::format(R"({{"mission": {}, "options": {{"removals": 1}}}})", mission_file);
+    for (const std::string& text : {std::string(mission_file), inside}) {
+        const PlanRequest request = parse_plan_request(text);
+        const io::MissionDocument asked = document_of(request.mission, request.options, three_cells());
+        ASSERT_EQ(asked.mission.agents.size(), 2U);
+        EXPECT_EQ(asked.mission.agents[0].id, "robot");
+        EXPECT_EQ(asked.mission.agents[0].body, point_body);
+        EXPECT_EQ(asked.mission.agents[1].speed, 3);
+        EXPECT_EQ(asked.mission.rules.breach_time.per_obstacle, 5);
+        EXPECT_EQ(asked.mission.rules.removals, text == inside ? 1 : 2) << "options override";
+        EXPECT_TRUE(asked.method.explain);
+        EXPECT_EQ(asked.limits.seconds, 2);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// How the ground agent is shaped and moves (contract, section 2).
+#pragma once
+
+#include "waybreaker/map.hpp"
+
+namespace waybreaker {
+
+// Which blocked side cells a diagonal step may pass. `none`: neither; `cut`: one; `squeeze`: both.
+enum class Corners { none, cut, squeeze };
+
+// What an agent is, to the ground it moves on.
+struct Body {
+    // Of the disc, in cells: 0.5 to 32, thousandths count. 0 is a point that slips between diagonal neighbours.
+    double radius = 0.5;
+    // Other than `none` the agent is a point, and its radius is left at 0.5.
+    Corners corners = Corners::none;
+
+    // What its diagonal steps pass: a point of radius 0 squeezes through.
+    constexpr Corners passes() const { return radius == 0 ? Corners::squeeze : corners; }
+    constexpr bool is_point() const { return passes() != Corners::none; }
+    // The radius of the disc, in cells; 0 for a point.
+    constexpr double reach() const { return is_point() ? 0 : radius; }
+    friend bool operator==(const Body&, const Body&) = default;
+};
+
+inline constexpr Body point_body{.radius = 0};
+
+// Throws InputError, naming what is wrong, if the members contradict each other or are out of range.
+void validate(const Body& body);
+
+// Whether the agent can stand on a cell of the map; a point can wherever the cell is free. Throws as validate does.
+bool fits(const OpenedMap& map, Cell at, const Body& body = {});
+
+// Whether the agent can move straight from one cell centre to another: exact, in integers. False where it does not fit
+// on either end. Throws as validate does. Time O(distance), times the radius for a wide disc.
+// REQUIRES: both cells lie on the map.
+// Laws: line_of_sight(m, a, b) == line_of_sight(m, b, a); line_of_sight(m, a, a) == fits(m, a).
+bool line_of_sight(const OpenedMap& map, Cell from, Cell to, const Body& body = {});
+
+}  // namespace waybreaker

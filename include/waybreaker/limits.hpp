@@ -1,0 +1,50 @@
+// Limits: how long a call may take, and how to end it from outside.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+
+namespace waybreaker {
+
+// Stands for std::stop_token, which not every standard library has yet: asks work on other threads to end.
+class StopToken {
+  public:
+    StopToken() = default;  // never asks
+    bool stop_requested() const { return requested_ && requested_->load(std::memory_order_relaxed); }
+
+  private:
+    friend class StopSource;
+    explicit StopToken(std::shared_ptr<const std::atomic<bool>> requested) : requested_(std::move(requested)) {}
+    std::shared_ptr<const std::atomic<bool>> requested_;
+};
+
+class StopSource {
+  public:
+    StopToken get_token() const { return StopToken(requested_); }
+    bool stop_requested() const { return requested_->load(std::memory_order_relaxed); }
+    // Whether this is the first time.
+    bool request_stop() { return !requested_->exchange(true, std::memory_order_relaxed); }
+
+  private:
+    std::shared_ptr<std::atomic<bool>> requested_ = std::make_shared<std::atomic<bool>>(false);
+};
+
+// What is known of the objective while obstacles are still being selected, in units of time.
+struct Progress {
+    double best = std::numeric_limits<double>::infinity();  // of the best plan so far
+    double bound = 0;                                       // no plan is below it
+};
+
+struct Limits {
+    // Time limit for the whole call, in seconds, > 0; on expiry the best result found so far is returned.
+    double seconds = std::numeric_limits<double>::infinity();
+    std::uint64_t expansions = UINT64_MAX;  // of each single search
+    StopToken stop = {};                    // checked, as the time is, at least every 1024 expansions
+    // Called by `exact` whenever more is known, on the thread that plans. Single searches do not call it.
+    std::function<void(const Progress&)> progress = {};
+};
+
+}  // namespace waybreaker

@@ -1,0 +1,231 @@
+#include "io/mission_json.hpp"
+
+#include <climits>
+#include <cmath>
+#include <limits>
+
+#include "io/option_words.hpp"
+#include "io/output_file.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr auto format = "waybreaker-mission/1";
+
+template <class Value>
+void read_word(const JsonField& object, const char* key, const Words<Value>& words, Value& target) {
+    if (const auto field = object.find(key)) target = field->one_of(words);
+}
+
+void read_truth(const JsonField& object, const char* key, bool& target) {
+    if (const auto field = object.find(key)) target = field->truth();
+}
+
+double read_positive(const JsonField& field) {
+    const double value = field.number();
+    if (!(value > 0)) field.fail("is not above 0");
+    return value;
+}
+
+void read_ids(const JsonField& object, const char* key, std::vector<ObstacleId>& ids) {
+    const auto field = object.find(key);
+    if (!field) return;
+    ids.clear();
+    for (const JsonField& id : field->items()) ids.push_back(read_obstacle(id));
+}
+
+Agent read_agent(const JsonField& field) {
+    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners"});
+    Agent agent;
+    agent.id = field["id"].text();
+    agent.kind = field["kind"].one_of(agent_words);
+    agent.start = read_cell(field["start"]);
+    agent.goal = read_cell(field["goal"]);
+    if (const auto speed = field.find("speed")) agent.speed = read_positive(*speed);
+    read_body(field, agent.body);
+    return agent;
+}
+
+Json place(Cell c) {
+    return {c.x, c.y};
+}
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json agent_json(const Agent& agent) {
+    Json json{{"id", agent.id},
+              {"kind", word_of(agent_words, agent.kind)},
+              {"start", place(agent.start)},
+              {"goal", place(agent.goal)},
+              {"speed", number(agent.speed)}};
+    if (agent.kind == AgentKind::air) return json;
+    json["radius"] = number(agent.body.radius);
+    json["corners"] = word_of(corner_words, agent.body.corners);
+    return json;
+}
+
+Json ids_json(const std::vector<ObstacleId>& ids) {
+    Json json = Json::array();
+    for (const ObstacleId id : ids) json.push_back(id.value);
+    return json;
+}
+
+Json rules_json(const Rules& rules) {
+    Json json{{"removals", rules.removals}};
+    if (std::isfinite(rules.budget)) json["budget"] = number(rules.budget);
+    json["protect"] = ids_json(rules.protect);
+    json["force"] = ids_json(rules.force);
+    json["breach_time"] = number(rules.breach_time.per_obstacle);
+    json["breach_time_per_cell"] = number(rules.breach_time.per_cell);
+    json["timing"] = word_of(timing_words, rules.timing);
+    json["objective"] = word_of(objective_words, rules.objective);
+    return json;
+}
+
+Json method_json(const Method& method) {
+    Json json{{"select", word_of(selection_words, method.select)},
+              {"flight", word_of(flight_words, method.flight)},
+              {"planner", word_of(planner_words, method.planner)}};
+    if (method.heuristic) json["heuristic"] = word_of(heuristic_words, *method.heuristic);
+    json["weight"] = number(method.weight);
+    json["tie_break"] = word_of(tie_break_words, method.tie_break);
+    json["moves"] = method.diagonal ? 8 : 4;
+    json["bound"] = method.bound;
+    json["explain"] = method.explain;
+    return json;
+}
+
+Json limits_json(const Limits& limits) {
+    Json json{{"seconds", number(limits.seconds)}};
+    if (limits.expansions < UINT64_MAX) json["expansions"] = limits.expansions;
+    return json;
+}
+
+void read_limits(const JsonField& field, Limits& limits) {
+    field.allow({"seconds", "expansions"});
+    if (field.json().contains("seconds")) {
+        const auto seconds = field.find("seconds");
+        limits.seconds = seconds ? read_positive(*seconds) : std::numeric_limits<double>::infinity();
+    }
+    if (const auto count = field.find("expansions"))
+        limits.expansions = std::uint64_t(count->whole_number(1, INT64_MAX));
+}
+
+std::string pretty(const Json& json, const std::string& indent) {
+    if (!json.is_structured() || json.empty()) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const bool lines = indent.empty() || (json.is_array() && json.front().is_object());
+    const std::string inner = indent + "  ";
+    std::string text;
+    for (const auto& [key, value] : json.items()) {
+        if (!text.empty()) text += lines ? ",\n" + inner : ", ";
+        if (json.is_object()) text += Json(key).dump() + ": ";
+        text += pretty(value, inner);
+    }
+    if (lines) text = "\n" + inner + text + "\n" + indent;
+    return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+}  // namespace
+
+Cell read_cell(const JsonField& field) {
+    const std::vector<JsonField> parts = field.items();
+    if (parts.size() != 2) field.fail("is not a cell, [x, y]");
+    return {int(parts[0].whole_number(INT_MIN, INT_MAX)), int(parts[1].whole_number(INT_MIN, INT_MAX))};
+}
+
+ObstacleId read_obstacle(const JsonField& field, std::uint32_t least) {
+    return {std::uint32_t(field.whole_number(least, UINT32_MAX))};
+}
+
+double read_not_negative(const JsonField& field) {
+    const double value = field.number();
+    if (value < 0) field.fail("is below 0");
+    return value;
+}
+
+void read_body(const JsonField& field, Body& body) {
+    read_word(field, "corners", corner_words, body.corners);
+    const auto radius = field.find("radius");
+    if (!radius) return;
+    body.radius = radius->number();
+    if (body.radius < 0 || body.radius > 32) radius->fail("is not between 0 and 32");
+}
+
+void read_rules(const JsonField& field, Rules& rules) {
+    if (const auto count = field.find("removals")) rules.removals = int(count->whole_number(0, INT_MAX));
+    if (const auto budget = field.find("budget")) rules.budget = read_not_negative(*budget);
+    read_ids(field, "protect", rules.protect);
+    read_ids(field, "force", rules.force);
+    if (const auto time = field.find("breach_time")) rules.breach_time.per_obstacle = read_not_negative(*time);
+    if (const auto time = field.find("breach_time_per_cell")) rules.breach_time.per_cell = read_not_negative(*time);
+    read_word(field, "timing", timing_words, rules.timing);
+    read_word(field, "objective", objective_words, rules.objective);
+}
+
+void read_method(const JsonField& field, Method& method) {
+    read_word(field, "select", selection_words, method.select);
+    read_word(field, "flight", flight_words, method.flight);
+    read_word(field, "planner", planner_words, method.planner);
+    if (const auto heuristic = field.find("heuristic")) method.heuristic = heuristic->one_of(heuristic_words);
+    if (const auto weight = field.find("weight")) method.weight = read_not_negative(*weight);
+    read_word(field, "tie_break", tie_break_words, method.tie_break);
+    if (const auto moves = field.find("moves")) {
+        const auto count = moves->whole_number(4, 8);
+        if (count != 4 && count != 8) moves->fail("is neither 4 nor 8");
+        method.diagonal = count == 8;
+    }
+    read_truth(field, "bound", method.bound);
+    read_truth(field, "explain", method.explain);
+}
+
+MissionDocument read_mission(const JsonField& document, const Limits& limits) {
+    if (document["format"].text() != format) document["format"].fail(std::string("is not ") + format);
+    document.allow({"format", "agents", "rules", "method", "limits"});
+    MissionDocument result;
+    result.limits = limits;
+    for (const JsonField& agent : document["agents"].items()) result.mission.agents.push_back(read_agent(agent));
+    if (const auto rules = document.find("rules")) {
+        rules->allow(
+            {"removals", "budget", "protect", "force", "breach_time", "breach_time_per_cell", "timing", "objective"});
+        read_rules(*rules, result.mission.rules);
+    }
+    if (const auto method = document.find("method")) {
+        method->allow({"select", "flight", "planner", "heuristic", "weight", "tie_break", "moves", "bound", "explain"});
+        read_method(*method, result.method);
+    }
+    if (const auto said = document.find("limits")) read_limits(*said, result.limits);
+    return result;
+}
+
+MissionDocument parse_mission(std::string_view bytes, const std::string& name, const Limits& limits) {
+    const auto document = parse_json(bytes, name, max_mission_depth);
+    return read_mission(JsonField(document), limits);
+}
+
+MissionDocument read_mission_file(const std::string& path, const Limits& limits) {
+    return parse_mission(read_whole(path, max_mission_bytes), path, limits);
+}
+
+Json mission_json(const MissionDocument& document) {
+    Json agents = Json::array();
+    for (const Agent& agent : document.mission.agents) agents.push_back(agent_json(agent));
+    return {{"format", format},
+            {"agents", std::move(agents)},
+            {"rules", rules_json(document.mission.rules)},
+            {"method", method_json(document.method)},
+            {"limits", limits_json(document.limits)}};
+}
+
+std::string mission_text(const MissionDocument& document) {
+    return pretty(mission_json(document)) + "\n";
+}
+
+std::string pretty(const Json& json) {
+    return pretty(json, "");
+}
+
+}  // namespace waybreaker::io

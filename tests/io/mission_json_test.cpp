@@ -1,0 +1,131 @@
+// Mission files come back as they were written; others are refused in one line that says where and why.
+#include "io/mission_json.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+
+#include "input_error.hpp"
+#include "random_map.hpp"
+
+namespace waybreaker::io {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<ObstacleId> any_ids() {
+    std::vector<ObstacleId> ids;
+    for (int i = *number(0, 3); i > 0; --i) ids.push_back({std::uint32_t(*number(1, 9))});
+    return ids;
+}
+
+MissionDocument any_document() {
+    MissionDocument document;
+    for (int i = *number(0, 3); i > 0; --i) {
+        const AgentKind kind = *rc::gen::element(AgentKind::ground, AgentKind::air);
+        document.mission.agents.push_back({.id = *rc::gen::element<std::string>("ground", "drone \"7\"", ""),
+                                           .kind = kind,
+                                           .start = {*number(-3, 9), *number(0, 9)},
+                                           .goal = {*number(0, 9), *number(0, 9)},
+                                           .speed = *rc::gen::element(1.0, 0.1, 3e5)});
+        if (kind == AgentKind::ground)
+            document.mission.agents.back().body = {*rc::gen::element(0.5, 0.0, 1.25), any_corners()};
+    }
+    document.mission.rules = {
+        .removals = *number(0, 9),
+        .budget = *rc::gen::element(2.5, 0.0, infinity),
+        .protect = any_ids(),
+        .force = any_ids(),
+        .breach_time = {*rc::gen::element(0.0, 0.1), *rc::gen::element(0.0, 7.0)},
+        .timing = *rc::gen::element(Timing::enforce, Timing::ignore),
+        .objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan)};
+    document.method = {.select = *rc::gen::element(Selection::exact, Selection::hits),
+                       .flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest),
+                       .planner = *rc::gen::element(Planner::optimal, Planner::theta, Planner::jps),
+                       .heuristic = *rc::gen::element(std::optional<Heuristic>(), std::optional(Heuristic::octile)),
+                       .weight = *rc::gen::element(1.0, 1.1),
+                       .tie_break = *rc::gen::element(TieBreak::g_max, TieBreak::g_min),
+                       .diagonal = *rc::gen::arbitrary<bool>(),
+                       .bound = *rc::gen::arbitrary<bool>(),
+                       .explain = *rc::gen::arbitrary<bool>()};
+    document.limits.seconds = *rc::gen::element(10.0, 0.25, infinity);
+    document.limits.expansions = *rc::gen::element<std::uint64_t>(1, 1000, UINT64_MAX);
+    return document;
+}
+
+RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
+    const MissionDocument written = any_document();
+    const std::string text = mission_text(written);
+    const MissionDocument read = parse_mission(text, "m.json", {.seconds = 3});
+    RC_ASSERT(mission_text(read) == text);
+    RC_ASSERT(read.mission.agents.size() == written.mission.agents.size());
+    for (std::size_t i = 0; i < read.mission.agents.size(); ++i) {
+        const Agent& a = read.mission.agents[i];
+        const Agent& b = written.mission.agents[i];
+        RC_ASSERT(a.id == b.id && a.kind == b.kind && a.start == b.start && a.goal == b.goal);
+        RC_ASSERT(a.speed == b.speed && a.body == b.body);
+    }
+    const Rules& rules = read.mission.rules;
+    RC_ASSERT(rules.removals == written.mission.rules.removals);
+    RC_ASSERT(rules.budget == written.mission.rules.budget);
+    RC_ASSERT(rules.protect == written.mission.rules.protect);
+    RC_ASSERT(rules.force == written.mission.rules.force);
+    RC_ASSERT(rules.breach_time.per_obstacle == written.mission.rules.breach_time.per_obstacle);
+    RC_ASSERT(rules.breach_time.per_cell == written.mission.rules.breach_time.per_cell);
+    RC_ASSERT(rules.timing == written.mission.rules.timing);
+    RC_ASSERT(rules.objective == written.mission.rules.objective);
+    RC_ASSERT(read.method.select == written.method.select);
+    RC_ASSERT(read.method.flight == written.method.flight);
+    RC_ASSERT(read.method.planner == written.method.planner);
+    RC_ASSERT(read.method.heuristic == written.method.heuristic);
+    RC_ASSERT(read.method.weight == written.method.weight);
+    RC_ASSERT(read.method.tie_break == written.method.tie_break);
+    RC_ASSERT(read.method.diagonal == written.method.diagonal);
+    RC_ASSERT(read.method.bound == written.method.bound);
+    RC_ASSERT(read.method.explain == written.method.explain);
+    RC_ASSERT(read.limits.seconds == written.limits.seconds);
+    RC_ASSERT(read.limits.expansions == written.limits.expansions);
+}
+
+constexpr auto agents = R"("agents": [{"id": "a", "kind": "ground", "start": [1, 2], "goal": [3, 4]}])";
+
+std::string with(const std::string& members) {
+    return R"({"format": "waybreaker-mission/1", )" + members + "}";
+}
+
+TEST(MissionFile, HasDefaultsForWhatItLeavesOut) {
+    const MissionDocument read = parse_mission(with(agents), "m.json", {.seconds = 3});
+    ASSERT_EQ(read.mission.agents.size(), 1U);
+    EXPECT_EQ(read.mission.agents[0].speed, 1);
+    EXPECT_EQ(read.mission.agents[0].body, Body());
+    EXPECT_EQ(read.mission.rules.removals, Rules().removals);
+    EXPECT_EQ(read.method.select, Selection::exact);
+    EXPECT_EQ(read.limits.seconds, 3);
+    EXPECT_EQ(parse_mission(with(agents + std::string(R"(, "limits": {"seconds": null})")), "m.json", {.seconds = 3})
+                  .limits.seconds,
+              infinity);
+}
+
+TEST(MissionFile, IsRefusedWithPlaceAndReason) {
+    const auto refusal = [](const std::string& text) { return input_error([&] { parse_mission(text, "m.json"); }); };
+    EXPECT_EQ(refusal("{"), "m.json:1:2: this is not JSON: it ends too early");
+    EXPECT_EQ(refusal("{}"), "m.json:1:1: the document has no member format");
+    EXPECT_EQ(refusal(R"({"format": "waybreaker-plan/1"})"), "m.json:1:12: format is not waybreaker-mission/1");
+    EXPECT_EQ(refusal(with(R"("agents": {})")), "m.json:1:46: agents is not an array");
+    EXPECT_EQ(refusal(with(R"("agents": [{"id": "a"}])")), "m.json:1:47: agents[0] has no member kind");
+    const auto says = [&](const std::string& members) {
+        const std::string error = refusal(with(agents + (", " + members)));
+        return error.substr(error.find(' ') + 1);
+    };
+    EXPECT_EQ(says(R"("removals": 2)"),
+              "the document has a member that is none of format, agents, rules, method, limits");
+    EXPECT_EQ(says(R"("rules": {"removals": -1})"), "rules.removals is not between 0 and 2147483647");
+    EXPECT_EQ(says(R"("rules": {"protect": [0]})"), "rules.protect[0] is not between 1 and 4294967295");
+    EXPECT_EQ(says(R"("rules": {"timing": "never"})"), "rules.timing is none of enforce, ignore");
+    EXPECT_EQ(says(R"("method": {"moves": 6})"), "method.moves is neither 4 nor 8");
+    EXPECT_EQ(says(R"("limits": {"seconds": 0})"), "limits.seconds is not above 0");
+}
+
+}  // namespace
+}  // namespace waybreaker::io
