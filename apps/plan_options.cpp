@@ -69,8 +69,8 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
                      "exact flight past one obstacle");
     add_removals(command, options);
     add_choice(command, "--select", io::selection_words, options.select,
-               "Obstacles chosen with a proven bound on every other choice, or those that the search ran into most "
-               "often, as in the paper "
+               "Obstacles chosen with a proven bound on every other choice; those that the search ran into most "
+               "often, as in the paper; again and again the one that shortens the ground path most; or none "
                "(default: exact)");
     add_number(
         command, "--budget", [&options](double budget) { options.budget = budget; }, {least_weight, most_weight},

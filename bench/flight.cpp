@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "maps.hpp"
-#include "waybreaker/breach.hpp"
+#include "select/hits.hpp"
 #include "waybreaker/search.hpp"
 
 namespace waybreaker::bench {

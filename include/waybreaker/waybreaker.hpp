@@ -2,7 +2,6 @@
 #pragma once
 
 #include "waybreaker/body.hpp"      // IWYU pragma: export
-#include "waybreaker/breach.hpp"    // IWYU pragma: export
 #include "waybreaker/cell.hpp"      // IWYU pragma: export
 #include "waybreaker/check.hpp"     // IWYU pragma: export
 #include "waybreaker/crossing.hpp"  // IWYU pragma: export

@@ -16,11 +16,13 @@ waybreaker::Method method_of(const Configuration& configuration, Mission& missio
             follow_paper(mission.rules, method);
             break;
         case Method::none:
-            method.select = configuration.planner == Planner::optimal ? Selection::exact : Selection::hits;
+            method.select = Selection::none;
             mission.rules.timing = Timing::ignore;
             break;
-        case Method::exact:
         case Method::greedy:
+            method.select = Selection::greedy;
+            break;
+        case Method::exact:
             break;
     }
     method.planner = configuration.planner;
@@ -71,8 +73,7 @@ Result Evaluator::evaluate(const Map& map, const ExperimentMission& mission, con
     const auto begin = std::chrono::steady_clock::now();
     Result result;
     try {
-        result = configuration.method == Method::greedy ? plan_greedily(map, mission, configuration.removals, stop)
-                                                        : plan(map, mission, configuration, stop);
+        result = plan(map, mission, configuration, stop);
         // The exact method gives back the best it knew then; but a figure that hangs on the clock is none.
         if (stop.stop_requested()) result = {.status = ResultStatus::timed_out};
     } catch (const std::bad_alloc&) {

@@ -3,7 +3,6 @@
 
 #include "experiment/experiment.hpp"
 #include "experiment/result.hpp"
-#include "waybreaker/crossing.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/planner.hpp"
 
@@ -19,10 +18,8 @@ class Evaluator {
   private:
     Result plan(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
                 const StopToken& stop);
-    Result plan_greedily(const Map& map, const ExperimentMission& mission, int removals, const StopToken& stop);
 
     MissionPlanner planner_;
-    CrossingSearcher crossing_;
 };
 
 }  // namespace waybreaker::experiment

@@ -13,7 +13,8 @@ namespace waybreaker::io {
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 
-inline const Words<Selection> selection_words{{"exact", Selection::exact}, {"hits", Selection::hits}};
+inline const Words<Selection> selection_words{
+    {"exact", Selection::exact}, {"hits", Selection::hits}, {"greedy", Selection::greedy}, {"none", Selection::none}};
 inline const Words<FlightRule> flight_words{{"optimal", FlightRule::optimal}, {"nearest", FlightRule::nearest}};
 inline const Words<Timing> timing_words{{"enforce", Timing::enforce}, {"ignore", Timing::ignore}};
 inline const Words<Objective> objective_words{{"makespan", Objective::makespan},

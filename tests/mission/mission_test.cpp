@@ -8,7 +8,7 @@
 #include "legal_path.hpp"
 #include "paper_plan.hpp"
 #include "random_map.hpp"
-#include "waybreaker/breach.hpp"
+#include "select/hits.hpp"
 #include "waybreaker/flight.hpp"
 #include "waybreaker/planner.hpp"
 

@@ -11,9 +11,9 @@
 #include <sstream>
 #include <tuple>
 
+#include "select/hits.hpp"
 #include "share.hpp"
 #include "shared_data.hpp"
-#include "waybreaker/breach.hpp"
 #include "waybreaker/flight.hpp"
 #include "waybreaker/movingai.hpp"
 #include "waybreaker/search.hpp"

@@ -78,7 +78,8 @@ TEST(PlanRequest, MethodsStartFromTheOptions) {
 TEST(PlanRequest, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(refusal("{\"mission\": {\n \"start\": [1]}}"), "request:2:11: mission.start is not a cell, [x, y]");
     EXPECT_EQ(refusal(R"({"mission": {"air_speed": 0}})"), "request:1:27: mission.air_speed is not above 0");
-    EXPECT_EQ(refusal(R"({"options": {"select": "best"}})"), "request:1:24: options.select is none of exact, hits");
+    EXPECT_EQ(refusal(R"({"options": {"select": "best"}})"),
+              "request:1:24: options.select is none of exact, hits, greedy, none");
     EXPECT_EQ(refusal(R"({"options": {"moves": 6}})"), "request:1:23: options.moves is neither 4 nor 8");
     EXPECT_EQ(refusal(R"({"options": {"removals": 33}})"), "request:1:26: options.removals is not between 0 and 32");
     EXPECT_EQ(refusal(R"({"plan": 1})"),

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "mission/candidate.hpp"
+#include "select/task.hpp"
 
 namespace waybreaker {
 

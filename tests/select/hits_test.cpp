@@ -1,12 +1,12 @@
 // The paper's choice against a full sort.
+#include "select/hits.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <tuple>
 #include <vector>
-
-#include "waybreaker/breach.hpp"
 
 namespace waybreaker {
 namespace {

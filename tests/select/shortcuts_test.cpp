@@ -1,5 +1,5 @@
 // What is guessed to be worth removing.
-#include "mission/shortcuts.hpp"
+#include "select/shortcuts.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "mission/shortcuts.hpp"
+#include "select/shortcuts.hpp"
 
 #include <algorithm>
 #include <cmath>

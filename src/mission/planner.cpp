@@ -1,32 +1,33 @@
 // From mission to plan. plan() reads as the paper's section 3, with time.
+#include "waybreaker/planner.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "core/stopwatch.hpp"
-#include "mission/candidate.hpp"
-#include "mission/chooser.hpp"
-#include "mission/exact.hpp"
 #include "mission/explain.hpp"
-#include "waybreaker/planner.hpp"
+#include "select/exact.hpp"
+#include "select/selector.hpp"
 
 namespace waybreaker {
 namespace {
 
-Outcome outcome(const Task& task, const Draft& draft) {
+Outcome outcome(const Task& task, const Candidate& candidate) {
     Outcome result;
-    result.ground() = draft.candidate.ground;
+    result.ground() = candidate.opening.ground;
     Route& air = result.air();
-    air.length = draft.schedule.flight.length;
+    air.length = candidate.schedule.flight.length;
     air.path.emplace_back(task.flyer.start);
-    for (const BreachPoint& breach : draft.schedule.flight.breaches) air.path.emplace_back(breach.at);
+    for (const BreachPoint& breach : candidate.schedule.flight.breaches) air.path.emplace_back(breach.at);
     air.path.emplace_back(task.flyer.goal);
     if (result.ground().length) {
-        result.makespan = draft.schedule.makespan;
-        result.flowtime = draft.schedule.flowtime;
-        result.ground_makespan = draft.schedule.ground.back().t;
+        result.makespan = candidate.schedule.makespan;
+        result.flowtime = candidate.schedule.flowtime;
+        result.ground_makespan = candidate.schedule.ground.back().t;
     }
     return result;
 }
@@ -68,24 +69,25 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
     validate(map, mission, method, limits);
     const Task task = task_of(map, mission, method, limits);
     const Stopwatch total;
-    Chooser chooser{task, searcher_, crossing_};
+    const Searchers searchers{searcher_, crossing_};
+    const std::unique_ptr<Selector> selector = selector_of(method, searchers);
 
     // The ground path without removal; the paper counts on the way how often each obstacle is in it.
-    const Draft nothing = chooser.nothing();
-    // Select the obstacles to remove (beyond those that must be), open the ground path, fly past them, and put
-    // both in time.
+    const Candidate baseline = selector->baseline(task);
+    // Select the obstacles to remove (beyond those that must be), open the ground path, fly past them, and put both in
+    // time.
     const Stopwatch selecting;
-    const Draft least = chooser.least(task, nothing);
-    const std::vector<Draft> drafts = chooser.drafts(task, least);
-    const Draft& best = best_of(task, least, drafts);
-    const double selected = selecting.seconds();
+    const Candidate start = start_of(task, searchers, baseline);
+    const Selected selected = selector->select(task, start);
+    const Candidate& best = best_of(task, start, selected.candidates);
+    const double selecting_seconds = selecting.seconds();
 
     // Report both, without removal and with the best.
     Plan plan;
-    plan.status = plan_status(best.candidate.status);
-    plan.before = outcome(task, nothing);
+    plan.status = plan_status(best.opening.status);
+    plan.before = outcome(task, baseline);
     plan.after = outcome(task, best);
-    plan.breaches = breaches(task, best.schedule, chooser.hits());
+    plan.breaches = breaches(task, best.schedule, selector->hits());
     if (plan.status == PlanStatus::solved) {
         for (const Agent& agent : mission.agents) {
             const std::vector<Waypoint>& path =
@@ -93,24 +95,25 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
             plan.agents.push_back({agent.id, agent.kind, agent.speed, path, agent.start, agent.goal});
         }
         const double reached = cost(task, best);
-        if (const std::optional<double> bound = chooser.bound(); bound || method.bound) {
-            plan.bound =
-                std::min(bound ? *bound : bound_of(task, crossing_, reached, task.deadline).objective, reached);
+        if (selected.bound || method.bound) {
+            const double bound =
+                selected.bound ? *selected.bound : prove_bound(task, crossing_, reached, task.deadline).objective;
+            plan.bound = std::min(bound, reached);
             plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
         }
-        if (method.explain) explain(task, chooser, nothing, best, plan);
+        if (method.explain) explain(task, searchers, *selector, baseline, best, plan);
     }
-    const auto limited = [](const Draft& draft) { return draft.candidate.limited; };
-    plan.limit_reached = chooser.limited() || limited(nothing) || limited(least) ||
-                         std::ranges::any_of(drafts, limited) || task.deadline.passed();
+    const auto limited = [](const Candidate& candidate) { return candidate.opening.limited; };
+    plan.limit_reached = selected.limited || limited(baseline) || limited(start) ||
+                         std::ranges::any_of(selected.candidates, limited) || task.deadline.passed();
     // Whether there is no way was not found out.
     if (plan.status == PlanStatus::no_plan && plan.limit_reached) plan.status = PlanStatus::limit_reached;
-    plan.seconds.search = nothing.candidate.ground.seconds;
-    for (const Draft& draft : drafts) {
-        plan.seconds.search += draft.candidate.ground.seconds;
-        plan.seconds.flight += draft.flight_seconds;
+    plan.seconds.search = baseline.opening.ground.seconds;
+    for (const Candidate& candidate : selected.candidates) {
+        plan.seconds.search += candidate.opening.ground.seconds;
+        plan.seconds.flight += candidate.flight_seconds;
     }
-    plan.seconds.select = selected;
+    plan.seconds.select = selecting_seconds;
     plan.seconds.total = total.seconds();
     return plan;
 }

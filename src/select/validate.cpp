@@ -5,7 +5,7 @@
 namespace waybreaker {
 
 Planner planner_of(const Method& method, const Body& body) {
-    const bool possible = method.select == Selection::exact && can_drive_optimally(body, method.diagonal);
+    const bool possible = method.select != Selection::hits && can_drive_optimally(body, method.diagonal);
     return method.planner == Planner::optimal && !possible ? Planner::theta : method.planner;
 }
 
@@ -29,7 +29,14 @@ void follow_paper(Rules& rules, Method& method) {
 void validate(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     if (!(limits.seconds > 0)) throw InputError("the time limit must be above 0 seconds");
     for (const Agent& agent : mission.agents) {
-        if (agent.kind == AgentKind::ground) validate(search_options(method, agent.body));
+        if (agent.kind != AgentKind::ground) continue;
+        validate(search_options(method, agent.body));
+        if (method.select == Selection::greedy && planner_of(method, agent.body) != Planner::optimal) {
+            throw InputError(
+                "greedy selection drives by the optimal planner, which moves an agent of radius 0.5 or 0 that passes "
+                "no "
+                "blocked corner");
+        }
     }
     validate(map, mission);
 }

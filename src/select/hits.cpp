@@ -1,0 +1,97 @@
+#include "select/hits.hpp"
+
+#include <algorithm>
+
+#include "core/stopwatch.hpp"
+
+namespace waybreaker {
+namespace {
+
+// Lets stand again what the ground path does without, but for what must be removed, which comes first.
+void keep_needed(const Task& task, Opening& opening, std::span<const Cell> path) {
+    for (std::size_t i = opening.removed.size(); i-- > task.rules.force.size();) {
+        std::vector<ObstacleId> others = opening.removed;
+        others.erase(others.begin() + std::ptrdiff_t(i));
+        const OpenedMap map(task.map, others);
+        const auto blocked = [&](Cell a, Cell b) { return !line_of_sight(map, a, b, task.driver.body); };
+        if (std::ranges::adjacent_find(path, blocked) == path.end()) opening.removed = std::move(others);
+    }
+}
+
+Candidate opened(const Task& task, Searcher& searcher, std::span<const ObstacleId> removed) {
+    const Stopwatch watch;
+    const SearchResult search =
+        searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, cell_search(task));
+    Opening opening = opening_of({removed.begin(), removed.end()}, search, watch.seconds());
+    if (task.rules.timing == Timing::enforce && opening.ground.length) keep_needed(task, opening, search.path);
+    return candidate_of(task, std::move(opening));
+}
+
+}  // namespace
+
+std::vector<ObstacleId> most_hit(const Map& map, std::span<const std::uint32_t> hits, int n) {
+    std::vector<ObstacleId> chosen;
+    for (const Obstacle& obstacle : map.obstacles()) {
+        if (obstacle.destructible && hits[obstacle.id.value] > 0) chosen.push_back(obstacle.id);
+    }
+    const auto more_hits = [hits](ObstacleId a, ObstacleId b) {
+        return hits[a.value] != hits[b.value] ? hits[a.value] > hits[b.value] : a < b;
+    };
+    const auto count = std::min(chosen.size(), std::size_t(std::max(n, 0)));
+    std::partial_sort(chosen.begin(), chosen.begin() + std::ptrdiff_t(count), chosen.end(), more_hits);
+    chosen.resize(count);
+    return chosen;
+}
+
+SearchResult search_counting_hits(const Task& task, Searcher& searcher) {
+    SearchOptions counting = cell_search(task);
+    counting.count_hits = true;
+    return searcher.find(OpenedMap(task.map), task.driver.start, task.driver.goal, counting);
+}
+
+std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::uint32_t> hits) {
+    const Rules& rules = task.rules;
+    std::vector<std::uint32_t> countable(hits.begin(), hits.end());
+    for (const ObstacleId id : rules.protect) countable[id.value] = 0;
+    for (const ObstacleId id : rules.force) countable[id.value] = 0;
+    std::vector<ObstacleId> chosen = task.with_forced(most_hit(task.map, countable, task.spare_removals()));
+    double budget = rules.budget;
+    std::erase_if(chosen, [&](ObstacleId id) {
+        const double weight = task.map.obstacle(id).weight;
+        if (weight > budget) return true;
+        budget -= weight;
+        return false;
+    });
+    return chosen;
+}
+
+Candidate HitsSelector::baseline(const Task& task) {
+    const Stopwatch watch;
+    SearchResult search = search_counting_hits(task, searchers_.cells);
+    hits_ = std::move(search.hits);
+    return candidate_of(task, opening_of({}, search, watch.seconds()));
+}
+
+Selected HitsSelector::select(const Task& task, const Candidate& start) {
+    const std::vector<ObstacleId> chosen = chosen_by_hits(task, hits_);
+    Selected selected;
+    std::vector<Candidate>& candidates = selected.candidates;
+    if (chosen.empty() || start.opening.status == SearchStatus::stopped) return selected;
+    if (task.rules.timing == Timing::ignore) {
+        candidates.push_back(opened(task, searchers_.cells, chosen));
+        return selected;
+    }
+    const double floor =
+        task.objective(distance(task.driver.start, task.driver.goal) / task.driver.speed, task.least_flight);
+    double best = cost(task, start);
+    for (std::size_t count = task.rules.force.size() + 1; count <= chosen.size(); ++count) {
+        if (best <= floor * (1 + 1e-9) || task.deadline.passed()) break;
+        candidates.push_back(opened(task, searchers_.cells, std::span(chosen).first(count)));
+        best = std::min(best, cost(task, candidates.back()));
+        if (candidates.back().opening.status == SearchStatus::stopped) break;
+    }
+    selected.limited = task.deadline.passed();
+    return selected;
+}
+
+}  // namespace waybreaker

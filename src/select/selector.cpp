@@ -1,0 +1,49 @@
+#include "select/selector.hpp"
+
+#include "select/exact.hpp"
+#include "select/greedy.hpp"
+#include "select/hits.hpp"
+
+namespace waybreaker {
+namespace {
+
+// Removes nothing but what must be.
+class NoSelector : public Selector {
+  public:
+    explicit NoSelector(const Searchers& searchers) : searchers_(searchers) {}
+    Candidate baseline(const Task& task) override { return candidate_of(task, open(task, searchers_, {})); }
+    Selected select(const Task& /*task*/, const Candidate& /*start*/) override { return {}; }
+
+  private:
+    Searchers searchers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Selector> selector_of(const Method& method, const Searchers& searchers) {
+    switch (method.select) {
+        case Selection::exact:
+            return std::make_unique<ExactSelector>(searchers);
+        case Selection::hits:
+            return std::make_unique<HitsSelector>(searchers);
+        case Selection::greedy:
+            return std::make_unique<GreedySelector>(searchers);
+        case Selection::none:
+            break;
+    }
+    return std::make_unique<NoSelector>(searchers);
+}
+
+Candidate start_of(const Task& task, const Searchers& searchers, const Candidate& baseline) {
+    const std::vector<ObstacleId>& force = task.rules.force;
+    if (force.empty()) return baseline;
+    Candidate opened = candidate_of(task, open(task, searchers, force));
+    // An obstacle that falls late may better be driven around.
+    Opening around = baseline.opening;
+    around.removed = force;
+    around.limited = around.limited || opened.opening.limited;
+    Candidate other = candidate_of(task, std::move(around));
+    return cost(task, other) < cost(task, opened) ? other : opened;
+}
+
+}  // namespace waybreaker
