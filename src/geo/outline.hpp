@@ -16,4 +16,7 @@ using Polygon = std::vector<Ring>;
 // The polygons of each obstacle, outlines[id], entry 0 unused: one for every 4-connected part of it.
 std::vector<std::vector<Polygon>> outlines(const Map& map);
 
+// The same for one obstacle; time and memory O(its bounding box). REQUIRES: the map has that obstacle.
+std::vector<Polygon> outline(const Map& map, ObstacleId id);
+
 }  // namespace waybreaker::geo

@@ -53,12 +53,11 @@ std::string plan_geojson(const Plan& plan, const MapFile& map) {
                          "--csv and --ros-path do without");
     }
     const geo::ToLonLat to_lon_lat(*map.georeference);
-    const std::vector<std::vector<geo::Polygon>> outlines = geo::outlines(map.map);
     std::vector<Json> features;
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
         const Breach& removal = plan.breaches[i];
         features.push_back(feature(properties_of(removal, map, "removed", i + 1),
-                                   polygons_json(to_lon_lat, outlines[removal.obstacle.value])));
+                                   polygons_json(to_lon_lat, geo::outline(map.map, removal.obstacle))));
     }
     for (const Itinerary& agent : plan.agents) features.push_back(path_feature(to_lon_lat, agent));
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {

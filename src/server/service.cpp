@@ -53,6 +53,7 @@ void require_safe(const ServiceOptions& options) {
 Response problem_response(int status, const std::string& detail, std::string_view kind = "") {
     Response response{.status = status, .type = "application/problem+json", .body = problem_json(status, detail, kind)};
     if (status == unavailable) response.headers.add("Retry-After", "1");
+    if (status == unsupported_type) response.headers.add("Accept-Encoding", "gzip");
     if (status == unauthorized) response.headers.add("WWW-Authenticate", "Bearer");
     return response;
 }

@@ -29,6 +29,9 @@ bool covers(const Polygon& polygon, Cell c) {
 void expect_cells(const Map& map) {
     const auto all = outlines(map);
     ASSERT_EQ(all.size(), map.obstacles().size() + 1);
+    for (const Obstacle& obstacle : map.obstacles()) {
+        EXPECT_EQ(outline(map, obstacle.id), all[obstacle.id.value]) << "alone as among the others";
+    }
     for (Cell c; c.y < map.height(); ++c.y) {
         for (c.x = 0; c.x < map.width(); ++c.x) {
             for (std::uint32_t id = 1; id < all.size(); ++id) {
