@@ -1,6 +1,6 @@
 #include "crossing/bends.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 void Bends::start_query(const Map& map) {
     if (map_ == map.identity()) return;
@@ -49,4 +49,4 @@ void Bends::grow() {
     }
 }
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

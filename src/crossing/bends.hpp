@@ -9,7 +9,7 @@
 
 #include "crossing/outline.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 // A bend of an outline that is followed one way; the other way it is another one.
 struct Bend {
@@ -52,4 +52,4 @@ class Bends {
     std::vector<Slot> slots_;          // hash table, open addressing
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -13,6 +13,9 @@
 #include "crossing/validate.hpp"
 
 namespace waybreaker {
+
+using namespace crossing;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

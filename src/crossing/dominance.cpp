@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 bool Dominance::operator()(const Label& better, const Label& worse) const {
     constexpr double rounding = 1e-12;  // relative: one way to the goal in other pieces is told of once
@@ -41,4 +41,4 @@ bool Dominance::lost(std::uint32_t obstacle, const Label& label) const {
     return label.length + gap(label.at) + gap(goal) > limit;
 }
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -4,7 +4,7 @@
 #include "crossing/labels.hpp"
 #include "waybreaker/map.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 struct Dominance {
     const Map& map;
@@ -23,4 +23,4 @@ struct Dominance {
     double weight(std::uint32_t obstacle) const { return weighs ? map.obstacle(ObstacleId{obstacle}).weight : 0; }
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -7,7 +7,7 @@
 
 #include "crossing/lattice.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 // A small cache that may forget, which costs time only.
 class Done {
@@ -33,4 +33,4 @@ class Done {
     std::uint64_t round_ = 1;
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -6,7 +6,7 @@
 
 #include "crossing/lattice.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 class Ellipse {
   public:
@@ -52,4 +52,4 @@ class Ellipse {
     double across_scale_ = 0;
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 void Fan::start_query(const Map& map, Vertex goal, const CrossingOptions& options, Interrupt& interrupt) {
     map_ = &map;
@@ -276,4 +276,4 @@ void Fan::reach(Vertex v, double share, std::size_t squeeze, std::vector<std::ui
     }
 }
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -18,7 +18,7 @@
 #include "crossing/outline.hpp"
 #include "crossing/ray.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 // A corner of an obstacle: the quadrant of its vertex that the obstacle fills, and the obstacle.
 struct Corner {
@@ -120,4 +120,4 @@ class Fan {
     std::vector<Front> fronts_;  // ahead of those reached; the first is none
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -6,7 +6,7 @@
 #include "core/stopwatch.hpp"
 #include "waybreaker/limits.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 class Interrupt {
   public:
@@ -32,4 +32,4 @@ class Interrupt {
     Cause cause_ = Cause::none;
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

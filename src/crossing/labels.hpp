@@ -7,7 +7,7 @@
 
 #include "crossing/lattice.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 inline constexpr std::uint32_t no_label = UINT32_MAX;
 
@@ -93,4 +93,4 @@ class Places {
     std::vector<std::uint32_t> slots_;  // place + 1; 0 is empty
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -14,7 +14,7 @@
 #include "waybreaker/cell.hpp"
 #include "waybreaker/crossing.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 struct Vertex {
     int x = 0;
@@ -94,4 +94,4 @@ class Bounds {
 
 inline constexpr std::array<Step, 4> quadrants{Step{1, 1}, Step{-1, 1}, Step{-1, -1}, Step{1, -1}};
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -4,7 +4,7 @@
 #include "crossing/lattice.hpp"
 #include "waybreaker/map.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 // A side of a cell of the obstacle on its boundary, and the way one goes along it.
 struct Side {
@@ -66,4 +66,4 @@ class Outline {
     int reach_;
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

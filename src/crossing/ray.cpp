@@ -10,7 +10,7 @@
 #include "crossing/stairs.hpp"
 #include "map/bit_run.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 void Ray::Free::operator()(void* memory) const {
     std::free(memory);
 }
@@ -285,4 +285,4 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
     stopped_at_ = stopped_ ? one.at : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -9,7 +9,7 @@
 #include "crossing/lattice.hpp"
 #include "waybreaker/map.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 // Where a ray first enters an obstacle: through which side of which of its cells.
 struct Hit {
@@ -105,4 +105,4 @@ class Ray {
     double stopped_at_ = 0;  // the share at which it was stopped
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -5,7 +5,7 @@
 
 #include "crossing/lattice.hpp"
 
-namespace waybreaker {
+namespace waybreaker::crossing {
 
 // floor((start + i * step) / divisor) for i = 0, 1, ...: additions only after the first.
 class Stairs {
@@ -33,4 +33,4 @@ class Stairs {
     std::int64_t divisor_;
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::crossing

@@ -24,9 +24,8 @@ Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const
     if (task.rules.timing == Timing::ignore) return breaching;
     // A point touches nothing when it passes between two diagonal neighbours.
     constexpr double hair = 1e-5;
-    const auto needed_by = task.driver.body.passes() != Corners::cut || task.driver.body.reach() > 0
-                               ? breaching.touched
-                               : first_touch(map, obstacle, driven, hair);
+    const auto needed_by =
+        task.driver.body.passes() != Corners::cut ? breaching.touched : first_touch(map, obstacle, driven, hair);
     if (needed_by) breaching.needed_by = *needed_by;
     return breaching;
 }

@@ -135,8 +135,7 @@ describe("the mission", () => {
     const [none] = await page.figures();
     await page.page.keyboard.press("End");
     await expect.poll(async () => (await page.figures())[0]!, { timeout: 10_000 }).toBeLessThan(none!);
-    await page.settled();
-    expect((await page.plan()).options.removals).toBe(8);
+    await expect.poll(async () => (await page.plan()).options.removals, { timeout: 10_000 }).toBe(8);
     const curve = page.page.getByRole("group", { name: "What each number of removals reaches" });
     await expect.poll(() => curve.getByRole("button").count(), { timeout: 20_000 }).toBe(9);
   });
