@@ -8,6 +8,27 @@
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
+namespace {
+
+// Threads that are waited for, whatever happens: std::jthread, which not every standard library has.
+class Joined {
+  public:
+    Joined() = default;
+    Joined(const Joined&) = delete;
+    Joined& operator=(const Joined&) = delete;
+    ~Joined() {
+        for (std::thread& thread : threads_) thread.join();
+    }
+    template <class Work>
+    void start(const Work& work) {
+        threads_.emplace_back(work);
+    }
+
+  private:
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace
 
 std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> missions, const Method& method,
                                 const Limits& limits, unsigned threads) {
@@ -28,10 +49,11 @@ std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> mission
         }
     };
     const std::size_t wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(wanted, missions.size()); ++i) others.emplace_back(work);
-    work();
-    others.clear();  // joins them
+    {
+        Joined others;
+        for (std::size_t i = 1; i < std::min(wanted, missions.size()); ++i) others.start(work);
+        work();
+    }
     for (const std::exception_ptr& failure : failures) {
         if (failure) std::rethrow_exception(failure);
     }
