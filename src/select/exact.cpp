@@ -160,8 +160,10 @@ class ExactSelection {
         };
         const CrossingResult rest =
             enumerator.enumerate(task_.map, task_.driver.start, task_.driver.goal, options_, try_next);
-        selected_.limited = deadline_.passed();
-        return !gave_up && rest.status != SearchStatus::limit_reached;
+        const bool cut = rest.status == SearchStatus::limit_reached;
+        // Patience is the method's own; the limits are the caller's.
+        selected_.limited = deadline_.passed() || (cut && task_.limits.expansions < patient_expansions);
+        return !gave_up && !cut;
     }
 
     // What fewer removals reach, more must reach as well.
