@@ -66,13 +66,13 @@ Violations judge_amount(const Map& map, const Plan& plan, const Terms& terms) {
         found.push_back(violation(Rule::removals, message, plan.breaches[allowed]));
     }
     double weight = 0;
-    for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
-        if (!names_obstacle(map, plan.breaches[i].obstacle)) continue;
-        weight += map.obstacle(plan.breaches[i].obstacle).weight;
+    for (const Breach& breach : plan.breaches) {
+        if (!names_obstacle(map, breach.obstacle)) continue;
+        weight += map.obstacle(breach.obstacle).weight;
         if (weight <= terms.rules.budget + slack(terms, terms.rules.budget)) continue;
         const std::string message =
             "removals up to here weigh " + text(weight) + ", over the budget of " + text(terms.rules.budget);
-        found.push_back(violation(Rule::budget, message, plan.breaches[i]));
+        found.push_back(violation(Rule::budget, message, breach));
         break;
     }
     return found;
