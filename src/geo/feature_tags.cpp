@@ -9,7 +9,7 @@
 namespace waybreaker::geo {
 
 std::optional<std::string> hstore_value(std::string_view pairs, std::string_view key) {
-    const std::string start = fmt::format("\"{}\"=>\"", key);
+    const std::string start = fmt::format(R"("{}"=>")", key);
     for (std::size_t at = pairs.find(start); at != std::string_view::npos; at = pairs.find(start, at + 1)) {
         if (at > 0 && pairs[at - 1] != ',') continue;  // within a value
         std::string value;

@@ -36,16 +36,16 @@ bool is_xml(std::string_view bytes) {
 
 // The map that `make` makes, with the time that takes.
 template <class Make>
-MapFile timed(Make make, std::string format) {
+MapFile timed(Make make, const std::string& format) {
     const auto start = std::chrono::steady_clock::now();
-    MapFile file{.map = make(), .format = std::move(format)};
+    MapFile file{.map = make(), .format = format};
     file.label_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return file;
 }
 
-MapFile labelled(Grid grid, Connectivity connectivity, std::string format, const MapLimits& limits) {
+MapFile labelled(Grid grid, Connectivity connectivity, const std::string& format, const MapLimits& limits) {
     if (limits.admit) limits.admit(map_bytes(grid.width(), grid.height(), count_obstacles(grid, connectivity)));
-    return timed([&] { return Map(std::move(grid), connectivity); }, std::move(format));
+    return timed([&] { return Map(std::move(grid), connectivity); }, format);
 }
 
 // Text holds each cell as a byte at least, so that its grid is small; labels are not.
@@ -121,20 +121,20 @@ MapFile read_plain_image(std::string& bytes, const std::string& path, Connectivi
 
 MapFile read_ros_pieces(RosPieces pieces, const std::string& path, const std::string& image_path,
                         Connectivity connectivity, const ImageReading& reading, const MapLimits& limits) {
-    auto& [text, image] = pieces;
-    RosYaml yaml = parse_ros_yaml(text, path);
-    const RosCells cells = ros_cells(read_image(image, image_path, limits.cells), yaml, reading.threshold.value_or(1));
+    RosYaml yaml = parse_ros_yaml(pieces.text, path);
+    const RosCells cells =
+        ros_cells(read_image(pieces.image, image_path, limits.cells), yaml, reading.threshold.value_or(1));
     MapFile file = timed([&] { return ros_map(cells, connectivity, reading.unknown_free); }, "ROS map");
-    file.digest = sha256_digest(text + image);
+    file.digest = sha256_digest(pieces.text + pieces.image);
     file.cell_size = yaml.resolution;
     file.origin = yaml.origin;
     file.unknown = cells.unknown_count;
     if (cells.frees_unknown) {
-        file.notes.push_back(
+        file.notes.emplace_back(
             "its free_thresh takes the grey of 205, which map savers write for unknown, for free; "
             "with 0.196 it is unknown");
     }
-    file.ros = RosFiles{std::move(yaml), std::move(text), std::move(image)};
+    file.ros = RosFiles{std::move(yaml), std::move(pieces.text), std::move(pieces.image)};
     return file;
 }
 

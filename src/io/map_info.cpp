@@ -15,7 +15,8 @@ MapSummary summarise(const Map& map) {
 }
 
 std::array<double, 2> center(const MapFile& file) {
-    return file.georeference.value().lon_lat((file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0);
+    const geo::Georeference place = file.georeference.value_or(geo::Georeference());
+    return place.lon_lat((file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0);
 }
 
 std::string map_info_json(const MapFile& file) {

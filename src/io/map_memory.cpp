@@ -9,7 +9,7 @@ constexpr std::size_t allocation = 16;  // what the heap takes for a piece besid
 
 std::size_t memory_of(const std::string& text) {
     const bool inside = text.capacity() <= std::string().capacity();
-    return sizeof text + (inside ? 0 : text.capacity() + allocation);
+    return sizeof(std::string) + (inside ? 0 : text.capacity() + allocation);
 }
 
 std::size_t memory_of(const geo::Background& background) {

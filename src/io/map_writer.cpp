@@ -48,8 +48,7 @@ constexpr std::array<Format, 9> formats{{
 
 const Format& format_of(const std::string& path) {
     const std::string extension = fs::path(path).extension().string();
-    const auto found = std::find_if(formats.begin(), formats.end(),
-                                    [&](const Format& format) { return format.extension == extension; });
+    const auto* const found = std::ranges::find(formats, extension, &Format::extension);
     if (found != formats.end()) return *found;
     std::string known;
     for (const Format& format : formats) known += (known.empty() ? "" : ", ") + std::string(format.extension);
@@ -121,10 +120,10 @@ std::vector<OutputFile> ros_files(const MapFile& map, const std::string& path) {
     fs::path extension = map.ros ? fs::path(map.ros->yaml.image).extension() : fs::path(".pgm");
     if (extension == fs::path(path).extension()) extension = ".pgm";  // not over the YAML itself
     const fs::path image = fs::path(path).replace_extension(extension);
-    const std::string name = image.filename().string();
-    if (map.ros) return {{image.string(), map.ros->image}, {path, with_image(map.ros->text, name, path)}};
+    const std::string image_name = image.filename().string();
+    if (map.ros) return {{image.string(), map.ros->image}, {path, with_image(map.ros->text, image_name, path)}};
     const Point origin = MapFrame(map).origin();
-    const RosYaml yaml{.image = name, .resolution = map.cell_size, .origin = {origin.x, origin.y}};
+    const RosYaml yaml{.image = image_name, .resolution = map.cell_size, .origin = {origin.x, origin.y}};
     const Grid& grid = map.map.grid();
     return {{image.string(), pgm_bytes(grid.width(), grid.height(), grey(grid, free_grey))},
             {path, ros_yaml_text(yaml)}};

@@ -25,7 +25,7 @@ struct Kind {
 
 class Reader {
   public:
-    Reader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name), at_(2) {}
+    Reader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
     InputError error(const std::string& message) const {
         const auto line = 1 + std::count(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(at_), '\n');
@@ -67,7 +67,7 @@ class Reader {
 
     std::string_view bytes_;
     const std::string& name_;
-    std::size_t at_;
+    std::size_t at_ = 2;  // behind the magic number
 };
 
 InputError cut_off(const std::string& name) {

@@ -85,8 +85,8 @@ std::string path_text(const Itinerary& agent, const std::vector<Pose>& corners, 
         if (i + 1 == corners.size()) break;
         const Pose& b = corners[i + 1];
         const double pieces = pieces_between(a, b, step);
-        for (double k = 1; k < pieces; ++k) {
-            const double part = k / pieces;
+        for (std::int64_t k = 1; double(k) < pieces; ++k) {
+            const double part = double(k) / pieces;
             text += "  - " +
                     pose_text({{a.at.x + (b.at.x - a.at.x) * part, a.at.y + (b.at.y - a.at.y) * part},
                                a.t + (b.t - a.t) * part,

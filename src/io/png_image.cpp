@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view magic = "\x89PNG\r\n\x1a\n";
 
 // Deflate packs at most 1032 bytes into one, and a byte holds at most 8 pixels.
-constexpr std::size_t most_pixels_per_byte = 1032 * 8;
+constexpr std::size_t most_pixels_per_byte = std::size_t{1032} * 8;
 
 struct Size {
     std::size_t width = 0;

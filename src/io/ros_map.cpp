@@ -113,7 +113,7 @@ std::string as_yaml(const std::string& text) {
 
 std::string image_of(const Document& document) {
     const YAML::Node node = document.get("image");
-    const std::string image = node.IsScalar() ? node.Scalar() : "";
+    std::string image = node.IsScalar() ? node.Scalar() : "";
     const bool one_line = image.find_first_of(std::string_view("\0\n\r", 3)) == std::string::npos;
     // What is no text in UTF-8 would not be written as it was read.
     const bool text = YAML::Load(as_yaml(image)).Scalar() == image;
