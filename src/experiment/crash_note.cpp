@@ -27,7 +27,7 @@ thread_local std::uint64_t current_job = no_job;
 void note(int signal) {
     if (current_job != no_job) {
         std::array<char, 24> line{};
-        auto at = line.end();
+        char* at = line.data() + line.size();
         *--at = '\n';
         std::uint64_t rest = current_job;
         do {

@@ -99,7 +99,7 @@ std::string breach_leader(Point at, Point label, double unit) {
 std::string breach_label(Point at, std::string_view number, double unit) {
     const double radius = (number.empty() ? 0.5 : 1) * size::breach_label * unit;
     const double pixels = (number.size() < 2 ? 16 : 13) * unit;
-    const std::string sign = disc(at, radius, colour::breach, colour::halo, 2 * unit);
+    std::string sign = disc(at, radius, colour::breach, colour::halo, 2 * unit);
     if (number.empty()) return sign;
     return sign + text({at.x, at.y + 0.36 * pixels}, number, pixels, colour::halo, Anchor::middle, true);
 }
