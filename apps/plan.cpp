@@ -21,6 +21,7 @@
 #include "progress.hpp"
 #include "render/picture.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -106,9 +107,10 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
     return plan_html(context.map, plans, json(more, usual, front.back(), front));
 }
 
-// What goes where, standard output last: by then all files are complete.
-void write_outputs(const PlanOptions& options, const io::PlanContext& context, const Plan& explained,
-                   const Limits& limits, const Deadline& deadline) {
+// What goes where, standard output last: by then all files are complete. `outputs`: what is known without a plan.
+void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, const PlanOptions& options,
+                   const io::PlanContext& context, const Plan& explained, const Limits& limits,
+                   const Deadline& deadline) {
     Plan plan = explained;
     if (!context.method.explain) {  // for the page alone
         for (Breach& breach : plan.breaches) breach.saves.reset();
@@ -117,7 +119,6 @@ void write_outputs(const PlanOptions& options, const io::PlanContext& context, c
     const io::MapFile& file = context.map;
     const bool metres = has_metres(options, file);
     const render::PictureOptions picture = picture_options(file, metres, context.mission.rules.objective);
-    std::vector<std::pair<std::string, std::string>> outputs;
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
     if (!options.png.empty()) outputs.emplace_back(options.png, render::png(file.map, context.mission, plan, picture));
@@ -127,8 +128,8 @@ void write_outputs(const PlanOptions& options, const io::PlanContext& context, c
     }
     Plan exported = plan;
     if (options.no_timing) exported.after.ground().seconds = 0;
-    for (auto& output : export_plan(options.exports, exported, file,
-                                    search_options(context.method, context.mission.first(AgentKind::ground).body))) {
+    for (auto& output :
+         export_plan(options.exports, exported, file, search_options(context.method, context.mission.ground_body()))) {
         outputs.push_back(std::move(output));
     }
     const auto last =
@@ -184,13 +185,15 @@ void run(const PlanOptions& options) {
     io::MapFile file = read_map(options);
     if (const auto weights = weights_of(options, file.map)) file.map = file.map.with_weights(*weights);
     io::MissionDocument asked = mission_of(options, file);
-    if (!options.save_mission.empty()) io::write_whole(options.save_mission, io::mission_text(asked));
+    std::vector<std::pair<std::string, std::string>> outputs;
+    if (!options.save_mission.empty()) outputs.emplace_back(options.save_mission, io::mission_text(asked));
     const Deadline deadline(asked.limits.seconds - since_start.seconds());
-    validate(search_options(asked.method, asked.mission.first(AgentKind::ground).body));
+    validate(search_options(asked.method, asked.mission.ground_body()));
     try {
         validate(file.map, asked.mission, asked.method, asked.limits);
     } catch (const InputError& error) {
-        throw InputError(io::input_name(options.map), 0, error.what());
+        const std::string& file_at_fault = options.mission.empty() ? options.map : options.mission;
+        throw InputError(io::input_name(file_at_fault), 0, error.what());
     }
     asked.limits.seconds = time_left(deadline);
     const bool explain = std::exchange(asked.method.explain, asked.method.explain || !options.html.empty());
@@ -206,7 +209,7 @@ void run(const PlanOptions& options) {
                                   .timing_fields = !options.no_timing,
                                   .image = options.image,
                                   .front = options.removals_auto ? std::span(plans) : std::span<const Plan>()};
-    write_outputs(options, context, plan, asked.limits, deadline);
+    write_outputs(std::move(outputs), options, context, plan, asked.limits, deadline);
     require_plan(plan, asked.mission, asked.limits);
 }
 

@@ -229,7 +229,7 @@ void set_rules(const PlanOptions& options, const Map& map, Rules& rules) {
     if (options.budget) {
         rules.budget = *options.budget;
         // Alone it stands in place of a count.
-        rules.removals = int(std::min<std::size_t>(map.obstacles().size(), INT_MAX));
+        if (options.mission.empty()) rules.removals = int(std::min<std::size_t>(map.obstacles().size(), INT_MAX));
     }
     rules.removals = options.removals.value_or(rules.removals);
     rules.breach_time.per_obstacle = options.breach_time.value_or(rules.breach_time.per_obstacle);
@@ -277,7 +277,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     mission.rules.timing = options.timing.value_or(mission.rules.timing);
     result.limits.seconds = options.time_limit.value_or(result.limits.seconds);
     result.limits.expansions = options.expansion_limit.value_or(result.limits.expansions);
-    const Planner planner = planner_of(method, mission.first(AgentKind::ground).body);
+    const Planner planner = planner_of(method, mission.ground_body());
     if (options.planner == Planner::optimal && planner != Planner::optimal) {
         throw InputError(
             "--planner optimal drives an agent of radius 0.5 or 0 that passes no blocked corner, and counts no hits; "

@@ -10,7 +10,7 @@
 #include "io/map_file.hpp"
 #include "io/mission_json.hpp"
 #include "plan_exports.hpp"
-#include "waybreaker/planner.hpp"
+#include "waybreaker/method.hpp"
 
 namespace waybreaker::apps {
 

@@ -62,6 +62,8 @@ struct Mission {
 
     // The first agent of that kind. REQUIRES: there is one, as validate makes sure.
     const Agent& first(AgentKind kind) const;
+    // Of the first ground agent; the default one if there is none.
+    Body ground_body() const;
 };
 
 // The paper's coalition: a ground agent and an air agent that start and end together.

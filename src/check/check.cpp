@@ -107,9 +107,7 @@ std::string_view name(Rule rule) {
 }
 
 std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan, double tolerance) {
-    const auto ground = std::find_if(mission.agents.begin(), mission.agents.end(),
-                                     [](const Agent& agent) { return agent.kind == AgentKind::ground; });
-    const checker::Terms terms{mission.rules, ground != mission.agents.end() ? ground->body : Body{}, tolerance};
+    const checker::Terms terms{mission.rules, mission.ground_body(), tolerance};
     checker::validate(terms);
     std::vector<Violation> violations = checker::judge(map, mission, plan, terms);
     const auto time = [](const Violation& v) { return v.time.value_or(std::numeric_limits<double>::infinity()); };

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "waybreaker/planner.hpp"
+#include "waybreaker/method.hpp"
 
 namespace waybreaker::experiment {
 

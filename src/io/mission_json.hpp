@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "io/json_field.hpp"
-#include "waybreaker/planner.hpp"
+#include "waybreaker/method.hpp"
 
 namespace waybreaker::io {
 
@@ -30,8 +30,7 @@ inline constexpr std::size_t max_mission_bytes = std::size_t{1} << 20;
 inline constexpr int max_mission_depth = 8;
 
 // Throw InputError: the file's name, where in it, what is wrong. Whether the mission fits a map is not asked. `name` is
-// how the input is called in errors. `limits` stand where the
-// document says none; "seconds": null is no limit.
+// how the input is called in errors. `limits` hold where the document states none; "seconds": null is no limit.
 MissionDocument parse_mission(std::string_view bytes, const std::string& name, const Limits& limits = {});
 MissionDocument read_mission_file(const std::string& path, const Limits& limits = {});
 MissionDocument read_mission(const JsonField& document, const Limits& limits = {});

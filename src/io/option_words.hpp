@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "waybreaker/planner.hpp"
+#include "waybreaker/method.hpp"
+#include "waybreaker/plan.hpp"
 
 namespace waybreaker::io {
 

@@ -150,11 +150,6 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     return file;
 }
 
-Body body_of(const PlanFile& file) {
-    const auto ground = std::ranges::find(file.mission.agents, AgentKind::ground, &Agent::kind);
-    return ground == file.mission.agents.end() ? Body() : ground->body;
-}
-
 PlanFile read_plan_file(const std::string& path) {
     return parse_plan(read_whole(path, max_plan_bytes), path);
 }

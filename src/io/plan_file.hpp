@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "io/map_file.hpp"
+#include "waybreaker/method.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/planner.hpp"
 
 namespace waybreaker::io {
 
@@ -27,9 +27,6 @@ struct PlanFile {
     int height = 0;
     std::string digest;
 };
-
-// Of the mission's ground agent; the usual body if there is none.
-Body body_of(const PlanFile& file);
 
 // Larger files are refused; a path of half a million points fits.
 inline constexpr std::size_t max_plan_bytes = std::size_t{1} << 24;

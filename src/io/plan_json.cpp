@@ -38,7 +38,7 @@ Json map_json(const MapFile& map, const ImageReading& image) {
 // What plan files of the first version say of mission and method.
 Json options_json(const PlanContext& context) {
     const Rules& rules = context.mission.rules;
-    const Body& body = context.mission.first(AgentKind::ground).body;
+    const Body& body = context.mission.ground_body();
     const SearchOptions search = search_options(context.method, body);
     Json json{{"planner", word_of(planner_words, search.planner)},
               {"heuristic", word_of(heuristic_words, heuristic_of(search))},

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "io/map_file.hpp"
+#include "waybreaker/method.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/planner.hpp"
 
 namespace waybreaker::io {
 

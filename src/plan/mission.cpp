@@ -90,6 +90,11 @@ const Agent& Mission::first(AgentKind kind) const {
     return *std::ranges::find(agents, kind, &Agent::kind);
 }
 
+Body Mission::ground_body() const {
+    const auto ground = std::ranges::find(agents, AgentKind::ground, &Agent::kind);
+    return ground == agents.end() ? Body() : ground->body;
+}
+
 Mission ground_and_air(Cell start, Cell goal) {
     return {{{.id = "ground", .kind = AgentKind::ground, .start = start, .goal = goal},
              {.id = "air", .kind = AgentKind::air, .start = start, .goal = goal}}};

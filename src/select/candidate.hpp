@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "select/task.hpp"
+#include "waybreaker/crossing.hpp"
 #include "waybreaker/plan.hpp"
 #include "waybreaker/schedule.hpp"
 

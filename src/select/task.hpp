@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
-#include "waybreaker/planner.hpp"
+#include "waybreaker/method.hpp"
 
 namespace waybreaker {
 

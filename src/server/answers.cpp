@@ -141,7 +141,7 @@ std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const
     if (format == "geojson") return io::plan_geojson(plan.plan, file);
     if (format == "csv") return io::plan_csv(plan.plan, file);
     if (format == "ros-path") return io::plan_ros_path(plan.plan, file);
-    if (format == "xml") return io::plan_xml(plan.plan, file, search_options(plan.method, body_of(plan)));
+    if (format == "xml") return io::plan_xml(plan.plan, file, search_options(plan.method, plan.mission.ground_body()));
     if (format == "svg" || format == "png") return picture(file, plan, format == "svg");
     return bytes;
 }

@@ -62,24 +62,33 @@ void set_paper(const JsonField& field, OptionsRequest& result) {
     result.planner_given = true;
 }
 
+bool has_search_words(const Method& method) {
+    return method.heuristic || method.weight != 1 || method.tie_break != TieBreak::g_max;
+}
+
 // What `field` says, over what was there.
 OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
     field.allow(
         {"paper",     "removals", "select",    "flight",  "timing", "objective", "breach_time", "breach_time_per_cell",
          "protect",   "force",    "budget",    "weights", "bound",  "explain",   "time_limit",  "planner",
          "heuristic", "weight",   "tie_break", "corners", "radius", "moves"});
-    if (const auto removals = field.find("removals"))
+    if (const auto removals = field.find("removals")) {
         result.rules.removals = int(removals->whole_number(0, most_removals));
+        result.removals_given = true;
+    }
     set_paper(field, result);
     if (const auto budget = field.find("budget")) {
         positive(*budget);
-        result.budget_alone = !field.find("removals");
+        result.budget_given = true;
     }
     if (const auto weights = field.find("weights")) set_weights(*weights, result);
     if (const auto limit = field.find("time_limit")) result.limits.seconds = positive(*limit);
     io::read_rules(field, result.rules);
     io::read_method(field, result.method);
     result.planner_given = result.planner_given || field.find("planner");
+    // What only a search from cell to cell knows asks for one; a mission file names its planner itself.
+    const bool asks = field.find("heuristic") || field.find("weight") || field.find("tie_break");
+    if (asks && !result.planner_given && has_search_words(result.method)) result.method.planner = Planner::theta;
     if (const auto radius = field.find("radius")) result.radius = io::read_not_negative(*radius);
     if (const auto corners = field.find("corners")) result.corners = corners->one_of(io::corner_words);
     return result;
@@ -93,6 +102,7 @@ void set_document(const JsonField& field, PlanRequest& request) {
     }
     request.mission.agents = std::move(document.mission.agents);
     request.options.rules = std::move(document.mission.rules);
+    request.options.removals_given = true;
     request.options.method = document.method;
     request.options.limits = document.limits;
 }
@@ -106,10 +116,6 @@ std::vector<Variant> variants(const JsonField& field, const OptionsRequest& comm
         result.push_back({item["name"].text(), options(item["options"], common)});
     }
     return result;
-}
-
-bool has_search_words(const Method& method) {
-    return method.heuristic || method.weight != 1 || method.tie_break != TieBreak::g_max;
 }
 
 std::vector<Agent> agents_of(const MissionRequest& request, const io::MapFile& map) {
@@ -163,7 +169,8 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) 
 io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map) {
     io::MissionDocument result{{agents_of(mission, map), options.rules}, options.method, options.limits};
     Rules& rules = result.mission.rules;
-    if (options.budget_alone) rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
+    if (options.budget_given && !options.removals_given)
+        rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
     Body body;
     for (Agent& agent : result.mission.agents) {
         if (agent.kind == AgentKind::air) continue;
@@ -172,7 +179,6 @@ io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequ
         body = agent.body;
     }
     Method& method = result.method;
-    if (!options.planner_given && has_search_words(method)) method.planner = Planner::theta;
     const Planner planner = planner_of(method, body);
     if (options.planner_given && method.planner == Planner::optimal && planner != Planner::optimal) {
         throw InputError(

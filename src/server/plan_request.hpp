@@ -14,7 +14,7 @@
 
 #include "io/map_file.hpp"
 #include "io/mission_json.hpp"
-#include "waybreaker/planner.hpp"
+#include "waybreaker/method.hpp"
 
 namespace waybreaker::server {
 
@@ -45,7 +45,8 @@ struct OptionsRequest {
     };
     std::vector<Weight> weights;    // of some obstacles; of the others as the map says
     bool weights_of_cells = false;  // each its number of cells
-    bool budget_alone = false;      // stands in place of a count
+    bool budget_given = false;      // without removals it stands in place of a count
+    bool removals_given = false;
 };
 
 // One of several plans to compare.

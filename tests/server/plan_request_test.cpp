@@ -109,5 +109,31 @@ TEST(PlanRequest, TakesAMissionFile) {
     }
 }
 
+// The same as `waybreaker plan --mission`.
+TEST(PlanRequest, KeepsThePlannerAndTheRemovalsOfAMissionFile) {
+    const auto asked = [](const std::string& method, const std::string& options) {
+        const PlanRequest request = parse_plan_request(fmt::format(
+            R"({{"mission": {{"format": "waybreaker-mission/1", "agents": [
+                {{"id": "a", "kind": "ground", "start": [0, 0], "goal": [2, 0]}}], "method": {}}}, "options": {}}})",
+            method, options));
+        return document_of(request.mission, request.options, three_cells());
+    };
+    EXPECT_EQ(asked(R"({"weight": 1.5})", "{}").method.planner, Planner::optimal);
+    EXPECT_EQ(asked("{}", R"({"weight": 1.5})").method.planner, Planner::theta);
+    EXPECT_EQ(asked(R"({"planner": "astar"})", "{}").method.planner, Planner::astar);
+    EXPECT_EQ(asked("{}", R"({"budget": 1})").mission.rules.removals, Rules().removals);
+}
+
+TEST(PlanRequest, AVariantMayCountWhereTheOthersHaveABudget) {
+    const PlanRequest request = parse_plan_request(
+        R"({"mission": {"start": [0, 0], "goal": [2, 0]}, "options": {"budget": 2},
+            "methods": [{"name": "a", "options": {"removals": 1}}, {"name": "b", "options": {}}]})");
+    const auto removals = [&](std::size_t i) {
+        return document_of(request.mission, request.variants[i].options, three_cells()).mission.rules.removals;
+    };
+    EXPECT_EQ(removals(0), 1);
+    EXPECT_EQ(removals(1), 2);
+}
+
 }  // namespace
 }  // namespace waybreaker::server

@@ -1,6 +1,7 @@
 // What can be planned how, and the paper's way to plan.
+#include "waybreaker/method.hpp"
+
 #include "waybreaker/error.hpp"
-#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 
