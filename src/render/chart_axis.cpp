@@ -66,7 +66,9 @@ void ChartAxis::span_linear(bool from_zero) {
 void ChartAxis::span_logarithmic() {
     least_ = std::pow(10, std::floor(std::log10(least_)));
     most_ = std::pow(10, std::floor(std::log10(most_)) + 1);
-    for (double power = least_; power < most_ * 1.5; power *= 10) {
+    const long last = std::lround(std::log10(most_));
+    for (long exponent = std::lround(std::log10(least_)); exponent <= last; ++exponent) {
+        const double power = std::pow(10, double(exponent));
         ticks_.push_back({power, label(power)});
         for (const double factor : {2, 5}) {
             if (factor * power < most_) ticks_.push_back({factor * power, label(factor * power)});

@@ -74,7 +74,8 @@ std::vector<Point> spread_labels(const std::vector<Point>& points, const std::ve
         Point place = point;
         for (int attempt = 0; attempt < 36 && !is_free(place); ++attempt) {  // twelve directions, three distances
             const double angle = std::numbers::pi / 6 * (attempt % 12) - std::numbers::pi / 3;
-            const double distance = radius * (2.5 + 1.5 * (attempt / 12));
+            const int ring = attempt / 12;
+            const double distance = radius * (2.5 + 1.5 * ring);
             place = {point.x + distance * std::cos(angle), point.y + distance * std::sin(angle)};
         }
         discs.push_back(place);

@@ -190,7 +190,7 @@ std::vector<LegendEntry> legend(const Scene& scene) {
 std::string draw_legend(const Scene& scene, double top) {
     const double unit = scene.unit();
     const std::vector<LegendEntry> entries = legend(scene);
-    const std::size_t rows = (entries.size() + 1) / 2;
+    const std::size_t rows = std::max<std::size_t>((entries.size() + 1) / 2, 1);
     std::string out;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const double x = (size::margin + (i < rows ? 0 : 265)) * unit;

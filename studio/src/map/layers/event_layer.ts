@@ -9,6 +9,7 @@ import { type Frame, place, typeface } from "../viewport/frame";
 import { spread } from "./badges";
 import { glyphs } from "./glyphs";
 import { disc } from "./marker_layer";
+import { drawText } from "./text";
 
 export function drawEvents(frame: Frame, scene: Scene, fadeSpan: number): void {
   scene.layers.forEach((layer, i) => {
@@ -89,14 +90,24 @@ function drawBreaches(
   });
 }
 
-function drawFlash(frame: Frame, [x, y]: Point, share: number): void {
-  const { context, theme } = frame;
+function drawFlash(frame: Frame, at: Point, share: number): void {
   const grown = frame.still ? 0.5 : share;
-  context.globalAlpha = 1 - share;
-  context.strokeStyle = theme.removed;
-  context.lineWidth = 5 - 4 * grown;
+  drawFadingRing(frame, at, { radius: 12 + 34 * grown, width: 5 - 4 * grown, colour: frame.theme.removed, faded: share });
+}
+
+interface Ring {
+  radius: number;
+  width: number;
+  colour: string;
+  faded: number; // 0 to 1: gone
+}
+
+function drawFadingRing({ context }: Frame, [x, y]: Point, ring: Ring): void {
+  context.globalAlpha = 1 - ring.faded;
+  context.strokeStyle = ring.colour;
+  context.lineWidth = ring.width;
   context.beginPath();
-  context.arc(x, y, 12 + 34 * grown, 0, 2 * Math.PI);
+  context.arc(x, y, ring.radius, 0, 2 * Math.PI);
   context.stroke();
   context.globalAlpha = 1;
 }
@@ -164,28 +175,14 @@ function drawGhost(frame: Frame, layer: Layer, ground: Agent, time: number): voi
   disc(context, 9);
   context.stroke();
   context.setLineDash([]);
-  context.font = `600 11.5px ${typeface}`;
-  context.textAlign = "right";
-  context.textBaseline = "middle";
-  context.lineJoin = "round";
-  context.lineWidth = 3.5;
-  context.fillStyle = context.strokeStyle;
-  context.strokeStyle = theme.halo;
-  context.strokeText(layer.name, -14, 0);
-  context.fillText(layer.name, -14, 0);
+  drawText(frame, layer.name, [-14, 0], { font: "600 11.5px", align: "right", colour: context.strokeStyle });
   context.restore();
 }
 
-function drawPulse(frame: Frame, [x, y]: Point, kind: Agent["kind"]): void {
-  const { context, theme } = frame;
+function drawPulse(frame: Frame, at: Point, kind: Agent["kind"]): void {
   const phase = frame.still ? 0.4 : (frame.now % 1100) / 1100;
-  context.globalAlpha = 1 - phase;
-  context.strokeStyle = kind === "ground" ? theme.ground : theme.removed;
-  context.lineWidth = 3;
-  context.beginPath();
-  context.arc(x, y, 16 + 14 * phase, 0, 2 * Math.PI);
-  context.stroke();
-  context.globalAlpha = 1;
+  const colour = kind === "ground" ? frame.theme.ground : frame.theme.removed;
+  drawFadingRing(frame, at, { radius: 16 + 14 * phase, width: 3, colour, faded: phase });
 }
 
 function drawRover(frame: Frame, [x, y]: Point, heading: number): void {

@@ -1,9 +1,10 @@
 // Draws the markers.
 import type { Point } from "../../domain/geometry";
 import { cellOf, type Handle, isAir, type Markers } from "../../domain/mission";
-import { type Frame, place, typeface } from "../viewport/frame";
+import { type Frame, place } from "../viewport/frame";
 import { glyphs } from "./glyphs";
 import { type Spot, spots } from "./marker_spots";
+import { drawText } from "./text";
 
 const radius = 13;
 const smallRadius = 9; // of one that sits with another
@@ -65,17 +66,8 @@ function drawMarker(frame: Frame, { handle, at, attached }: Spot, active: boolea
 }
 
 function drawTag(frame: Frame, text: string, at: Point, above: boolean): void {
-  const { context, theme } = frame;
   const [x, y] = above ? [at[0] - 12, at[1] - radius - 11] : [at[0], at[1] + radius + 12]; // past an attached handle
-  context.font = `600 12px ${typeface}`;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  context.lineJoin = "round";
-  context.strokeStyle = theme.halo;
-  context.lineWidth = 3.5;
-  context.strokeText(text, x, y);
-  context.fillStyle = theme.ink;
-  context.fillText(text, x, y);
+  drawText(frame, text, [x, y], { font: "600 12px", align: "center", colour: frame.theme.ink });
 }
 
 export function disc(context: CanvasRenderingContext2D, size: number): void {

@@ -1,6 +1,7 @@
 // How long the metres are; or the cells, where the map does not say how large they are.
 import type { MapDescription } from "../../domain/map";
-import { type Frame, typeface } from "../viewport/frame";
+import type { Frame } from "../viewport/frame";
+import { drawText } from "./text";
 
 // The longest of 1, 2, 5, 10, 20, ... metres that is at most so many pixels long.
 export function roundLength(metresPerPixel: number, pixels: number): number {
@@ -43,13 +44,5 @@ export function drawScaleBar(frame: Frame, map: MapDescription): void {
   context.strokeStyle = theme.ink;
   context.lineWidth = 1.5;
   line();
-  context.font = `500 11.5px ${typeface}`;
-  context.textAlign = "left";
-  context.textBaseline = "alphabetic";
-  context.lineJoin = "round";
-  context.strokeStyle = theme.halo;
-  context.lineWidth = 3.5;
-  context.strokeText(text, x + 6, y - 5);
-  context.fillStyle = theme.ink;
-  context.fillText(text, x + 6, y - 5);
+  drawText(frame, text, [x + 6, y - 5], { font: "500 11.5px", align: "left", baseline: "alphabetic", colour: theme.ink });
 }
