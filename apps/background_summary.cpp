@@ -8,8 +8,8 @@
 
 namespace waybreaker::apps {
 
-std::vector<std::string> background_summary(const geo::Background& background) {
-    using Kind = geo::Background::Kind;
+std::vector<std::string> background_summary(const site::Background& background) {
+    using Kind = site::Background::Kind;
     struct Words {
         Kind kind;
         const char* one;
@@ -22,7 +22,7 @@ std::vector<std::string> background_summary(const geo::Background& background) {
                                           {Kind::place, "place", "places"}}};
     std::vector<std::string> counts;
     for (const auto& [kind, one, many] : words) {
-        const auto count = std::ranges::count(background.features, kind, &geo::Background::Feature::kind);
+        const auto count = std::ranges::count(background.features, kind, &site::Background::Feature::kind);
         if (count > 0) counts.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
     }
     return counts;

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "geo/background.hpp"
+#include "site/background.hpp"
 
 namespace waybreaker::apps {
 
 // Such as "73 streets", "1 railway"; nothing of what there is none of.
-std::vector<std::string> background_summary(const geo::Background& background);
+std::vector<std::string> background_summary(const site::Background& background);
 
 }  // namespace waybreaker::apps

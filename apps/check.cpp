@@ -7,6 +7,7 @@
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
+#include "mapfile/map_reader.hpp"
 #include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
@@ -45,7 +46,7 @@ void run(const CheckOptions& options) {
     const io::PlanFile plan = io::read_plan_file(options.plan);
     const io::MapFile map = [&] {
         const Progress progress("reading " + io::input_name(options.map));
-        return io::read_map_file(options.map, plan.connectivity, plan.image);
+        return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
     }();
     const std::vector<Violation> violations =
         io::judge(plan, map, {.tolerance = options.tolerance, .ignore_digest = options.ignore_digest});

@@ -10,6 +10,7 @@
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
+#include "mapfile/map_reader.hpp"
 #include "option.hpp"
 #include "plan_exports.hpp"
 #include "plan_html.hpp"
@@ -29,7 +30,7 @@ struct ExportOptions {
 
 io::MapFile read_map(const ExportOptions& options, const io::PlanFile& plan) {
     const Progress progress("reading " + io::input_name(options.map));
-    return io::read_map_file(options.map, plan.connectivity, plan.image);
+    return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
 }
 
 // Writers believe a plan; one that comes from a file has to show first that it holds.

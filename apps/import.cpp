@@ -10,8 +10,8 @@
 #include "commands.hpp"
 #include "geo/city_import.hpp"
 #include "help.hpp"
-#include "io/map_info.hpp"
 #include "io/output_file.hpp"
+#include "mapfile/map_info.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 #include "waybreaker/error.hpp"
@@ -37,7 +37,7 @@ geo::ImportReport import_with_progress(const ImportOptions& options) {
 // What a reader knows the place by: "; 120 names, 85 streets, 2 waters"; nothing if the source tells nothing.
 std::string kept(const geo::LabelTiff& tiff) {
     std::vector<std::string> counts = background_summary(tiff.background);
-    const std::size_t names = geo::name_count(tiff.names);
+    const std::size_t names = site::name_count(tiff.names);
     if (names > 0) counts.insert(counts.begin(), fmt::format("{} {}", names, names == 1 ? "name" : "names"));
     return counts.empty() ? "" : fmt::format("; {}", fmt::join(counts, ", "));
 }
@@ -46,7 +46,7 @@ std::string summary_line(const std::string& file, const geo::ImportReport& repor
     const Map& map = report.tiff.map;
     return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}, {} obstacles, {:.1f} % blocked{}\n", file, map.width(),
                        map.height(), report.tiff.cell_size, report.buildings, things, map.obstacles().size(),
-                       100 * io::summarise(map).density, kept(report.tiff));
+                       100 * mapfile::summarise(map).density, kept(report.tiff));
 }
 
 const char* things_of(const ImportOptions& options) {

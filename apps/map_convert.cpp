@@ -2,9 +2,10 @@
 #include "commands.hpp"
 #include "format_losses.hpp"
 #include "help.hpp"
-#include "io/map_writer.hpp"
 #include "io/output_file.hpp"
-#include "io/relabelled_map.hpp"
+#include "mapfile/map_reader.hpp"
+#include "mapfile/map_writer.hpp"
+#include "mapfile/relabelled_map.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 
@@ -21,13 +22,13 @@ struct MapConvertOptions {
 
 io::MapFile read_map(const MapConvertOptions& options) {
     const Progress progress("reading " + io::input_name(options.in));
-    return io::read_map_file(options.in, options.connectivity, options.image);
+    return mapfile::read_map_file(options.in, options.connectivity, options.image);
 }
 
 void run(const MapConvertOptions& options) {
-    const io::WrittenMap written =
-        io::write_map(io::without_obstacles(read_map(options), options.without), options.out);
-    for (const io::OutputFile& file : written.files) io::write_whole(file.path, file.bytes);
+    const mapfile::WrittenMap written =
+        mapfile::write_map(mapfile::without_obstacles(read_map(options), options.without), options.out);
+    for (const mapfile::OutputFile& file : written.files) io::write_whole(file.path, file.bytes);
     tell_losses(options.out, written.losses);
 }
 

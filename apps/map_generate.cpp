@@ -4,9 +4,9 @@
 #include "commands.hpp"
 #include "experiment/terrain.hpp"
 #include "help.hpp"
-#include "io/map_info.hpp"
-#include "io/map_writer.hpp"
 #include "io/output_file.hpp"
+#include "mapfile/map_info.hpp"
+#include "mapfile/map_writer.hpp"
 #include "option.hpp"
 
 namespace waybreaker::apps {
@@ -28,15 +28,15 @@ struct MapGenerateOptions {
 
 void run(const MapGenerateOptions& options) {
     const io::MapFile file{.map = make_terrain(options.terrain, options.terrain_options)};
-    const io::WrittenMap written = io::write_map(file, options.output);
-    for (const io::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
+    const mapfile::WrittenMap written = mapfile::write_map(file, options.output);
+    for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
     for (const std::string& loss : written.losses) {
         std::fputs(fmt::format("waybreaker: note: {}: {}\n", options.output, loss).c_str(), stderr);
     }
     if (options.output == "-") return;
-    io::write_whole("-",
-                    fmt::format("{}: {} x {} cells, {} obstacles, {:.1f} % blocked\n", options.output, file.map.width(),
-                                file.map.height(), file.map.obstacles().size(), 100 * io::summarise(file.map).density));
+    io::write_whole(
+        "-", fmt::format("{}: {} x {} cells, {} obstacles, {:.1f} % blocked\n", options.output, file.map.width(),
+                         file.map.height(), file.map.obstacles().size(), 100 * mapfile::summarise(file.map).density));
 }
 
 }  // namespace

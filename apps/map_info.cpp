@@ -1,14 +1,16 @@
 // `waybreaker map info`: what a map file holds.
-#include "io/map_info.hpp"
+#include "mapfile/map_info.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "background_summary.hpp"
 #include "commands.hpp"
+#include "geo/georeference.hpp"
 #include "help.hpp"
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
+#include "mapfile/map_reader.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 
@@ -30,7 +32,7 @@ std::string identity(const io::MapFile& file, const Obstacle& obstacle) {
     return words.empty() ? "" : fmt::format(" ({})", fmt::join(words, ", "));
 }
 
-std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
+std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary) {
     const Map& map = file.map;
     const auto line = [](const std::string& name, const std::string& value) {
         return value.empty() ? std::string() : fmt::format("{:<13}{}\n", name, value);
@@ -48,13 +50,13 @@ std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
         text += line("largest", fmt::format("obstacle {}{}, {} cells", largest->id.value, identity(file, *largest),
                                             largest->cells));
     }
-    if (const std::size_t names = geo::name_count(file.names); names > 0) {
+    if (const std::size_t names = site::name_count(file.names); names > 0) {
         text += line("names", fmt::format("of {} obstacles", names));
     }
     text += line("background", fmt::format("{}", fmt::join(background_summary(file.background), ", ")));
     if (file.georeference) {
-        const auto [longitude, latitude] = io::center(file);
-        text += line("projection", file.georeference->crs_name());
+        const auto [longitude, latitude] = mapfile::center(file);
+        text += line("projection", geo::crs_name(*file.georeference));
         text += line("centre", fmt::format("longitude {:.6f}, latitude {:.6f}", longitude, latitude));
     }
     if (file.origin) {
@@ -71,13 +73,13 @@ std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
 
 io::MapFile read_map(const MapInfoOptions& options) {
     const Progress progress("reading " + io::input_name(options.file));
-    return io::read_map_file(options.file, options.connectivity, options.image);
+    return mapfile::read_map_file(options.file, options.connectivity, options.image);
 }
 
 void run(const MapInfoOptions& options) {
     const io::MapFile file = read_map(options);
-    const io::MapSummary summary = io::summarise(file.map);
-    io::write_whole("-", options.json ? io::map_info_json(file) : as_text(file, summary));
+    const mapfile::MapSummary summary = mapfile::summarise(file.map);
+    io::write_whole("-", options.json ? mapfile::map_info_json(file) : as_text(file, summary));
 }
 
 }  // namespace

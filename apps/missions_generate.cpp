@@ -9,6 +9,7 @@
 #include "help.hpp"
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
+#include "mapfile/map_reader.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 #include "waybreaker/error.hpp"
@@ -32,7 +33,7 @@ std::string name_of(const std::string& map, const std::string& scenarios) {
 }
 
 experiment::DrawnMissions draw(const std::string& path, const MissionsGenerateOptions& options) {
-    const io::MapFile file = io::read_map_file(path);
+    const io::MapFile file = mapfile::read_map_file(path);
     try {
         experiment::DrawnMissions missions = experiment::draw_missions(file.map, options.rules);
         for (Scenario& scenario : missions.kept) scenario.map = name_of(path, options.output);

@@ -15,10 +15,12 @@
 #include "io/output_file.hpp"
 #include "io/plan_json.hpp"
 #include "io/search_trace.hpp"
+#include "mapfile/map_reader.hpp"
 #include "plan_html.hpp"
 #include "plan_options.hpp"
 #include "plan_table.hpp"
 #include "progress.hpp"
+#include "raster/png.hpp"
 #include "render/picture.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
@@ -121,7 +123,8 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     const render::PictureOptions picture = picture_options(file, metres, context.mission.rules.objective);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
-    if (!options.png.empty()) outputs.emplace_back(options.png, render::png(file.map, context.mission, plan, picture));
+    if (!options.png.empty())
+        outputs.emplace_back(options.png, raster::png_of(render::svg(file.map, context.mission, plan, picture)));
     if (!options.html.empty()) outputs.emplace_back(options.html, html(context, explained, limits, deadline));
     if (!options.trace.empty()) {
         outputs.emplace_back(options.trace, trace(file.map, context.mission, context.method));
@@ -158,7 +161,7 @@ void require_plan(const Plan& plan, const Mission& mission, const Limits& limits
 
 io::MapFile read_map(const PlanOptions& options) {
     const Progress progress("reading " + io::input_name(options.map));
-    io::MapFile file = io::read_map_file(options.map, options.connectivity, options.image);
+    io::MapFile file = mapfile::read_map_file(options.map, options.connectivity, options.image);
     file.cell_size = options.cell_size.value_or(file.cell_size);
     return file;
 }

@@ -2,23 +2,24 @@
 
 #include <fmt/format.h>
 
+#include "authors/plan_xml.hpp"
 #include "format_losses.hpp"
-#include "io/map_writer.hpp"
+#include "geo/georeference.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_ros_path.hpp"
-#include "io/plan_xml.hpp"
-#include "io/relabelled_map.hpp"
+#include "mapfile/map_writer.hpp"
+#include "mapfile/relabelled_map.hpp"
 #include "option.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
 namespace {
 
-std::vector<io::OutputFile> opened_map(const std::string& path, const Plan& plan, const io::MapFile& map) {
+std::vector<mapfile::OutputFile> opened_map(const std::string& path, const Plan& plan, const io::MapFile& map) {
     std::vector<ObstacleId> removed;
     for (const Breach& removal : plan.breaches) removed.push_back(removal.obstacle);
-    io::WrittenMap written = io::write_map(io::without_obstacles(map, removed), path);
+    mapfile::WrittenMap written = mapfile::write_map(mapfile::without_obstacles(map, removed), path);
     tell_losses(path, written.losses);
     return std::move(written.files);
 }
@@ -51,12 +52,14 @@ NamedFiles named_outputs(const PlanExports& exports) {
 std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
                                                              const io::MapFile& map, const SearchOptions& search) {
     std::vector<std::pair<std::string, std::string>> files;
-    if (!exports.geojson.empty()) files.emplace_back(exports.geojson, io::plan_geojson(plan, map));
-    if (!exports.csv.empty()) files.emplace_back(exports.csv, io::plan_csv(plan, map));
+    if (!exports.geojson.empty())
+        files.emplace_back(exports.geojson, io::plan_geojson(plan, map, geo::lon_lat_of(map.georeference)));
+    if (!exports.csv.empty())
+        files.emplace_back(exports.csv, io::plan_csv(plan, map, geo::lon_lat_of(map.georeference)));
     if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map, exports.step));
-    if (!exports.xml.empty()) files.emplace_back(exports.xml, io::plan_xml(plan, map, search));
+    if (!exports.xml.empty()) files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));
     if (!exports.opened_map.empty()) {
-        for (io::OutputFile& file : opened_map(exports.opened_map, plan, map)) {
+        for (mapfile::OutputFile& file : opened_map(exports.opened_map, plan, map)) {
             files.emplace_back(std::move(file.path), std::move(file.bytes));
         }
     }

@@ -4,16 +4,16 @@
 
 #include "io/background_json.hpp"
 #include "io/check_report.hpp"
-#include "io/map_info.hpp"
 #include "io/obstacles_json.hpp"
 #include "io/plan_file.hpp"
+#include "mapfile/map_info.hpp"
 #include "studio/plan_page.hpp"
 
 namespace waybreaker::apps {
 
 std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front) {
     using Json = nlohmann::ordered_json;
-    auto description = Json::parse(io::map_info_json(map));
+    auto description = Json::parse(mapfile::map_info_json(map));
     description["id"] = map.source;
     std::string data = "{\"map\": " + description.dump() + ",\"obstacles\": " + io::obstacles_json(map) +
                        ",\"background\": " + io::background_json(map.background) + ",\n\"plans\": [";

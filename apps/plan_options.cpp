@@ -199,15 +199,15 @@ std::optional<std::vector<double>> weights_of(const PlanOptions& options, const 
 namespace {
 
 void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
-    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::XmlTask::*in_file,
+    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
                               const char* option) {
         if (given) return *given;
         if (map.task && (*map.task).*in_file) return *((*map.task).*in_file);
         throw InputError(fmt::format("{} X,Y is missing, and {} does not say it", option, map.source));
     };
     if (mission.agents.empty()) {
-        mission = ground_and_air(place(options.start, &io::XmlTask::start, "--start"),
-                                 place(options.goal, &io::XmlTask::goal, "--goal"));
+        mission = ground_and_air(place(options.start, &io::MapTask::start, "--start"),
+                                 place(options.goal, &io::MapTask::goal, "--goal"));
         if (map.task) mission.agents.front().body = map.task->search.body;
     }
     for (Agent& agent : mission.agents) {

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "io/plan_json.hpp"
+#include "mapfile/map_reader.hpp"
 #include "maps.hpp"
 #include "missions_of_paper.hpp"
 #include "program.hpp"
@@ -69,7 +70,7 @@ std::vector<Batch> batches() {
     std::vector<Batch> batches;
     for (const auto& [city, its] : missions) {
         const std::filesystem::path file = shared_folder() / "data" / "cities" / (city + ".map");
-        Batch& batch = batches.emplace_back(Batch{io::read_map_file(file.string()), {}});
+        Batch& batch = batches.emplace_back(Batch{mapfile::read_map_file(file.string()), {}});
         for (int i = 0; i < copies; ++i) batch.missions.insert(batch.missions.end(), its.begin(), its.end());
     }
     return batches;

@@ -1,10 +1,10 @@
-#include "io/authors_xml.hpp"
+#include "authors/authors_xml.hpp"
 
 #include "laws.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     waybreaker::read_or_refuse(data, size, [](std::string_view bytes) {
-        const auto [grid, task] = waybreaker::io::parse_authors_xml(bytes, "input");
+        const auto [grid, task] = waybreaker::authors::parse_authors_xml(bytes, "input");
         waybreaker::law(grid.cell_count() < bytes.size());  // nobody gets memory for a map that is not there
         waybreaker::law(!task.start || grid.contains(*task.start));
         waybreaker::law(!task.goal || grid.contains(*task.goal));

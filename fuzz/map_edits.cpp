@@ -1,13 +1,14 @@
 #include "server/map_edits.hpp"
 
 #include "laws.hpp"
+#include "mapfile/map_reader.hpp"
 
 // What is read makes a map of the same size, whose freed cells are free unless they are drawn, or is refused in one
 // line.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace waybreaker;
     static const server::ShelvedMap map{
-        .file = io::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map")};
+        .file = mapfile::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map")};
     read_or_refuse(data, size, [](std::string_view bytes) {
         const server::MapEdits edits = server::parse_map_edits(bytes, "input");
         law(edits.block.size() + edits.free.size() <= bytes.size());

@@ -1,11 +1,12 @@
 #include "server/plan_request.hpp"
 
 #include "laws.hpp"
+#include "mapfile/map_reader.hpp"
 
 // What is read can be put on a map, or is refused there in one line.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace waybreaker;
-    static const io::MapFile map = io::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map");
+    static const io::MapFile map = mapfile::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map");
     read_or_refuse(data, size, [](std::string_view bytes) {
         const server::PlanRequest request = server::parse_plan_request(bytes, "input");
         law(request.variants.size() <= bytes.size() && request.options.rules.protect.size() <= bytes.size());

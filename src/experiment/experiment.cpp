@@ -6,9 +6,10 @@
 #include <map>
 
 #include "experiment/spec.hpp"
-#include "io/digest.hpp"
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
+#include "mapfile/digest.hpp"
+#include "mapfile/map_reader.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 
@@ -52,7 +53,7 @@ class MissionReader {
         const std::string path = (fs::path(scenario_file).parent_path() / scenario.map).lexically_normal().string();
         const auto [entry, is_new] = known_.try_emplace(path, std::uint32_t(experiment_.maps.size()));
         if (is_new) {
-            experiment_.maps.push_back({fs::path(path).filename().string(), path, io::read_map_file(path).digest,
+            experiment_.maps.push_back({fs::path(path).filename().string(), path, mapfile::read_map_file(path).digest,
                                         scenario.width, scenario.height});
         }
         const ExperimentMap& map = experiment_.maps[entry->second];
@@ -78,7 +79,7 @@ Experiment read_experiment(const std::string& spec_path) {
     MissionReader missions(experiment);
     for (const std::string& file : spec.missions) missions.add((fs::path(spec_path).parent_path() / file).string());
     if (experiment.missions.empty()) throw InputError(spec_path, 0, "its scenario files hold no mission");
-    experiment.digest = io::sha256_digest(canonical(experiment));
+    experiment.digest = mapfile::sha256_digest(canonical(experiment));
     return experiment;
 }
 

@@ -8,6 +8,7 @@
 
 #include "experiment/experiment.hpp"
 #include "io/map_file.hpp"
+#include "mapfile/map_reader.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::experiment {
@@ -27,7 +28,7 @@ class MapShelf {
 
   private:
     static std::shared_ptr<const Map> read(const ExperimentMap& wanted) {
-        io::MapFile file = io::read_map_file(wanted.path);
+        io::MapFile file = mapfile::read_map_file(wanted.path);
         if (file.digest != wanted.digest) throw InputError(wanted.path, 0, "has changed since the run began");
         if (file.map.width() != wanted.width || file.map.height() != wanted.height) {
             throw InputError(wanted.path, 0,

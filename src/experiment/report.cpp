@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "experiment/figures.hpp"
+#include "raster/png.hpp"
 #include "render/chart.hpp"
-#include "render/png.hpp"
 #include "render/xml_text.hpp"
 
 namespace waybreaker::experiment {
@@ -96,7 +96,7 @@ std::vector<ReportFile> report(const Summary& summary) {
         const std::string svg = render::chart_svg(figure.chart);
         page += section(figure);
         files.push_back({figure.file + ".svg", svg});
-        files.push_back({figure.file + ".png", render::png_of(svg, png_scale)});
+        files.push_back({figure.file + ".png", raster::png_of(svg, png_scale)});
     }
     files.push_back({"index.html", page + "</body></html>\n"});
     return files;

@@ -16,7 +16,7 @@
 namespace waybreaker::geo {
 namespace {
 
-using Shape = Background::Shape;
+using Shape = site::Background::Shape;
 using Part = std::vector<Point>;
 
 constexpr std::string_view heading = "WKT;kind;class;name";
@@ -41,7 +41,7 @@ void append_part(const Part& part, bool closed, const ToLonLat& to_lon_lat, std:
     text += ')';
 }
 
-std::string wkt(const Background::Feature& feature, const ToLonLat& to_lon_lat) {
+std::string wkt(const site::Background::Feature& feature, const ToLonLat& to_lon_lat) {
     const bool area = feature.shape == Shape::area;
     std::string text = area ? "MULTIPOLYGON(" : feature.shape == Shape::line ? "MULTILINESTRING(" : "MULTIPOINT(";
     for (std::size_t i = 0; i < feature.parts.size(); ++i) {
@@ -93,35 +93,36 @@ std::optional<FeatureParts> parse_wkt(std::string_view text) {
     return outcome == OGRERR_NONE && owned ? parts_of(*owned) : std::nullopt;
 }
 
-std::optional<Background::Feature> parse_feature(std::string_view line) {
+std::optional<site::Background::Feature> parse_feature(std::string_view line) {
     std::optional<FeatureParts> shape = parse_wkt(take_until(';', line));
     const std::string_view kind_name = take_until(';', line);
-    const auto kind = std::find(background_kinds.begin(), background_kinds.end(), kind_name) - background_kinds.begin();
-    if (!shape || std::size_t(kind) == background_kinds.size()) return std::nullopt;
+    const auto kind = std::find(site::background_kinds.begin(), site::background_kinds.end(), kind_name) -
+                      site::background_kinds.begin();
+    if (!shape || std::size_t(kind) == site::background_kinds.size()) return std::nullopt;
     const std::string type = clean_name(take_until(';', line));
-    return Background::Feature{.kind = Background::Kind(kind),
-                               .type = type,
-                               .name = clean_name(line),
-                               .shape = shape->shape,
-                               .parts = std::move(shape->parts)};
+    return site::Background::Feature{.kind = site::Background::Kind(kind),
+                                     .type = type,
+                                     .name = clean_name(line),
+                                     .shape = shape->shape,
+                                     .parts = std::move(shape->parts)};
 }
 
 }  // namespace
 
-std::string background_text(const Background& background, const Georeference& place) {
+std::string background_text(const site::Background& background, const site::Georeference& place) {
     if (background.features.empty()) return "";
     const ToLonLat to_lon_lat(place);
     std::string text(heading);
-    for (const Background::Feature& feature : background.features) {
+    for (const site::Background::Feature& feature : background.features) {
         if (feature.parts.empty()) continue;
-        const std::string_view kind = background_kinds[std::size_t(feature.kind)];
+        const std::string_view kind = site::background_kinds[std::size_t(feature.kind)];
         text += fmt::format("\n{};{};{};{}", wkt(feature, to_lon_lat), kind, field(feature.type), field(feature.name));
     }
     return text;
 }
 
-Background parse_background(std::string_view text, const Georeference& place, int width, int height,
-                            const std::string& name) {
+site::Background parse_background(std::string_view text, const site::Georeference& place, int width, int height,
+                                  const std::string& name) {
     const auto refusal = [&](const std::string& what) {
         return InputError(fmt::format("{}: {}; drop it with 'gdal_edit.py -mo {}=' or import the map anew", name, what,
                                       background_item));
@@ -134,9 +135,9 @@ Background parse_background(std::string_view text, const Georeference& place, in
         throw refusal(fmt::format("its metadata item {} does not begin with {}", background_item, heading));
     }
     const FromLonLat to_cells(place);
-    Background background;
+    site::Background background;
     for (std::size_t line = 2; !text.empty(); ++line) {
-        std::optional<Background::Feature> feature = parse_feature(take_until('\n', text));
+        std::optional<site::Background::Feature> feature = parse_feature(take_until('\n', text));
         if (!feature)
             throw refusal(fmt::format("line {} of its metadata item {} is no feature", line, background_item));
         for (Part& part : feature->parts) part = to_cells(std::move(part));

@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
-#include "geo/background.hpp"
 #include "geo/georeference.hpp"
+#include "site/background.hpp"
 
 namespace waybreaker::geo {
 
@@ -22,11 +22,11 @@ inline constexpr const char* background_item = "WAYBREAKER_BACKGROUND";
 inline constexpr std::size_t max_background_bytes = std::size_t{1} << 23;
 
 // Empty if there are no features. Quotes and semicolons of names become apostrophes and commas.
-std::string background_text(const Background& background, const Georeference& place);
+std::string background_text(const site::Background& background, const site::Georeference& place);
 
 // Of a map of width x height cells: features that lie beside it are left out. Throws InputError if the text is no such
 // table; `name` is how the file is called in errors.
-Background parse_background(std::string_view text, const Georeference& place, int width, int height,
-                            const std::string& name);
+site::Background parse_background(std::string_view text, const site::Georeference& place, int width, int height,
+                                  const std::string& name);
 
 }  // namespace waybreaker::geo

@@ -16,8 +16,8 @@
 namespace waybreaker::geo {
 namespace {
 
-using Kind = Background::Kind;
-using Shape = Background::Shape;
+using Kind = site::Background::Kind;
+using Shape = site::Background::Shape;
 using Parts = std::vector<std::vector<Point>>;
 
 constexpr double least_length = 2;  // of a line worth a place, in cells
@@ -117,7 +117,7 @@ Shape shape_of(const Sight& sight) {
 }
 
 // About what it takes in the file.
-std::size_t bytes_of(const Background::Feature& feature) {
+std::size_t bytes_of(const site::Background::Feature& feature) {
     constexpr std::size_t of_feature = 50;
     constexpr std::size_t of_point = 21;
     std::size_t bytes = of_feature + feature.type.size() + feature.name.size();
@@ -127,7 +127,7 @@ std::size_t bytes_of(const Background::Feature& feature) {
 
 }  // namespace
 
-Background background_within(const std::vector<Sight>& scenery, const OGREnvelope& bounds, double cell) {
+site::Background background_within(const std::vector<Sight>& scenery, const OGREnvelope& bounds, double cell) {
     const GdalScope gdal;
     const Extent extent{bounds, cell};
     // Sights of one name and class are one feature.
@@ -138,7 +138,7 @@ Background background_within(const std::vector<Sight>& scenery, const OGREnvelop
         if (!bounds.Intersects(box)) continue;
         groups[{sight.kind, sight.rank, sight.type, shape_of(sight), sight.name}].push_back(&sight);
     }
-    std::vector<std::pair<int, Background::Feature>> ranked;
+    std::vector<std::pair<int, site::Background::Feature>> ranked;
     std::size_t bytes = 0;
     for (const auto& [key, sights] : groups) {
         const auto& [kind, rank, type, shape, name] = key;
@@ -149,7 +149,7 @@ Background background_within(const std::vector<Sight>& scenery, const OGREnvelop
             for (Point& point : part) point = extent.to_cells(point);
         }
         if (parts.empty()) continue;
-        ranked.emplace_back(rank, Background::Feature{kind, type, name, shape, std::move(parts)});
+        ranked.emplace_back(rank, site::Background::Feature{kind, type, name, shape, std::move(parts)});
         bytes += bytes_of(ranked.back().second);
     }
     for (int rank = least_rank; bytes > most_bytes && rank >= 0; --rank) {
@@ -158,7 +158,7 @@ Background background_within(const std::vector<Sight>& scenery, const OGREnvelop
             return feature.first == rank;
         });
     }
-    Background background;
+    site::Background background;
     for (auto& feature : ranked) background.features.push_back(std::move(feature.second));
     return background;
 }

@@ -66,7 +66,7 @@ ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice)
 struct Labelled {
     std::vector<std::uint32_t> labels;
     std::vector<ObstacleAttributes> attributes;  // by label, entry 0 unused
-    LabelNames names;
+    site::LabelNames names;
 };
 
 // One label for each footprint.
@@ -181,14 +181,14 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
         cells = merged(cells, window.width, window.height, !options.choice.weight.of.empty());
     }
     if (!options.names) cells.names.clear();
-    std::vector<NamedCell> named = named_cells(std::move(cells.names), cells.labels);
+    std::vector<site::NamedCell> named = site::named_cells(std::move(cells.names), cells.labels);
     LabelTiff tiff{.map = Map::from_labels(window.width, window.height, std::move(cells.labels), cells.attributes),
                    .cell_size = options.cell,
                    .georeference = window.georeference,
                    .attribution = material.footprints.from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
                    .title = title_of(source, window, options.cell),
                    .background = background_within(material.scenery, window.window.bounds, options.cell)};
-    tiff.names = obstacle_names(tiff.map, std::move(named));
+    tiff.names = site::obstacle_names(tiff.map, std::move(named));
     return {.tiff = std::move(tiff), .buildings = seen.size(), .area = area, .covered = material.covered};
 }
 

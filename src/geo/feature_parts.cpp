@@ -48,7 +48,7 @@ double signed_area(const std::vector<Point>& ring) {
 }
 
 std::optional<FeatureParts> parts_of(const OGRGeometry& shape) {
-    using Shape = Background::Shape;
+    using Shape = site::Background::Shape;
     Parts parts;
     switch (wkbFlatten(shape.getGeometryType())) {
         case wkbPoint:

@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "geo/background.hpp"
+#include "site/background.hpp"
 
 namespace waybreaker::geo {
 
 struct FeatureParts {
-    Background::Shape shape;
-    // As Background has them, in the geometry's own coordinates; outer rings turn left where y goes up.
+    site::Background::Shape shape;
+    // As site::Background has them, in the geometry's own coordinates; outer rings turn left where y goes up.
     std::vector<std::vector<Point>> parts;
 };
 

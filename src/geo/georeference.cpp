@@ -16,7 +16,7 @@ namespace {
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
 // Both in (east, north) order.
-OGRSpatialReference system_of(const Georeference& place) {
+OGRSpatialReference system_of(const site::Georeference& place) {
     OGRSpatialReference system(place.crs.c_str());
     system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     return system;
@@ -31,18 +31,14 @@ OGRSpatialReference degrees() {
 
 }  // namespace
 
-std::string Georeference::crs_name() const {
+std::string crs_name(const site::Georeference& place) {
     const GdalScope gdal;
-    const OGRSpatialReference system(crs.c_str());
+    const OGRSpatialReference system(place.crs.c_str());
     const char* name = system.GetName();
     return name ? name : "";
 }
 
-std::array<double, 2> Georeference::lon_lat(double x, double y) const {
-    return ToLonLat(*this)(x, y);
-}
-
-ToLonLat::ToLonLat(const Georeference& place) : transform_(place.transform) {
+ToLonLat::ToLonLat(const site::Georeference& place) : transform_(place.transform) {
     const GdalScope gdal;
     const OGRSpatialReference from = system_of(place);
     const OGRSpatialReference to = degrees();
@@ -66,7 +62,7 @@ std::array<double, 2> ToLonLat::operator()(double x, double y) const {
     return {east, north};
 }
 
-FromLonLat::FromLonLat(const Georeference& place) : transform_(place.transform) {
+FromLonLat::FromLonLat(const site::Georeference& place) : transform_(place.transform) {
     const GdalScope gdal;
     const OGRSpatialReference from = degrees();
     const OGRSpatialReference to = system_of(place);
@@ -99,7 +95,7 @@ std::vector<Point> FromLonLat::operator()(std::vector<Point> lon_lats) const {
     return lon_lats;
 }
 
-std::optional<std::array<double, 6>> affine_to_lon_lat(const Georeference& place, int width, int height) try {
+std::optional<std::array<double, 6>> affine_to_lon_lat(const site::Georeference& place, int width, int height) try {
     // The best fit to three by three points, from side to side; so regular that its equations are solved beforehand.
     const ToLonLat to_lon_lat(place);
     const Point half{width / 2.0, height / 2.0};
@@ -131,6 +127,11 @@ std::optional<std::array<double, 6>> affine_to_lon_lat(const Georeference& place
                                  d, e, at_latitude - d * middle.x - e * middle.y};
 } catch (const InputError&) {
     return std::nullopt;
+}
+
+site::ToLonLat lon_lat_of(const std::optional<site::Georeference>& place) {
+    if (!place) return {};
+    return [to_lon_lat = std::make_shared<const ToLonLat>(*place)](Point p) { return (*to_lon_lat)(p.x, p.y); };
 }
 
 }  // namespace waybreaker::geo

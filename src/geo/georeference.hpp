@@ -1,4 +1,4 @@
-// Where a map lies on the ground.
+// Cells to longitude and latitude, and back.
 #pragma once
 
 #include <array>
@@ -7,26 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "site/georeference.hpp"
 #include "waybreaker/cell.hpp"
 
 class OGRCoordinateTransformation;
 
 namespace waybreaker::geo {
 
-struct Georeference {
-    std::string crs;  // well-known text
-    // GDAL's affine transform from cell corner coordinates (column, row) to the coordinate system.
-    std::array<double, 6> transform{0, 1, 0, 0, 0, 1};
-    std::string crs_name() const;  // for people, e.g. "WGS 84 / UTM zone 33N"
-    // Of a point in cell units (integer = cell centre), WGS84 degrees. For many points see ToLonLat.
-    std::array<double, 2> lon_lat(double x, double y) const;
-};
+// For people, e.g. "WGS 84 / UTM zone 33N".
+std::string crs_name(const site::Georeference& place);
 
 // Takes points of a map to WGS84 degrees. Not for two threads at once.
 class ToLonLat {
   public:
     // Throws InputError if there is no way from that coordinate system.
-    explicit ToLonLat(const Georeference& place);
+    explicit ToLonLat(const site::Georeference& place);
     ~ToLonLat();
     ToLonLat(const ToLonLat&) = delete;
     ToLonLat& operator=(const ToLonLat&) = delete;
@@ -42,7 +37,7 @@ class ToLonLat {
 // The way back. Not for two threads at once.
 class FromLonLat {
   public:
-    explicit FromLonLat(const Georeference& place);
+    explicit FromLonLat(const site::Georeference& place);
     ~FromLonLat();
     FromLonLat(const FromLonLat&) = delete;
     FromLonLat& operator=(const FromLonLat&) = delete;
@@ -57,6 +52,9 @@ class FromLonLat {
 
 // For programs without projections: [a, b, c, d, e, f] so that a point x, y of a map, in cell units, has the longitude
 // a x + b y + c and the latitude d x + e y + f. Good to a cell everywhere on the map, or there is none.
-std::optional<std::array<double, 6>> affine_to_lon_lat(const Georeference& place, int width, int height);
+std::optional<std::array<double, 6>> affine_to_lon_lat(const site::Georeference& place, int width, int height);
+
+// ToLonLat for who knows no GDAL; empty for a map without a georeference.
+site::ToLonLat lon_lat_of(const std::optional<site::Georeference>& place);
 
 }  // namespace waybreaker::geo

@@ -124,7 +124,7 @@ CellWindow import_window(const ImportOptions& options) {
 CellWindow part_of(const CellWindow& whole, int x, int y, int width, int height) {
     const std::array<double, 6>& transform = whole.georeference.transform;
     const double cell = transform[1];
-    const std::array<double, 2> center = whole.georeference.lon_lat(x + (width - 1) / 2.0, y + (height - 1) / 2.0);
+    const std::array<double, 2> center = ToLonLat(whole.georeference)(x + (width - 1) / 2.0, y + (height - 1) / 2.0);
     return window_at(whole.window.system, transform[0] + x * cell, transform[3] - y * cell, width, height, cell,
                      center);
 }

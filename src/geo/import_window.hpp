@@ -12,7 +12,7 @@ struct CellWindow {
     Window window;
     int width = 0;  // in cells
     int height = 0;
-    Georeference georeference;
+    site::Georeference georeference;
     std::array<double, 2> center;  // longitude and latitude
 };
 

@@ -133,7 +133,7 @@ Grid grid_of(int width, int height, const std::vector<std::uint32_t>& labels) {
 // Cell size in metres, and where the map lies if the file knows its coordinate system.
 struct Place {
     double cell_size = 1;
-    std::optional<Georeference> georeference;
+    std::optional<site::Georeference> georeference;
     std::optional<std::array<double, 2>> origin;
 };
 
@@ -176,15 +176,16 @@ Place read_place(GDALDataset& file, const std::string& name) {
     place.cell_size = cell_x * system->GetLinearUnits();
     char* text = nullptr;
     system->exportToWkt(&text);
-    place.georeference = Georeference{text ? text : "", transform};
+    place.georeference = site::Georeference{text ? text : "", transform};
     CPLFree(text);
     return place;
 }
 
 // A map that does not say where it lies cannot say what lies there.
-Background read_background(GDALDataset& file, const Place& place, int width, int height, const std::string& name) {
+site::Background read_background(GDALDataset& file, const Place& place, int width, int height,
+                                 const std::string& name) {
     const std::string text = metadata(file, background_item);
-    return text.empty() || !place.georeference ? Background{}
+    return text.empty() || !place.georeference ? site::Background{}
                                                : parse_background(text, *place.georeference, width, height, name);
 }
 
@@ -206,10 +207,10 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     check_layout(*file, bytes.size(), name, limits.cells);
     Place place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);
-    LabelNames label_names = read_names(*file, name);
+    site::LabelNames label_names = read_names(*file, name);
     const int width = file->GetRasterXSize();
     const int height = file->GetRasterYSize();
-    Background background = read_background(*file, place, width, height, name);
+    site::Background background = read_background(*file, place, width, height, name);
     std::vector<std::uint32_t> labels = read_labels(*file, memory, name);
     const bool mask = attributes.size() == 1 && has_one_value(labels);
     if (mask) label_names.clear();
@@ -218,7 +219,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
             map_bytes(width, height,
                       mask ? count_obstacles(grid_of(width, height, labels), connectivity) : count_labels(labels)));
     }
-    std::vector<NamedCell> named = named_cells(std::move(label_names), labels);
+    std::vector<site::NamedCell> named = site::named_cells(std::move(label_names), labels);
     LabelTiff tiff{.map = mask ? Map(grid_of(width, height, labels), connectivity)
                                : Map::from_labels(width, height, std::move(labels), attributes),
                    .cell_size = place.cell_size,
@@ -228,7 +229,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
                    .title = metadata(*file, title_item),
                    .background = std::move(background),
                    .mask = mask};
-    tiff.names = obstacle_names(tiff.map, std::move(named));
+    tiff.names = site::obstacle_names(tiff.map, std::move(named));
     return tiff;
 }
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <string_view>
 
-#include "geo/background.hpp"
 #include "geo/georeference.hpp"
 #include "geo/obstacle_names.hpp"
 #include "map/map_size.hpp"
+#include "site/background.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geo {
@@ -22,13 +22,13 @@ namespace waybreaker::geo {
 struct LabelTiff {
     Map map;
     double cell_size = 1;  // metres per cell
-    std::optional<Georeference> georeference = {};
+    std::optional<site::Georeference> georeference = {};
     // Without a coordinate system: the lower-left corner, in metres of the frame that a robot knows the map in.
     std::optional<std::array<double, 2>> origin = {};
-    std::string attribution = {};  // of the source data; may be empty
-    std::string title = {};        // place and window, for captions; may be empty
-    ObstacleNames names = {};      // what people call the obstacles
-    Background background = {};
+    std::string attribution = {};    // of the source data; may be empty
+    std::string title = {};          // place and window, for captions; may be empty
+    site::ObstacleNames names = {};  // what people call the obstacles
+    site::Background background = {};
     bool mask = false;  // the file says which cells are blocked, not by what
 };
 

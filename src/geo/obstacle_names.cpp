@@ -43,12 +43,7 @@ std::string clean_name(std::string_view text) {
     return std::string(trimmed(std::string_view(name).substr(0, end)));
 }
 
-std::size_t name_count(const ObstacleNames& names) {
-    return std::size_t(
-        std::count_if(names.begin(), names.end(), [](const std::string& name) { return !name.empty(); }));
-}
-
-std::string names_text(const ObstacleNames& names) {
+std::string names_text(const site::ObstacleNames& names) {
     std::string text;
     for (std::size_t id = 1; id < names.size(); ++id) {
         const std::string name = clean_name(names[id]);
@@ -57,10 +52,10 @@ std::string names_text(const ObstacleNames& names) {
     return text;
 }
 
-LabelNames read_names(GDALDataset& file, const std::string& name) {
+site::LabelNames read_names(GDALDataset& file, const std::string& name) {
     const char* const item = file.GetMetadataItem(names_item);
     std::string_view text = item ? item : "";
-    LabelNames names;
+    site::LabelNames names;
     for (std::size_t line = 1; !text.empty(); ++line) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         std::uint32_t label = 0;
@@ -75,27 +70,6 @@ LabelNames read_names(GDALDataset& file, const std::string& name) {
         if (!clean.empty()) names.emplace(label, std::move(clean));
         text.remove_prefix(std::min(end + 1, text.size()));
     }
-    return names;
-}
-
-std::vector<NamedCell> named_cells(LabelNames names, std::span<const std::uint32_t> labels) {
-    std::vector<NamedCell> cells;
-    std::uint32_t last = 0;
-    for (std::size_t i = 0; i < labels.size() && !names.empty(); ++i) {
-        if (labels[i] == last) continue;
-        last = labels[i];
-        const auto found = names.find(last);
-        if (found == names.end()) continue;
-        cells.push_back({i, std::move(found->second)});
-        names.erase(found);
-    }
-    return cells;
-}
-
-ObstacleNames obstacle_names(const Map& map, std::vector<NamedCell> cells) {
-    if (cells.empty()) return {};
-    ObstacleNames names(map.obstacles().size() + 1);
-    for (NamedCell& named : cells) names[map.labels()[named.cell]] = std::move(named.name);
     return names;
 }
 

@@ -13,8 +13,8 @@
 namespace waybreaker::geo {
 namespace {
 
-using Kind = Background::Kind;
-using Shape = Background::Shape;
+using Kind = site::Background::Kind;
+using Shape = site::Background::Shape;
 
 // Features of a shape with a tag are scenery.
 struct Rule {

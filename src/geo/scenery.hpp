@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "geo/background.hpp"
 #include "geo/vector_source.hpp"
+#include "site/background.hpp"
 
 namespace waybreaker::geo {
 
 struct Sight {
-    Background::Kind kind;
+    site::Background::Kind kind;
     int rank = 0;  // 0 is what a map of a whole city shows, 3 what only one of a few streets does
     std::string type;
     std::string name;
@@ -25,6 +25,6 @@ std::vector<Sight> read_scenery(const std::string& source, const Window& window)
 
 // What of it lies within bounds, in the cells of a map there: joined, clipped, simplified to half a cell (areas: a
 // cell), without what is too small to see. The least ranks are left out where it would be too long for the file.
-Background background_within(const std::vector<Sight>& scenery, const OGREnvelope& bounds, double cell);
+site::Background background_within(const std::vector<Sight>& scenery, const OGREnvelope& bounds, double cell);
 
 }  // namespace waybreaker::geo

@@ -18,10 +18,10 @@ Json points_json(const std::vector<Point>& part) {
     return points;
 }
 
-Json feature_json(const geo::Background::Feature& feature) {
+Json feature_json(const site::Background::Feature& feature) {
     Json points = Json::array();
     for (const std::vector<Point>& part : feature.parts) points.push_back(points_json(part));
-    return {{"kind", geo::background_kinds[std::size_t(feature.kind)]},
+    return {{"kind", site::background_kinds[std::size_t(feature.kind)]},
             {"class", feature.type},
             {"name", feature.name},
             {"shape", shapes[std::size_t(feature.shape)]},
@@ -30,9 +30,9 @@ Json feature_json(const geo::Background::Feature& feature) {
 
 }  // namespace
 
-std::string background_json(const geo::Background& background) {
+std::string background_json(const site::Background& background) {
     Json features = Json::array();
-    for (const geo::Background::Feature& feature : background.features) features.push_back(feature_json(feature));
+    for (const site::Background::Feature& feature : background.features) features.push_back(feature_json(feature));
     return Json{{"features", std::move(features)}}.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -13,13 +13,13 @@ std::string dump(const Json& json) {
 }
 
 // Twice the area, positive where the ring runs counterclockwise with y down.
-double turn(const geo::Ring& ring) {
+double turn(const site::Ring& ring) {
     double sum = 0;
     for (std::size_t i = 1; i < ring.size(); ++i) sum += ring[i].x * ring[i - 1].y - ring[i - 1].x * ring[i].y;
     return sum;
 }
 
-Json polygon_json(const geo::ToLonLat& to_lon_lat, const geo::Polygon& polygon) {
+Json polygon_json(const site::ToLonLat& to_lon_lat, const site::Polygon& polygon) {
     Json rings = Json::array();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const bool outer = i == 0;
@@ -33,16 +33,16 @@ Json polygon_json(const geo::ToLonLat& to_lon_lat, const geo::Polygon& polygon) 
 
 }  // namespace
 
-Json position_json(const geo::ToLonLat& to_lon_lat, Point point) {
+Json position_json(const site::ToLonLat& to_lon_lat, Point point) {
     constexpr double decimals = 1e9;
-    const auto [lon, lat] = to_lon_lat(point.x, point.y);
+    const auto [lon, lat] = to_lon_lat(point);
     return {std::round(lon * decimals) / decimals, std::round(lat * decimals) / decimals};
 }
 
-Json polygons_json(const geo::ToLonLat& to_lon_lat, const std::vector<geo::Polygon>& polygons) {
+Json polygons_json(const site::ToLonLat& to_lon_lat, const std::vector<site::Polygon>& polygons) {
     if (polygons.size() == 1) return {{"type", "Polygon"}, {"coordinates", polygon_json(to_lon_lat, polygons[0])}};
     Json parts = Json::array();
-    for (const geo::Polygon& polygon : polygons) parts.push_back(polygon_json(to_lon_lat, polygon));
+    for (const site::Polygon& polygon : polygons) parts.push_back(polygon_json(to_lon_lat, polygon));
     return {{"type", "MultiPolygon"}, {"coordinates", std::move(parts)}};
 }
 

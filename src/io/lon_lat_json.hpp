@@ -4,16 +4,16 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "geo/georeference.hpp"
-#include "geo/outline.hpp"
+#include "site/georeference.hpp"
+#include "site/outline.hpp"
 
 namespace waybreaker::io {
 
 // [longitude, latitude] with 9 decimals.
-nlohmann::ordered_json position_json(const geo::ToLonLat& to_lon_lat, Point point);
+nlohmann::ordered_json position_json(const site::ToLonLat& to_lon_lat, Point point);
 
 // A Polygon or a MultiPolygon; outer rings run counterclockwise, as RFC 7946 asks.
-nlohmann::ordered_json polygons_json(const geo::ToLonLat& to_lon_lat, const std::vector<geo::Polygon>& polygons);
+nlohmann::ordered_json polygons_json(const site::ToLonLat& to_lon_lat, const std::vector<site::Polygon>& polygons);
 
 // A FeatureCollection, a feature a line. `head` is an object of members to go before the features.
 std::string collection_text(const nlohmann::ordered_json& head, const std::vector<nlohmann::ordered_json>& features);

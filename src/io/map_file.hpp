@@ -1,4 +1,4 @@
-// Any map file waybreaker reads, told apart by its content.
+// A map with all that its file says of it, whatever the format.
 #pragma once
 
 #include <array>
@@ -8,11 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "geo/label_tiff.hpp"
-#include "io/authors_xml.hpp"
-#include "io/ros_map.hpp"
-#include "map/map_size.hpp"
+#include "io/ros_yaml.hpp"
+#include "site/background.hpp"
+#include "site/georeference.hpp"
+#include "site/obstacle_names.hpp"
 #include "waybreaker/map.hpp"
+#include "waybreaker/search.hpp"
 
 namespace waybreaker::io {
 
@@ -28,11 +29,13 @@ struct ImageReading {
     friend bool operator==(const ImageReading&, const ImageReading&) = default;
 };
 
-// The files of a ROS map.
-struct RosFiles {
-    RosYaml yaml;
-    std::string text;   // of the YAML
-    std::string image;  // bytes
+// The mission that a map file holds beside its map: only the authors' XML does.
+struct MapTask {
+    std::string title;
+    double cell_size = 1;
+    std::optional<Cell> start;
+    std::optional<Cell> goal;
+    SearchOptions search;  // what the file leaves out has our defaults
 };
 
 struct MapFile {
@@ -42,14 +45,14 @@ struct MapFile {
     std::string digest = {};  // "sha256:..." of the file's bytes; a ROS map's YAML and image one after the other
     double cell_size = 1;     // metres per cell
     double label_seconds = 0;
-    std::optional<geo::Georeference> georeference = {};
+    std::optional<site::Georeference> georeference = {};
     // Without a georeference: the lower-left corner, in metres of the frame that a robot knows the map in.
     std::optional<std::array<double, 2>> origin = {};
     std::string attribution = {};
     std::string title = {};
-    geo::ObstacleNames names = {};     // what people call the obstacles
-    geo::Background background = {};   // streets, water, ...
-    std::optional<XmlTask> task = {};  // start, goal and options, where the file holds them
+    site::ObstacleNames names = {};    // what people call the obstacles
+    site::Background background = {};  // streets, water, ...
+    std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};
     std::uint64_t unknown = 0;            // cells of unknown occupancy
     std::vector<std::string> notes = {};  // what a person should know of the file, a line each
@@ -59,16 +62,5 @@ struct MapFile {
         return id.value < names.size() ? names[id.value] : std::string_view();
     }
 };
-
-// Throws InputError. A file that is no map is refused after its first bytes; "-" is standard input. `connectivity`
-// applies to formats without a label layer.
-MapFile read_map_file(const std::string& path, Connectivity connectivity = Connectivity::four,
-                      const ImageReading& image = {});
-
-// A map whose bytes are all there is of it: no other file is opened, so that a ROS map must be in one piece
-// (ros_pieces). `name` is what errors call it. Throws SizeError for a map of too many cells, before it takes memory for
-// them.
-MapFile parse_map(std::string bytes, const std::string& name, Connectivity connectivity = Connectivity::four,
-                  const ImageReading& image = {}, const MapLimits& limits = {});
 
 }  // namespace waybreaker::io

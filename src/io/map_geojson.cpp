@@ -21,13 +21,12 @@ Json properties_of(const Obstacle& obstacle, const MapFile& map) {
 
 }  // namespace
 
-std::string map_geojson(const MapFile& map) {
-    if (!map.georeference) {
+std::string map_geojson(const MapFile& map, const site::ToLonLat& to_lon_lat) {
+    if (!to_lon_lat) {
         throw InputError(map.source +
                          ": GeoJSON needs longitude and latitude, but the map does not say where it lies on earth");
     }
-    const geo::ToLonLat to_lon_lat(*map.georeference);
-    const std::vector<std::vector<geo::Polygon>> outlines = geo::outlines(map.map);
+    const std::vector<std::vector<site::Polygon>> outlines = site::outlines(map.map);
     std::vector<Json> features;
     for (const Obstacle& obstacle : map.map.obstacles()) {
         features.push_back({{"type", "Feature"},

@@ -10,6 +10,6 @@ namespace waybreaker::io {
 
 // Properties: `obstacle` (its number), `osm_id` (its id in the source, where it is known), `name` (likewise), `cells`,
 // `protected` (yes or no), `weight`, `breach_time`. Throws InputError if the map does not say where it lies on earth.
-std::string map_geojson(const MapFile& map);
+std::string map_geojson(const MapFile& map, const site::ToLonLat& to_lon_lat);
 
 }  // namespace waybreaker::io

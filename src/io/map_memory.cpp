@@ -12,8 +12,8 @@ std::size_t memory_of(const std::string& text) {
     return sizeof(std::string) + (inside ? 0 : text.capacity() + allocation);
 }
 
-std::size_t memory_of(const geo::Background& background) {
-    std::size_t bytes = background.features.capacity() * sizeof(geo::Background::Feature);
+std::size_t memory_of(const site::Background& background) {
+    std::size_t bytes = background.features.capacity() * sizeof(site::Background::Feature);
     for (const auto& feature : background.features) {
         bytes += memory_of(feature.type) + memory_of(feature.name) - 2 * sizeof(std::string);
         bytes += feature.parts.capacity() * sizeof(feature.parts.front()) + allocation;

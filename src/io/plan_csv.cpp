@@ -35,12 +35,10 @@ std::string breach_at(const Plan& plan, const Itinerary& agent, std::size_t i) {
 
 }  // namespace
 
-std::string plan_csv(const Plan& plan, const MapFile& map) {
+std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat& to_lon_lat) {
     constexpr double millimetres = 1e3;
     constexpr double degrees = 1e9;
     const MapFrame frame(map);
-    std::optional<geo::ToLonLat> to_lon_lat;
-    if (map.georeference) to_lon_lat.emplace(*map.georeference);
     std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches\n";
     for (const Itinerary& agent : plan.agents) {
         const bool air = agent.kind == AgentKind::air;
@@ -51,7 +49,7 @@ std::string plan_csv(const Plan& plan, const MapFile& map) {
                     shortest_text(point.x) + "," + shortest_text(point.y) + "," + decimals(place.x, millimetres) + "," +
                     decimals(place.y, millimetres) + ",";
             if (to_lon_lat) {
-                const auto [lon, lat] = (*to_lon_lat)(point.x, point.y);
+                const auto [lon, lat] = to_lon_lat({point.x, point.y});
                 text += decimals(lon, degrees) + "," + decimals(lat, degrees) + ",";
             } else {
                 text += ",,";

@@ -15,6 +15,6 @@
 
 namespace waybreaker::io {
 
-std::string plan_csv(const Plan& plan, const MapFile& map);
+std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat& to_lon_lat);
 
 }  // namespace waybreaker::io

@@ -12,7 +12,7 @@ Json feature(Json properties, Json geometry) {
     return {{"type", "Feature"}, {"properties", std::move(properties)}, {"geometry", std::move(geometry)}};
 }
 
-Json path_feature(const geo::ToLonLat& to_lon_lat, const Itinerary& agent) {
+Json path_feature(const site::ToLonLat& to_lon_lat, const Itinerary& agent) {
     Json line = Json::array();
     Json times = Json::array();
     for (const Waypoint& point : agent.path) {
@@ -46,18 +46,17 @@ Json properties_of(const Breach& removal, const MapFile& map, const char* role, 
 
 }  // namespace
 
-std::string plan_geojson(const Plan& plan, const MapFile& map) {
-    if (!map.georeference) {
+std::string plan_geojson(const Plan& plan, const MapFile& map, const site::ToLonLat& to_lon_lat) {
+    if (!to_lon_lat) {
         throw InputError(map.source +
                          ": GeoJSON needs longitude and latitude, but the map does not say where it lies on earth; "
                          "--csv and --ros-path do without");
     }
-    const geo::ToLonLat to_lon_lat(*map.georeference);
     std::vector<Json> features;
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
         const Breach& removal = plan.breaches[i];
         features.push_back(feature(properties_of(removal, map, "removed", i + 1),
-                                   polygons_json(to_lon_lat, geo::outline(map.map, removal.obstacle))));
+                                   polygons_json(to_lon_lat, site::outline(map.map, removal.obstacle))));
     }
     for (const Itinerary& agent : plan.agents) features.push_back(path_feature(to_lon_lat, agent));
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {

@@ -13,6 +13,6 @@
 namespace waybreaker::io {
 
 // Precondition: the plan is one for this map. Throws InputError if the map does not say where it lies on earth.
-std::string plan_geojson(const Plan& plan, const MapFile& map);
+std::string plan_geojson(const Plan& plan, const MapFile& map, const site::ToLonLat& to_lon_lat);
 
 }  // namespace waybreaker::io

@@ -11,9 +11,9 @@
 namespace waybreaker::render {
 namespace {
 
-using Kind = geo::Background::Kind;
-using Shape = geo::Background::Shape;
-using Feature = geo::Background::Feature;
+using Kind = site::Background::Kind;
+using Shape = site::Background::Shape;
+using Feature = site::Background::Feature;
 
 // Features that look the same.
 struct Stratum {
@@ -65,7 +65,7 @@ std::string path(const std::vector<waybreaker::Point>& part, const Layout& layou
     return closed ? text + "z" : text;
 }
 
-std::string draw(const Stratum& stratum, const geo::Background& background, const Layout& layout) {
+std::string draw(const Stratum& stratum, const site::Background& background, const Layout& layout) {
     const bool area = stratum.shape == Shape::area;
     std::string paths;
     for (const Feature& feature : background.features) {
@@ -82,7 +82,7 @@ std::string draw(const Stratum& stratum, const geo::Background& background, cons
 
 }  // namespace
 
-std::string ground(const geo::Background& background, const Layout& layout) {
+std::string ground(const site::Background& background, const Layout& layout) {
     std::string drawn;
     for (const Stratum& stratum : strata) drawn += draw(stratum, background, layout);
     if (drawn.empty()) return "";

@@ -63,7 +63,7 @@ std::string rectangle(Rectangle r, std::string_view more) {
 std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
     const Sample sample(scene.map, scene.plan.breaches, layout.sample_step);
-    const auto paths = outlines(sample.raster());
+    const auto paths = outlines(sample.raster(), sample.looks());
     std::string out =
         rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) + ground(scene.options.background, layout);
     for (const Look look : {Look::obstacle, Look::fixed_obstacle, Look::removed}) {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "geo/background.hpp"
+#include "site/background.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
@@ -22,15 +22,12 @@ struct PictureOptions {
     std::string title = {};        // first line; any bytes
     std::string attribution = {};  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
     Objective objective = Objective::makespan;  // what the plan's bound is one of
-    geo::Background background = {};            // drawn beneath the obstacles
+    site::Background background = {};           // drawn beneath the obstacles
 };
 
 // An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so
 // that the size is bounded by the picture's. Same input, same bytes. Throws InputError if the width or the cell size is
 // out of range.
 std::string svg(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options);
-
-// The same picture as PNG bytes.
-std::string png(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options);
 
 }  // namespace waybreaker::render

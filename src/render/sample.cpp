@@ -58,9 +58,9 @@ Sample::Sample(const Map& map, std::span<const Breach> removed, int step)
     looks_ = {Look::obstacle, Look::obstacle, Look::fixed_obstacle, Look::removed};  // by label; 0 is not used
 }
 
-LabelRaster Sample::raster() const {
+site::LabelRaster Sample::raster() const {
     const std::span<const std::uint32_t> labels = step_ == 1 ? map_->labels() : std::span(coarse_labels_);
-    return {coarse_side(map_->width(), step_), coarse_side(map_->height(), step_), labels, looks_};
+    return {coarse_side(map_->width(), step_), coarse_side(map_->height(), step_), labels};
 }
 
 }  // namespace waybreaker::render

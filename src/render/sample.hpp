@@ -19,7 +19,9 @@ class Sample {
     // of its cells is, otherwise blocked if at least half of its cells are. Time O(cells of the map).
     Sample(const Map& map, std::span<const Breach> removed, int step);
 
-    LabelRaster raster() const;
+    site::LabelRaster raster() const;
+    // By label of the raster.
+    std::span<const Look> looks() const { return looks_; }
 
   private:
     const Map* map_;

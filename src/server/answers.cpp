@@ -9,14 +9,16 @@
 #include <span>
 #include <utility>
 
+#include "authors/plan_xml.hpp"
+#include "geo/georeference.hpp"
 #include "io/check_report.hpp"
-#include "io/map_info.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_file.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_json.hpp"
 #include "io/plan_ros_path.hpp"
-#include "io/plan_xml.hpp"
+#include "mapfile/map_info.hpp"
+#include "raster/png.hpp"
 #include "render/picture.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
@@ -125,7 +127,7 @@ std::string picture(const io::MapFile& file, const io::PlanFile& plan, bool as_s
                                          .objective = plan.mission.rules.objective,
                                          .background = file.background};
     return as_svg ? render::svg(file.map, plan.mission, plan.plan, options)
-                  : render::png(file.map, plan.mission, plan.plan, options);
+                  : raster::png_of(render::svg(file.map, plan.mission, plan.plan, options));
 }
 
 const std::map<std::string, std::string> export_types{{"json", json_type},
@@ -138,10 +140,11 @@ const std::map<std::string, std::string> export_types{{"json", json_type},
 
 std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const std::string& bytes,
                         const std::string& format) {
-    if (format == "geojson") return io::plan_geojson(plan.plan, file);
-    if (format == "csv") return io::plan_csv(plan.plan, file);
+    if (format == "geojson") return io::plan_geojson(plan.plan, file, geo::lon_lat_of(file.georeference));
+    if (format == "csv") return io::plan_csv(plan.plan, file, geo::lon_lat_of(file.georeference));
     if (format == "ros-path") return io::plan_ros_path(plan.plan, file);
-    if (format == "xml") return io::plan_xml(plan.plan, file, search_options(plan.method, plan.mission.ground_body()));
+    if (format == "xml")
+        return authors::plan_xml(plan.plan, file, search_options(plan.method, plan.mission.ground_body()));
     if (format == "svg" || format == "png") return picture(file, plan, format == "svg");
     return bytes;
 }
@@ -158,7 +161,7 @@ std::string maps_json(const std::vector<MapShelf::Entry>& entries) {
 
 std::string map_json(const std::string& id, const ShelvedMap& map) {
     Json json{{"id", id}, {"connectivity", map.connectivity == Connectivity::four ? 4 : 8}};
-    json.update(Json::parse(io::map_info_json(map.file)));
+    json.update(Json::parse(mapfile::map_info_json(map.file)));
     return json.dump() + "\n";
 }
 

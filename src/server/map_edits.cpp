@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "io/json_field.hpp"
-#include "io/map_writer.hpp"
-#include "io/relabelled_map.hpp"
+#include "mapfile/map_reader.hpp"
+#include "mapfile/map_writer.hpp"
+#include "mapfile/relabelled_map.hpp"
 #include "server/plan_request.hpp"
 #include "waybreaker/error.hpp"
 
@@ -105,13 +106,13 @@ ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits, const MapLim
     if (plain) {
         drawn.map = Map(edited_grid(before, edits), map.connectivity);
     } else {
-        io::relabel(drawn, edited_labels(before, edits, std::uint32_t(before.obstacles().size()) + 1));
+        mapfile::relabel(drawn, edited_labels(before, edits, std::uint32_t(before.obstacles().size()) + 1));
     }
     // MovingAI's format holds cells and nothing else.
     const bool cells_alone = plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1;
-    std::string bytes = io::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
+    std::string bytes = mapfile::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
     // As everybody reads it, and what the file does not hold.
-    io::MapFile file = io::parse_map(bytes, "the map", map.connectivity, {}, limits);
+    io::MapFile file = mapfile::parse_map(bytes, "the map", map.connectivity, {}, limits);
     file.task = map.file.task;
     file.origin = map.file.origin;
     file.title = map.file.title;

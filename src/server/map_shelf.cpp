@@ -8,10 +8,11 @@
 #include <set>
 #include <utility>
 
-#include "io/digest.hpp"
 #include "io/map_memory.hpp"
 #include "io/output_file.hpp"
-#include "io/ros_map.hpp"
+#include "mapfile/digest.hpp"
+#include "mapfile/map_reader.hpp"
+#include "mapfile/ros_map.hpp"
 #include "server/built_in_maps.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
@@ -33,7 +34,7 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 
 // A ROS map names its image, which must not lead anywhere else.
 void require_image_inside(const std::string& yaml, const fs::path& path, const fs::path& folder) {
-    const fs::path image = path.parent_path() / io::parse_ros_yaml(yaml, path.filename().string()).image;
+    const fs::path image = path.parent_path() / mapfile::parse_ros_yaml(yaml, path.filename().string()).image;
     if (!lies_in(image, folder)) throw InputError(path.filename().string(), 0, "its image is not in the maps folder");
 }
 
@@ -52,7 +53,7 @@ Problem no_such_map() {
 constexpr std::size_t digest_characters = 16;
 
 std::string upload_id(const std::string& bytes, Connectivity connectivity) {
-    const std::string digest = io::sha256_digest(bytes);
+    const std::string digest = mapfile::sha256_digest(bytes);
     const std::string hex = digest.substr(digest.find(':') + 1, digest_characters);
     return "upload-" + hex + (connectivity == Connectivity::eight ? "-8" : "");
 }
@@ -190,11 +191,11 @@ ShelvedMap MapShelf::read(const std::string& id, const MapLimits& limits) const 
     const std::string path = path_of(id);
     const BuiltInMap* const built_in = path.empty() ? built_in_map(id) : nullptr;
     std::string bytes = built_in ? std::string(built_in->bytes()) : io::read_whole(path);
-    if (fs::path(path).extension() == ".yaml" && io::is_ros_yaml(bytes)) {
+    if (fs::path(path).extension() == ".yaml" && mapfile::is_ros_yaml(bytes)) {
         require_image_inside(bytes, path, folder_);
-        return {.file = io::read_map_file(path)};
+        return {.file = mapfile::read_map_file(path)};
     }
-    io::MapFile file = io::parse_map(bytes, id, Connectivity::four, {}, limits);
+    io::MapFile file = mapfile::parse_map(bytes, id, Connectivity::four, {}, limits);
     bytes.shrink_to_fit();  // they are kept, and were read into more room than they need
     return {.file = std::move(file), .bytes = std::move(bytes)};
 }
@@ -231,7 +232,7 @@ MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
     if (const auto known = kept(upload_id(bytes, connectivity))) return *known;
     try {
         return add([&](const MapLimits& limits) -> ShelvedMap {
-            io::MapFile file = io::parse_map(bytes, "the map", connectivity, {}, limits);
+            io::MapFile file = mapfile::parse_map(bytes, "the map", connectivity, {}, limits);
             return {.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)};
         });
     } catch (const SizeError& error) {

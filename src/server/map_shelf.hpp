@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/map_file.hpp"
+#include "map/map_size.hpp"
 #include "server/limits.hpp"
 
 namespace waybreaker::server {

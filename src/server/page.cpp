@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "io/digest.hpp"
+#include "mapfile/digest.hpp"
 #include "server/entity_tag.hpp"
 #include "server/gzip.hpp"
 #include "server/problem.hpp"
@@ -26,7 +26,7 @@ struct Served {
 Served served(const studio::File& file) {
     constexpr int smallest = 9;
     const std::string bytes(file.bytes);
-    return {std::string(file.type), bytes, gzip(bytes, smallest), entity_tag(io::sha256_digest(bytes))};
+    return {std::string(file.type), bytes, gzip(bytes, smallest), entity_tag(mapfile::sha256_digest(bytes))};
 }
 
 Response given(const std::shared_ptr<const Served>& file, const Fields& headers) {

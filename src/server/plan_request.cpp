@@ -120,7 +120,7 @@ std::vector<Variant> variants(const JsonField& field, const OptionsRequest& comm
 
 std::vector<Agent> agents_of(const MissionRequest& request, const io::MapFile& map) {
     if (!request.agents.empty()) return request.agents;
-    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::XmlTask::*in_file,
+    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
                               const std::string& member) {
         if (given) return *given;
         if (map.task) {
@@ -128,8 +128,8 @@ std::vector<Agent> agents_of(const MissionRequest& request, const io::MapFile& m
         }
         throw InputError("mission." + member + " is missing, and the map does not say it");
     };
-    const Cell start = place(request.start, &io::XmlTask::start, "start");
-    const Cell goal = place(request.goal, &io::XmlTask::goal, "goal");
+    const Cell start = place(request.start, &io::MapTask::start, "start");
+    const Cell goal = place(request.goal, &io::MapTask::goal, "goal");
     std::vector<Agent> agents = ground_and_air(start, goal).agents;
     for (Agent& agent : agents) {
         const bool flies = agent.kind == AgentKind::air;

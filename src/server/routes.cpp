@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "io/background_json.hpp"
-#include "io/digest.hpp"
 #include "io/obstacles_json.hpp"
+#include "mapfile/digest.hpp"
 #include "server/answers.hpp"
 #include "server/entity_tag.hpp"
 #include "server/gzip.hpp"
@@ -62,14 +62,14 @@ class NeededMap {
 
 // Whatever changes answers about a map but the map itself: another version of the service.
 const std::string& edition() {
-    static const std::string digest = io::sha256_digest(openapi_json());
+    static const std::string digest = mapfile::sha256_digest(openapi_json());
     return digest;
 }
 
 // A tag of what `part` of the service says of a map.
 std::string tag_of(const ShelvedMap& map, const std::string& part) {
-    return entity_tag(io::sha256_digest(fmt::format("{} {} {} {} {} {}", map.file.digest, int(map.connectivity), part,
-                                                    edition(), map.file.title, map.file.attribution)));
+    return entity_tag(mapfile::sha256_digest(fmt::format("{} {} {} {} {} {}", map.file.digest, int(map.connectivity),
+                                                         part, edition(), map.file.title, map.file.attribution)));
 }
 
 // What a client can keep and ask for again.

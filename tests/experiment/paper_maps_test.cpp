@@ -9,6 +9,7 @@
 #include "experiment/experiment.hpp"
 #include "experiment/missions.hpp"
 #include "io/map_file.hpp"
+#include "mapfile/map_reader.hpp"
 #include "project_folder.hpp"
 
 namespace waybreaker::experiment {
@@ -24,7 +25,7 @@ TEST(PaperMaps, AreWhatTheirIndexSays) {
     int count = 0;
     for (; std::getline(index, line); ++count) {
         const std::string name = line.substr(0, line.find(','));
-        const io::MapFile file = io::read_map_file(folder / (name + ".tif"));
+        const io::MapFile file = mapfile::read_map_file(folder / (name + ".tif"));
         EXPECT_EQ(file.map.width(), 501) << name;
         EXPECT_EQ(file.map.height(), 501) << name;
         EXPECT_DOUBLE_EQ(file.cell_size, 2.4) << name;
@@ -47,7 +48,7 @@ TEST(PaperMaps, HaveTheMissionsThatTheirCommandDraws) {
         if (experiment.maps[mission.map].name == name) listed.push_back(mission.start);
     }
     std::vector<Cell> drawn;
-    for (const Scenario& mission : draw_missions(io::read_map_file(folder / name).map, {}).kept) {
+    for (const Scenario& mission : draw_missions(mapfile::read_map_file(folder / name).map, {}).kept) {
         drawn.push_back(mission.start);
     }
     EXPECT_EQ(listed, drawn);

@@ -1,6 +1,6 @@
 // What a map's background and names look like as metadata, and that it comes back: whole, cut, and through GDAL's
 // tools.
-#include "geo/background.hpp"
+#include "site/background.hpp"
 
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
@@ -15,21 +15,21 @@
 namespace waybreaker::geo {
 namespace {
 
-using Kind = Background::Kind;
-using Shape = Background::Shape;
+using Kind = site::Background::Kind;
+using Shape = site::Background::Shape;
 
-Georeference utm_place(int zone = 33, double cell = 2.4) {
+site::Georeference utm_place(int zone = 33, double cell = 2.4) {
     OGRSpatialReference utm;
     utm.importFromEPSG(32600 + zone);
     char* text = nullptr;
     utm.exportToWkt(&text);
-    Georeference place{text, {390000.25, cell, 0, 5820000.75, 0, -cell}};
+    site::Georeference place{text, {390000.25, cell, 0, 5820000.75, 0, -cell}};
     CPLFree(text);
     return place;
 }
 
 // One feature of each shape, on a map of 40 x 30 cells.
-Background scene() {
+site::Background scene() {
     return {
         {{Kind::street, "primary", "Friedrichstraße", Shape::line, {{{0, 3}, {39, 4.5}}, {{2, 2}, {2, 28}, {5, 30}}}},
          {Kind::green,
@@ -40,11 +40,11 @@ Background scene() {
          {Kind::place, "square", "Platz der Stille", Shape::point, {{{12, 13}}}}}};
 }
 
-void expect_same(const Background& a, const Background& b, double tolerance) {
+void expect_same(const site::Background& a, const site::Background& b, double tolerance) {
     ASSERT_EQ(a.features.size(), b.features.size());
     for (std::size_t i = 0; i < a.features.size(); ++i) {
-        const Background::Feature& one = a.features[i];
-        const Background::Feature& other = b.features[i];
+        const site::Background::Feature& one = a.features[i];
+        const site::Background::Feature& other = b.features[i];
         EXPECT_EQ(one.kind, other.kind);
         EXPECT_EQ(one.type, other.type);
         EXPECT_EQ(one.name, other.name);
@@ -72,7 +72,7 @@ TEST(Background, is_a_table_that_gis_can_open) {
 
 TEST(Background, comes_back) {
     const std::string text = background_text(scene(), utm_place());
-    const Background read = parse_background(text, utm_place(), 40, 30, "city.tif");
+    const site::Background read = parse_background(text, utm_place(), 40, 30, "city.tif");
     expect_same(read, scene(), decimetre);
     EXPECT_EQ(background_text(read, utm_place()), text);
 }
@@ -89,10 +89,10 @@ TEST(Background, comes_back_out_of_a_map_file) {
 }
 
 TEST(Background, keeps_what_reaches_into_a_piece_at_its_place) {
-    Georeference piece = utm_place();
+    site::Georeference piece = utm_place();
     piece.transform[0] += 9 * 2.4;  // nine cells to the east
-    const Background read = parse_background(background_text(scene(), utm_place()), piece, 12, 30, "city.tif");
-    const Background expected{
+    const site::Background read = parse_background(background_text(scene(), utm_place()), piece, 12, 30, "city.tif");
+    const site::Background expected{
         {{Kind::street, "primary", "Friedrichstraße", Shape::line, {{{-9, 3}, {30, 4.5}}}},
          {Kind::green, "park", "", Shape::area, {{{-8, 9}, {0, 9}, {0, 1}, {-8, 1}}, {{11, 9}, {20, 9}, {20, 1}}}},
          {Kind::place, "square", "Platz der Stille", Shape::point, {{{3, 13}}}}}};
@@ -100,7 +100,7 @@ TEST(Background, keeps_what_reaches_into_a_piece_at_its_place) {
 }
 
 TEST(Background, stays_a_table_whatever_names_hold) {
-    const Background read = parse_background(
+    const site::Background read = parse_background(
         background_text({{{Kind::rail, "tram;train", " \"A\"; B\n\x07", Shape::point, {{{1, 1}}}}}}, utm_place()),
         utm_place(), 40, 30, "city.tif");
     ASSERT_EQ(read.features.size(), 1U);
@@ -111,9 +111,9 @@ TEST(Background, stays_a_table_whatever_names_hold) {
 TEST(Background, of_nothing_is_nothing) {
     EXPECT_EQ(background_text({}, utm_place()), "");
     const std::string heading = "WKT;kind;class;name";
-    EXPECT_EQ(parse_background(heading, utm_place(), 40, 30, "city.tif"), Background{});
+    EXPECT_EQ(parse_background(heading, utm_place(), 40, 30, "city.tif"), site::Background{});
     EXPECT_EQ(parse_background(heading + "\nMULTIPOLYGON EMPTY;green;park;", utm_place(), 40, 30, "city.tif"),
-              Background{});
+              site::Background{});
 }
 
 TEST(Background, refuses_what_is_no_such_table_and_says_why) {
@@ -145,7 +145,8 @@ TEST(Background, leaves_out_what_has_no_place_on_the_map) {
     const std::string heading = "WKT;kind;class;name\n";
     for (const char* shape : {"POINT(-120 40)", "POINT(1e300 1e300)", "LINESTRING(13.38 52.52,500 900)",
                               "LINESTRING(13.38 52.52)", "POLYGON((13.3 52.5,13.4 52.5))"}) {
-        EXPECT_EQ(parse_background(heading + shape + ";street;x;y", utm_place(), 40, 30, "city.tif"), Background{})
+        EXPECT_EQ(parse_background(heading + shape + ";street;x;y", utm_place(), 40, 30, "city.tif"),
+                  site::Background{})
             << shape;
     }
 }
@@ -154,7 +155,8 @@ RC_GTEST_PROP(Background, survives_any_change_of_a_byte, ()) {
     std::string text = background_text(scene(), utm_place());
     text[*rc::gen::inRange(std::size_t{0}, text.size())] = char(*rc::gen::inRange(-128, 128));
     try {
-        for (const Background::Feature& feature : parse_background(text, utm_place(), 40, 30, "city.tif").features) {
+        for (const site::Background::Feature& feature :
+             parse_background(text, utm_place(), 40, 30, "city.tif").features) {
             for (const auto& part : feature.parts) {
                 for (const Point& point : part) RC_ASSERT(std::isfinite(point.x) && std::isfinite(point.y));
             }
@@ -166,7 +168,7 @@ RC_GTEST_PROP(Background, survives_any_change_of_a_byte, ()) {
 // An affine map to degrees is off by the bend of the meridians, which grows with the square of the map's size.
 TEST(AffineToLonLat, is_good_to_a_cell_or_not_there) {
     for (const int zone : {33, 40}) {
-        const Georeference place = utm_place(zone);
+        const site::Georeference place = utm_place(zone);
         const auto affine = affine_to_lon_lat(place, 501, 333);
         ASSERT_TRUE(affine);
         const auto [a, b, c, d, e, f] = *affine;
@@ -182,8 +184,8 @@ TEST(AffineToLonLat, is_good_to_a_cell_or_not_there) {
 }
 
 TEST(FromLonLat, is_the_way_back) {
-    const Georeference place = utm_place();
-    const auto [longitude, latitude] = place.lon_lat(17.25, -3);
+    const site::Georeference place = utm_place();
+    const auto [longitude, latitude] = ToLonLat(place)(17.25, -3);
     const std::vector<Point> back = FromLonLat(place)({{longitude, latitude}, {longitude, 95}});
     EXPECT_LE(distance(back[0], Point{17.25, -3}), 1e-6);
     EXPECT_FALSE(std::isfinite(back[1].x));

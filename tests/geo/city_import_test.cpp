@@ -202,8 +202,8 @@ void expect_scene(const ImportReport& report) {
     EXPECT_EQ(report.buildings, buildings_in_window);
     EXPECT_NEAR(report.area, area_in_window, 2);  // corners are rounded to a centimetre in OpenStreetMap's own format
     EXPECT_EQ(report.tiff.attribution, "(c) OpenStreetMap contributors, ODbL 1.0");
-    EXPECT_EQ(report.tiff.georeference->crs_name(), "WGS 84 / UTM zone 33N");
-    const auto [lon, lat] = report.tiff.georeference->lon_lat(cells / 2.0 - 0.5, cells / 2.0 - 0.5);
+    EXPECT_EQ(crs_name(*report.tiff.georeference), "WGS 84 / UTM zone 33N");
+    const auto [lon, lat] = ToLonLat(*report.tiff.georeference)(cells / 2.0 - 0.5, cells / 2.0 - 0.5);
     EXPECT_NEAR(lon, window.longitude, 1e-8);
     EXPECT_NEAR(lat, window.latitude, 1e-8);
 }
@@ -334,7 +334,7 @@ TEST(CityImport, works_across_the_date_line_and_the_equator) {
     const ImportReport report = import_city(source.path(), {.longitude = 180, .latitude = 0, .size = 200, .cell = 10});
     // 0.0004 by 0.001 degrees of a sphere of 40 000 km.
     EXPECT_NEAR(report.area, 44.5 * 110.6, 20);
-    EXPECT_EQ(report.tiff.georeference->crs_name(), "WGS 84 / UTM zone 60N");
+    EXPECT_EQ(crs_name(*report.tiff.georeference), "WGS 84 / UTM zone 60N");
 }
 
 void expect_refusal(const std::string& source, const ImportOptions& options, const std::string& message) {

@@ -73,7 +73,7 @@ LabelTiff small_map() {
                                             0, 0, 0, 0, 3},
                                            attributes),
                    .cell_size = 2.4,
-                   .georeference = Georeference{text, {390000.25, 2.4, 0, 5820000.75, 0, -2.4}},
+                   .georeference = site::Georeference{text, {390000.25, 2.4, 0, 5820000.75, 0, -2.4}},
                    .attribution = "(c) somebody, some licence 1.0",
                    .title = "Place, 12 m around Zürich",
                    .names = {"", "Grand \"Hôtel\" & <Café>", "", "7"}};
@@ -103,7 +103,7 @@ TEST(LabelTiff, comes_back_whole) {
     EXPECT_EQ(read.names, written.names);
     ASSERT_TRUE(read.georeference);
     EXPECT_EQ(read.georeference->transform, written.georeference->transform);
-    EXPECT_EQ(read.georeference->crs_name(), "WGS 84 / UTM zone 33N");
+    EXPECT_EQ(crs_name(*read.georeference), "WGS 84 / UTM zone 33N");
 }
 
 TEST(LabelTiff, same_map_gives_same_bytes) {
@@ -118,8 +118,8 @@ TEST(LabelTiff, keeps_the_cell_size_where_no_place_is_known) {
 }
 
 TEST(LabelTiff, puts_cell_centres_on_the_ground) {
-    Georeference place = *small_map().georeference;
-    const auto [lon, lat] = place.lon_lat(4, 2);
+    site::Georeference place = *small_map().georeference;
+    const auto [lon, lat] = ToLonLat(place)(4, 2);
     OGRSpatialReference utm(place.crs.c_str());
     OGRSpatialReference wgs84;
     wgs84.SetWellKnownGeogCS("WGS84");
@@ -187,7 +187,7 @@ TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
     EXPECT_FALSE(map.obstacle(map.obstacle_at({0, 0})).destructible);
     EXPECT_EQ(map.obstacle(map.obstacle_at({2, 2})).source_id, 0);
     EXPECT_TRUE(map.obstacle(map.obstacle_at({2, 2})).destructible);
-    EXPECT_EQ(tiff.names, (ObstacleNames{"", "", "7"}));
+    EXPECT_EQ(tiff.names, (site::ObstacleNames{"", "", "7"}));
 }
 
 TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {
@@ -201,10 +201,10 @@ TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {
         });
         return read_label_tiff(bytes, "city.tif").names;
     };
-    EXPECT_EQ(named("5 Town hall\n6 Nobody\n70000  Café \t \x01"), (ObstacleNames{"", "Café", "Town hall"}));
-    EXPECT_EQ(named("5 First\n5 Second"), (ObstacleNames{"", "", "First"}));
-    EXPECT_EQ(named("6 Nobody\n5  "), ObstacleNames{});
-    EXPECT_EQ(named(""), ObstacleNames{});
+    EXPECT_EQ(named("5 Town hall\n6 Nobody\n70000  Café \t \x01"), (site::ObstacleNames{"", "Café", "Town hall"}));
+    EXPECT_EQ(named("5 First\n5 Second"), (site::ObstacleNames{"", "", "First"}));
+    EXPECT_EQ(named("6 Nobody\n5  "), site::ObstacleNames{});
+    EXPECT_EQ(named(""), site::ObstacleNames{});
 }
 
 TEST(CleanName, is_one_line_of_whole_characters) {

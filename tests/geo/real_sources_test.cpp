@@ -178,7 +178,7 @@ TEST_P(CommittedMaps, hold_what_they_should) {
     EXPECT_NEAR(density(tiff.map), expected.density, 5e-4);
     EXPECT_EQ(tiff.attribution, "(c) OpenStreetMap contributors, ODbL 1.0");
     for (const Obstacle& obstacle : tiff.map.obstacles()) EXPECT_NE(obstacle.source_id, 0);
-    const auto [lon, lat] = tiff.georeference->lon_lat(250, 250);
+    const auto [lon, lat] = ToLonLat(*tiff.georeference)(250, 250);
     EXPECT_NEAR(lon, expected.options.longitude, 1e-7);
     EXPECT_NEAR(lat, expected.options.latitude, 1e-7);
     EXPECT_GT(distance(expected.start, expected.goal), 250);
@@ -254,7 +254,7 @@ TEST(CommittedMapOfManhattan, has_the_empire_state_building_where_it_stands) {
     EXPECT_EQ(tiff.map.obstacle(id).source_id, way);
     EXPECT_EQ(tiff.names.at(id.value), "Empire State Building");
 
-    const auto [lon, lat] = tiff.georeference->lon_lat(cell.x, cell.y);
+    const auto [lon, lat] = ToLonLat(*tiff.georeference)(cell.x, cell.y);
     const double metres_east = (lon - longitude) * 111320 * std::cos(latitude * 3.14159265 / 180);
     const double metres_north = (lat - latitude) * 111050;
     // UTM's grid is turned by up to a degree or so against true north.

@@ -13,8 +13,8 @@
 namespace waybreaker::geo {
 namespace {
 
-using Kind = Background::Kind;
-using Shape = Background::Shape;
+using Kind = site::Background::Kind;
+using Shape = site::Background::Shape;
 using Parts = std::vector<std::vector<Point>>;
 
 // 40 x 40 cells of 2 m.
@@ -37,7 +37,7 @@ class Drawing {
         return way(tags, ring);
     }
     Drawing& point(const std::string& tags, const Point& point) {
-        const auto [longitude, latitude] = place_.lon_lat(point.x, point.y);
+        const auto [longitude, latitude] = ToLonLat(place_)(point.x, point.y);
         nodes_ += fmt::format("<node id='{}' version='1' lon='{:.7f}' lat='{:.7f}'>{}</node>\n", ++ids_, longitude,
                               latitude, tags_xml(tags));
         return *this;
@@ -64,7 +64,7 @@ class Drawing {
         return xml;
     }
 
-    Georeference place_;
+    site::Georeference place_;
     std::int64_t ids_ = 0;
     std::map<std::pair<double, double>, std::int64_t> known_;
     std::string nodes_;
@@ -89,12 +89,13 @@ class SceneryOf : public testing::Test {
     }
 };
 
-void expect_background(const Background& background, const std::vector<Background::Feature>& expected) {
+void expect_background(const site::Background& background, const std::vector<site::Background::Feature>& expected) {
     std::string seen;
-    for (const Background::Feature& feature : background.features) seen += feature.type + " " + feature.name + "\n";
+    for (const site::Background::Feature& feature : background.features)
+        seen += feature.type + " " + feature.name + "\n";
     ASSERT_EQ(background.features.size(), expected.size()) << seen;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        const Background::Feature& feature = background.features[i];
+        const site::Background::Feature& feature = background.features[i];
         SCOPED_TRACE(feature.type + " " + feature.name);
         EXPECT_EQ(feature.kind, expected[i].kind);
         EXPECT_EQ(feature.type, expected[i].type);
@@ -181,7 +182,7 @@ TEST_F(SceneryOf, a_place_is_named_once_where_it_can_be_seen) {
     town.area("place=square|name=Market", {{14, 12}, {22, 12}, {22, 20}, {14, 20}})
         .point("place=square|name=Market", {17, 15})
         .area("place=square|name=Green", {{-40, 12}, {2, 12}, {2, 20}, {-40, 20}});
-    const Background background = import(town).tiff.background;
+    const site::Background background = import(town).tiff.background;
     expect_background(background, {{Kind::place, "square", "Green", Shape::point, {{{0.75, 16}}}},
                                    {Kind::place, "square", "Market", Shape::point, {{{17, 15}}}}});
 }
@@ -191,7 +192,7 @@ TEST_F(SceneryOf, tiles_is_for_each_its_own) {
     town.way("highway=primary", {{2, 5}, {38, 5}})
         .area("building=yes", {{2, 8}, {6, 8}, {6, 12}, {2, 12}})
         .area("building=yes", {{22, 8}, {26, 8}, {26, 12}, {22, 12}});
-    std::vector<Background> seen;
+    std::vector<site::Background> seen;
     import_tiles(write("town.osm", town.xml()), window, 40, [&](const ImportTile& tile) {
         EXPECT_EQ(tile.row, 0);
         seen.push_back(tile.report.tiff.background);
@@ -202,9 +203,9 @@ TEST_F(SceneryOf, tiles_is_for_each_its_own) {
 }
 
 TEST_F(SceneryOf, geojson_is_found_by_its_attributes) {
-    const Georeference place = import_window(window).georeference;
+    const site::Georeference place = import_window(window).georeference;
     const auto at = [&](double x, double y) {
-        const auto [longitude, latitude] = place.lon_lat(x, y);
+        const auto [longitude, latitude] = ToLonLat(place)(x, y);
         return fmt::format("[{:.8f},{:.8f}]", longitude, latitude);
     };
     const std::string text = fmt::format(
@@ -215,7 +216,7 @@ TEST_F(SceneryOf, geojson_is_found_by_its_attributes) {
         at(2, 2), at(12, 2), at(12, 12), at(5, 20), at(30, 20));
     const LabelTiff tiff = import_city(write("town.geojson", text), window).tiff;
     expect_background(tiff.background, {{Kind::street, "primary", "High Street", Shape::line, {{{5, 20}, {30, 20}}}}});
-    EXPECT_EQ(tiff.names, (ObstacleNames{"", "Hall"}));
+    EXPECT_EQ(tiff.names, (site::ObstacleNames{"", "Hall"}));
 }
 
 TEST_F(SceneryOf, nothing_is_kept_of_it_if_it_is_not_wanted) {
@@ -227,8 +228,8 @@ TEST_F(SceneryOf, nothing_is_kept_of_it_if_it_is_not_wanted) {
                                       .area("building=yes|name=Hall", {{2, 8}, {6, 8}, {6, 12}}),
                                   options)
                                .tiff;
-    EXPECT_EQ(tiff.background, Background{});
-    EXPECT_EQ(tiff.names, ObstacleNames{});
+    EXPECT_EQ(tiff.background, site::Background{});
+    EXPECT_EQ(tiff.names, site::ObstacleNames{});
 }
 
 using NamesOf = SceneryOf;
@@ -240,7 +241,7 @@ TEST_F(NamesOf, buildings_are_their_own_or_their_address) {
         .area("building=yes|addr:housename=The Cottage|addr:housenumber=2", {{12, 2}, {16, 2}, {16, 6}, {12, 6}})
         .area("building=yes|addr:street=High Street|addr:housenumber=3", {{22, 2}, {26, 2}, {26, 6}, {22, 6}})
         .area("building=yes|addr:housenumber=4", {{32, 2}, {36, 2}, {36, 6}, {32, 6}});
-    EXPECT_EQ(import(town).tiff.names, (ObstacleNames{"", "Town Hall", "The Cottage", "High Street 3", "", ""}));
+    EXPECT_EQ(import(town).tiff.names, (site::ObstacleNames{"", "Town Hall", "The Cottage", "High Street 3", "", ""}));
 }
 
 TEST_F(NamesOf, blocks_are_that_of_the_largest_part_that_has_one) {
@@ -251,7 +252,7 @@ TEST_F(NamesOf, blocks_are_that_of_the_largest_part_that_has_one) {
         .area("building=yes|name=Medium", {{18, 2}, {21, 2}, {21, 12}, {18, 12}});
     ImportOptions options = window;
     options.merge_touching = true;
-    EXPECT_EQ(import(town, options).tiff.names, (ObstacleNames{"", "Large", ""}));
+    EXPECT_EQ(import(town, options).tiff.names, (site::ObstacleNames{"", "Large", ""}));
 }
 
 }  // namespace

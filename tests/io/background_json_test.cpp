@@ -6,11 +6,11 @@
 namespace waybreaker::io {
 namespace {
 
-using Kind = geo::Background::Kind;
-using Shape = geo::Background::Shape;
+using Kind = site::Background::Kind;
+using Shape = site::Background::Shape;
 
 TEST(BackgroundJson, has_a_list_of_points_for_each_part) {
-    const geo::Background background{
+    const site::Background background{
         {{Kind::street, "primary", "\"A\" & Straße", Shape::line, {{{0, -0.001}, {1.254, 2}}, {{3, 4}, {5, 6}}}},
          {Kind::water, "river", "", Shape::area, {{{0, 0}, {0, 9}, {9, 9}}}},
          {Kind::place, "square", "Platz", Shape::point, {{{7, 8.5}}}}}};

@@ -5,6 +5,7 @@
 #include <malloc.h>
 #include <rapidcheck/gtest.h>
 
+#include "map/map_size.hpp"
 #include "random_map.hpp"
 
 namespace waybreaker::io {

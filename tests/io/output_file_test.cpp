@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include "input_error.hpp"
-#include "io/digest.hpp"
 #include "io/excerpt.hpp"
+#include "mapfile/digest.hpp"
 #include "temporary_folder.hpp"
 
 namespace waybreaker::io {
@@ -140,7 +140,7 @@ TEST_F(Files, HaveTheDigestThatSha256sumPrints) {
         const std::size_t got = std::fread(hex.data(), 1, hex.size(), pipe);
         ::pclose(pipe);
         ASSERT_EQ(got, hex.size()) << "sha256sum did not run";
-        EXPECT_EQ(sha256_digest(bytes), "sha256:" + std::string(hex.data(), hex.size()));
+        EXPECT_EQ(mapfile::sha256_digest(bytes), "sha256:" + std::string(hex.data(), hex.size()));
     }
 }
 

@@ -9,7 +9,9 @@
 #include <filesystem>
 
 #include "ascii_map.hpp"
+#include "geo/georeference.hpp"
 #include "input_error.hpp"
+#include "mapfile/map_reader.hpp"
 #include "project_folder.hpp"
 #include "shared_data.hpp"
 #include "temporary_folder.hpp"
@@ -36,7 +38,8 @@ class PlanGeojson : public TemporaryFolder {
     PlanGeojson() {
         GDALAllRegister();
         plan = MissionPlanner().plan(map.map, ground_and_air({256, 434}, {118, 55}));
-        file.reset(GDALDataset::Open(put("plan.geojson", plan_geojson(plan, map)).c_str(), GDAL_OF_VECTOR));
+        file.reset(GDALDataset::Open(
+            put("plan.geojson", plan_geojson(plan, map, geo::lon_lat_of(map.georeference))).c_str(), GDAL_OF_VECTOR));
     }
 
     // The features of a role, their shapes in the map's own coordinate system.
@@ -57,7 +60,7 @@ class PlanGeojson : public TemporaryFolder {
         EXPECT_NEAR(point.getY(), transform[3] - (y + 0.5) * cell, 1e-3);
     }
 
-    MapFile map = read_map_file(project_folder() / "data" / "berlin-mitte.tif");
+    MapFile map = mapfile::read_map_file(project_folder() / "data" / "berlin-mitte.tif");
     Plan plan;
     GDALDatasetUniquePtr file;
 };
@@ -153,15 +156,15 @@ TEST_F(PlanGeojson, LiesOnTheStreetsOfItsSource) {
 
 TEST_F(PlanGeojson, NeedsToKnowWhereTheMapLies) {
     const MapFile nowhere{.map = map_from_ascii("..#.."), .source = "yard.map"};
-    EXPECT_EQ(input_error([&] { plan_geojson({}, nowhere); }).find("yard.map: GeoJSON needs longitude and latitude"),
-              0U);
+    EXPECT_EQ(
+        input_error([&] { plan_geojson({}, nowhere, {}); }).find("yard.map: GeoJSON needs longitude and latitude"), 0U);
 }
 
 TEST_F(PlanGeojson, HasALineAlsoForWhoStays) {
     MapFile here{.map = Map::from_labels(3, 1, {0, 0, 0}), .georeference = map.georeference};
     const Plan stay = MissionPlanner().plan(here.map, ground_and_air({1, 0}, {1, 0}));
     ASSERT_EQ(stay.status, PlanStatus::solved);
-    const std::string path = put("stay.geojson", plan_geojson(stay, here));
+    const std::string path = put("stay.geojson", plan_geojson(stay, here, geo::lon_lat_of(here.georeference)));
     const GDALDatasetUniquePtr read(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(read);
     EXPECT_EQ(read->GetLayer(0)->GetFeatureCount(), 2);

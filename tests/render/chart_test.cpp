@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster/png.hpp"
 #include "render/chart_axis.hpp"
-#include "render/png.hpp"
 
 namespace waybreaker::render {
 namespace {
@@ -72,7 +72,7 @@ TEST(ChartSvg, ShowsWhatThereIsAndEscapesIt) {
     EXPECT_EQ(svg.find("<s>"), std::string::npos);
     EXPECT_EQ(svg.find(">empty<"), std::string::npos) << "what has no point has no name";
     EXPECT_EQ(svg, chart_svg(chart));
-    EXPECT_TRUE(png_of(svg).starts_with("\x89PNG")) << "librsvg can read it";
+    EXPECT_TRUE(raster::png_of(svg).starts_with("\x89PNG")) << "librsvg can read it";
 }
 
 TEST(ChartSvg, DrawsIntervalsOnlyWhereThereAreSome) {

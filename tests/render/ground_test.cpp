@@ -10,8 +10,8 @@
 namespace waybreaker::render {
 namespace {
 
-using Kind = geo::Background::Kind;
-using Shape = geo::Background::Shape;
+using Kind = site::Background::Kind;
+using Shape = site::Background::Shape;
 
 // Ten pixels a cell, the upper-left corner at 100, 50.
 Layout layout() {
@@ -24,7 +24,7 @@ Layout layout() {
             .map = {100, 50, 400, 300}};
 }
 
-std::string drawn(const geo::Background::Feature& feature) {
+std::string drawn(const site::Background::Feature& feature) {
     return ground({{feature}}, layout());
 }
 

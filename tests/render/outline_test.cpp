@@ -87,9 +87,13 @@ long signed_area(std::string_view path) {
     return twice / 2;
 }
 
+std::array<std::string, look_count> outlines_of(const Sample& sample) {
+    return outlines(sample.raster(), sample.looks());
+}
+
 std::string outline_of(std::string_view picture) {
     const Map map = map_from_ascii(picture);
-    return outlines(Sample(map, {}, 1).raster())[std::size_t(Look::obstacle)];
+    return outlines_of(Sample(map, {}, 1))[std::size_t(Look::obstacle)];
 }
 
 TEST(Outline, OneRingForARectangle) {
@@ -120,7 +124,7 @@ TEST(Outline, CellsThatTouchAtACornerAreNotJoined) {
         #.
         .#)",
                                    Connectivity::eight);
-    EXPECT_EQ(outlines(Sample(map, {}, 1).raster())[0], "m0 0h1v1h-1zm1 1h1v1h-1z");
+    EXPECT_EQ(outlines_of(Sample(map, {}, 1))[0], "m0 0h1v1h-1zm1 1h1v1h-1z");
 }
 
 TEST(Outline, NothingForAFreeMap) {
@@ -156,7 +160,7 @@ Look look_of(const RandomMap& world, ObstacleId id) {
 
 RC_GTEST_PROP(Outline, FillsExactlyTheCellsOfItsLook, ()) {
     const RandomMap world = random_map();
-    const auto paths = outlines(Sample(world.map, world.removed, 1).raster());
+    const auto paths = outlines_of(Sample(world.map, world.removed, 1));
     for (const Look look : {Look::obstacle, Look::fixed_obstacle, Look::removed}) {
         const std::string& path = paths[std::size_t(look)];
         const auto filled = filled_cells(path, world.map.width(), world.map.height());
@@ -177,7 +181,7 @@ RC_GTEST_PROP(Sample, CoarseCellsFollowTheirCells, ()) {
     const RandomMap world = random_map();
     const int step = *rc::gen::inRange(2, 6);
     const Sample sample(world.map, world.removed, step);
-    const LabelRaster raster = sample.raster();
+    const site::LabelRaster raster = sample.raster();
     for (int row = 0; row < raster.height; ++row) {
         for (int column = 0; column < raster.width; ++column) {
             int cells = 0, blocked = 0, removed = 0;
@@ -192,7 +196,7 @@ RC_GTEST_PROP(Sample, CoarseCellsFollowTheirCells, ()) {
             }
             const std::uint32_t label = raster.labels[std::size_t(row * raster.width + column)];
             RC_ASSERT((label != 0) == (removed > 0 || 2 * blocked >= cells));
-            if (label != 0) RC_ASSERT((raster.looks[label] == Look::removed) == (removed > 0));
+            if (label != 0) RC_ASSERT((sample.looks()[label] == Look::removed) == (removed > 0));
         }
     }
 }

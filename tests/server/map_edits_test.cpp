@@ -5,15 +5,17 @@
 
 #include <algorithm>
 
+#include "geo/label_tiff.hpp"
 #include "input_error.hpp"
 #include "live_server.hpp"
+#include "mapfile/map_reader.hpp"
 #include "server/built_in_maps.hpp"
 
 namespace waybreaker::server {
 namespace {
 
 ShelvedMap shelved(std::string bytes, Connectivity connectivity = Connectivity::four) {
-    io::MapFile file = io::parse_map(bytes, "the map", connectivity);
+    io::MapFile file = mapfile::parse_map(bytes, "the map", connectivity);
     return {.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)};
 }
 
@@ -39,7 +41,7 @@ ShelvedMap labelled(const std::string& rows) {
     const std::string utm = shelved(std::string(berlin_mitte_tif())).file.georeference.value().crs;
     geo::LabelTiff tiff{.map = Map::from_labels(width, height, labels, attributes),
                         .cell_size = 2.5,
-                        .georeference = geo::Georeference{utm, {500000, 2.5, 0, 5800000, 0, -2.5}},
+                        .georeference = site::Georeference{utm, {500000, 2.5, 0, 5800000, 0, -2.5}},
                         .title = "Town"};
     tiff.names.resize(tiff.map.obstacles().size() + 1);
     for (const Obstacle& o : tiff.map.obstacles()) {

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "input_error.hpp"
+#include "mapfile/map_reader.hpp"
 
 namespace waybreaker::server {
 namespace {
 
 io::MapFile three_cells() {
-    return io::parse_map("type octile\nheight 1\nwidth 5\nmap\n.@.@@\n", "m.map");
+    return mapfile::parse_map("type octile\nheight 1\nwidth 5\nmap\n.@.@@\n", "m.map");
 }
 
 std::string refusal(const std::string& text) {

@@ -2,8 +2,8 @@
 #include <filesystem>
 
 #include "input_error.hpp"
-#include "io/grey_image.hpp"
 #include "live_server.hpp"
+#include "mapfile/grey_image.hpp"
 #include "server/built_in_maps.hpp"
 #include "server/guard.hpp"
 #include "server/map_shelf.hpp"
@@ -111,7 +111,7 @@ TEST_F(SafetyTest, HostileMapsAreRefused) {
     }
     // What has more cells than allowed, before they are read: there are none.
     EXPECT_EQ(post(maps, "P1 11 11\n", bytes).status, 413);
-    EXPECT_EQ(post(maps, io::png_bytes(11, 11, std::vector<std::uint8_t>(121)), bytes).status, 413);
+    EXPECT_EQ(post(maps, mapfile::png_bytes(11, 11, std::vector<std::uint8_t>(121)), bytes).status, 413);
     EXPECT_EQ(post(maps, std::string(berlin_mitte_tif()), bytes).status, 413);
     EXPECT_EQ(post(maps, thicket(11), bytes).status, 413);
     EXPECT_EQ(post(maps, thicket(10), bytes).status, 201);

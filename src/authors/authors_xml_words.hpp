@@ -1,0 +1,27 @@
+// The words of the authors' XML for search options.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "waybreaker/search.hpp"
+
+namespace waybreaker::authors {
+
+template <class Value, std::size_t n>
+using XmlWords = std::array<std::pair<std::string_view, Value>, n>;
+
+inline constexpr XmlWords<Planner, 5> xml_planners{{{"theta", Planner::theta},
+                                                    {"astar", Planner::astar},
+                                                    {"jp_search", Planner::jps},
+                                                    {"dijkstra", Planner::dijkstra},
+                                                    {"bfs", Planner::bfs}}};
+inline constexpr XmlWords<std::optional<Heuristic>, 4> xml_heuristics{{{"diagonal", Heuristic::octile},
+                                                                       {"manhattan", Heuristic::manhattan},
+                                                                       {"euclid", Heuristic::euclidean},
+                                                                       {"chebyshev", Heuristic::chebyshev}}};
+inline constexpr XmlWords<TieBreak, 2> xml_ties{{{"g-max", TieBreak::g_max}, {"g-min", TieBreak::g_min}}};
+
+}  // namespace waybreaker::authors

@@ -1,0 +1,61 @@
+#include "mapfile/map_info.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "geo/georeference.hpp"
+
+namespace waybreaker::mapfile {
+
+MapSummary summarise(const Map& map) {
+    MapSummary summary;
+    for (const Obstacle& obstacle : map.obstacles()) {
+        summary.blocked += obstacle.cells;
+        if (summary.largest == nullptr || obstacle.cells > summary.largest->cells) summary.largest = &obstacle;
+    }
+    summary.density = double(summary.blocked) / double(map.grid().cell_count());
+    return summary;
+}
+
+std::array<double, 2> center(const io::MapFile& file) {
+    return geo::lon_lat_of(file.georeference)({(file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0});
+}
+
+std::string map_info_json(const io::MapFile& file) {
+    const MapSummary summary = summarise(file.map);
+    using Json = nlohmann::ordered_json;
+    const auto cell = [](const std::optional<Cell>& c) { return c ? Json::array({c->x, c->y}) : Json(); };
+    Json json{{"source", file.source},       {"format", file.format},       {"width", file.map.width()},
+              {"height", file.map.height()}, {"cell_size", file.cell_size}, {"blocked", summary.blocked},
+              {"density", summary.density}};
+    json["obstacles"] = {
+        {"count", file.map.obstacles().size()}, {"named", site::name_count(file.names)}, {"largest", nullptr}};
+    if (const Obstacle* largest = summary.largest) {
+        json["obstacles"]["largest"] = {{"id", largest->id.value},
+                                        {"source_id", largest->source_id},
+                                        {"name", file.name_of(largest->id)},
+                                        {"cells", largest->cells}};
+    }
+    for (const std::string_view kind : site::background_kinds) json["background"][std::string(kind)] = 0;
+    for (const site::Background::Feature& feature : file.background.features) {
+        Json& count = json["background"][std::string(site::background_kinds[std::size_t(feature.kind)])];
+        count = count.get<int>() + 1;
+    }
+    json["unknown"] = file.unknown;
+    json["origin"] = file.origin ? Json(*file.origin) : Json();
+    json["georeference"] = nullptr;
+    if (file.georeference) {
+        const auto affine = geo::affine_to_lon_lat(*file.georeference, file.map.width(), file.map.height());
+        json["georeference"] = {{"crs", geo::crs_name(*file.georeference)},
+                                {"center", center(file)},
+                                {"to_lon_lat", affine ? Json(*affine) : Json()}};
+    }
+    json["start"] = file.task ? cell(file.task->start) : Json();
+    json["goal"] = file.task ? cell(file.task->goal) : Json();
+    json["title"] = file.title;
+    json["attribution"] = file.attribution;
+    json["notes"] = file.notes;
+    json["digest"] = file.digest;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace waybreaker::mapfile

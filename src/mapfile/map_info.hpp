@@ -1,0 +1,26 @@
+// What a map file holds, in a few figures.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "io/map_file.hpp"
+
+namespace waybreaker::mapfile {
+
+struct MapSummary {
+    std::uint64_t blocked = 0;          // cells
+    double density = 0;                 // blocked cells, as a share of all
+    const Obstacle* largest = nullptr;  // of several the first; null if there is no obstacle. The map must outlive it.
+};
+
+MapSummary summarise(const Map& map);
+
+// Longitude and latitude of the middle of the map. Precondition: it has a georeference.
+std::array<double, 2> center(const io::MapFile& file);
+
+// What `waybreaker map info --json` writes: an indented object.
+std::string map_info_json(const io::MapFile& file);
+
+}  // namespace waybreaker::mapfile

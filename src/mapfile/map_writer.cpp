@@ -1,0 +1,173 @@
+#include "mapfile/map_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+
+#include "authors/authors_xml_writer.hpp"
+#include "geo/georeference.hpp"
+#include "geo/label_tiff.hpp"
+#include "io/map_frame.hpp"
+#include "io/map_geojson.hpp"
+#include "mapfile/grey_image.hpp"
+#include "mapfile/ros_map.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::mapfile {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As ROS map savers write them.
+constexpr std::uint8_t blocked_grey = 0;
+constexpr std::uint8_t free_grey = 254;
+constexpr std::uint8_t white = 255;
+
+// What a format holds beside which cells are blocked.
+struct Format {
+    std::string_view extension;
+    const char* name;
+    bool obstacles;  // which cell belongs to which, their source ids and names, what cannot be destroyed
+    bool place;      // coordinate system
+    bool origin;     // in a robot's frame
+    bool cell_size;
+    bool mission;  // start, goal, search options
+    bool title;
+    bool attribution;
+    bool background;
+};
+
+constexpr std::array<Format, 9> formats{{
+    {".map", "MovingAI map", false, false, false, false, false, false, false, false},
+    {".xml", "XML task file", false, false, false, true, true, true, false, false},
+    {".tif", "GeoTIFF", true, true, true, true, false, true, true, true},
+    {".tiff", "GeoTIFF", true, true, true, true, false, true, true, true},
+    {".geojson", "GeoJSON", true, true, false, false, false, true, true, false},
+    {".yaml", "ROS map", false, false, true, true, false, false, false, false},
+    {".yml", "ROS map", false, false, true, true, false, false, false, false},
+    {".png", "PNG", false, false, false, false, false, false, false, false},
+    {".pgm", "PGM", false, false, false, false, false, false, false, false},
+}};
+
+const Format& format_of(const std::string& path) {
+    const std::string extension = fs::path(path).extension().string();
+    const auto* const found = std::ranges::find(formats, extension, &Format::extension);
+    if (found != formats.end()) return *found;
+    std::string known;
+    for (const Format& format : formats) known += (known.empty() ? "" : ", ") + std::string(format.extension);
+    throw InputError(path + ": the name says no format for a map; end it in one of " + known);
+}
+
+// Whether the obstacles are more than what one sees of them: connected sets of blocked cells.
+std::string lost_obstacles(const io::MapFile& file) {
+    const Map& map = file.map;
+    const Map seen{Grid(map.grid())};
+    const bool same = std::equal(seen.labels().begin(), seen.labels().end(), map.labels().begin());
+    std::string loss = same ? ""
+                            : "that its " + std::to_string(map.obstacles().size()) + " obstacles are not the " +
+                                  std::to_string(seen.obstacles().size()) + " connected ones";
+    const auto any = [&](auto holds) { return std::any_of(map.obstacles().begin(), map.obstacles().end(), holds); };
+    if (any([](const Obstacle& o) { return o.source_id != 0; }))
+        loss += (loss.empty() ? "" : ", ") + std::string("source ids");
+    if (!file.names.empty()) loss += (loss.empty() ? "" : ", ") + std::string("names");
+    if (any([](const Obstacle& o) { return o.weight != 1 || o.breach_time != 0; })) {
+        loss += (loss.empty() ? "" : ", ") + std::string("what their removal costs");
+    }
+    if (any([](const Obstacle& o) { return !o.destructible; })) {
+        loss += (loss.empty() ? "" : ", ") + std::string("which obstacles cannot be destroyed");
+    }
+    return loss;
+}
+
+std::vector<std::string> losses_of(const io::MapFile& map, const Format& format) {
+    std::vector<std::string> losses;
+    const auto lose = [&](bool held, const std::string& what) {
+        if (!held && !what.empty()) losses.push_back(std::string("a ") + format.name + " does not hold " + what);
+    };
+    const bool as_ros = map.ros && std::string_view(format.name) == "ROS map";
+    lose(format.obstacles || as_ros, lost_obstacles(map));
+    lose(format.place || !map.georeference, "the coordinate system");
+    lose(format.cell_size || map.cell_size == 1, "the size of a cell");
+    constexpr std::array<double, 2> usual_origin{};
+    lose(format.origin || map.origin.value_or(usual_origin) == usual_origin, "the origin of the map");
+    lose(as_ros || map.unknown == 0, "that cells are unknown: they are written as they were taken, blocked or free");
+    lose(format.mission || !map.task || !map.task->start, "start, goal and search options");
+    lose(format.background || map.background.features.empty(),
+         "streets, water and what else lies around the obstacles");
+    lose(format.title || map.title.empty(), "the title");
+    lose(format.attribution || map.attribution.empty(), "the attribution, which must go with it: " + map.attribution);
+    return losses;
+}
+
+std::string movingai_bytes(const Grid& grid) {
+    std::string text =
+        "type octile\nheight " + std::to_string(grid.height()) + "\nwidth " + std::to_string(grid.width()) + "\nmap\n";
+    for (Cell c; c.y < grid.height(); ++c.y) {
+        for (c.x = 0; c.x < grid.width(); ++c.x) text += grid.blocked(c) ? '@' : '.';
+        text += '\n';
+    }
+    return text;
+}
+
+std::vector<std::uint8_t> grey(const Grid& grid, std::uint8_t of_free) {
+    std::vector<std::uint8_t> pixels;
+    pixels.reserve(grid.cell_count());
+    for (Cell c; c.y < grid.height(); ++c.y) {
+        for (c.x = 0; c.x < grid.width(); ++c.x) pixels.push_back(grid.blocked(c) ? blocked_grey : of_free);
+    }
+    return pixels;
+}
+
+// Files that were read go out as they came in; others as nav2's map saver writes them.
+std::vector<OutputFile> ros_files(const io::MapFile& map, const std::string& path) {
+    fs::path extension = map.ros ? fs::path(map.ros->yaml.image).extension() : fs::path(".pgm");
+    if (extension == fs::path(path).extension()) extension = ".pgm";  // not over the YAML itself
+    const fs::path image = fs::path(path).replace_extension(extension);
+    const std::string image_name = image.filename().string();
+    if (map.ros) return {{image.string(), map.ros->image}, {path, with_image(map.ros->text, image_name, path)}};
+    const Point origin = io::MapFrame(map).origin();
+    const io::RosYaml yaml{.image = image_name, .resolution = map.cell_size, .origin = {origin.x, origin.y}};
+    const Grid& grid = map.map.grid();
+    return {{image.string(), pgm_bytes(grid.width(), grid.height(), grey(grid, free_grey))},
+            {path, ros_yaml_text(yaml)}};
+}
+
+io::MapTask task_of(const io::MapFile& map) {
+    io::MapTask task = map.task.value_or(io::MapTask{});
+    task.title = map.title;
+    task.cell_size = map.cell_size;
+    return task;
+}
+
+std::string bytes_of(const io::MapFile& map, std::string_view extension) {
+    const Grid& grid = map.map.grid();
+    if (extension == ".map") return movingai_bytes(grid);
+    if (extension == ".geojson") return io::map_geojson(map, geo::lon_lat_of(map.georeference));
+    if (extension == ".xml") return authors::authors_xml_text(grid, task_of(map));
+    if (extension == ".png") return png_bytes(grid.width(), grid.height(), grey(grid, white));
+    if (extension == ".pgm") return pgm_bytes(grid.width(), grid.height(), grey(grid, white));
+    return geo::label_tiff_bytes({.map = map.map,
+                                  .cell_size = map.cell_size,
+                                  .georeference = map.georeference,
+                                  .origin = map.origin,
+                                  .attribution = map.attribution,
+                                  .title = map.title,
+                                  .names = map.names,
+                                  .background = map.background});
+}
+
+}  // namespace
+
+WrittenMap write_map(const io::MapFile& map, const std::string& path) {
+    const Format& format = format_of(path);
+    WrittenMap result{.files = {}, .losses = losses_of(map, format)};
+    if (std::string_view(format.name) == "ROS map") {
+        result.files = ros_files(map, path);
+    } else {
+        result.files.push_back({path, bytes_of(map, format.extension)});
+    }
+    return result;
+}
+
+}  // namespace waybreaker::mapfile

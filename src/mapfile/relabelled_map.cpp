@@ -1,0 +1,81 @@
+#include "mapfile/relabelled_map.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "mapfile/grey_image.hpp"
+#include "mapfile/ros_map.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::mapfile {
+namespace {
+
+// By id, entry 0 unused.
+std::vector<bool> removal_table(const Map& map, std::span<const ObstacleId> removed) {
+    std::vector<bool> goes(map.obstacles().size() + 1);
+    for (const ObstacleId id : removed) {
+        const std::string what = "obstacle " + std::to_string(id.value);
+        if (id.value == 0 || id.value >= goes.size()) {
+            throw InputError("there is no " + what + ": the map has " + std::to_string(map.obstacles().size()) +
+                             " obstacles");
+        }
+        if (!map.obstacle(id).destructible) throw InputError(what + " cannot be destroyed");
+        goes[id.value] = true;
+    }
+    return goes;
+}
+
+// The files of a ROS map in which some cells are free now. Trinary maps stay trinary; others become raw ones, which
+// hold every occupancy as it is.
+io::RosFiles opened(const io::RosFiles& files, const std::string& name, const Map& map, const std::vector<bool>& goes) {
+    const GreyImage image = read_image(files.image, name);
+    const bool trinary = files.yaml.mode == io::RosMode::trinary;
+    const std::uint8_t unknown = trinary ? 205 : 255;
+    std::vector<std::uint8_t> grey;
+    grey.reserve(image.pixels.size());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const std::optional<int> percent =
+            goes[map.labels()[i]] ? 0 : occupancy(image.pixels[i], image.transparency, files.yaml);
+        const int known = trinary ? (percent == 0 ? 254 : 0) : percent.value_or(0);
+        grey.push_back(percent ? std::uint8_t(known) : unknown);
+    }
+    io::RosFiles result{.yaml = {.image = std::filesystem::path(files.yaml.image).replace_extension(".pgm").string(),
+                                 .mode = trinary ? io::RosMode::trinary : io::RosMode::raw,
+                                 .resolution = files.yaml.resolution,
+                                 .origin = files.yaml.origin},
+                        .text = {},
+                        .image = pgm_bytes(image.width, image.height, grey)};
+    result.text = ros_yaml_text(result.yaml);
+    return result;
+}
+
+}  // namespace
+
+void relabel(io::MapFile& file, std::vector<std::uint32_t> labels) {
+    std::vector<ObstacleAttributes> attributes(1);
+    site::LabelNames names;
+    for (const Obstacle& o : file.map.obstacles()) {
+        attributes.push_back({o.destructible, o.source_id, o.weight, o.breach_time});
+        if (const auto name = file.name_of(o.id); !name.empty()) names.emplace(o.id.value, name);
+    }
+    std::vector<site::NamedCell> named = site::named_cells(std::move(names), labels);
+    file.map = Map::from_labels(file.map.width(), file.map.height(), std::move(labels), attributes);
+    file.names = site::obstacle_names(file.map, std::move(named));
+}
+
+io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleId> removed) {
+    const std::vector<bool> goes = removal_table(file.map, removed);
+    io::MapFile result = file;
+    if (removed.empty()) return result;
+    result.digest.clear();
+    if (file.ros) result.ros = opened(*file.ros, file.source, file.map, goes);
+    std::vector<std::uint32_t> labels(file.map.labels().begin(), file.map.labels().end());
+    for (std::uint32_t& label : labels) {
+        if (goes[label]) label = 0;
+    }
+    relabel(result, std::move(labels));
+    return result;
+}
+
+}  // namespace waybreaker::mapfile

@@ -1,0 +1,218 @@
+// ROS maps: the table of what each mode makes of each pixel (nav2's map_io), and the YAML beside the image.
+#include "mapfile/ros_map.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "ascii_map.hpp"
+#include "input_error.hpp"
+
+namespace waybreaker::mapfile {
+namespace {
+
+constexpr const char* unknown = "unknown";
+
+std::string word(std::optional<int> percent) {
+    return percent ? std::to_string(*percent) : unknown;
+}
+
+std::string occupancy_of_grey(int grey, io::RosYaml yaml, int alpha = 255, bool transparency = false) {
+    return word(occupancy({std::uint16_t(3 * grey), std::uint8_t(alpha)}, transparency, yaml));
+}
+
+struct Row {
+    int grey;
+    const char* trinary;
+    const char* scale;
+    const char* raw;
+    const char* negated;  // trinary with negate: 1
+};
+
+// Thresholds 0.65 and 0.196: occupied below a grey of 89.25, free above 205.02.
+TEST(RosMaps, TableOfModes) {
+    for (const Row& row : std::vector<Row>{
+             {0, "100", "100", "0", "0"},
+             {49, "100", "100", "49", "0"},
+             {50, "100", "100", "50", unknown},
+             {89, "100", "100", "89", unknown},
+             {90, unknown, "99", "90", unknown},
+             {100, unknown, "91", "100", unknown},
+             {101, unknown, "90", unknown, unknown},
+             {147, unknown, "50", unknown, unknown},
+             {165, unknown, "35", unknown, unknown},
+             {166, unknown, "34", unknown, "100"},
+             {205, unknown, "0", unknown, "100"},
+             {206, "0", "0", unknown, "100"},
+             {254, "0", "0", unknown, "100"},
+             {255, "0", "0", unknown, "100"},
+         }) {
+        SCOPED_TRACE(row.grey);
+        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::trinary}), row.trinary);
+        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::scale}), row.scale);
+        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::raw}), row.raw);
+        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::raw, .negate = true}), row.raw);
+        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::trinary, .negate = true}), row.negated);
+    }
+}
+
+// A cell as occupied as the threshold says is neither occupied nor free.
+TEST(RosMaps, ThresholdsAreStrict) {
+    const io::RosYaml fifths{.occupied_thresh = 0.6, .free_thresh = 0.2};
+    EXPECT_EQ(occupancy_of_grey(204, fifths), unknown);  // 51 of 255: a fifth
+    EXPECT_EQ(occupancy_of_grey(205, fifths), "0");
+    EXPECT_EQ(occupancy_of_grey(102, fifths), unknown);
+    EXPECT_EQ(occupancy_of_grey(101, fifths), "100");
+    EXPECT_EQ(occupancy_of_grey(255, {.free_thresh = 0}), unknown);
+    EXPECT_EQ(occupancy_of_grey(0, {.occupied_thresh = 1}), unknown);
+}
+
+// What map savers write for unknown comes back as free where the threshold is not theirs.
+TEST(RosMaps, GreyOf205IsATrap) {
+    EXPECT_EQ(occupancy_of_grey(205, {.free_thresh = 0.196}), unknown);
+    EXPECT_EQ(occupancy_of_grey(205, {.free_thresh = 0.25}), "0");
+    const GreyImage image{3, 1, false, {{615}, {765}, {0}}};
+    EXPECT_FALSE(ros_cells(image, {.free_thresh = 0.196}, 1).frees_unknown);
+    EXPECT_TRUE(ros_cells(image, {.free_thresh = 0.25}, 1).frees_unknown);
+}
+
+TEST(RosMaps, TransparencyCountsInItsModes) {
+    // Trinary: a fourth colour. Black stays occupied while opaque, and even the saver's unknown turns free.
+    EXPECT_EQ(occupancy_of_grey(0, {}, 255, true), "100");
+    EXPECT_EQ(occupancy_of_grey(205, {}, 255, true), "0");
+    EXPECT_EQ(occupancy_of_grey(255, {}, 0, true), unknown);
+    EXPECT_EQ(occupancy_of_grey(0, {.mode = io::RosMode::scale}, 254, true), unknown);
+    EXPECT_EQ(occupancy_of_grey(0, {.mode = io::RosMode::scale}, 255, true), "100");
+    EXPECT_EQ(occupancy_of_grey(70, {.mode = io::RosMode::raw}, 0, true), "70");
+}
+
+TEST(RosMaps, BlockWhatIsOccupiedAndUnknown) {
+    const GreyImage image{5, 1, false, {{0}, {3 * 100}, {3 * 150}, {3 * 205}, {765}}};
+    const auto cells = [&](io::RosMode mode, double threshold, bool unknown_free) {
+        return ros_map(ros_cells(image, {.mode = mode}, threshold), Connectivity::four, unknown_free).grid();
+    };
+    EXPECT_EQ(cells(io::RosMode::trinary, 1, false), map_from_ascii("####.").grid());
+    EXPECT_EQ(cells(io::RosMode::trinary, 1, true), map_from_ascii("#....").grid());
+    EXPECT_EQ(cells(io::RosMode::scale, 1, false), map_from_ascii("#....").grid());
+    EXPECT_EQ(cells(io::RosMode::scale, 0.9, false), map_from_ascii("##...").grid());
+    EXPECT_EQ(cells(io::RosMode::raw, 1, false), map_from_ascii(".####").grid());
+    EXPECT_EQ(cells(io::RosMode::raw, 1, true), map_from_ascii(".#...").grid());
+    EXPECT_EQ(ros_cells(image, {}, 1).unknown_count, 3U);
+}
+
+// Nobody knows what stands where nothing has been seen: it cannot be removed, nor be one with a wall it touches.
+TEST(RosMaps, UnknownIsNoWall) {
+    const std::string_view picture = R"(
+        ##uu.
+        #.u.#
+        ..uuu)";
+    GreyImage image{5, 3, false, {}};
+    for (const std::string& row : ascii_rows(picture)) {
+        for (const char c : row) image.pixels.push_back({std::uint16_t(c == '#' ? 0 : c == 'u' ? 3 * 205 : 765)});
+    }
+    for (const io::RosMode mode : {io::RosMode::trinary, io::RosMode::scale, io::RosMode::raw}) {
+        SCOPED_TRACE(int(mode));
+        GreyImage seen = image;
+        io::RosYaml yaml{.mode = mode};
+        for (GreyImage::Pixel& pixel : seen.pixels) {
+            const bool is_unknown = pixel.sum == 3 * 205;
+            if (mode == io::RosMode::scale && is_unknown) pixel.alpha = 0;
+            if (mode == io::RosMode::raw) pixel.sum = is_unknown ? 3 * 255 : pixel.sum == 0 ? 300 : 0;
+        }
+        seen.transparency = mode == io::RosMode::scale;
+        const Map map = ros_map(ros_cells(seen, yaml, 1), Connectivity::four, false);
+        EXPECT_EQ(map.grid(), map_from_ascii("####. #.#.# ..###").grid());
+        ASSERT_EQ(map.obstacles().size(), 3U);
+        const Obstacle& wall = map.obstacle(map.obstacle_at({0, 0}));
+        const Obstacle& unseen = map.obstacle(map.obstacle_at({2, 0}));
+        const Obstacle& pillar = map.obstacle(map.obstacle_at({4, 1}));
+        EXPECT_EQ(wall.cells, 3U);
+        EXPECT_TRUE(wall.destructible);
+        EXPECT_EQ(unseen.cells, 6U);
+        EXPECT_FALSE(unseen.destructible);
+        EXPECT_EQ(pillar.cells, 1U);
+        EXPECT_TRUE(pillar.destructible);
+        EXPECT_EQ(ros_map(ros_cells(seen, yaml, 1), Connectivity::four, true).obstacles().size(), 2U);
+    }
+}
+
+TEST(RosMaps, UnknownIsLabelledAsWallsAre) {
+    const GreyImage image{2, 2, false, {{615}, {765}, {765}, {615}}};
+    EXPECT_EQ(ros_map(ros_cells(image, {}, 1), Connectivity::four, false).obstacles().size(), 2U);
+    EXPECT_EQ(ros_map(ros_cells(image, {}, 1), Connectivity::eight, false).obstacles().size(), 1U);
+}
+
+constexpr const char* saved =
+    "image: floor.pgm\nresolution: 0.050000\norigin: [-12.200000, -7.500000, 0.000000]\nnegate: 0\n"
+    "occupied_thresh: 0.65\nfree_thresh: 0.196\n\n";
+
+TEST(RosMaps, YamlIsRead) {
+    const io::RosYaml yaml = parse_ros_yaml(saved, "floor.yaml");
+    EXPECT_EQ(yaml.image, "floor.pgm");
+    EXPECT_EQ(yaml.resolution, 0.05);
+    EXPECT_EQ(yaml.origin, (std::array{-12.2, -7.5}));
+    EXPECT_EQ(yaml.mode, io::RosMode::trinary);
+    const io::RosYaml other = parse_ros_yaml(
+        "# by hand\nmode: raw\nimage: \"my floor.png\"\nresolution: 1\norigin: [0, 0]\nnegate: 1\n", "floor.yaml");
+    EXPECT_EQ(other.image, "my floor.png");
+    EXPECT_EQ(other.mode, io::RosMode::raw);
+    EXPECT_TRUE(other.negate);
+    EXPECT_EQ(other.free_thresh, 0.196);
+}
+
+TEST(RosMaps, YamlNamesAnotherImageAndNothingElseChanges) {
+    EXPECT_EQ(with_image(saved, "floor.pgm", "y"), saved);
+    EXPECT_EQ(with_image(saved, "hall.pgm", "y"), "image: hall.pgm" + std::string(saved).substr(16));
+    const std::string rest = "  # here\nresolution: 1\norigin: [0, 0, 0]\n";
+    EXPECT_EQ(with_image("image: \"a b.pgm\"" + rest, "c.pgm", "y"), "image: \"c.pgm\"" + rest);
+    // A name in disguise: then the file is written anew.
+    EXPECT_EQ(parse_ros_yaml(with_image("image: \"a\\x62.pgm\"" + rest, "c.pgm", "y"), "y").image, "c.pgm");
+    EXPECT_EQ(parse_ros_yaml(with_image("image: &i im\nnote: im" + rest, "c: d.pgm", "y"), "y").image, "c: d.pgm");
+}
+
+RC_GTEST_PROP(RosMaps, YamlComesBack, ()) {
+    const auto share = [] { return *rc::gen::inRange(0, 100000) / 99999.0; };
+    io::RosYaml yaml;
+    yaml.image = *rc::gen::element<std::string>("floor.pgm", "a b.png", "yes", "7", "it's.pgm", "#1.pgm", "x: y.pgm");
+    yaml.mode = *rc::gen::element(io::RosMode::trinary, io::RosMode::scale, io::RosMode::raw);
+    yaml.resolution = 0.01 + share();
+    yaml.origin = {share() - 0.5, -1000 * share()};
+    yaml.negate = *rc::gen::arbitrary<bool>();
+    yaml.free_thresh = share() / 2;
+    yaml.occupied_thresh = 1 - share() / 2;
+    const io::RosYaml read = parse_ros_yaml(ros_yaml_text(yaml), "floor.yaml");
+    RC_ASSERT(read.image == yaml.image && read.mode == yaml.mode && read.resolution == yaml.resolution);
+    RC_ASSERT(read.origin == yaml.origin && read.negate == yaml.negate);
+    RC_ASSERT(read.free_thresh == yaml.free_thresh && read.occupied_thresh == yaml.occupied_thresh);
+}
+
+TEST(RosMaps, YamlThatIsNoneIsRefused) {
+    const std::string start = "image: a.pgm\nresolution: 1\norigin: [0, 0, 0]\n";
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"", "y: is no YAML of a ROS map"},
+        {"- image: a", "is no YAML of a ROS map"},
+        {"image: [", "not well-formed YAML"},
+        {"image: \"\\\1\"", "not well-formed YAML: unknown escape character: ?"},
+        {"image: a.pgm\nresolution: 1\n", "origin is missing"},
+        {"image: a.pgm\norigin: [0, 0, 0]\n", "resolution is missing"},
+        {"resolution: 1\norigin: [0, 0, 0]\n", "image is missing"},
+        {"image: {}\nresolution: 1\norigin: [0, 0, 0]\n", "y:1: image must be the name of a file"},
+        {"image: a.pgm\nresolution: 0\norigin: [0, 0, 0]\n", "y:2: resolution must be a number"},
+        {"image: a.pgm\nresolution: .nan\norigin: [0, 0, 0]\n", "y:2: resolution must be a number"},
+        {"image: a.pgm\nresolution: 1\norigin: [0, 0, 1.57]\n", "y:3: origin has a yaw"},
+        {"image: a.pgm\nresolution: 1\norigin: [0]\n", "y:3: origin must be [x, y, yaw]"},
+        {"image: a.pgm\nresolution: 1\norigin: [a, 0, 0]\n", "the x of origin must be a number"},
+        {start + "mode: binary\n", "y:4: mode is 'binary'"},
+        {start + "negate: 2\n", "y:4: negate is '2'"},
+        {start + "occupied_thresh: 65\n", "y:4: occupied_thresh must be a number from 0 to 1"},
+        {start + "free_thresh: 0.7\n", "free_thresh is above occupied_thresh"},
+        {std::string(100000, '['), "too long"},
+        {std::string(20000, '['), "not well-formed YAML"},
+    };
+    for (const auto& [text, message] : cases) {
+        const std::string error = input_error([&] { parse_ros_yaml(text, "y"); });
+        EXPECT_NE(error.find(message), std::string::npos) << error << "\n" << text.substr(0, 80);
+    }
+}
+
+}  // namespace
+}  // namespace waybreaker::mapfile
