@@ -7,7 +7,7 @@
 // line.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace waybreaker;
-    static const server::ShelvedMap map{
+    static const server::StoredMap map{
         .file = mapfile::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map")};
     read_or_refuse(data, size, [](std::string_view bytes) {
         const server::MapEdits edits = server::parse_map_edits(bytes, "input");

@@ -28,21 +28,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A mission that has been put on its map; the map is one of its own where the request says what obstacles weigh.
-struct Posed {
-    io::MissionDocument asked;
-    std::optional<io::MapFile> weighed;
+// A validated mission; `reweighted` is a copy of the map, if the request sets weights of obstacles.
+struct PreparedMission {
+    io::MissionDocument document;
+    std::optional<io::MapFile> reweighted;
 };
 
-// The time that a request has for all its plans.
-class Allowance {
+// The time limit of a request, shared by all its plans.
+class TimeBudget {
   public:
-    Allowance(const Task& task, const Workplace& place)
+    TimeBudget(const Task& task, const Worker& worker)
         : seconds_(std::min(task.request.options.limits.seconds, task.seconds)) {
-        place.promise(seconds_);
+        worker.set_time_limit(seconds_);
     }
 
-    // One of `plans` equal parts of what is left.
+    // An equal share of the time left, for each of `plans` plans.
     double share(std::size_t plans) const {
         const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - began_;
         constexpr double least = 1e-3;  // enough for a plan without proof
@@ -54,44 +54,44 @@ class Allowance {
     double seconds_;
 };
 
-const io::MapFile& map_of(const Task& task, const Posed& posed) {
-    return posed.weighed ? *posed.weighed : task.map->file;
+const io::MapFile& map_of(const Task& task, const PreparedMission& prepared) {
+    return prepared.reweighted ? *prepared.reweighted : task.map->file;
 }
 
-Posed pose(const Task& task, const OptionsRequest& wanted, const Workplace& place, double seconds) try {
+PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const Worker& worker, double seconds) try {
     const io::MapFile& file = task.map->file;
-    Posed posed{document_of(task.request.mission, wanted, file), {}};
+    PreparedMission prepared{document_of(task.request.mission, wanted, file), {}};
     if (const auto weights = weights_of(wanted, file.map)) {
-        posed.weighed = file;
-        posed.weighed->map = file.map.with_weights(*weights);
+        prepared.reweighted = file;
+        prepared.reweighted->map = file.map.with_weights(*weights);
     }
-    Limits& limits = posed.asked.limits;
-    limits.stop = place.stop;
-    limits.progress = place.tell;
+    Limits& limits = prepared.document.limits;
+    limits.stop = worker.stop;
+    limits.progress = worker.report;
     limits.seconds = std::min(limits.seconds, seconds);
-    validate(map_of(task, posed).map, posed.asked.mission, posed.asked.method, limits);
-    return posed;
+    validate(map_of(task, prepared).map, prepared.document.mission, prepared.document.method, limits);
+    return prepared;
 } catch (const InputError& error) {
     throw Problem(unprocessable, error.what(), "mission-unfit");
 }
 
-io::PlanContext context_of(const Task& task, const Posed& posed, std::span<const Plan> front = {}) {
-    return {.map = map_of(task, posed),
-            .mission = posed.asked.mission,
-            .method = posed.asked.method,
+io::PlanContext context_of(const Task& task, const PreparedMission& prepared, std::span<const Plan> front = {}) {
+    return {.map = map_of(task, prepared),
+            .mission = prepared.document.mission,
+            .method = prepared.document.method,
             .connectivity = task.map->connectivity,
             .timing_fields = task.request.timing_fields,
             .front = front};
 }
 
-std::string plan_text(const Task& task, const OptionsRequest& wanted, const Workplace& place, double seconds) {
-    const Posed posed = pose(task, wanted, place, seconds);
-    const auto& [mission, method, limits] = posed.asked;
-    const Plan plan = place.planner.plan(map_of(task, posed).map, mission, method, limits);
-    return io::plan_json(plan, context_of(task, posed));
+std::string plan_text(const Task& task, const OptionsRequest& wanted, const Worker& worker, double seconds) {
+    const PreparedMission prepared = prepare(task, wanted, worker, seconds);
+    const auto& [mission, method, limits] = prepared.document;
+    const Plan plan = worker.planner.plan(map_of(task, prepared).map, mission, method, limits);
+    return io::plan_json(plan, context_of(task, prepared));
 }
 
-// Nothing removed, the paper's method and the proven choice.
+// The default comparison: no removals, the paper's method, the exact method.
 std::vector<Variant> usual_variants(const OptionsRequest& common) {
     Variant none{"none", common};
     none.options.rules.removals = 0;
@@ -102,7 +102,7 @@ std::vector<Variant> usual_variants(const OptionsRequest& common) {
     return {std::move(none), std::move(paper), Variant{"exact", common}};
 }
 
-io::PlanFile plan_of(const ShelvedMap& map, const std::string& bytes) {
+io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
     io::PlanFile plan = [&] {
         try {
             return io::parse_plan(bytes, "the plan");
@@ -151,22 +151,22 @@ std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const
 
 }  // namespace
 
-std::string maps_json(const std::vector<MapShelf::Entry>& entries) {
+std::string maps_json(const std::vector<MapStore::Entry>& entries) {
     Json list = Json::array();
-    for (const MapShelf::Entry& entry : entries) {
+    for (const MapStore::Entry& entry : entries) {
         list.push_back({{"id", entry.id}, {"uploaded", entry.uploaded}, {"loaded", entry.loaded}});
     }
     return Json{{"maps", list}}.dump() + "\n";
 }
 
-std::string map_json(const std::string& id, const ShelvedMap& map) {
+std::string map_json(const std::string& id, const StoredMap& map) {
     Json json{{"id", id}, {"connectivity", map.connectivity == Connectivity::four ? 4 : 8}};
     json.update(Json::parse(mapfile::map_info_json(map.file)));
     return json.dump() + "\n";
 }
 
-std::string file_name(const std::string& id, const ShelvedMap& map) {
-    if (id.find('.') != std::string::npos) return id;  // it is a file's name
+std::string file_name(const std::string& id, const StoredMap& map) {
+    if (id.find('.') != std::string::npos) return id;  // already a file name
     static const std::map<std::string, std::string> extensions{
         {"MovingAI map", ".map"},          {"authors' XML", ".xml"}, {"GeoTIFF label map", ".tif"},
         {"GeoTIFF occupancy map", ".tif"}, {"PNG image", ".png"},    {"netpbm image", ".pgm"}};
@@ -174,37 +174,37 @@ std::string file_name(const std::string& id, const ShelvedMap& map) {
     return extension == extensions.end() ? id : id + extension->second;
 }
 
-std::string plan_answer(const Task& task, const Workplace& place) {
-    return plan_text(task, task.request.options, place, Allowance(task, place).share(1));
+std::string plan_answer(const Task& task, const Worker& worker) {
+    return plan_text(task, task.request.options, worker, TimeBudget(task, worker).share(1));
 }
 
-std::string front_answer(const Task& task, const Workplace& place) {
-    Posed posed = pose(task, task.request.options, place, Allowance(task, place).share(1));
-    auto& [mission, method, limits] = posed.asked;
-    const std::vector<Plan> plans = place.planner.front(map_of(task, posed).map, mission, method, limits);
+std::string front_answer(const Task& task, const Worker& worker) {
+    PreparedMission prepared = prepare(task, task.request.options, worker, TimeBudget(task, worker).share(1));
+    auto& [mission, method, limits] = prepared.document;
+    const std::vector<Plan> plans = worker.planner.front(map_of(task, prepared).map, mission, method, limits);
     mission.rules.removals = int(plans.size() + mission.rules.force.size()) - 1;
-    return io::plan_json(plans.back(), context_of(task, posed, plans));
+    return io::plan_json(plans.back(), context_of(task, prepared, plans));
 }
 
-std::string compare_answer(const Task& task, const Workplace& place) {
+std::string compare_answer(const Task& task, const Worker& worker) {
     const std::vector<Variant> variants =
         task.request.variants.empty() ? usual_variants(task.request.options) : task.request.variants;
-    const Allowance allowance(task, place);
+    const TimeBudget budget(task, worker);
     std::size_t left = variants.size();
     std::string text;
     for (const Variant& variant : variants) {
         if (!text.empty()) text += ",\n";
         text += "{\"name\": " + Json(variant.name).dump() +
-                ", \"plan\": " + plan_text(task, variant.options, place, allowance.share(left--)) + "}";
+                ", \"plan\": " + plan_text(task, variant.options, worker, budget.share(left--)) + "}";
     }
     return "{\"format\": \"waybreaker-compare/1\", \"plans\": [\n" + text + "]}\n";
 }
 
-std::string check_answer(const ShelvedMap& map, const std::string& plan) {
+std::string check_answer(const StoredMap& map, const std::string& plan) {
     return io::check_json(io::judge(plan_of(map, plan), map.file));
 }
 
-Document export_answer(const ShelvedMap& map, const std::string& plan, const std::string& format) try {
+Document export_answer(const StoredMap& map, const std::string& plan, const std::string& format) try {
     const io::PlanFile file = plan_of(map, plan);
     const std::vector<Violation> violations = io::judge(file, map.file);
     if (!violations.empty())

@@ -1,11 +1,11 @@
-// The documents that answer requests, made by the library and the writers of src/io and src/render.
+// The documents that responses carry, made by the library and the writers of src/io and src/render.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "server/job_queue.hpp"
-#include "server/map_shelf.hpp"
+#include "server/map_store.hpp"
 #include "server/plan_request.hpp"
 
 namespace waybreaker::server {
@@ -18,30 +18,30 @@ struct Document {
 
 inline constexpr auto json_type = "application/json";
 
-std::string maps_json(const std::vector<MapShelf::Entry>& entries);
+std::string maps_json(const std::vector<MapStore::Entry>& entries);
 // As `waybreaker map info --json`, with id and connectivity.
-std::string map_json(const std::string& id, const ShelvedMap& map);
-// What to call the file of a map: its id, with an extension.
-std::string file_name(const std::string& id, const ShelvedMap& map);
+std::string map_json(const std::string& id, const StoredMap& map);
+// The file name of a map: its id, with an extension.
+std::string file_name(const std::string& id, const StoredMap& map);
 
-// What a worker plans with.
+// What a worker plans.
 struct Task {
     SharedMap map;
     PlanRequest request;
-    double seconds = 30;  // at most, whatever the request says
+    double seconds = 30;  // upper limit, whatever the request says
 };
 
 // Each throws Problem if the mission does not fit the map.
-std::string plan_answer(const Task& task, const Workplace& place);
-std::string front_answer(const Task& task, const Workplace& place);
-std::string compare_answer(const Task& task, const Workplace& place);
+std::string plan_answer(const Task& task, const Worker& worker);
+std::string front_answer(const Task& task, const Worker& worker);
+std::string compare_answer(const Task& task, const Worker& worker);
 
-// `plan` is the text of a plan file. Both throw Problem if it cannot be read; export if it is not valid for the map
-// too.
-std::string check_answer(const ShelvedMap& map, const std::string& plan);
-Document export_answer(const ShelvedMap& map, const std::string& plan, const std::string& format);
+// `plan` is the text of a plan file. Both throw Problem if it cannot be read; export_answer also if the plan is not
+// valid for the map.
+std::string check_answer(const StoredMap& map, const std::string& plan);
+Document export_answer(const StoredMap& map, const std::string& plan, const std::string& format);
 
-// Whether export_answer knows it.
+// Whether export_answer supports the format.
 bool is_export_format(const std::string& format);
 std::string media_type_of(const std::string& format);
 

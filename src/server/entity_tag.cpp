@@ -14,7 +14,7 @@ std::string entity_tag(const std::string& digest) {
 bool has_already(const Fields& headers, const std::string& tag) {
     const std::vector<std::string> items = header_list(headers.get("If-None-Match"));
     const std::string strong = tag.substr(2);
-    // header_list() gives small letters.
+    // header_list() returns lower case.
     return std::any_of(items.begin(), items.end(),
                        [&](const std::string& item) { return item == "*" || item == strong || item == "w/" + strong; });
 }

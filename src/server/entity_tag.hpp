@@ -1,4 +1,4 @@
-// Entity tags (RFC 9110, 8.8.3): who has an answer already is told so, with status 304.
+// Entity tags (RFC 9110, 8.8.3): a client that has the current response gets status 304 instead.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace waybreaker::server {
 
-// Of an answer that is a given text's, or a file's of that digest: a weak one, as it may be packed or not.
+// The tag for a digest of what the response depends on. Weak, as the response may be compressed or not.
 std::string entity_tag(const std::string& digest);
 
 // Whether the request names the tag in If-None-Match.
 bool has_already(const Fields& headers, const std::string& tag);
 
-// What is told then.
+// The response to such a request.
 Response not_changed(const std::string& tag);
-// Lets a client keep the response, and ask each time whether it still holds.
+// Lets a client cache the response, and revalidate it each time.
 void add_tag(Response& response, const std::string& tag);
 
 }  // namespace waybreaker::server

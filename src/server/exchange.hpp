@@ -1,4 +1,4 @@
-// Exchange: one request that is being answered, as the transport and those who answer see each other.
+// Exchange: the interface between the transport and the request handler.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace waybreaker::server {
 
-// What is done with a client until its answer is there. Called on the thread that reads and writes.
+// What happens while a client waits for its response. Called on the I/O thread.
 struct Waiting {
-    bool events = false;  // the answer comes in pieces: those that `tick` gives, at last the body of Exchange::answer
+    bool events = false;  // stream what `tick` returns, and finally the body passed to Exchange::answer
     std::function<std::string()> tick = [] { return std::string(); };  // called four times a second
-    std::function<void()> gone = [] {};  // the client went away; there is nobody to answer any more
+    std::function<void()> gone = [] {};                                // the client has disconnected
 };
 
-// From any thread.
+// Thread-safe.
 class Exchange {
   public:
     virtual ~Exchange() = default;
@@ -30,19 +30,18 @@ class Exchange {
 
 struct Admission {
     std::optional<Response> refusal = {};
-    bool body = true;    // whether its body is wanted
-    bool quick = false;  // whether it is answered without reading files or long work: on the thread that reads
+    bool body = true;    // whether to read the body
+    bool quick = false;  // handle it on the I/O thread: it reads no files and takes no time
 };
 
-// Whoever answers.
-class Reception {
+class RequestHandler {
   public:
-    virtual ~Reception() = default;
-    // Whether a request may go on, of which only the head is there. `length`: of its body, unless it comes in chunks.
+    virtual ~RequestHandler() = default;
+    // Whether to accept a request, given its head. `length`: of the body; empty if it is chunked.
     virtual Admission admit(const Request& head, std::optional<std::uint64_t> length) = 0;
-    // Answers by `exchange`, at once or later.
+    // Responds through `exchange`, at once or later.
     virtual void serve(Request request, std::shared_ptr<Exchange> exchange) = 0;
-    // The answer to what is no request.
+    // The response to something that is not a valid request.
     virtual Response refuse(const Problem& problem, const std::string& client) = 0;
 };
 

@@ -33,7 +33,7 @@ bool brings_token(std::string_view authorization, std::string_view token) {
     constexpr std::string_view scheme = "Bearer ";
     if (!same_word(authorization.substr(0, scheme.size()), scheme)) return false;
     const std::string_view given = trimmed(authorization.substr(scheme.size()));
-    // Every character of what was given is looked at, whether or not the first ones fit.
+    // Compares every character even after a mismatch, so that timing reveals nothing.
     unsigned difference = given.size() == token.size() ? 0 : 1;
     for (std::size_t i = 0; i < given.size(); ++i) {
         const char wanted = token.empty() ? '\0' : token[i % token.size()];

@@ -1,4 +1,4 @@
-// Guard: who may ask. Pure functions of what a request says of itself.
+// Guard: which requests are allowed. Pure functions of their headers.
 #pragma once
 
 #include <string>
@@ -6,17 +6,17 @@
 
 namespace waybreaker::server {
 
-// Whether only programs of this machine reach an address.
+// Whether an address is reachable from this machine only.
 bool is_loopback(const std::string& address);
 
-// Whether a Host header names this machine. A page of another site can make its own name lead here (DNS rebinding), but
-// its browser still says that name.
+// Whether a Host header names this machine. A page of another site can make its own name resolve to this machine (DNS
+// rebinding), but the browser still sends that name.
 bool names_loopback(std::string_view host);
 
-// Whether an Origin header is that of a page that this host served.
+// Whether an Origin header is that of a page served by this host.
 bool same_site(std::string_view origin, std::string_view host);
 
-// Whether an Authorization header brings the token. Takes as long whatever it holds.
+// Whether an Authorization header holds the token. Constant time.
 bool brings_token(std::string_view authorization, std::string_view token);
 
 }  // namespace waybreaker::server

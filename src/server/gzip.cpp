@@ -43,7 +43,7 @@ std::string gzip(std::string_view bytes, int level) {
         throw std::bad_alloc();
     }
     std::string packed(deflateBound(&stream, uLong(bytes.size())), '\0');
-    // zlib does not write to its input, and counts to 4 GiB; no answer is as large.
+    // zlib does not write to its input, and counts to 4 GiB; no response is that large.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream.avail_in = uInt(bytes.size());
     stream.next_out = reinterpret_cast<Bytef*>(packed.data());

@@ -1,4 +1,4 @@
-// Answers compressed with gzip, for clients that take it (RFC 9110, 12.5.3).
+// Compression with gzip, for clients that accept it (RFC 9110, 12.5.3).
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace waybreaker::server {
 
-// Whether an Accept-Encoding header takes gzip; one that is missing takes nothing.
+// Whether an Accept-Encoding header accepts gzip; a missing one does not.
 bool accepts_gzip(std::string_view accept_encoding);
 
-// `level`: 1 is quick, 9 is small. The same bytes give the same bytes.
+// `level`: 1 (fastest) to 9 (smallest). Deterministic.
 std::string gzip(std::string_view bytes, int level);
 
-// Throws Problem if that is not gzip, or has more bytes than `most` unpacked.
+// Throws Problem if it is not gzip, or decompresses to more than `most` bytes.
 std::string gunzip(std::string_view packed, std::size_t most);
 
 }  // namespace waybreaker::server

@@ -45,7 +45,7 @@ std::optional<std::size_t> HeadCheck::end_of_head(std::string_view bytes) {
     return std::nullopt;
 }
 
-// Lines end with CR LF, and nothing else in them is a control character but tabs.
+// Lines end with CR LF, and contain no other control characters but tabs.
 void HeadCheck::check_byte(char c) {
     constexpr char del = 127;
     if (after_return_ != (c == '\n')) refuse("a line ends with CR LF, and neither is anywhere else");
@@ -54,10 +54,10 @@ void HeadCheck::check_byte(char c) {
     if (control && c != '\t' && c != '\r' && c != '\n') refuse("there is a control character in the headers");
 }
 
-// Whether it is the empty one that ends the head.
+// Whether it is the empty line that ends the head.
 bool HeadCheck::end_line(std::string_view line) {
     if (!has_request_line_) {
-        // One empty line before a request is overlooked (RFC 9112, 2.2).
+        // One empty line before a request is ignored (RFC 9112, 2.2).
         if (line.empty() && !skipped_empty_line_) {
             skipped_empty_line_ = true;
             return false;
@@ -115,7 +115,7 @@ void HeadCheck::check_length(std::string_view value) {
     }
 }
 
-// What a body is wrapped in is told by "chunked" last, and by it alone can its end be found (RFC 9112, 6.1 and 6.3).
+// "chunked" must be the last coding: only then can the end of the body be found (RFC 9112, 6.1 and 6.3).
 void HeadCheck::check_coding(std::string_view value) {
     if (std::exchange(has_coding_, true)) refuse("Transfer-Encoding is said twice");
     const std::vector<std::string> codings = header_list(value);

@@ -1,10 +1,10 @@
-// Head check: whether the bytes of a request's head are sound (RFC 9112, 2 to 6; RFC 9110, 5 and 7.2), before anybody
-// reads a value out of them. Who lies in front of the server may read an unsound head otherwise than we do, and a
-// request could hide in what one takes for a body and the other does not: so what the standards let a recipient mend,
-// is refused.
+// Head check: whether a request's head is well-formed (RFC 9112, 2 to 6; RFC 9110, 5 and 7.2), before anything is
+// parsed from it. A proxy in front of the server may interpret a malformed head differently, and a request could hide
+// in what only one of them takes for a body (request smuggling): so what the standards allow a recipient to repair is
+// refused.
 //
 //     HeadCheck check;
-//     while (!(end = check.end_of_head(bytes))) bytes += more();    // throws Problem as soon as it is unsound
+//     while (!(end = check.end_of_head(bytes))) bytes += more();    // throws Problem as soon as it is malformed
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ class HeadCheck {
     static constexpr std::size_t most_fields = 100;
     static constexpr std::size_t longest_target = 8192;
 
-    // How many of the bytes are the head, the empty line included, once all of it is there. Each call brings the bytes
-    // of the last one, and those that have come since. Throws Problem.
+    // The length of the head including the empty line, once it is complete. Each call passes all bytes received so far.
+    // Throws Problem.
     std::optional<std::size_t> end_of_head(std::string_view bytes);
 
   private:

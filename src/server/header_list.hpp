@@ -7,10 +7,10 @@
 
 namespace waybreaker::server {
 
-// Without the blanks around it.
+// Without surrounding blanks.
 std::string_view trimmed(std::string_view text);
 
-// Whether they are the same but for the case of their letters.
+// Case-insensitive comparison.
 bool same_word(std::string_view one, std::string_view other);
 
 // Its items, in lower case.

@@ -32,9 +32,9 @@ void Job::when_done(std::function<void()> call) {
     call();
 }
 
-double Job::promised() const {
+double Job::time_limit() const {
     const std::scoped_lock lock(mutex_);
-    return promised_;
+    return time_limit_;
 }
 
 Response Job::result() {
@@ -49,22 +49,22 @@ void Job::run(MissionPlanner& planner) {
         state_ = State::running;
         began_ = std::chrono::steady_clock::now();
     }
-    const auto tell = [this](const Progress& progress) {
+    const auto report = [this](const Progress& progress) {
         const std::scoped_lock lock(mutex_);
         progress_ = progress;
     };
-    const auto promise = [this](double seconds) {
+    const auto set_time_limit = [this](double seconds) {
         const std::scoped_lock lock(mutex_);
-        promised_ = seconds;
+        time_limit_ = seconds;
     };
     Response result;
     std::exception_ptr failure;
     try {
-        if (!stop_.stop_requested()) result = work_({planner, stop_.get_token(), tell, promise});
+        if (!stop_.stop_requested()) result = work_({planner, stop_.get_token(), report, set_time_limit});
     } catch (...) {
         failure = std::current_exception();
     }
-    work_ = nullptr;  // lets go of its map
+    work_ = nullptr;  // releases its map
     const std::scoped_lock lock(mutex_);
     result_ = std::move(result);
     failure_ = failure;
@@ -90,22 +90,22 @@ JobQueue::~JobQueue() {
     for (std::jthread& worker : workers_) worker.request_stop();
     {
         const std::scoped_lock lock(mutex_);
-        for (const auto& job : line_) job->stop();
+        for (const auto& job : queue_) job->stop();
         for (const auto& job : running_) job->stop();
     }
-    workers_.clear();  // joins, while the rest still lives
+    workers_.clear();  // joins while the other members still exist
 }
 
 std::shared_ptr<Job> JobQueue::submit(Work work) {
     auto job = std::make_shared<Job>(std::move(work));
     {
         const std::scoped_lock lock(mutex_);
-        // Those who gave up take no place; those for whom a worker is free do not wait.
+        // Cancelled jobs do not count, nor do jobs that an idle worker is about to take.
         const auto waits = [](const auto& other) { return !other->stop_.stop_requested(); };
-        const auto waiting = std::size_t(std::count_if(line_.begin(), line_.end(), waits));
+        const auto waiting = std::size_t(std::count_if(queue_.begin(), queue_.end(), waits));
         const std::size_t idle = workers_.size() - std::min(workers_.size(), running_.size());
         if (waiting >= waiting_limit_ + idle) return nullptr;
-        line_.push_back(job);
+        queue_.push_back(job);
     }
     ready_.notify_one();
     return job;
@@ -113,7 +113,7 @@ std::shared_ptr<Job> JobQueue::submit(Work work) {
 
 std::size_t JobQueue::waiting() const {
     const std::scoped_lock lock(mutex_);
-    return line_.size();
+    return queue_.size();
 }
 
 std::size_t JobQueue::running() const {
@@ -127,9 +127,9 @@ void JobQueue::serve(const std::stop_token& stop) {
         std::shared_ptr<Job> job;
         {
             std::unique_lock lock(mutex_);
-            if (!ready_.wait(lock, stop, [this] { return !line_.empty(); })) return;
-            job = std::move(line_.front());
-            line_.pop_front();
+            if (!ready_.wait(lock, stop, [this] { return !queue_.empty(); })) return;
+            job = std::move(queue_.front());
+            queue_.pop_front();
             running_.push_back(job);
         }
         job->run(planner);
@@ -137,7 +137,7 @@ void JobQueue::serve(const std::stop_token& stop) {
             const std::scoped_lock lock(mutex_);
             std::erase(running_, job);
         }
-        // Only now: who asks again as soon as the answer is there must find the worker free.
+        // Last: a client that asks again as soon as it has the response must find the worker idle.
         job->finish();
     }
 }

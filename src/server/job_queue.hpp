@@ -1,8 +1,8 @@
-// Job queue: a few workers, each with a planner that keeps its memory, and a short line in front of them.
+// Job queue: a few worker threads, each with a planner that it reuses, and a bounded queue.
 //
 //     JobQueue queue(2, 16);
-//     const auto job = queue.submit([&](const Workplace& place) { return place.planner...; });
-//     if (!job) ...;                            // the line is full
+//     const auto job = queue.submit([&](const Worker& worker) { return worker.planner...; });
+//     if (!job) ...;                            // the queue is full
 //     job->when_done([job] { answer(job->result()); });    // or job->stop()
 #pragma once
 
@@ -24,16 +24,16 @@
 
 namespace waybreaker::server {
 
-// What work is done with.
-struct Workplace {
+// What a job gets from the thread that runs it.
+struct Worker {
     MissionPlanner& planner;
     StopToken stop;
-    std::function<void(const Progress&)> tell;    // how far it is
-    std::function<void(double seconds)> promise;  // in how long it will be done, counted from its begin
+    std::function<void(const Progress&)> report;
+    std::function<void(double seconds)> set_time_limit;  // from the start of the job
 };
 
-// Makes the answer to a request.
-using Work = std::function<Response(const Workplace&)>;
+// Makes the response to a request.
+using Work = std::function<Response(const Worker&)>;
 
 class Job {
   public:
@@ -42,15 +42,14 @@ class Job {
     explicit Job(Work work) : work_(std::move(work)) {}
 
     State state() const;
-    double seconds() const;  // since it began
+    double seconds() const;  // since it started; 0 while queued
     Progress progress() const;
-    double promised() const;  // seconds from its begin; infinity if nothing is
-    // Calls that when the job is done, on the worker's thread, or at once if it is done already.
+    double time_limit() const;  // seconds from its start; infinity if none is set
+    // Calls `call` when the job is done, on the worker's thread; at once if it is done already.
     void when_done(std::function<void()> call);
-    // Work that has not begun never does; the rest is asked to end.
-    // Whether this is the first time.
+    // Queued work never starts; running work is asked to stop. Whether this is the first call.
     bool stop() { return stop_.request_stop(); }
-    // What the work gave back, or throws what it threw. Precondition: done.
+    // What the work returned; throws what it threw. Precondition: done.
     Response result();
 
   private:
@@ -64,7 +63,7 @@ class Job {
     State state_ = State::queued;
     std::chrono::steady_clock::time_point began_;
     Progress progress_;
-    double promised_ = std::numeric_limits<double>::infinity();
+    double time_limit_ = std::numeric_limits<double>::infinity();
     Response result_;
     std::exception_ptr failure_;
     std::function<void()> when_done_;
@@ -73,10 +72,10 @@ class Job {
 class JobQueue {
   public:
     JobQueue(unsigned workers, std::size_t waiting_limit);
-    // Stops what runs and waits for it.
+    // Stops running jobs and waits for them.
     ~JobQueue();
 
-    // Empty if no more may wait.
+    // Null if the queue is full.
     std::shared_ptr<Job> submit(Work work);
     std::size_t waiting() const;
     std::size_t running() const;
@@ -87,7 +86,7 @@ class JobQueue {
     std::size_t waiting_limit_;
     mutable std::mutex mutex_;
     std::condition_variable_any ready_;
-    std::deque<std::shared_ptr<Job>> line_;
+    std::deque<std::shared_ptr<Job>> queue_;
     std::vector<std::shared_ptr<Job>> running_;
     std::vector<std::jthread> workers_;
 };

@@ -1,4 +1,4 @@
-// What one client, or all of them, may ask of the server.
+// Limits on what clients may use.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@ struct ServiceLimits {
     std::size_t upload_bytes = std::size_t{32} << 20;  // of a request's body
     std::size_t map_cells = std::size_t{4096} * 4096;  // of an uploaded map
     std::size_t maps = 32;                             // held in memory
-    std::size_t memory = default_memory();             // bytes that maps may take, all together
+    std::size_t memory = default_memory();             // bytes of all maps together
     double seconds = 30;                               // of one plan
-    double patience = 10;                   // seconds for a request to come whole, and for an answer to be taken
-    double idle = 30;                       // seconds that a connection may be without a request
+    double timeout = 10;                    // seconds for a request to arrive, and for a response to be taken
+    double idle = 30;                       // seconds a connection may be idle
     unsigned workers = 2;                   // plans at a time
-    std::size_t queue = 16;                 // plans that wait
-    std::size_t connections = 256;          // at a time; of more, those that ask nothing or dawdle are closed
-    std::size_t connections_of_client = 0;  // 0: half of them, but all for clients of this machine
+    std::size_t queue = 16;                 // waiting plans
+    std::size_t connections = 256;          // at a time; beyond that, idle and slow ones are closed
+    std::size_t connections_of_client = 0;  // 0: half of `connections`, all for clients on this machine
 };
 
 }  // namespace waybreaker::server

@@ -19,8 +19,8 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using Error = boost::system::error_code;
 
-constexpr int backlog = 1024;      // clients that wait to be accepted
-constexpr std::size_t clerks = 4;  // threads that answer: more than one may read a file at a time
+constexpr int backlog = 1024;               // clients waiting to be accepted
+constexpr std::size_t handler_threads = 4;  // several, as handlers may read files
 constexpr std::chrono::milliseconds pause(100);
 
 [[noreturn]] void fail(const ListenerOptions& options) {
@@ -28,7 +28,7 @@ constexpr std::chrono::milliseconds pause(100);
                      ": it is taken, or no address of this machine");
 }
 
-// On the first of the host's addresses that can be had.
+// Binds to the first available address of the host.
 tcp::acceptor bound(asio::io_context& context, const ListenerOptions& options) {
     Error error;
     tcp::resolver resolver(context);
@@ -44,7 +44,7 @@ tcp::acceptor bound(asio::io_context& context, const ListenerOptions& options) {
     fail(options);
 }
 
-// Clients of IPv6 have a network each, not only an address.
+// An IPv6 client has a whole /64 network, so it is identified by that.
 asio::ip::address client_of(const asio::ip::address& address) {
     if (!address.is_v6() || address.is_loopback()) return address;
     if (address.to_v6().is_v4_mapped()) return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
@@ -55,15 +55,15 @@ asio::ip::address client_of(const asio::ip::address& address) {
 
 }  // namespace
 
-class Listener::Hall : public SessionHost {
+class Listener::Impl : public SessionHost {
   public:
-    Hall(ListenerOptions options, Reception& reception)
+    Impl(ListenerOptions options, RequestHandler& handler)
         : options_(std::move(options)),
-          reception_(reception),
+          handler_(handler),
           acceptor_(bound(context_, options_)),
           pause_(context_),
           port_(acceptor_.local_endpoint().port()),
-          clerks_(clerks) {}
+          pool_(handler_threads) {}
 
     int port() const { return port_; }
     void run();
@@ -72,13 +72,13 @@ class Listener::Hall : public SessionHost {
     }
 
     const ListenerOptions& options() const override { return options_; }
-    Reception& reception() override { return reception_; }
-    void work_on(std::function<void()> task) override { asio::post(clerks_, std::move(task)); }
-    bool wants_places() const override { return draining_ || newcomer_.has_value(); }
+    RequestHandler& handler() override { return handler_; }
+    void run_task(std::function<void()> task) override { asio::post(pool_, std::move(task)); }
+    bool needs_slots() const override { return draining_ || pending_.has_value(); }
     bool take_memory(std::size_t bytes) override;
-    void give_back(std::size_t bytes) override { memory_ -= bytes; }
-    void settled(Session& session) override;
-    void left(Session& session) override;
+    void release_memory(std::size_t bytes) override { memory_ -= bytes; }
+    void on_answered(Session& session) override;
+    void on_closed(Session& session) override;
 
   private:
     using Client = asio::ip::address;
@@ -88,100 +88,99 @@ class Listener::Hall : public SessionHost {
     void admit(tcp::socket socket);
     void drain();
     std::size_t limit_for(const Client& client) const;
-    // Closes a connection of theirs that can be spared; whether there was one.
-    bool make_place(const std::vector<Session*>& sessions);
+    // Closes one of these sessions that can be closed without losing a request. Whether there was one.
+    bool make_room(const std::vector<Session*>& sessions);
     std::vector<Session*> sessions_of(const Client& client) const;
-    // The sessions of the client that has most of them.
+    // The sessions of the client that has the most.
     std::vector<Session*> largest_group() const;
 
     ListenerOptions options_;
-    Reception& reception_;
+    RequestHandler& handler_;
     asio::io_context context_{1};  // one thread
     asio::executor_work_guard<asio::io_context::executor_type> work_{context_.get_executor()};
     tcp::acceptor acceptor_;
     asio::steady_timer pause_;
     int port_;
     std::map<Session*, std::shared_ptr<Session>> sessions_;
-    std::optional<tcp::socket> newcomer_;  // accepted, but there is no place yet
+    std::optional<tcp::socket> pending_;  // accepted, waits for a slot
     bool draining_ = false;
     std::size_t memory_ = 0;  // for bodies
-    asio::thread_pool clerks_;
+    asio::thread_pool pool_;
 };
 
-void Listener::Hall::run() {
+void Listener::Impl::run() {
     accept();
     context_.run();
-    clerks_.join();
+    pool_.join();
 }
 
-void Listener::Hall::accept() {
+void Listener::Impl::accept() {
     if (draining_) return;
     acceptor_.async_accept([this](const Error& error, tcp::socket socket) { accepted(error, std::move(socket)); });
 }
 
-void Listener::Hall::accepted(const Error& error, tcp::socket socket) {
+void Listener::Impl::accepted(const Error& error, tcp::socket socket) {
     if (draining_) return;
     if (!error) return admit(std::move(socket));
-    // There is no file descriptor left, or the client has gone already.
-    make_place(largest_group());
+    // No file descriptor is left, or the client is gone already.
+    make_room(largest_group());
     pause_.expires_after(pause);
     pause_.async_wait([this](const Error&) { accept(); });
 }
 
-void Listener::Hall::admit(tcp::socket socket) {
+void Listener::Impl::admit(tcp::socket socket) {
     Error error;
     const Client client = client_of(socket.remote_endpoint(error).address());
     const bool too_many = sessions_of(client).size() >= limit_for(client);
-    const bool may_stay = !too_many || make_place(sessions_of(client));
-    if (may_stay && sessions_.size() >= options_.connections && !make_place(largest_group())) {
-        newcomer_.emplace(std::move(socket));
+    const bool may_stay = !too_many || make_room(sessions_of(client));
+    if (may_stay && sessions_.size() >= options_.connections && !make_room(largest_group())) {
+        pending_.emplace(std::move(socket));
         return;
     }
     const auto session = std::make_shared<Session>(std::move(socket), *this);
     sessions_.emplace(session.get(), session);
-    may_stay ? session->begin() : session->turn_away();
+    may_stay ? session->begin() : session->reject();
     accept();
 }
 
-bool Listener::Hall::take_memory(std::size_t bytes) {
+bool Listener::Impl::take_memory(std::size_t bytes) {
     constexpr std::size_t largest_at_once = 4;
     if (bytes > largest_at_once * options_.body_bytes - memory_) return false;
     memory_ += bytes;
     return true;
 }
 
-// A place may have become free.
-void Listener::Hall::settled(Session& session) {
+void Listener::Impl::on_answered(Session& session) {
     if (draining_) return session.close();
-    if (newcomer_) make_place(largest_group());
+    if (pending_) make_room(largest_group());
 }
 
-void Listener::Hall::left(Session& session) {
+void Listener::Impl::on_closed(Session& session) {
     sessions_.erase(&session);
-    if (newcomer_) admit(*std::exchange(newcomer_, {}));
+    if (pending_) admit(*std::exchange(pending_, {}));
     if (draining_ && sessions_.empty()) work_.reset();
 }
 
-std::size_t Listener::Hall::limit_for(const Client& client) const {
+std::size_t Listener::Impl::limit_for(const Client& client) const {
     if (options_.connections_of_client > 0) return options_.connections_of_client;
     return client.is_loopback() ? options_.connections : std::max<std::size_t>(options_.connections / 2, 1);
 }
 
-// Those that are between two requests go first, then those whose request has not come whole, of both the ones that are
-// at it for longest.
-bool Listener::Hall::make_place(const std::vector<Session*>& sessions) {
+// Sessions between two requests are closed first, then those whose request is incomplete; of each the one that has been
+// in that phase longest.
+bool Listener::Impl::make_room(const std::vector<Session*>& sessions) {
     const auto order = [](const Session* session) {
         return std::pair(session->phase() != Session::Phase::idle, session->since());
     };
-    Session* spared = nullptr;
+    Session* victim = nullptr;
     for (Session* session : sessions) {
-        if (session->may_be_closed() && (spared == nullptr || order(session) < order(spared))) spared = session;
+        if (session->may_be_closed() && (victim == nullptr || order(session) < order(victim))) victim = session;
     }
-    if (spared != nullptr) spared->close();
-    return spared != nullptr;
+    if (victim != nullptr) victim->close();
+    return victim != nullptr;
 }
 
-std::vector<Session*> Listener::Hall::sessions_of(const Client& client) const {
+std::vector<Session*> Listener::Impl::sessions_of(const Client& client) const {
     std::vector<Session*> found;
     for (const auto& [session, owner] : sessions_) {
         if (client_of(session->client()) == client) found.push_back(session);
@@ -189,7 +188,7 @@ std::vector<Session*> Listener::Hall::sessions_of(const Client& client) const {
     return found;
 }
 
-std::vector<Session*> Listener::Hall::largest_group() const {
+std::vector<Session*> Listener::Impl::largest_group() const {
     std::map<Client, std::vector<Session*>> groups;
     for (const auto& [session, owner] : sessions_) {
         if (session->may_be_closed()) groups[client_of(session->client())].push_back(session);
@@ -200,12 +199,12 @@ std::vector<Session*> Listener::Hall::largest_group() const {
     return largest == groups.end() ? std::vector<Session*>() : largest->second;
 }
 
-void Listener::Hall::drain() {
+void Listener::Impl::drain() {
     if (std::exchange(draining_, true)) return;
     Error ignored;
     acceptor_.close(ignored);
     pause_.cancel();
-    newcomer_.reset();
+    pending_.reset();
     std::vector<std::shared_ptr<Session>> sessions;
     for (const auto& [session, owner] : sessions_) sessions.push_back(owner);
     for (const auto& session : sessions) {
@@ -214,20 +213,20 @@ void Listener::Hall::drain() {
     if (sessions_.empty()) work_.reset();
 }
 
-Listener::Listener(ListenerOptions options, Reception& reception)
-    : hall_(std::make_unique<Hall>(std::move(options), reception)) {}
+Listener::Listener(ListenerOptions options, RequestHandler& handler)
+    : impl_(std::make_unique<Impl>(std::move(options), handler)) {}
 Listener::~Listener() = default;
 
 int Listener::port() const {
-    return hall_->port();
+    return impl_->port();
 }
 
 void Listener::run() {
-    hall_->run();
+    impl_->run();
 }
 
 void Listener::stop() {
-    hall_->stop();
+    impl_->stop();
 }
 
 }  // namespace waybreaker::server

@@ -1,6 +1,5 @@
-// Listener: accepts connections and reads and writes them all on one thread; those who answer have a few more. A client
-// that is slow costs a socket. When there are too many connections, those that ask nothing, or dawdle, give way to
-// those that come.
+// Listener: accepts connections and does all I/O on one thread; requests are handled on a few more. So a slow client
+// costs only a socket. When there are too many connections, idle and slow ones are closed in favour of new ones.
 #pragma once
 
 #include <chrono>
@@ -12,39 +11,39 @@
 
 namespace waybreaker::server {
 
-struct Patience {
-    std::chrono::milliseconds reading{10000};  // of a whole request
-    // Waited for a client that receives an answer, beside what its size takes.
+struct Timeouts {
+    std::chrono::milliseconds reading{10000};  // for a whole request to arrive
+    // For a client to take a response, in addition to what its size allows.
     std::chrono::milliseconds writing{10000};
-    std::chrono::milliseconds idle{30000};  // between an answer and the next request
+    std::chrono::milliseconds idle{30000};  // between a response and the next request
 };
 
 struct ListenerOptions {
     std::string host;
     int port = 0;  // 0: any that is free
-    Patience patience;
+    Timeouts timeouts;
     std::size_t connections = 256;
-    std::size_t connections_of_client = 0;  // 0: half of them, but all for clients of this machine
+    std::size_t connections_of_client = 0;  // 0: half of `connections`, all for clients on this machine
     std::size_t body_bytes = std::size_t{32} << 20;
-    Fields headers;  // of every answer that does not say otherwise
+    Fields headers;  // defaults for every response
 };
 
 class Listener {
   public:
     // Binds. Throws InputError if that fails.
-    Listener(ListenerOptions options, Reception& reception);
+    Listener(ListenerOptions options, RequestHandler& handler);
     ~Listener();
     Listener(const Listener&) = delete;
     Listener& operator=(const Listener&) = delete;
 
     int port() const;
-    // Once. Until it is told to stop and what has begun is answered.
+    // Call once. Returns after stop(), when all requests in progress are answered.
     void run();
     void stop();  // from any thread
 
   private:
-    class Hall;
-    std::unique_ptr<Hall> hall_;
+    class Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace waybreaker::server

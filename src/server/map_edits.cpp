@@ -56,7 +56,7 @@ Grid edited_grid(const Map& map, const MapEdits& edits) {
     return grid;
 }
 
-// Whether nothing is known of the obstacles but which cells are blocked.
+// Whether the obstacles carry no information beyond which cells are blocked.
 bool are_connected_sets(const io::MapFile& file, Connectivity connectivity) {
     const Map& map = file.map;
     const auto plain = [](const Obstacle& obstacle) {
@@ -68,7 +68,7 @@ bool are_connected_sets(const io::MapFile& file, Connectivity connectivity) {
     return std::equal(seen.labels().begin(), seen.labels().end(), map.labels().begin());
 }
 
-// The labels of the map, with those of what is drawn from `next` on.
+// The labels of the edited map; drawn obstacles are numbered from `next` on.
 std::vector<std::uint32_t> edited_labels(const Map& map, const MapEdits& edits, std::uint32_t next) {
     std::vector<std::uint32_t> labels(map.labels().begin(), map.labels().end());
     const auto at = [&map, &labels](Cell c) -> std::uint32_t& {
@@ -97,7 +97,7 @@ MapEdits parse_map_edits(std::string_view bytes, const std::string& name) {
     return {.block = runs(root.find("block")), .free = runs(root.find("free"))};
 }
 
-ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits, const MapLimits& limits) {
+StoredMap edited_map(const StoredMap& map, const MapEdits& edits, const MapLimits& limits) {
     const Map& before = map.file.map;
     require_fit(edits.block, before, "block");
     require_fit(edits.free, before, "free");
@@ -111,7 +111,7 @@ ShelvedMap edited_map(const ShelvedMap& map, const MapEdits& edits, const MapLim
     // MovingAI's format holds cells and nothing else.
     const bool cells_alone = plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1;
     std::string bytes = mapfile::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
-    // As everybody reads it, and what the file does not hold.
+    // Read back, so that it equals an upload of the file; then add what the file does not hold.
     io::MapFile file = mapfile::parse_map(bytes, "the map", map.connectivity, {}, limits);
     file.task = map.file.task;
     file.origin = map.file.origin;

@@ -7,7 +7,7 @@
 namespace waybreaker::server {
 namespace {
 
-// Names are the same in any case (RFC 9110, 5.1).
+// Names are case-insensitive (RFC 9110, 5.1).
 auto is_named(std::string_view name) {
     return [name](const Fields::Field& field) { return same_word(field.first, name); };
 }

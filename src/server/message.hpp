@@ -1,4 +1,4 @@
-// Message: a request as routes see it, and the answer to it. Plain values: how they travel is the transport's business.
+// Messages: a request as routes see it, and its response. Plain values, independent of the transport.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace waybreaker::server {
 
-// Header fields in their order, or a query's parameters.
+// Header fields or query parameters, in order.
 class Fields {
   public:
     using Field = std::pair<std::string, std::string>;
@@ -19,13 +19,13 @@ class Fields {
     Fields() = default;
     Fields(std::initializer_list<Field> fields) : fields_(fields) {}
 
-    // The first value of that name, in any case; "" if there is none.
+    // The first value of that name (case-insensitive); "" if there is none.
     std::string get(std::string_view name) const;
     std::optional<std::string> find(std::string_view name) const;
     std::size_t count(std::string_view name) const;
 
     void add(std::string name, std::string value);
-    void set(std::string name, std::string value);  // the only one of its name
+    void set(std::string name, std::string value);  // replaces others of that name
     void remove(std::string_view name);
 
     auto begin() const { return fields_.begin(); }
@@ -41,17 +41,17 @@ struct Request {
     Fields query = {};      // decoded
     Fields headers = {};
     std::string body = {};
-    std::string client = {};                           // its address
-    std::chrono::steady_clock::time_point began = {};  // when its first bytes had come
+    std::string client = {};                           // address
+    std::chrono::steady_clock::time_point began = {};  // when its first bytes arrived
 };
 
-// Bytes that several answers may share: a page's file is sent to everybody, a map's to who asks.
+// Bytes that several responses may share, such as a file of the page or of a map.
 class Body {
   public:
     Body() = default;
-    Body(std::string bytes);  // NOLINT(google-explicit-constructor): an answer made for one request
+    Body(std::string bytes);                               // NOLINT(google-explicit-constructor): made for one response
     Body(const char* bytes) : Body(std::string(bytes)) {}  // NOLINT(google-explicit-constructor)
-    // `bytes` live as long as `owner` does.
+    // `bytes` must live as long as `owner`.
     Body(std::shared_ptr<const void> owner, std::string_view bytes) : owner_(std::move(owner)), bytes_(bytes) {}
 
     std::string_view bytes() const { return bytes_; }
@@ -63,7 +63,7 @@ class Body {
 
 struct Response {
     int status = 200;
-    Fields headers = {};    // beside those that every answer has
+    Fields headers = {};    // in addition to those of every response
     std::string type = {};  // of the body
     Body body = {};
 };

@@ -25,11 +25,11 @@ class Histogram {
 
 class Metrics {
   public:
-    // `route` is one of ours, never what a client wrote.
+    // `route` is a route's path, never the client's input.
     void count_request(const std::string& method, const std::string& route, int status, double seconds);
     void count_plan(double seconds);
-    void count_refused();  // the line was full
-    void count_stopped();  // the client went away, or time was up
+    void count_refused();  // the queue was full
+    void count_stopped();  // the client disconnected, or the time limit was reached
 
     struct Gauges {
         std::size_t waiting = 0;

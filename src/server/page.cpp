@@ -11,7 +11,7 @@
 namespace waybreaker::server {
 namespace {
 
-// Scripts, styles and pictures of this server alone; nothing is asked of others, and nobody frames it.
+// Scripts, styles and images of this server only; no requests to others, no framing.
 constexpr auto policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; "
     "font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -32,7 +32,7 @@ Served served(const studio::File& file) {
 Response given(const std::shared_ptr<const Served>& file, const Fields& headers) {
     Response response;
     response.headers = {{"Content-Security-Policy", policy},
-                        {"Cache-Control", "no-cache"},  // kept, but asked about each time
+                        {"Cache-Control", "no-cache"},  // cached, but revalidated each time
                         {"ETag", file->tag},
                         {"Vary", "Accept-Encoding"}};
     if (has_already(headers, file->tag)) {

@@ -1,5 +1,4 @@
-// The page (src/studio) as routes. It holds no data and needs no token to be had; what it may do is said by a policy of
-// its own.
+// The page (src/studio) as routes. It holds no data, so it needs no token; it has a security policy of its own.
 #pragma once
 
 #include <vector>

@@ -1,10 +1,10 @@
-// What a client asks to be planned, as JSON: a mission file (io/mission_json.hpp), or in short
+// A planning request as JSON: a mission file (io/mission_json.hpp), or the short form
 //
 //     {"mission": {"start": [256, 434], "goal": [118, 55], "air_speed": 2},
 //      "options": {"removals": 2, "select": "exact", "protect": [17]}}
 //
-// "mission" can be a mission file as well, which "options" override. Options are named as in plan files (contract,
-// section 4) and as those of `waybreaker plan`; what is left out has the same defaults.
+// "mission" can also be a mission file, which "options" override. Options have the names they have in plan files
+// (contract, section 4), and the defaults of `waybreaker plan`.
 #pragma once
 
 #include <optional>
@@ -21,12 +21,12 @@ namespace waybreaker::server {
 // Largest request that is parsed.
 inline constexpr std::size_t max_request_bytes = std::size_t{1} << 20;
 
-// Who goes where: a mission file's agents, or what the short form says.
+// The agents of a mission file, or the short form.
 struct MissionRequest {
-    std::vector<Agent> agents;  // empty: as below
-    std::optional<Cell> start;  // else as the map's file says
+    std::vector<Agent> agents;  // empty: the short form below
+    std::optional<Cell> start;  // default: as in the map file
     std::optional<Cell> goal;
-    std::optional<Cell> air_start;  // else the ground agent's
+    std::optional<Cell> air_start;  // default: the ground agent's
     std::optional<Cell> air_goal;
     double ground_speed = 1;
     double air_speed = 1;
@@ -36,16 +36,16 @@ struct OptionsRequest {
     Rules rules;
     Method method;
     Limits limits;
-    std::optional<double> radius;  // of the ground agent, else as the mission says
+    std::optional<double> radius;  // of the ground agent; default: as in the mission
     std::optional<Corners> corners;
     bool planner_given = false;
     struct Weight {
         ObstacleId obstacle;
         double weight = 1;
     };
-    std::vector<Weight> weights;    // of some obstacles; of the others as the map says
-    bool weights_of_cells = false;  // each its number of cells
-    bool budget_given = false;      // without removals it stands in place of a count
+    std::vector<Weight> weights;    // of some obstacles; others keep the map's
+    bool weights_of_cells = false;  // weight = number of cells
+    bool budget_given = false;      // replaces the number of removals unless that is given too
     bool removals_given = false;
 };
 
@@ -58,16 +58,16 @@ struct Variant {
 struct PlanRequest {
     MissionRequest mission;
     OptionsRequest options;
-    std::vector<Variant> variants;  // options those of the request unless a variant says otherwise
-    bool timing_fields = true;      // false: no measured seconds in the answer
+    std::vector<Variant> variants;  // their options default to those of the request
+    bool timing_fields = true;      // false: no measured seconds in the response
 };
 
-// Throws InputError: "request: ", where in it, what is wrong. `name` is how it is called.
+// Throws InputError that says where and what is wrong; `name` is what errors call the input.
 PlanRequest parse_plan_request(std::string_view bytes, const std::string& name = "request");
 
-// Both put on a map; throws InputError if they do not fit it.
+// The mission on a map. Throws InputError if it does not fit the map.
 io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map);
-// What obstacles weigh, by id, if the request says that.
+// Weights of obstacles by id, if the request sets any.
 std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const Map& map);
 
 }  // namespace waybreaker::server

@@ -1,4 +1,4 @@
-// Problem: why a request is not answered with what it asks for, as a problem document (RFC 9457).
+// Problem: why a request fails, as a problem document (RFC 9457).
 #pragma once
 
 #include <stdexcept>
@@ -27,17 +27,17 @@ enum Status : int {
     misdirected = 421,
     unprocessable = 422,
     head_too_large = 431,
-    client_gone = 499,  // as other servers log it; nobody receives it
+    client_gone = 499,  // as other servers log it; never sent
     internal_error = 500,
     not_implemented = 501,
     unavailable = 503,
     version_unknown = 505,
 };
 
-// Thrown by what answers requests; what() is one line for a person.
+// Thrown by request handlers; what() is one line for a person.
 class Problem : public std::runtime_error {
   public:
-    // `kind` is one of problem_kind.hpp; empty: the usual one of the status.
+    // `kind` is one of problem_kind.hpp; empty: the default of the status.
     Problem(Status status, const std::string& detail, std::string_view kind = "")
         : std::runtime_error(detail), status_(status), kind_(kind) {}
     Status status() const { return status_; }

@@ -1,5 +1,5 @@
-// Problem kinds: what can go wrong, by names that stay. A problem document's `type` is the path of its kind, which the
-// service answers with what it means.
+// Problem kinds: stable names for what can go wrong. A problem document's `type` is the path of its kind, where the
+// service explains it.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct ProblemKind {
     std::string type() const { return "/problems/" + std::string(name); }
 };
 
-// All there are; of those with one status the first is what a problem is unless more is known.
+// All kinds; the first one of a status is its default.
 std::span<const ProblemKind> problem_kinds();
 
 // Null if there is none.

@@ -23,21 +23,21 @@ std::string text(StringView view) {
     return {view.data(), view.size()};
 }
 
-// A line of a chunked body, its trailers together: what is longer will not end.
+// Longest line of a chunked body, and longest trailer section.
 constexpr std::size_t longest_line = HeadCheck::most_bytes;
 
 }  // namespace
 
-// One request. What Beast finds in bytes that our check has let through is put together here.
+// Builds one request from what Beast parses.
 class RequestReader::Parser : public http::basic_parser<true> {
   public:
     explicit Parser(std::size_t most) : most_(most) {
         header_limit(std::uint32_t(HeadCheck::most_bytes));
-        // The limit is ours: Beast does not tell what is too much from what cannot be.
+        // expect() enforces the limit: Beast does not distinguish too large from impossible.
         body_limit(std::numeric_limits<std::uint64_t>::max());
     }
 
-    // How many of the bytes it has read.
+    // Returns the number of bytes parsed.
     std::size_t read(std::string_view bytes) { return is_header_done() ? pass_on(bytes) : read_head(bytes); }
     void drop_body() { dropped_ = true; }
 
@@ -60,7 +60,7 @@ class RequestReader::Parser : public http::basic_parser<true> {
     void on_body_init_impl(const boost::optional<std::uint64_t>& length, Error&) override {
         if (!length) return;
         expect(*length);
-        if (!dropped_) request_.body.reserve(std::size_t(*length));  // costs nothing until it comes
+        if (!dropped_) request_.body.reserve(std::size_t(*length));  // no pages are touched until bytes arrive
     }
     std::size_t on_body_impl(StringView piece, Error&) override { return add(piece); }
     void on_chunk_header_impl(std::uint64_t size, StringView, Error&) override { expect(size); }
@@ -69,12 +69,12 @@ class RequestReader::Parser : public http::basic_parser<true> {
     void on_response_impl(int, StringView, int, Error&) override {}
 
     std::size_t most_;
-    std::size_t expected_ = 0;  // bytes of the body, those that are there included
+    std::size_t expected_ = 0;  // bytes of the body announced so far
     HeadCheck check_;
     bool has_head_ = false;
     bool is_old_ = false;  // HTTP/1.0
     bool dropped_ = false;
-    std::string host_;  // of the address
+    std::string host_;  // of an absolute target
     Request request_;
 };
 
@@ -82,7 +82,7 @@ std::size_t RequestReader::Parser::read_head(std::string_view bytes) {
     const std::optional<std::size_t> end = check_.end_of_head(bytes);
     if (!end) return 0;
     std::string_view head = bytes.substr(0, *end);
-    if (head.starts_with("\r\n")) head.remove_prefix(2);  // one is overlooked
+    if (head.starts_with("\r\n")) head.remove_prefix(2);  // one empty line is allowed
     if (pass_on(head) != head.size() || !is_header_done()) throw Problem(bad_request, "the request cannot be read");
     if (!host_.empty()) request_.headers.set("Host", host_);
     eager(true);
@@ -98,7 +98,7 @@ std::size_t RequestReader::Parser::pass_on(std::string_view bytes) {
     return read;
 }
 
-// A length that no body has is a mistake or an attack, not merely too much.
+// An absurd length is a mistake or an attack, not merely too large.
 void RequestReader::Parser::expect(std::uint64_t size) {
     constexpr std::uint64_t longest = 1'000'000'000'000'000'000;
     if (size >= longest) throw Problem(bad_request, "no chunk is as long");
@@ -117,7 +117,7 @@ void RequestReader::Parser::on_request_impl(http::verb, StringView method, Strin
     is_old_ = version < current;
 }
 
-// Those that come after the chunks of a body say nothing that is needed.
+// Trailers after a chunked body are ignored.
 void RequestReader::Parser::on_field_impl(http::field, StringView name, StringView value, Error&) {
     if (!has_head_) request_.headers.add(text(name), text(value));
 }
@@ -171,7 +171,7 @@ bool RequestReader::takes_chunks() const {
     return !parser_->is_old();
 }
 
-bool RequestReader::waits_for_leave() const {
+bool RequestReader::expects_continue() const {
     return !parser_->is_old() && same_word(head().headers.get("Expect"), "100-continue");
 }
 

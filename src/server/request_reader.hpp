@@ -1,6 +1,5 @@
-// Request reader: makes requests of the bytes that a client sends, one after the other. Knows nothing of sockets, so
-// that a table of bad requests and a fuzzer can be put to it. The head is checked by ours (head_check.hpp), then read
-// by Boost.Beast, and the body by Beast alone: both must take it.
+// Request reader: parses the bytes that a client sends into requests. Knows nothing of sockets, so that tests and a
+// fuzzer can feed it. Our own check (head_check.hpp) and Boost.Beast must both accept the head; Beast parses the body.
 //
 //     RequestReader reader(limit);
 //     reader.put(bytes);
@@ -21,40 +20,40 @@ namespace waybreaker::server {
 class RequestReader {
   public:
     enum class State {
-        idle,  // nothing of a request has come
-        head,  // a part of its head
-        body,  // its head, but not all of its body
+        idle,  // no bytes of a request yet
+        head,  // part of its head
+        body,  // the whole head, but not the whole body
         whole
     };
 
-    // `most`: bytes that a body may have.
+    // `most`: largest body, in bytes.
     explicit RequestReader(std::size_t most);
     ~RequestReader();
     RequestReader(const RequestReader&) = delete;
     RequestReader& operator=(const RequestReader&) = delete;
 
     void put(std::string_view bytes);
-    // Reads as much of a request as is there. Throws Problem if it is none; then all is over.
+    // Parses as much of a request as is there. Throws Problem if it is malformed; the reader is of no use then.
     State advance();
-    // Bytes that have come and are not yet read.
+    // Bytes received and not parsed yet.
     std::size_t waiting() const;
 
-    // From the state `body` on; the rest of the request, but not its body.
+    // The request without its body. Precondition: the state is `body` or `whole`.
     const Request& head() const;
-    // What its headers say of the body's length; nothing if it comes in chunks.
+    // The length of the body as its headers state it; empty if it is chunked.
     std::optional<std::uint64_t> length() const;
-    // Whether another request may follow on the connection.
+    // Whether the connection may be kept alive.
     bool may_be_followed() const;
-    // Whether an answer may come in chunks: not to HTTP/1.0.
+    // Whether the response may be chunked: not for HTTP/1.0.
     bool takes_chunks() const;
-    // Whether the client waits to be told that its body is wanted.
-    bool waits_for_leave() const;
-    // Bytes of the body that have come and are kept.
+    // Whether the client waits for 100 Continue before it sends the body.
+    bool expects_continue() const;
+    // Bytes of the body that are kept in memory.
     std::size_t body_size() const;
-    // The body is not wanted: it is passed over.
+    // Skips the body.
     void drop_body();
 
-    // Precondition: whole. Afterwards the next request can be read.
+    // Precondition: whole. Afterwards the next request can be parsed.
     Request take();
 
   private:

@@ -7,7 +7,7 @@
 namespace waybreaker::server {
 namespace {
 
-// Now, as HTTP writes it (RFC 9110, 5.6.7).
+// The current time in HTTP's format (RFC 9110, 5.6.7).
 std::string date() {
     const auto now = std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
     return fmt::format("{:%a, %d %b %Y %H:%M:%S} GMT", fmt::gmtime(now));
@@ -27,7 +27,7 @@ std::string response_head(const Response& response, const Delivery& delivery) {
     }
     if (!response.type.empty()) add("Content-Type", response.type);
     if (delivery.length == Delivery::Length::chunks) add("Transfer-Encoding", "chunked");
-    // Answers without a body have no length either (RFC 9110, 8.6).
+    // Responses without a body have no length either (RFC 9110, 8.6).
     const bool has_body = response.status != no_content && response.status != not_modified;
     if (delivery.length == Delivery::Length::known && has_body) {
         add("Content-Length", std::to_string(response.body.bytes().size()));

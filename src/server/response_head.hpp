@@ -1,4 +1,4 @@
-// The first lines of an answer as they are sent (RFC 9112, 4).
+// The head of a response as it is sent (RFC 9112, 4).
 #pragma once
 
 #include <chrono>
@@ -9,13 +9,13 @@
 namespace waybreaker::server {
 
 struct Delivery {
-    const Fields& usual;  // headers of every answer that does not say otherwise
-    bool last = false;    // the connection ends after it
+    const Fields& usual;  // default headers of every response
+    bool last = false;    // the connection is closed after it
     std::chrono::seconds idle{0};
     enum class Length { known, chunks, until_the_end } length = Length::known;
 };
 
-// The empty line included.
+// Including the empty line.
 std::string response_head(const Response& response, const Delivery& delivery);
 
 }  // namespace waybreaker::server

@@ -22,16 +22,17 @@
 namespace waybreaker::server {
 namespace {
 
-Response given(Body body, const std::string& type = json_type) {
+Response ok_response(Body body, const std::string& type = json_type) {
     return {.type = type, .body = std::move(body)};
 }
 
-// The same of what may be long, compressed for who takes it.
-Response packed(const std::string& accept_encoding, std::string body, const std::string& type = json_type) {
-    constexpr std::size_t packet = 1400;  // what fits one is sent as fast either way
+// The same for a body that may be long: compressed if the client accepts gzip.
+Response compressible_response(const std::string& accept_encoding, std::string body,
+                               const std::string& type = json_type) {
+    constexpr std::size_t packet = 1400;  // bytes; compressing what fits one packet saves no time
     constexpr int quick = 1;
     const bool pack = body.size() >= packet && accepts_gzip(accept_encoding);
-    Response response = given(pack ? gzip(body, quick) : std::move(body), type);
+    Response response = ok_response(pack ? gzip(body, quick) : std::move(body), type);
     response.headers.add("Vary", "Accept-Encoding");
     if (pack) response.headers.add("Content-Encoding", "gzip");
     return response;
@@ -41,41 +42,41 @@ std::string accepted_encodings(const Call& call) {
     return call.request.headers.get("Accept-Encoding");
 }
 
-// An answer about a map: at once if it is in memory, else by a worker, who reads it first.
-Answer of_map(MapShelf& shelf, const std::string& id, std::function<Response(const SharedMap&)> answer) {
-    if (const SharedMap map = shelf.at_hand(id)) return answer(map);
-    return Later{[&shelf, id, answer = std::move(answer)](const Workplace&) { return answer(shelf.take(id)); }};
+// Responds at once if the map is in memory; else a worker loads it first.
+Answer of_map(MapStore& store, const std::string& id, std::function<Response(const SharedMap&)> answer) {
+    if (const SharedMap map = store.if_loaded(id)) return answer(map);
+    return Deferred{[&store, id, answer = std::move(answer)](const Worker&) { return answer(store.load(id)); }};
 }
 
-// A map that work to come needs: it stays, if it is in memory, and is read by the worker otherwise. Throws Problem if
-// there is none.
+// A map that deferred work needs: kept if it is in memory, otherwise loaded by the worker. Throws Problem if there is
+// no such map.
 class NeededMap {
   public:
-    NeededMap(MapShelf& shelf, const std::string& id) : shelf_(&shelf), id_(id), map_(shelf.at_hand(id)) {}
-    SharedMap take() const { return map_ ? map_ : shelf_->take(id_); }
+    NeededMap(MapStore& store, const std::string& id) : store_(&store), id_(id), map_(store.if_loaded(id)) {}
+    SharedMap load() const { return map_ ? map_ : store_->load(id_); }
 
   private:
-    MapShelf* shelf_;
+    MapStore* store_;
     std::string id_;
     SharedMap map_;
 };
 
-// Whatever changes answers about a map but the map itself: another version of the service.
+// Identifies the version of the service, which entity tags must depend on.
 const std::string& edition() {
     static const std::string digest = mapfile::sha256_digest(openapi_json());
     return digest;
 }
 
-// A tag of what `part` of the service says of a map.
-std::string tag_of(const ShelvedMap& map, const std::string& part) {
+// The entity tag of one part of a map's documents.
+std::string tag_of(const StoredMap& map, const std::string& part) {
     return entity_tag(mapfile::sha256_digest(fmt::format("{} {} {} {} {} {}", map.file.digest, int(map.connectivity),
                                                          part, edition(), map.file.title, map.file.attribution)));
 }
 
-// What a client can keep and ask for again.
-Answer tagged(const Call& call, MapShelf& shelf, const std::string& part,
+// A response that clients can cache and revalidate.
+Answer tagged(const Call& call, MapStore& store, const std::string& part,
               std::function<Response(const SharedMap&)> answer) {
-    return of_map(shelf, call.map, [headers = call.request.headers, part, answer](const SharedMap& map) {
+    return of_map(store, call.map, [headers = call.request.headers, part, answer](const SharedMap& map) {
         const std::string tag = tag_of(*map, part);
         if (has_already(headers, tag)) return not_changed(tag);
         Response response = answer(map);
@@ -97,63 +98,63 @@ Connectivity connectivity_of(const Request& request) {
     return word == "8" ? Connectivity::eight : Connectivity::four;
 }
 
-// "text/event-stream", where JSON would do as well only if it is named first.
+// Whether "text/event-stream" is the first type the client accepts.
 bool wants_events(const Request& request) {
     return request.headers.get("Accept").starts_with("text/event-stream");
 }
 
-using PlanAnswer = std::string (*)(const Task&, const Workplace&);
+using PlanAnswer = std::string (*)(const Task&, const Worker&);
 
-// A route whose answer a worker plans.
-Route planned(const std::string& name, PlanAnswer answer, MapShelf& shelf, double seconds) {
-    const auto handle = [answer, &shelf, seconds](const Call& call) -> Answer {
-        const NeededMap map(shelf, call.map);
+// A route whose response a worker plans.
+Route plan_route(const std::string& name, PlanAnswer answer, MapStore& store, double seconds) {
+    const auto handle = [answer, &store, seconds](const Call& call) -> Answer {
+        const NeededMap map(store, call.map);
         const PlanRequest request = read_request([&call] { return parse_plan_request(call.request.body); });
-        const Work work = [answer, map, request, seconds](const Workplace& place) {
-            return given(answer({map.take(), request, seconds}, place));
+        const Work work = [answer, map, request, seconds](const Worker& worker) {
+            return ok_response(answer({map.load(), request, seconds}, worker));
         };
-        return Later{.work = work, .events = wants_events(call.request)};
+        return Deferred{.work = work, .events = wants_events(call.request)};
     };
     return {"POST", "/api/v1/maps/{id}/" + name, Route::Body::json, false, handle};
 }
 
-Response given_upload(const MapShelf::Upload& added) {
-    Response response = given(map_json(added.id, *added.map));
+Response upload_response(const MapStore::Upload& added) {
+    Response response = ok_response(map_json(added.id, *added.map));
     if (!added.is_new) return response;
     response.status = created;
     response.headers.add("Location", "/api/v1/maps/" + added.id);
     return response;
 }
 
-Route upload(MapShelf& shelf) {
-    const auto handle = [&shelf](Call call) -> Answer {
+Route upload_route(MapStore& store) {
+    const auto handle = [&store](Call call) -> Answer {
         const Connectivity connectivity = connectivity_of(call.request);
-        return Later{[&shelf, connectivity, bytes = std::move(call.request.body)](const Workplace&) mutable {
-            return given_upload(shelf.add(std::move(bytes), connectivity));
+        return Deferred{[&store, connectivity, bytes = std::move(call.request.body)](const Worker&) mutable {
+            return upload_response(store.add(std::move(bytes), connectivity));
         }};
     };
     return {"POST", "/api/v1/maps", Route::Body::bytes, false, handle};
 }
 
-Route edits_route(MapShelf& shelf) {
-    const auto handle = [&shelf](const Call& call) -> Answer {
-        const NeededMap needed(shelf, call.map);
+Route edits_route(MapStore& store) {
+    const auto handle = [&store](const Call& call) -> Answer {
+        const NeededMap needed(store, call.map);
         const MapEdits edits = read_request([&call] { return parse_map_edits(call.request.body); });
-        return Later{[&shelf, needed, edits](const Workplace&) {
-            const SharedMap map = needed.take();
-            return given_upload(shelf.add([&](const MapLimits& limits) { return edited_map(*map, edits, limits); }));
+        return Deferred{[&store, needed, edits](const Worker&) {
+            const SharedMap map = needed.load();
+            return upload_response(store.add([&](const MapLimits& limits) { return edited_map(*map, edits, limits); }));
         }};
     };
     return {"POST", "/api/v1/maps/{id}/edits", Route::Body::json, false, handle};
 }
 
-Route file_route(MapShelf& shelf) {
-    const auto handle = [&shelf](const Call& call) -> Answer {
-        return tagged(call, shelf, "file", [id = call.map](const SharedMap& map) {
+Route file_route(MapStore& store) {
+    const auto handle = [&store](const Call& call) -> Answer {
+        return tagged(call, store, "file", [id = call.map](const SharedMap& map) {
             if (map->bytes.empty()) {
                 throw Problem(unprocessable, id + " is a ROS map: two files, not one", "map-of-many-files");
             }
-            Response response = given({map, map->bytes}, "application/octet-stream");
+            Response response = ok_response({map, map->bytes}, "application/octet-stream");
             response.headers.add("Content-Disposition", "attachment; filename=\"" + file_name(id, *map) + "\"");
             return response;
         });
@@ -161,7 +162,7 @@ Route file_route(MapShelf& shelf) {
     return {"GET", "/api/v1/maps/{id}/file", Route::Body::none, false, handle};
 }
 
-// A number in the query.
+// A number of the query string.
 std::size_t number_of(const Request& request, const std::string& name, std::size_t otherwise, std::size_t least,
                       std::size_t most) {
     const std::optional<std::string> text = request.query.find(name);
@@ -174,70 +175,72 @@ std::size_t number_of(const Request& request, const std::string& name, std::size
     return value;
 }
 
-Route obstacles_route(MapShelf& shelf) {
-    const auto handle = [&shelf](const Call& call) -> Answer {
+Route obstacles_route(MapStore& store) {
+    const auto handle = [&store](const Call& call) -> Answer {
         constexpr std::size_t most = 100'000;
         const std::size_t after = number_of(call.request, "after", 0, 0, max_cells);
         const std::size_t limit = number_of(call.request, "limit", most, 1, most);
-        return tagged(call, shelf, fmt::format("obstacles {} {}", after, limit),
+        return tagged(call, store, fmt::format("obstacles {} {}", after, limit),
                       [after, limit, encodings = accepted_encodings(call)](const SharedMap& map) {
-                          return packed(encodings, io::obstacles_part(map->file, after, limit).json);
+                          return compressible_response(encodings, io::obstacles_part(map->file, after, limit).json);
                       });
     };
     return {"GET", "/api/v1/maps/{id}/obstacles", Route::Body::none, false, handle};
 }
 
-Route background_route(MapShelf& shelf) {
-    const auto handle = [&shelf](const Call& call) -> Answer {
-        return tagged(call, shelf, "background", [encodings = accepted_encodings(call)](const SharedMap& map) {
-            return packed(encodings, io::background_json(map->file.background));
+Route background_route(MapStore& store) {
+    const auto handle = [&store](const Call& call) -> Answer {
+        return tagged(call, store, "background", [encodings = accepted_encodings(call)](const SharedMap& map) {
+            return compressible_response(encodings, io::background_json(map->file.background));
         });
     };
     return {"GET", "/api/v1/maps/{id}/background", Route::Body::none, false, handle};
 }
 
-Route map_route(MapShelf& shelf) {
-    const auto handle = [&shelf](const Call& call) -> Answer {
-        return tagged(call, shelf, "map", [id = call.map](const SharedMap& map) { return given(map_json(id, *map)); });
+Route map_route(MapStore& store) {
+    const auto handle = [&store](const Call& call) -> Answer {
+        return tagged(call, store, "map",
+                      [id = call.map](const SharedMap& map) { return ok_response(map_json(id, *map)); });
     };
     return {"GET", "/api/v1/maps/{id}", Route::Body::none, false, handle};
 }
 
-Route delete_route(MapShelf& shelf) {
-    const auto handle = [&shelf](const Call& call) -> Answer {
-        shelf.remove(call.map);
+Route delete_route(MapStore& store) {
+    const auto handle = [&store](const Call& call) -> Answer {
+        store.remove(call.map);
         return Response{.status = no_content};
     };
     return {"DELETE", "/api/v1/maps/{id}", Route::Body::none, false, handle};
 }
 
-// Read, JSON takes forty times its bytes.
+// Parsed JSON takes forty times the memory of its text.
 void require_plan_size(const Request& request) {
     constexpr std::size_t most = std::size_t{4} << 20;
     if (request.body.size() <= most) return;
     throw Problem(too_large, "a plan has at most " + std::to_string(most) + " bytes");
 }
 
-Route check_route(MapShelf& shelf) {
-    const auto handle = [&shelf](Call call) -> Answer {
+Route check_route(MapStore& store) {
+    const auto handle = [&store](Call call) -> Answer {
         require_plan_size(call.request);
-        return Later{[map = NeededMap(shelf, call.map), plan = std::move(call.request.body)](const Workplace&) {
-            return given(check_answer(*map.take(), plan));
+        return Deferred{[map = NeededMap(store, call.map), plan = std::move(call.request.body)](const Worker&) {
+            return ok_response(check_answer(*map.load(), plan));
         }};
     };
     return {"POST", "/api/v1/maps/{id}/check", Route::Body::json, false, handle};
 }
 
-Route export_route(MapShelf& shelf) {
-    const auto handle = [&shelf](Call call) -> Answer {
+Route export_route(MapStore& store) {
+    const auto handle = [&store](Call call) -> Answer {
         const std::string format = call.request.query.get("format");
         if (!is_export_format(format)) {
             throw Problem(bad_request, "format is none of json, geojson, csv, ros-path, xml, svg, png");
         }
         require_plan_size(call.request);
-        return Later{[map = NeededMap(shelf, call.map), plan = std::move(call.request.body), format,
-                      encodings = accepted_encodings(call)](const Workplace&) {
-            return packed(encodings, export_answer(*map.take(), plan, format).body, media_type_of(format));
+        return Deferred{[map = NeededMap(store, call.map), plan = std::move(call.request.body), format,
+                         encodings = accepted_encodings(call)](const Worker&) {
+            return compressible_response(encodings, export_answer(*map.load(), plan, format).body,
+                                         media_type_of(format));
         }};
     };
     return {"POST", "/api/v1/maps/{id}/export", Route::Body::json, false, handle};
@@ -247,26 +250,27 @@ Route get(const std::string& path, std::function<Answer(Call)> handle) {
     return {"GET", path, Route::Body::none, false, std::move(handle)};
 }
 
-// Something that everybody may have, and that is there already.
+// A public document that is ready to send.
 Route ready(const std::string& path, const std::string& document) {
     const auto body = std::make_shared<const std::string>(document);
-    const auto handle = [body](const Call&) { return given({body, *body}); };
+    const auto handle = [body](const Call&) { return ok_response({body, *body}); };
     return {"GET", path, Route::Body::none, true, handle, true};
 }
 
 Response described(const std::string& problem) {
     const ProblemKind* const kind = kind_of(problem);
     if (kind == nullptr) throw Problem(not_found, "there is no problem of that name");
-    return given(fmt::format("{}\n\n{}. {}\n", kind->name, kind->title, kind->remedy), "text/plain; charset=utf-8");
+    return ok_response(fmt::format("{}\n\n{}. {}\n", kind->name, kind->title, kind->remedy),
+                       "text/plain; charset=utf-8");
 }
 
-std::string metrics_text(const MapShelf& shelf, const Desk& desk, const Metrics& metrics) {
-    const auto maps = shelf.list();
+std::string metrics_text(const MapStore& store, const Executor& executor, const Metrics& metrics) {
+    const auto maps = store.list();
     const auto loaded = std::count_if(maps.begin(), maps.end(), [](const auto& entry) { return entry.loaded; });
-    return metrics.text({.waiting = desk.waiting(),
-                         .running = desk.running(),
+    return metrics.text({.waiting = executor.waiting(),
+                         .running = executor.running(),
                          .maps = std::size_t(loaded),
-                         .map_bytes = shelf.memory()});
+                         .map_bytes = store.memory()});
 }
 
 }  // namespace
@@ -278,32 +282,33 @@ std::optional<std::string> Route::id_in(const std::string& asked) const {
     const std::string after = path.substr(place + 4);
     if (asked.size() < path.size() - 4 || !asked.starts_with(before) || !asked.ends_with(after)) return std::nullopt;
     const std::string id = asked.substr(place, asked.size() - (path.size() - 4));
-    return MapShelf::is_id(id) ? std::optional(id) : std::nullopt;
+    return MapStore::is_id(id) ? std::optional(id) : std::nullopt;
 }
 
-std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metrics, const ServiceLimits& limits) {
+std::vector<Route> routes(MapStore& store, const Executor& executor, const Metrics& metrics,
+                          const ServiceLimits& limits) {
     std::vector<Route> all;
     all.push_back(ready("/healthz", "{\"status\": \"ok\"}\n"));
     all.push_back(ready("/api/v1/openapi.json", openapi_json()));
     all.push_back(ready("/api/v1/mission.schema.json", mission_schema()));
     all.push_back(get("/metrics", [&](const Call&) {
-        return given(metrics_text(shelf, desk, metrics), "text/plain; version=0.0.4; charset=utf-8");
+        return ok_response(metrics_text(store, executor, metrics), "text/plain; version=0.0.4; charset=utf-8");
     }));
     all.push_back(
         {"GET", "/problems/{id}", Route::Body::none, true, [](const Call& call) { return described(call.map); }, true});
-    all.push_back(get("/api/v1/maps", [&](const Call&) { return given(maps_json(shelf.list())); }));
-    all.push_back(map_route(shelf));
-    all.push_back(obstacles_route(shelf));
-    all.push_back(background_route(shelf));
-    all.push_back(file_route(shelf));
-    all.push_back(upload(shelf));
-    all.push_back(edits_route(shelf));
-    all.push_back(delete_route(shelf));
-    all.push_back(planned("plan", plan_answer, shelf, limits.seconds));
-    all.push_back(planned("front", front_answer, shelf, limits.seconds));
-    all.push_back(planned("compare", compare_answer, shelf, limits.seconds));
-    all.push_back(check_route(shelf));
-    all.push_back(export_route(shelf));
+    all.push_back(get("/api/v1/maps", [&](const Call&) { return ok_response(maps_json(store.list())); }));
+    all.push_back(map_route(store));
+    all.push_back(obstacles_route(store));
+    all.push_back(background_route(store));
+    all.push_back(file_route(store));
+    all.push_back(upload_route(store));
+    all.push_back(edits_route(store));
+    all.push_back(delete_route(store));
+    all.push_back(plan_route("plan", plan_answer, store, limits.seconds));
+    all.push_back(plan_route("front", front_answer, store, limits.seconds));
+    all.push_back(plan_route("compare", compare_answer, store, limits.seconds));
+    all.push_back(check_route(store));
+    all.push_back(export_route(store));
     return all;
 }
 

@@ -1,5 +1,5 @@
-// Routes: which path is answered by what. A route's handler gets a request that the guard has let through and whose
-// body is read; it gives the answer or the work that makes it, or throws Problem.
+// Routes: which handler serves which path. A handler gets a request that has passed the guard, with its body; it
+// returns the response, or the work that makes it, or throws Problem.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "server/desk.hpp"
-#include "server/map_shelf.hpp"
+#include "server/executor.hpp"
+#include "server/map_store.hpp"
 #include "server/message.hpp"
 #include "server/metrics.hpp"
 
@@ -20,29 +20,30 @@ struct Call {
     std::string map;  // the {id} of the path; empty where it has none
 };
 
-// An answer that takes its time: it waits for a worker, and the client may be told meanwhile how far it is.
-struct Later {
+// A response that a worker makes; meanwhile the client can be sent progress events.
+struct Deferred {
     Work work;
     bool events = false;
 };
 
-using Answer = std::variant<Response, Later>;
+using Answer = std::variant<Response, Deferred>;
 
 struct Route {
     enum class Body { none, json, bytes };
 
     std::string method;
-    std::string path;  // "/api/v1/maps/{id}", as metrics and the description call it
+    std::string path;  // "/api/v1/maps/{id}", as in metrics and openapi.json
     Body body = Body::none;
-    bool open = false;  // asked without a token
+    bool open = false;  // needs no token
     std::function<Answer(Call)> answer;
     bool quick = false;  // reads no file and takes no time
 
-    // What a path has for {id} (empty where there is none to have), if it is this route's.
+    // The {id} of a path ("" if the route has none); empty if the path does not match.
     std::optional<std::string> id_in(const std::string& asked) const;
 };
 
-// Their handlers keep the references.
-std::vector<Route> routes(MapShelf& shelf, const Desk& desk, const Metrics& metrics, const ServiceLimits& limits);
+// The handlers keep the references.
+std::vector<Route> routes(MapStore& store, const Executor& executor, const Metrics& metrics,
+                          const ServiceLimits& limits);
 
 }  // namespace waybreaker::server

@@ -5,16 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include "server/desk.hpp"
 #include "server/exchange.hpp"
+#include "server/executor.hpp"
 #include "server/guard.hpp"
-#include "server/intake.hpp"
 #include "server/listener.hpp"
 #include "server/log_line.hpp"
-#include "server/map_shelf.hpp"
+#include "server/map_store.hpp"
 #include "server/metrics.hpp"
 #include "server/page.hpp"
 #include "server/problem.hpp"
+#include "server/request_body.hpp"
 #include "server/routes.hpp"
 #include "waybreaker/error.hpp"
 
@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What is asked for where there is nothing, or in a way that no route knows.
+// For requests that match no route.
 constexpr auto other_route = "other";
 
 class WrongMethod : public Problem {
@@ -58,7 +58,7 @@ Response problem_response(int status, const std::string& detail, std::string_vie
     return response;
 }
 
-const std::string& told_to_log(const Failure& failure) {
+const std::string& log_text(const Failure& failure) {
     return failure.cause.empty() ? failure.detail : failure.cause;
 }
 
@@ -66,8 +66,8 @@ std::chrono::milliseconds milliseconds(double seconds) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(seconds));
 }
 
-// What is known of a request when it is counted and logged.
-struct Account {
+// What is logged of a request.
+struct AccessRecord {
     std::string route = other_route;
     std::string method = {};
     std::string path = {};
@@ -75,8 +75,8 @@ struct Account {
     Clock::time_point began = Clock::now();
     std::atomic<bool> closed = false;
 
-    Account() = default;
-    Account(std::string name, const Request& request)
+    AccessRecord() = default;
+    AccessRecord(std::string name, const Request& request)
         : route(std::move(name)),
           method(request.method),
           path(request.path),
@@ -86,9 +86,9 @@ struct Account {
 
 }  // namespace
 
-class Service::House : public Reception {
+class Service::Impl : public RequestHandler {
   public:
-    explicit House(ServiceOptions options);
+    explicit Impl(ServiceOptions options);
 
     int port() const { return listener_.port(); }
     void run();
@@ -99,39 +99,39 @@ class Service::House : public Reception {
     Response refuse(const Problem& problem, const std::string& client) override;
 
   private:
-    using SharedAccount = std::shared_ptr<Account>;
+    using SharedRecord = std::shared_ptr<AccessRecord>;
 
     ListenerOptions listener_options() const;
-    // The route that is asked for. Throws Problem if there is none, or it must not be asked like this.
+    // Throws Problem if no route has that path and method.
     const Route& route_of(const Request& request) const;
     void guard(const Route& route, const Request& request) const;
-    void wait(Later later, const std::shared_ptr<Exchange>& exchange, const SharedAccount& account);
-    // Counts and logs an answer, once.
-    void close(Account& account, int status, const std::string& detail = "");
+    void wait(Deferred deferred, const std::shared_ptr<Exchange>& exchange, const SharedRecord& record);
+    // Counts and logs the response, once.
+    void close(AccessRecord& record, int status, const std::string& detail = "");
 
     ServiceOptions options_;
     Metrics metrics_;
-    MapShelf shelf_;
-    Listener listener_;  // lives longer than those who answer by it
-    Desk desk_;
+    MapStore store_;
+    Listener listener_;  // outlives the executor, whose jobs answer through it
+    Executor executor_;
     std::vector<Route> routes_;
 };
 
-Service::House::House(ServiceOptions options)
+Service::Impl::Impl(ServiceOptions options)
     : options_((require_safe(options), std::move(options))),
-      shelf_(options_.maps, options_.limits),
+      store_(options_.maps, options_.limits),
       listener_(listener_options(), *this),
-      desk_(options_.limits, metrics_),
-      routes_(routes(shelf_, desk_, metrics_, options_.limits)) {
+      executor_(options_.limits, metrics_),
+      routes_(routes(store_, executor_, metrics_, options_.limits)) {
     for (Route& route : page_routes()) routes_.push_back(std::move(route));
 }
 
-ListenerOptions Service::House::listener_options() const {
+ListenerOptions Service::Impl::listener_options() const {
     const ServiceLimits& limits = options_.limits;
     return {.host = options_.host,
             .port = options_.port,
-            .patience = {.reading = milliseconds(limits.patience),
-                         .writing = milliseconds(limits.patience),
+            .timeouts = {.reading = milliseconds(limits.timeout),
+                         .writing = milliseconds(limits.timeout),
                          .idle = milliseconds(limits.idle)},
             .connections = limits.connections,
             .connections_of_client = limits.connections_of_client,
@@ -139,7 +139,7 @@ ListenerOptions Service::House::listener_options() const {
             .headers = safe_headers};
 }
 
-void Service::House::guard(const Route& route, const Request& request) const {
+void Service::Impl::guard(const Route& route, const Request& request) const {
     const std::string host = request.headers.get("Host");
     if (is_loopback(options_.host) && !names_loopback(host)) {
         throw Problem(misdirected, "this server is called localhost");
@@ -153,7 +153,7 @@ void Service::House::guard(const Route& route, const Request& request) const {
     }
 }
 
-const Route& Service::House::route_of(const Request& request) const {
+const Route& Service::Impl::route_of(const Request& request) const {
     std::string methods;
     for (const Route& route : routes_) {
         if (!route.id_in(request.path)) continue;
@@ -164,13 +164,13 @@ const Route& Service::House::route_of(const Request& request) const {
     throw WrongMethod(methods);
 }
 
-Admission Service::House::admit(const Request& head, std::optional<std::uint64_t> length) {
-    Account account(other_route, head);
+Admission Service::Impl::admit(const Request& head, std::optional<std::uint64_t> length) {
+    AccessRecord record(other_route, head);
     Response refusal;
     std::string detail;
     try {
         const Route& route = route_of(head);
-        account.route = route.path;
+        record.route = route.path;
         guard(route, head);
         require_body(head, length, route.body, options_.limits.upload_bytes);
         return {.body = route.body != Route::Body::none, .quick = route.quick};
@@ -180,57 +180,57 @@ Admission Service::House::admit(const Request& head, std::optional<std::uint64_t
     } catch (const Problem& problem) {
         refusal = problem_response(problem.status(), detail = problem.what(), problem.kind());
     }
-    close(account, refusal.status, detail);
+    close(record, refusal.status, detail);
     return {.refusal = std::move(refusal)};
 }
 
-Response Service::House::refuse(const Problem& problem, const std::string& client) {
-    Account account;
-    account.client = client;
-    close(account, problem.status(), problem.what());
+Response Service::Impl::refuse(const Problem& problem, const std::string& client) {
+    AccessRecord record;
+    record.client = client;
+    close(record, problem.status(), problem.what());
     return problem_response(problem.status(), problem.what(), problem.kind());
 }
 
-void Service::House::serve(Request request, std::shared_ptr<Exchange> exchange) {
+void Service::Impl::serve(Request request, std::shared_ptr<Exchange> exchange) {
     const Route& route = route_of(request);
-    const auto account = std::make_shared<Account>(route.path, request);
+    const auto record = std::make_shared<AccessRecord>(route.path, request);
     try {
         if (route.body != Route::Body::none) unpack(request, options_.limits.upload_bytes);
         std::string id = route.id_in(request.path).value_or("");
         Answer answer = route.answer({std::move(request), std::move(id)});
-        if (auto* later = std::get_if<Later>(&answer)) return wait(std::move(*later), exchange, account);
+        if (auto* deferred = std::get_if<Deferred>(&answer)) return wait(std::move(*deferred), exchange, record);
         auto& response = std::get<Response>(answer);
-        close(*account, response.status);
+        close(*record, response.status);
         exchange->answer(std::move(response));
     } catch (...) {
         const Failure failure = current_failure();
-        close(*account, failure.status, told_to_log(failure));
+        close(*record, failure.status, log_text(failure));
         exchange->answer(problem_response(failure.status, failure.detail, failure.kind));
     }
 }
 
-// Answers when the work is done, and stops it when the client goes away.
-void Service::House::wait(Later later, const std::shared_ptr<Exchange>& exchange, const SharedAccount& account) {
-    const bool events = later.events;
-    const std::shared_ptr<Job> job = desk_.submit(std::move(later.work));
+// Responds when the work is done, and stops it when the client disconnects.
+void Service::Impl::wait(Deferred deferred, const std::shared_ptr<Exchange>& exchange, const SharedRecord& record) {
+    const bool events = deferred.events;
+    const std::shared_ptr<Job> job = executor_.submit(std::move(deferred.work));
     const auto tick = [this, job, events] {
-        desk_.watch(*job);
+        executor_.enforce_time_limit(*job);
         return events ? progress_event(*job) : std::string();
     };
-    const auto gone = [this, job, account] {
-        desk_.give_up(*job);
-        close(*account, client_gone, "the client went away");
+    const auto gone = [this, job, record] {
+        executor_.cancel(*job);
+        close(*record, client_gone, "the client went away");
     };
     exchange->wait({.events = events, .tick = tick, .gone = gone});
-    job->when_done([this, job = job.get(), account, events, waiting = std::weak_ptr(exchange)] {
+    job->when_done([this, job = job.get(), record, events, waiting = std::weak_ptr(exchange)] {
         Response response;
         try {
             response = job->result();
-            close(*account, response.status);
+            close(*record, response.status);
             if (events) response.body = plan_event(response);
         } catch (...) {
             const Failure failure = current_failure();
-            close(*account, failure.status, told_to_log(failure));
+            close(*record, failure.status, log_text(failure));
             response = problem_response(failure.status, failure.detail, failure.kind);
             if (events) response.body = problem_event(failure);
         }
@@ -238,35 +238,35 @@ void Service::House::wait(Later later, const std::shared_ptr<Exchange>& exchange
     });
 }
 
-void Service::House::close(Account& account, int status, const std::string& detail) {
-    if (account.closed.exchange(true)) return;
-    const double seconds = std::chrono::duration<double>(Clock::now() - account.began).count();
-    const bool known = account.route != other_route;
-    metrics_.count_request(known ? account.method : other_route, account.route, status, seconds);
-    options_.log(log_line({account.client, account.method, account.path, status, seconds, detail}));
+void Service::Impl::close(AccessRecord& record, int status, const std::string& detail) {
+    if (record.closed.exchange(true)) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - record.began).count();
+    const bool known = record.route != other_route;
+    metrics_.count_request(known ? record.method : other_route, record.route, status, seconds);
+    options_.log(log_line({record.client, record.method, record.path, status, seconds, detail}));
 }
 
-void Service::House::run() {
+void Service::Impl::run() {
     options_.log(log_line("listening", "http://" + options_.host + ":" + std::to_string(port())));
     listener_.run();
     options_.log(log_line("stopped", "all requests are answered"));
 }
 
-void Service::House::stop() {
+void Service::Impl::stop() {
     options_.log(log_line("stopping", "what has begun is finished"));
     listener_.stop();
 }
 
-Service::Service(ServiceOptions options) : house_(std::make_unique<House>(std::move(options))) {}
+Service::Service(ServiceOptions options) : impl_(std::make_unique<Impl>(std::move(options))) {}
 Service::~Service() = default;
 int Service::port() const {
-    return house_->port();
+    return impl_->port();
 }
 void Service::run() {
-    house_->run();
+    impl_->run();
 }
 void Service::stop() {
-    house_->stop();
+    impl_->stop();
 }
 
 }  // namespace waybreaker::server

@@ -2,7 +2,7 @@
 //
 //     Service service({.maps = "data", .log = [](const std::string& line) { std::cerr << line; }});
 //     std::cout << service.port();
-//     service.run();    // until service.stop(), from any thread; then what has begun is finished
+//     service.run();    // until service.stop(), from any thread; requests in progress are finished
 #pragma once
 
 #include <functional>
@@ -18,27 +18,28 @@ struct ServiceOptions {
     std::string host = "127.0.0.1";
     int port = 0;  // 0: any that is free
     std::string token;
-    bool insecure = false;  // other machines may ask without a token
+    bool insecure = false;  // serve other machines without a token
     ServiceLimits limits;
-    std::function<void(const std::string&)> log = [](const std::string&) {};  // of a JSON object, a line; any thread
+    std::function<void(const std::string&)> log = [](const std::string&) {
+    };  // one JSON object a line; called from any thread
 };
 
 class Service {
   public:
-    // Binds. Throws InputError if that fails, or if it would be open to other machines by mistake.
+    // Binds. Throws InputError if that fails, or if the service would be open to other machines unintentionally.
     explicit Service(ServiceOptions options);
     ~Service();
     Service(const Service&) = delete;
     Service& operator=(const Service&) = delete;
 
     int port() const;
-    // Once. Any thread can end it.
+    // Call once. stop() may be called from any thread.
     void run();
     void stop();
 
   private:
-    class House;
-    std::unique_ptr<House> house_;
+    class Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 // The served description of the service, OpenAPI 3.1.

@@ -11,11 +11,11 @@ namespace asio = boost::asio;
 using Error = boost::system::error_code;
 using std::chrono::milliseconds;
 
-// What is left of a body that nobody wanted is passed over if it is so short; else the connection ends.
+// The rest of a refused body is skipped if it is this short; else the connection is closed.
 constexpr std::uint64_t most_skipped = 65536;
-// Read ahead of the requests that a client sends without waiting for answers.
+// How far to read ahead of the current request, for clients that pipeline.
 constexpr std::size_t most_ahead = 16384;
-constexpr std::size_t most_passed_over = std::size_t{1} << 20;  // of what comes after the last answer
+constexpr std::size_t most_discarded = std::size_t{1} << 20;  // bytes after the last response
 
 asio::ip::address address_of(const asio::ip::tcp::socket& socket) {
     Error error;
@@ -36,7 +36,7 @@ Session::Session(asio::ip::tcp::socket socket, SessionHost& host)
 void Session::begin() {
     Error ignored;
     socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
-    expire_in(host_.options().patience.reading);
+    expire_in(host_.options().timeouts.reading);
     receive();
 }
 
@@ -49,14 +49,14 @@ void Session::close() {
     socket_.close(ignored);
     if (std::exchange(waits_, false)) waiting_.gone();
     waiting_ = {};
-    host_.give_back(std::exchange(memory_, 0));
-    host_.left(*this);
+    host_.release_memory(std::exchange(memory_, 0));
+    host_.on_closed(*this);
 }
 
-void Session::turn_away() {
+void Session::reject() {
     last_ = true;
-    start(host_.reception().refuse(Problem(unavailable, "too many connections come from this address"),
-                                   client_.to_string()));
+    start(host_.handler().refuse(Problem(unavailable, "too many connections come from this address"),
+                                 client_.to_string()));
 }
 
 bool Session::may_be_closed() const {
@@ -75,7 +75,7 @@ void Session::enter(Phase phase) {
 void Session::expire_in(milliseconds time) {
     timer_.expires_after(time);
     timer_.async_wait([self = shared_from_this()](const Error& error) {
-        // A timer that was set anew may have run out just before.
+        // The timer may have been reset after it expired, before this handler ran.
         if (!error && self->timer_.expiry() <= Clock::now()) self->expired();
     });
 }
@@ -84,8 +84,8 @@ void Session::expired() {
     switch (phase_) {
         case Phase::reading:
             last_ = true;
-            start(host_.reception().refuse(Problem(request_timeout, "the request did not come whole in time"),
-                                           client_.to_string()));
+            start(host_.handler().refuse(Problem(request_timeout, "the request did not come whole in time"),
+                                         client_.to_string()));
             return;
         case Phase::serving:
             return tick();
@@ -110,8 +110,8 @@ void Session::receive() {
 void Session::received(std::size_t count, bool failed) {
     if (phase_ == Phase::closed) return;
     if (phase_ == Phase::closing) {
-        passed_over_ += count;
-        return failed || passed_over_ > most_passed_over ? close() : receive();
+        discarded_ += count;
+        return failed || discarded_ > most_discarded ? close() : receive();
     }
     if (failed) {
         input_ended_ = true;
@@ -121,7 +121,7 @@ void Session::received(std::size_t count, bool failed) {
     }
     reader_.put({buffer_.data(), count});
     if (phase_ == Phase::idle || phase_ == Phase::reading) return advance();
-    // Whoever waits for an answer is listened to, to know when it goes away.
+    // Keep reading while a response is made, to notice when the client disconnects.
     if (reader_.waiting() < most_ahead) receive();
 }
 
@@ -130,9 +130,9 @@ void Session::advance() {
         while (proceed()) continue;
     } catch (const Problem& problem) {
         last_ = true;
-        start(host_.reception().refuse(problem, client_.to_string()));
+        start(host_.handler().refuse(problem, client_.to_string()));
     } catch (const std::exception&) {
-        close();  // there is no memory for it: others must not suffer
+        close();  // out of memory: do not affect other sessions
     }
 }
 
@@ -142,7 +142,7 @@ bool Session::proceed() {
         if (input_ended_) return close(), false;
         if (phase_ != Phase::idle) {
             enter(Phase::idle);
-            expire_in(host_.options().patience.idle);
+            expire_in(host_.options().timeouts.idle);
         }
         return receive(), false;
     }
@@ -156,23 +156,23 @@ bool Session::proceed() {
         return true;
     }
     if (input_ended_) return close(), false;
-    if (state == RequestReader::State::body && !refused_ && !gave_leave_ && reader_.waits_for_leave()) {
-        return give_leave(), false;
+    if (state == RequestReader::State::body && !refused_ && !sent_continue_ && reader_.expects_continue()) {
+        return send_continue(), false;
     }
     return receive(), false;
 }
 
-// A request has begun to come.
+// The first bytes of a request have arrived.
 void Session::begin_reading() {
     if (phase_ == Phase::reading) return;
     enter(Phase::reading);
     began_ = Clock::now();
-    gave_leave_ = false;
-    // The patience with a connection that is new began with it.
-    if (!std::exchange(first_, false)) expire_in(host_.options().patience.reading);
+    sent_continue_ = false;
+    // For the first request, the timeout started with the connection.
+    if (!std::exchange(first_, false)) expire_in(host_.options().timeouts.reading);
 }
 
-// Whether the request, whose head is there, may go on at once.
+// The head of a request is complete. Whether to read on.
 bool Session::admit() {
     admitted_ = true;
     const Request& head = reader_.head();
@@ -182,18 +182,18 @@ bool Session::admit() {
     Request asked = head;
     asked.client = client_.to_string();
     asked.began = began_;
-    Admission admission = host_.reception().admit(asked, reader_.length());
+    Admission admission = host_.handler().admit(asked, reader_.length());
     quick_ = admission.quick;
     if (!admission.body) reader_.drop_body();
     if (!admission.refusal) return true;
     refused_ = true;
-    last_ = last_ || !reader_.length() || *reader_.length() > most_skipped || reader_.waits_for_leave();
+    last_ = last_ || !reader_.length() || *reader_.length() > most_skipped || reader_.expects_continue();
     reader_.drop_body();
     start(std::move(*admission.refusal));
     return false;
 }
 
-// Small bodies always find room.
+// Small bodies are always accepted.
 void Session::take_memory() {
     constexpr std::size_t small = 65536;
     const std::size_t size = reader_.body_size();
@@ -204,8 +204,8 @@ void Session::take_memory() {
     memory_ = size;
 }
 
-void Session::give_leave() {
-    gave_leave_ = true;
+void Session::send_continue() {
+    sent_continue_ = true;
     static constexpr std::string_view text = "HTTP/1.1 100 Continue\r\n\r\n";
     asio::async_write(socket_, asio::buffer(text.data(), text.size()),
                       [self = shared_from_this()](const Error& error, std::size_t) {
@@ -223,8 +223,8 @@ void Session::serve() {
     timer_.cancel();
     receive();
     const auto task = std::make_shared<Request>(std::move(request));
-    const auto serve = [self = shared_from_this(), task] { self->host_.reception().serve(std::move(*task), self); };
-    quick_ ? serve() : host_.work_on(serve);
+    const auto serve = [self = shared_from_this(), task] { self->host_.handler().serve(std::move(*task), self); };
+    quick_ ? serve() : host_.run_task(serve);
 }
 
 }  // namespace waybreaker::server

@@ -1,4 +1,4 @@
-// Session: one connection, from accept to close. For the listener alone: whoever includes this includes Asio.
+// Session: one connection, from accept to close. Internal to the listener, as it includes Asio.
 #pragma once
 
 #include <array>
@@ -16,22 +16,22 @@ namespace waybreaker::server {
 
 class Session;
 
-// Where sessions live.
+// The owner of sessions.
 class SessionHost {
   public:
     virtual ~SessionHost() = default;
     virtual const ListenerOptions& options() const = 0;
-    virtual Reception& reception() = 0;
-    virtual void work_on(std::function<void()> task) = 0;  // on a thread that may block
-    virtual bool wants_places() const = 0;                 // somebody waits for one, or this is the end
-    // Memory for bodies, of all sessions together. Whether there is so much more; it is then theirs until given back.
+    virtual RequestHandler& handler() = 0;
+    virtual void run_task(std::function<void()> task) = 0;  // on a thread that may block
+    virtual bool needs_slots() const = 0;                   // a new connection waits for a slot, or the server stops
+    // Takes memory for bodies from what all sessions share; false if that is not left.
     virtual bool take_memory(std::size_t bytes) = 0;
-    virtual void give_back(std::size_t bytes) = 0;
-    virtual void settled(Session& session) = 0;  // it has answered
-    virtual void left(Session& session) = 0;     // it has closed
+    virtual void release_memory(std::size_t bytes) = 0;
+    virtual void on_answered(Session& session) = 0;  // the response is sent
+    virtual void on_closed(Session& session) = 0;    // the connection is closed
 };
 
-// All but Exchange's is called on the thread that reads and writes.
+// All members but those of Exchange are called on the I/O thread.
 class Session : public Exchange, public std::enable_shared_from_this<Session> {
   public:
     using Clock = std::chrono::steady_clock;
@@ -41,15 +41,15 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
 
     void begin();
     void close();
-    // Answers with 503 and closes.
-    void turn_away();
+    // Responds with 503 and closes.
+    void reject();
 
     Phase phase() const { return phase_; }
     Clock::time_point since() const { return since_; }  // when the phase began
     const boost::asio::ip::address& client() const { return client_; }
-    // Whether closing it loses no request that has come.
+    // Whether it can be closed without losing a complete request.
     bool may_be_closed() const;
-    // Whether the head of a request has come whose answer is not yet taken.
+    // Whether a request is in progress: from its head to the end of its response.
     bool has_begun() const;
 
     void wait(Waiting waiting) override;
@@ -63,11 +63,11 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
     void received(std::size_t count, bool failed);
 
     void advance();
-    bool proceed();  // whether there is more to be done with what has come
+    bool proceed();  // whether there is more to do with the bytes received
     void begin_reading();
     bool admit();
     void take_memory();
-    void give_leave();
+    void send_continue();
     void serve();
 
     void start(Response response);
@@ -89,31 +89,31 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
     std::array<char, 16384> buffer_{};
     bool receiving_ = false;
     bool input_ended_ = false;
-    std::size_t passed_over_ = 0;  // bytes after the last answer
+    std::size_t discarded_ = 0;  // bytes after the last response
     Phase phase_ = Phase::idle;
     Clock::time_point since_;
 
     // The request:
     bool first_ = true;
     bool admitted_ = false;
-    bool refused_ = false;  // answered before its body has come
+    bool refused_ = false;  // answered before its body arrived
     bool quick_ = false;
-    std::size_t memory_ = 0;  // taken for its body
-    bool gave_leave_ = false;
-    bool last_ = false;  // no other may follow
+    std::size_t memory_ = 0;  // for its body
+    bool sent_continue_ = false;
+    bool last_ = false;  // close after the response
     bool without_body_ = false;
     bool takes_chunks_ = true;
     Clock::time_point began_;
 
-    // Its answer:
+    // The response:
     Waiting waiting_;
     bool waits_ = false;
     std::string head_;
     Body body_;
     std::size_t sent_ = 0;  // of the body
     Clock::time_point write_began_;
-    Clock::duration waited_{0};  // for the client to take it
-    std::string piece_;          // of events, on its way
+    Clock::duration waited_{0};  // time spent writing
+    std::string piece_;          // events being written
     bool sending_piece_ = false;
     std::optional<std::string> last_piece_;
 };

@@ -1,4 +1,4 @@
-// How a session answers.
+// Session: writing responses.
 #include <fmt/format.h>
 
 #include <boost/asio/dispatch.hpp>
@@ -35,10 +35,10 @@ void Session::answer(Response response) {
 }
 
 void Session::start(Response response) {
-    host_.give_back(std::exchange(memory_, 0));
+    host_.release_memory(std::exchange(memory_, 0));
     waits_ = false;
     waiting_ = {};
-    last_ = last_ || host_.wants_places();
+    last_ = last_ || host_.needs_slots();
     head_ = response_head(response, {.usual = host_.options().headers, .last = last_, .idle = idle_seconds()});
     body_ = without_body_ ? Body() : std::move(response.body);
     sent_ = 0;
@@ -48,16 +48,16 @@ void Session::start(Response response) {
 }
 
 std::chrono::seconds Session::idle_seconds() const {
-    return std::chrono::duration_cast<std::chrono::seconds>(host_.options().patience.idle);
+    return std::chrono::duration_cast<std::chrono::seconds>(host_.options().timeouts.idle);
 }
 
-// Piece by piece, so that a client is seen to take its answer.
+// Piece by piece, to detect clients that do not take their response.
 void Session::write_next() {
     constexpr std::size_t slowest = 64;  // bytes a millisecond
     const std::string_view piece = body_.bytes().substr(sent_, piece_size);
     const std::array<asio::const_buffer, 2> buffers{asio::buffer(head_), asio::buffer(piece.data(), piece.size())};
     const auto waited = std::chrono::duration_cast<milliseconds>(waited_);
-    expire_in(host_.options().patience.writing + milliseconds(sent_ / slowest) - waited);
+    expire_in(host_.options().timeouts.writing + milliseconds(sent_ / slowest) - waited);
     write_began_ = Clock::now();
     asio::async_write(socket_, buffers,
                       [self = shared_from_this(), size = piece.size()](const Error& error, std::size_t) {
@@ -77,11 +77,11 @@ void Session::written(std::size_t count, bool failed) {
     without_body_ = false;
     first_ = false;
     advance();
-    if (phase_ == Phase::idle) host_.settled(*this);
+    if (phase_ == Phase::idle) host_.on_answered(*this);
 }
 
-// A socket closed with bytes unread resets the connection, and the client may lose its answer: so those that are
-// already on their way are read first, for a moment.
+// Closing a socket with unread bytes resets the connection, and the client may lose its response: so read what is
+// already in flight for a moment first.
 void Session::close_gently() {
     constexpr milliseconds moment(500);
     enter(Phase::closing);
@@ -106,7 +106,7 @@ void Session::wait(Waiting waiting) {
 }
 
 void Session::begin_events() {
-    last_ = last_ || !takes_chunks_ || host_.wants_places();
+    last_ = last_ || !takes_chunks_ || host_.needs_slots();
     Response response;
     response.type = "text/event-stream";
     head_ =
@@ -121,7 +121,7 @@ void Session::tick() {
     std::string text = waiting_.tick();
     expire_in(between_ticks);
     if (sending_piece_) {
-        if (Clock::now() - write_began_ > host_.options().patience.writing) close();
+        if (Clock::now() - write_began_ > host_.options().timeouts.writing) close();
     } else if (!text.empty() || !head_.empty()) {
         send_piece(std::move(text));
     }
@@ -140,8 +140,8 @@ void Session::piece_sent(bool failed) {
     if (phase_ != Phase::serving) return;
     if (failed) return close();
     if (!last_piece_) return;
-    // The last one is written as any other answer is.
-    host_.give_back(std::exchange(memory_, 0));
+    // The last piece is written like any other response.
+    host_.release_memory(std::exchange(memory_, 0));
     std::string end =
         takes_chunks_ ? chunk(*std::exchange(last_piece_, {})) + "0\r\n\r\n" : *std::exchange(last_piece_, {});
     waiting_ = {};

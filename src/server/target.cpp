@@ -19,7 +19,7 @@ bool is_one_of(char c, std::string_view set) {
     return set.find(c) != std::string_view::npos;
 }
 
-// Whether all characters are letters, digits, of that set, or escaped as %20.
+// Whether all characters are letters, digits, members of that set, or escapes such as %20.
 bool consists_of(std::string_view text, std::string_view marks) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '%') {
@@ -36,7 +36,7 @@ bool is_path(std::string_view text) {
     return text.starts_with('/') && consists_of(text, "-._~!$&'()*+,;=:@/");
 }
 
-// Browsers leave more marks as they are than RFC 3986 allows.
+// Browsers leave more characters unescaped than RFC 3986 allows.
 bool is_query(std::string_view text) {
     return consists_of(text, "-._~!$&'()*+,;=:@/?[]{}|\\^`");
 }

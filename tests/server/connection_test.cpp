@@ -1,4 +1,4 @@
-// Connections that serve one request after the other: where each ends, which one is the last, and who gives way.
+// Connections that serve several requests: where each request ends, which one is the last, which connection is closed.
 #include <chrono>
 
 #include "live_server.hpp"
@@ -31,7 +31,7 @@ int count(const std::string& text, const std::string& part) {
 class ConnectionTest : public LiveServer {
   protected:
     ConnectionTest() { options_.limits.idle = 0.3; }
-    // All that the server says to that, until it hangs up.
+    // All that the server sends in response, until it closes the connection.
     std::string said(const std::string& text) const {
         const Wire wire(port());
         wire.send(text);
@@ -39,7 +39,7 @@ class ConnectionTest : public LiveServer {
     }
 };
 
-TEST(Gzip, IsGivenToWhoTakesIt) {
+TEST(Gzip, IsSentToClientsThatAcceptIt) {
     for (const char* taken : {"gzip", "deflate, GZIP;q=0.5", "*", "br;q=1.0, *;q=0.1", "x-gzip", " gzip ; q=1"}) {
         EXPECT_TRUE(accepts_gzip(taken)) << taken;
     }
@@ -91,7 +91,7 @@ TEST_F(ConnectionTest, NoRequestHidesInABody) {
     EXPECT_EQ(count(said(plan_head("") + health), "HTTP/1.1 400 "), 1);
 }
 
-TEST_F(ConnectionTest, TakesWhatTheStandardsLetClientsSay) {
+TEST_F(ConnectionTest, AcceptsWhatTheStandardsAllow) {
     begin();
     for (const char* request : {"GET http://localhost/healthz HTTP/1.1\r\nHost: localhost\r\n\r\n",
                                 "GET HTTP://LOCALHOST:8080/healthz?x HTTP/1.1\r\nHost: evil.example\r\n\r\n",
@@ -127,7 +127,7 @@ TEST_F(ConnectionTest, BodiesMayBeCompressed) {
     EXPECT_EQ(send("gzip, gzip", packed), "HTTP/1.1 415");
 }
 
-TEST_F(ConnectionTest, WhoIsIdleGivesWay) {
+TEST_F(ConnectionTest, IdleConnectionsAreClosedForNewOnes) {
     options_.limits.connections = 2;
     options_.limits.idle = 60;
     begin();
@@ -146,7 +146,7 @@ TEST_F(ConnectionTest, WhoIsIdleGivesWay) {
     EXPECT_EQ(count(first.until(healthy) + second.until(healthy), healthy), 1);
 }
 
-TEST_F(ConnectionTest, WhoIsIdleDoesNotHoldUpTheEnd) {
+TEST_F(ConnectionTest, IdleConnectionsDoNotDelayShutdown) {
     options_.limits.idle = 60;
     begin();
     const Wire idle(port());

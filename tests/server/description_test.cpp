@@ -1,9 +1,9 @@
-// The description and the service are of one mind: every answer that openapi.json lists is given here, and LiveServer
-// holds each against its schema.
+// openapi.json and the service agree: every response that openapi.json lists is provoked here, and LiveServer checks
+// each against its schema.
 #include <algorithm>
 
 #include "live_server.hpp"
-#include "occupation.hpp"
+#include "streaming_client.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -24,7 +24,7 @@ class DescriptionTest : public LiveServer {
         if (method == "delete") remove(path, headers);
         if (method == "post") post(path, "{}", path == maps ? bytes : "application/json", headers);
     }
-    // Asks a route in all ways that its refusals come of.
+    // Provokes every error response of a route.
     void provoke(const std::string& method, const std::string& path) const {
         for (const char* id : {"house.map", "nowhere.map", "broken.map"}) ask(method, with_id(path, id));
         const std::string here = with_id(path, "house.map");
@@ -46,7 +46,7 @@ class DescriptionTest : public LiveServer {
 
 void DescriptionTest::provoke_busy(const Json& plan) const {
     const std::string house = maps + "/house.map";
-    const Occupation busy(client(), maps + "/thicket.map/plan", long_mission(side));
+    const StreamingClient busy(client(), maps + "/thicket.map/plan", long_mission(side));
     for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission, 503);
     post_json(house + "/check", plan, 503);
     post_json(house + "/export?format=json", plan, 503);
@@ -55,7 +55,7 @@ void DescriptionTest::provoke_busy(const Json& plan) const {
     for (const char* route : {"", "/obstacles", "/background", "/file"}) get_json(maps + "/wall.map" + route, 503);
 }
 
-TEST_F(DescriptionTest, EveryAnswerOfItIsGiven) {
+TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     const Json paths = Json::parse(openapi_json())["paths"];
     std::set<std::string> described;
     put("maps/broken.map", "type octile\nheight 2\nwidth 2\nmap\n.\n");

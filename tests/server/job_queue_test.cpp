@@ -13,14 +13,14 @@ using namespace std::chrono_literals;
 
 // Work that lasts until it is stopped, or `end` is set.
 Work endless(std::atomic<bool>& end) {
-    return [&end](const Workplace& place) -> Response {
-        while (!place.stop.stop_requested() && !end) std::this_thread::sleep_for(1ms);
-        return {.body = place.stop.stop_requested() ? "stopped" : "ended"};
+    return [&end](const Worker& worker) -> Response {
+        while (!worker.stop.stop_requested() && !end) std::this_thread::sleep_for(1ms);
+        return {.body = worker.stop.stop_requested() ? "stopped" : "ended"};
     };
 }
 
 Work quick(const std::string& answer) {
-    return [answer](const Workplace&) { return Response{.body = answer}; };
+    return [answer](const Worker&) { return Response{.body = answer}; };
 }
 
 void wait_for(Job& job) {
@@ -36,7 +36,7 @@ void wait_for_state(const Job& job, Job::State state) {
 TEST(JobQueue, GivesResultsAndFailures) {
     JobQueue queue(2, 4);
     const auto good = queue.submit(quick("done"));
-    const auto bad = queue.submit([](const Workplace&) -> Response { throw std::runtime_error("no"); });
+    const auto bad = queue.submit([](const Worker&) -> Response { throw std::runtime_error("no"); });
     wait_for(*good);
     wait_for(*bad);
     EXPECT_EQ(good->result().body.bytes(), "done");

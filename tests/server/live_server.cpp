@@ -13,7 +13,7 @@ const Json& api() {
     return description;
 }
 
-// The path of the description that a request's path is one of; "" if none.
+// The path template of openapi.json that matches a request's path; "" if none.
 std::string described_path(const std::string& path) {
     const std::string bare = path.substr(0, path.find('?'));
     for (const auto& [name, item] : api().at("paths").items()) {
@@ -77,7 +77,7 @@ std::set<std::string>& seen() {
 
 LiveServer::LiveServer() {
     std::filesystem::create_directories(path("maps"));
-    // The house in the middle is the only way around for a long way.
+    // The only way around the house in the middle is a long detour.
     put(
         "maps/house.map", "type octile\nheight 7\nwidth 11\nmap\n" + [] {
             std::string rows;

@@ -1,4 +1,4 @@
-// A server that runs for the time of a test, and a client that holds every answer against the served description.
+// A server that runs for one test, and a client that checks every response against openapi.json.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace waybreaker::server {
 
 using Json = nlohmann::json;
 
-// Which "METHOD path status" of the description some test has seen.
+// Each "METHOD path status" of openapi.json that a test has seen.
 std::set<std::string>& seen();
 
 class LiveServer : public TemporaryFolder {
@@ -28,19 +28,19 @@ class LiveServer : public TemporaryFolder {
     LiveServer();
     ~LiveServer() override { end(); }
 
-    // Before that, options_ can be changed.
+    // options_ can be changed before.
     void begin();
     void end();
     int port() const { return service_->port(); }
     httplib::Client client() const;
     std::vector<Json> log() const;
 
-    // The path's answer, which must be one that the description knows: status, type, schema.
+    // The response, whose status, type and schema must be those of openapi.json.
     httplib::Response get(const std::string& path, const httplib::Headers& headers = {}) const;
     httplib::Response post(const std::string& path, const std::string& body,
                            const std::string& type = "application/json", const httplib::Headers& headers = {}) const;
     httplib::Response remove(const std::string& path, const httplib::Headers& headers = {}) const;
-    // The same of JSON that must come with that status.
+    // The same for JSON that must come with that status.
     Json get_json(const std::string& path, int status = 200) const;
     Json post_json(const std::string& path, const Json& body, int status = 200) const;
 

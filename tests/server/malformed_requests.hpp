@@ -1,5 +1,5 @@
-// Requests that no server should take, in the order of the standards that say so. Each is one request's bytes, up to
-// where it can be seen to be wrong, and the status that it gets.
+// Requests that a server must refuse, in the order of the standards that say so. Each is one request's bytes, up to
+// where the fault shows, and the status of the response.
 #pragma once
 
 #include <string>

@@ -14,21 +14,21 @@
 namespace waybreaker::server {
 namespace {
 
-ShelvedMap shelved(std::string bytes, Connectivity connectivity = Connectivity::four) {
+StoredMap stored(std::string bytes, Connectivity connectivity = Connectivity::four) {
     io::MapFile file = mapfile::parse_map(bytes, "the map", connectivity);
     return {.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)};
 }
 
-ShelvedMap movingai(const std::string& rows, Connectivity connectivity = Connectivity::four) {
+StoredMap movingai(const std::string& rows, Connectivity connectivity = Connectivity::four) {
     const std::size_t width = rows.find('\n');
     const std::size_t height = rows.size() / (width + 1);
-    return shelved(
+    return stored(
         "type octile\nheight " + std::to_string(height) + "\nwidth " + std::to_string(width) + "\nmap\n" + rows,
         connectivity);
 }
 
 // A map of labels: a letter for each, dots are free. 'a' is called Alpha, 'b' is not to be destroyed.
-ShelvedMap labelled(const std::string& rows) {
+StoredMap labelled(const std::string& rows) {
     const int width = int(rows.find('\n'));
     std::vector<std::uint32_t> labels;
     for (const char c : rows) {
@@ -38,7 +38,7 @@ ShelvedMap labelled(const std::string& rows) {
     for (std::size_t i = 1; i < attributes.size(); ++i) attributes[i].source_id = std::int64_t(i) * 100;
     attributes[2].destructible = false;
     const int height = int(labels.size()) / width;
-    const std::string utm = shelved(std::string(berlin_mitte_tif())).file.georeference.value().crs;
+    const std::string utm = stored(std::string(berlin_mitte_tif())).file.georeference.value().crs;
     geo::LabelTiff tiff{.map = Map::from_labels(width, height, labels, attributes),
                         .cell_size = 2.5,
                         .georeference = site::Georeference{utm, {500000, 2.5, 0, 5800000, 0, -2.5}},
@@ -47,7 +47,7 @@ ShelvedMap labelled(const std::string& rows) {
     for (const Obstacle& o : tiff.map.obstacles()) {
         if (o.source_id == 100) tiff.names[o.id.value] = "Alpha";
     }
-    return shelved(geo::label_tiff_bytes(tiff));
+    return stored(geo::label_tiff_bytes(tiff));
 }
 
 // Obstacles by the last letter of their source ids, those without as digits in the order of their ids.
@@ -65,12 +65,12 @@ std::string picture(const Map& map) {
     return text;
 }
 
-std::string after(const ShelvedMap& map, const std::string& edits) {
+std::string after(const StoredMap& map, const std::string& edits) {
     return picture(edited_map(map, parse_map_edits(edits)).file.map);
 }
 
 TEST(MapEdits, ConnectedObstaclesMergeAndFallApart) {
-    const ShelvedMap map = movingai(
+    const StoredMap map = movingai(
         "1....\n"
         "1.1..\n"
         "..1..\n");
@@ -89,7 +89,7 @@ TEST(MapEdits, ConnectedObstaclesMergeAndFallApart) {
 }
 
 TEST(MapEdits, LabelsStayAndWallsStandBesideThem) {
-    const ShelvedMap map = labelled(
+    const StoredMap map = labelled(
         "aa..b\n"
         "a...b\n"
         ".....\n");
@@ -98,7 +98,7 @@ TEST(MapEdits, LabelsStayAndWallsStandBesideThem) {
               "a...b\n"
               "2..33\n");
     // Freed first: so what is drawn again is a wall.
-    const ShelvedMap edited =
+    const StoredMap edited =
         edited_map(map, parse_map_edits(R"({"free": [[0, 0, 2], [4, 0, 1]], "block": [[1, 0, 1], [1, 1, 1]]})"));
     EXPECT_EQ(picture(edited.file.map),
               ".1...\n"
@@ -115,17 +115,17 @@ TEST(MapEdits, LabelsStayAndWallsStandBesideThem) {
 }
 
 TEST(MapEdits, WhatTheFileCannotHoldStays) {
-    const ShelvedMap task = shelved(
+    const StoredMap task = stored(
         "<root><map><width>2</width><height>1</height><cellsize>1</cellsize><startx>0</startx><starty>0</starty>"
         "<finishx>1</finishx><finishy>0</finishy><grid><row>0 0</row></grid></map></root>");
-    const ShelvedMap edited = edited_map(task, {});
+    const StoredMap edited = edited_map(task, {});
     ASSERT_TRUE(edited.file.task);
     EXPECT_EQ(edited.file.task->goal, (Cell{1, 0}));
 }
 
 TEST(MapEdits, TheBuiltInMapKeepsItsNamesAndBackground) {
-    const ShelvedMap city = shelved(std::string(berlin_mitte_tif()));
-    const ShelvedMap edited = edited_map(city, {});
+    const StoredMap city = stored(std::string(berlin_mitte_tif()));
+    const StoredMap edited = edited_map(city, {});
     EXPECT_TRUE(
         std::equal(city.file.map.labels().begin(), city.file.map.labels().end(), edited.file.map.labels().begin()));
     EXPECT_EQ(edited.file.names, city.file.names);
@@ -160,7 +160,7 @@ RC_GTEST_PROP(MapEditsLaws, DoWhatIsSaidOfEachCell, ()) {
         rows += '\n';
     }
     rows[0] = 'a';
-    const ShelvedMap map = labelled(rows);
+    const StoredMap map = labelled(rows);
     const MapEdits edits{.block = *rc::gen::container<std::vector<CellRun>>(3, run),
                          .free = *rc::gen::container<std::vector<CellRun>>(3, run)};
     const Map result = edited_map(map, edits).file.map;
@@ -190,16 +190,16 @@ TEST_F(MapEditsServiceTest, MakesMapsAsThoughTheyHadBeenSent) {
     const Json edits = Json::parse(R"({"block": [[256, 433, 5]]})");
     const Json map = post_json(city + "/edits", edits, 201);
     EXPECT_EQ(post_json(city + "/edits", edits), map);
-    const std::string place = "/api/v1/maps/" + map["id"].get<std::string>();
-    EXPECT_EQ(get_json(place), map);
+    const std::string location = "/api/v1/maps/" + map["id"].get<std::string>();
+    EXPECT_EQ(get_json(location), map);
     EXPECT_EQ(map["attribution"], get_json(city)["attribution"]);
-    EXPECT_GT(get_json(place)["blocked"], get_json(city)["blocked"]);
+    EXPECT_GT(get_json(location)["blocked"], get_json(city)["blocked"]);
     // A plan made on it holds on its file.
     const Json mission = Json::parse(R"({"mission": {"start": [256, 434], "goal": [118, 55]}})");
-    const Json plan = post_json(place + "/plan", mission);
-    const std::string sent = post("/api/v1/maps", get(place + "/file").body, "application/octet-stream").body;
+    const Json plan = post_json(location + "/plan", mission);
+    const std::string sent = post("/api/v1/maps", get(location + "/file").body, "application/octet-stream").body;
     EXPECT_EQ(Json::parse(sent)["id"], map["id"]);
-    EXPECT_EQ(post_json(place + "/check", plan)["valid"], true);
+    EXPECT_EQ(post_json(location + "/check", plan)["valid"], true);
     EXPECT_EQ(plan["map"]["digest"], map["digest"]);
 }
 

@@ -1,4 +1,4 @@
-// The description is one that tools take: what Redocly's recommended rules demand, and that numbers say their units.
+// openapi.json passes Redocly's recommended rules, and all numbers state their units.
 #include <functional>
 
 #include "io/mission_json.hpp"
@@ -101,7 +101,7 @@ TEST_F(ProblemTest, TypesAreAddressesThatTheServerAnswers) {
     get_json("/problems/none-of-these", 404);
 }
 
-TEST_F(ProblemTest, TellsApartWhatHasOneStatus) {
+TEST_F(ProblemTest, KindsDistinguishProblemsOfOneStatus) {
     put("maps/broken.map", "type octile\nheight 2\nwidth 2\nmap\n.\n");
     begin();
     const std::string maps = "/api/v1/maps";

@@ -1,4 +1,4 @@
-// The page: had without a token, kept as long as it is the same, and allowed to ask this server alone.
+// The page: served without a token, cached while unchanged, and allowed to connect to this server only.
 #include "live_server.hpp"
 #include "studio/studio_files.hpp"
 

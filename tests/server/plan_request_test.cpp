@@ -25,7 +25,7 @@ TEST(PlanRequest, WhatIsLeftOutHasTheDefaultsOfTheCommand) {
     EXPECT_TRUE(request.timing_fields);
 }
 
-TEST(PlanRequest, AgentsGoWhereTheyAreToldTo) {
+TEST(PlanRequest, AgentsHaveTheirStartsAndGoals) {
     const PlanRequest request = parse_plan_request(
         R"({"mission": {"start": [0, 0], "goal": [2, 0], "air_goal": [4, 0], "air_speed": 2, "ground_speed": 0.5}})");
     const Mission mission = document_of(request.mission, request.options, three_cells()).mission;

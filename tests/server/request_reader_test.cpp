@@ -1,4 +1,4 @@
-// Where requests begin and end, what is read out of them, and that nothing is taken for one that is not.
+// Where requests begin and end, what is parsed from them, and that malformed ones are refused.
 #include "server/request_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t limit = 100000;
 using State = RequestReader::State;
 
-// What comes of bytes that come in pieces of that size: the requests, and the status that what follows gets, or 0.
+// The requests parsed from bytes that arrive in pieces of that size, and the status of the error that follows, or 0.
 struct Outcome {
     std::vector<Request> requests;
     int status = 0;
@@ -96,7 +96,7 @@ TEST(RequestReader, KnowsWhichRequestIsTheLast) {
     EXPECT_FALSE(may_be_followed("GET / HTTP/1.0\r\nConnection: keep-alive\r\n\r\n"));
 }
 
-TEST(RequestReader, TellsBodiesThatAreTooLong) {
+TEST(RequestReader, RefusesBodiesThatAreTooLong) {
     const std::string head = "POST / HTTP/1.1\r\nHost: a\r\n";
     const std::string chunks = "Transfer-Encoding: chunked\r\n\r\n";
     EXPECT_EQ(outcome(head + "Content-Length: 100001\r\n\r\nx", 9).status, too_large);
@@ -107,12 +107,12 @@ TEST(RequestReader, TellsBodiesThatAreTooLong) {
     EXPECT_EQ(outcome(head + chunks + chunk + chunk + chunk + "0\r\n\r\n", 4096).requests.size(), 1U);
 }
 
-TEST(RequestReader, PassesOverWhatIsNotWanted) {
+TEST(RequestReader, SkipsDroppedBodies) {
     RequestReader reader(limit);
     reader.put("POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 5\r\nExpect: 100-Continue\r\n\r\nhe");
     EXPECT_EQ(reader.advance(), State::body);
     EXPECT_EQ(reader.length(), 5U);
-    EXPECT_TRUE(reader.waits_for_leave());
+    EXPECT_TRUE(reader.expects_continue());
     reader.drop_body();
     reader.put("lloGET /next HTTP/1.1\r\nHost: a\r\n\r\n");
     EXPECT_EQ(reader.advance(), State::whole);

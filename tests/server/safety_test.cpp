@@ -1,4 +1,4 @@
-// What strangers, hostile pages and hostile files get: a problem document, and nothing else.
+// Strangers, hostile pages and hostile files get a problem document and nothing else.
 #include <filesystem>
 
 #include "input_error.hpp"
@@ -6,7 +6,7 @@
 #include "mapfile/grey_image.hpp"
 #include "server/built_in_maps.hpp"
 #include "server/guard.hpp"
-#include "server/map_shelf.hpp"
+#include "server/map_store.hpp"
 
 namespace waybreaker::server {
 namespace {

@@ -1,8 +1,8 @@
-// The routes: what they answer, and that they answer nothing that the description does not say.
+// The routes: their responses.
 #include <algorithm>
 
 #include "live_server.hpp"
-#include "occupation.hpp"
+#include "streaming_client.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -40,7 +40,7 @@ TEST_F(ServiceTest, HasMapsOfItsOwn) {
     get_json(maps + "/house.map", 404);
     end();
     options_.maps = path("maps");
-    put("maps/berlin-mitte.tif", "type octile\nheight 1\nwidth 1\nmap\n.\n");  // stands in for it
+    put("maps/berlin-mitte.tif", "type octile\nheight 1\nwidth 1\nmap\n.\n");  // replaces it
     begin();
     EXPECT_EQ(get_json(maps + "/berlin-mitte.tif")["width"], 1);
 }
@@ -64,17 +64,17 @@ TEST_F(ServiceTest, ManyObstaclesComeInParts) {
     const Json whole = get_json(path);
     EXPECT_TRUE(whole["next"].is_null());
     const std::string comb = "type octile\nheight 1\nwidth 7\nmap\n.@.@.@.\n";
-    const std::string place = post(maps, comb, bytes).get_header_value("Location") + "/obstacles";
-    const Json first = get_json(place + "?limit=2");
+    const std::string location = post(maps, comb, bytes).get_header_value("Location") + "/obstacles";
+    const Json first = get_json(location + "?limit=2");
     EXPECT_EQ(first["obstacles"].size(), 2U);
     EXPECT_EQ(first["runs"], Json::parse("[0,1,1,1,0,1,2,1,0,1]"));
     EXPECT_EQ(first["next"], 5);
-    const Json second = get_json(place + "?limit=2&after=5");
+    const Json second = get_json(location + "?limit=2&after=5");
     EXPECT_EQ(second["obstacles"][0]["id"], 3);
     EXPECT_EQ(second["runs"], Json::parse("[3,1,0,1]"));
     EXPECT_TRUE(second["next"].is_null());
     for (const char* query : {"?limit=100001", "?limit=0", "?limit=x", "?after=-1", "?after=1x", "?after="}) {
-        EXPECT_EQ(get_json(place + query, 400)["type"], "/problems/invalid-request") << query;
+        EXPECT_EQ(get_json(location + query, 400)["type"], "/problems/invalid-request") << query;
     }
 }
 
@@ -183,14 +183,14 @@ TEST_F(ServiceTest, KeepsUploadsInMemory) {
     const std::string wall = "type octile\nheight 1\nwidth 4\nmap\n.@..\n";
     const auto first = post(maps, wall, bytes);
     EXPECT_EQ(first.status, 201);
-    const std::string place = first.get_header_value("Location");
-    EXPECT_EQ(get_json(place)["width"], 4);
+    const std::string location = first.get_header_value("Location");
+    EXPECT_EQ(get_json(location)["width"], 4);
     EXPECT_EQ(post(maps, wall, bytes).status, 200);
     EXPECT_EQ(post(maps + "?connectivity=8", wall, bytes).status, 201);
     EXPECT_EQ(post(maps + "?connectivity=6", wall, bytes).status, 400);
-    // The one not used for longest goes.
+    // Evicts the least recently used.
     EXPECT_EQ(post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", bytes).status, 201);
-    get_json(place, 404);
+    get_json(location, 404);
     EXPECT_EQ(file_count(), 1);  // the maps folder: nothing was written
 }
 
@@ -200,9 +200,9 @@ TEST_F(ServiceTest, GivesTheFileThatItRead) {
     EXPECT_EQ(file.body, bytes_of("maps/house.map"));
     EXPECT_EQ(file.get_header_value("Content-Disposition"), "attachment; filename=\"house.map\"");
     const std::string wall = "type octile\nheight 1\nwidth 4\nmap\n.@..\n";
-    const std::string place = post(maps, wall, bytes).get_header_value("Location");
-    EXPECT_EQ(get(place + "/file").body, wall);
-    EXPECT_TRUE(get(place + "/file").get_header_value("Content-Disposition").ends_with(".map\""));
+    const std::string location = post(maps, wall, bytes).get_header_value("Location");
+    EXPECT_EQ(get(location + "/file").body, wall);
+    EXPECT_TRUE(get(location + "/file").get_header_value("Content-Disposition").ends_with(".map\""));
     put("maps/robot.pgm", "P2 1 1 255 255\n");
     put("maps/robot.yaml",
         "image: robot.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
@@ -210,19 +210,19 @@ TEST_F(ServiceTest, GivesTheFileThatItRead) {
     EXPECT_EQ(get(maps + "/robot.yaml/file").status, 422);
 }
 
-TEST_F(ServiceTest, ForgetsWhatWasSentAndNothingElse) {
+TEST_F(ServiceTest, DeletesUploadsAndNothingElse) {
     begin();
-    const std::string place =
+    const std::string location =
         post(maps, "type octile\nheight 1\nwidth 2\nmap\n.@\n", bytes).get_header_value("Location");
-    EXPECT_EQ(remove(place).status, 204);
-    EXPECT_EQ(get(place).status, 404);
-    EXPECT_EQ(remove(place).status, 404);
+    EXPECT_EQ(remove(location).status, 204);
+    EXPECT_EQ(get(location).status, 404);
+    EXPECT_EQ(remove(location).status, 404);
     EXPECT_EQ(remove(house).status, 403);
     EXPECT_EQ(remove(maps + "/berlin-mitte.tif").status, 403);
     EXPECT_EQ(get(house).status, 200);
 }
 
-TEST_F(ServiceTest, LongAnswersArePacked) {
+TEST_F(ServiceTest, LongResponsesAreCompressed) {
     begin();
     for (const char* part : {"/obstacles", "/background"}) {
         const std::string path = maps + "/berlin-mitte.tif" + part;
@@ -232,12 +232,12 @@ TEST_F(ServiceTest, LongAnswersArePacked) {
         if (plain.body.size() < 1400) continue;
         const httplib::Response packed = get(path, {{"Accept-Encoding", "gzip"}});
         EXPECT_EQ(packed.get_header_value("Content-Encoding"), "gzip") << path;
-        EXPECT_EQ(packed.body, plain.body);  // the client has unpacked it
+        EXPECT_EQ(packed.body, plain.body);  // the client has decompressed it
     }
     EXPECT_FALSE(get(house, {{"Accept-Encoding", "gzip, br"}}).has_header("Content-Encoding"));
 }
 
-TEST_F(ServiceTest, EndsHoweverSoonItIsToldTo) {
+TEST_F(ServiceTest, StopsHoweverEarlyItIsAsked) {
     for (int i = 0; i < 5; ++i) {
         begin();
         end();
@@ -245,7 +245,7 @@ TEST_F(ServiceTest, EndsHoweverSoonItIsToldTo) {
     EXPECT_EQ(log().back()["event"], "stopped");
 }
 
-TEST_F(ServiceTest, TellsHowItFares) {
+TEST_F(ServiceTest, ServesMetricsAndLogs) {
     begin();
     EXPECT_EQ(get_json("/healthz"), Json::parse(R"({"status": "ok"})"));
     EXPECT_EQ(get_json("/api/v1/openapi.json"), Json::parse(openapi_json()));

@@ -1,4 +1,4 @@
-// Long plans: what waits, what is told meanwhile, and what ends when nobody listens any more.
+// Long plans: queueing, progress events, and cancellation when the client disconnects.
 #include <sys/socket.h>
 
 #include <chrono>
@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "live_server.hpp"
-#include "occupation.hpp"
-#include "server/desk.hpp"
+#include "server/executor.hpp"
+#include "streaming_client.hpp"
 #include "waybreaker/error.hpp"
 #include "wire.hpp"
 
@@ -58,26 +58,26 @@ TEST_F(StreamTest, ShortPlansStreamToo) {
     EXPECT_NE(refused.body.find("event: problem\n"), std::string::npos);
 }
 
-TEST_F(StreamTest, WhenAllIsTakenOthersAreToldToComeAgain) {
+TEST_F(StreamTest, BusyServerRefusesFurtherPlans) {
     begin_busy(60);
-    Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
+    StreamingClient streaming(client(), maps + "/thicket.map/plan", long_mission(side));
     post_json(maps + "/house.map/plan", house_mission, 503);
     EXPECT_EQ(get("/healthz").status, 200);
     EXPECT_NE(metrics().find("waybreaker_refused_total 1\n"), std::string::npos);
-    EXPECT_FALSE(occupation.done());
+    EXPECT_FALSE(streaming.done());
 }
 
 TEST_F(StreamTest, ThePlannerStopsWhenTheClientGoesAway) {
     begin_busy(60);
-    Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
+    StreamingClient streaming(client(), maps + "/thicket.map/plan", long_mission(side));
     EXPECT_NE(metrics().find("waybreaker_plans_running 1\n"), std::string::npos);
-    occupation.leave();
+    streaming.leave();
     await("waybreaker_plans_running 0\n");
     EXPECT_NE(metrics().find("waybreaker_stopped_total 1\n"), std::string::npos);
     post_json(maps + "/house.map/plan", house_mission);
 }
 
-TEST_F(StreamTest, ThePlannerStopsAlsoForWhoWaitsForTheWholePlan) {
+TEST_F(StreamTest, ThePlannerStopsAlsoWithoutEvents) {
     begin_busy(60);
     {
         const Wire wire(port());
@@ -93,12 +93,12 @@ TEST_F(StreamTest, ThePlannerStopsAlsoForWhoWaitsForTheWholePlan) {
     EXPECT_NE(metrics().find("route=\"/api/v1/maps/{id}/plan\",status=\"499\"} 1\n"), std::string::npos);
 }
 
-TEST_F(StreamTest, TellsTheBestPlanAndTheBoundMeanwhile) {
+TEST_F(StreamTest, ReportsTheBestPlanAndTheBoundMeanwhile) {
     begin_busy(60);
-    const Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
+    const StreamingClient streaming(client(), maps + "/thicket.map/plan", long_mission(side));
     const auto deadline = std::chrono::steady_clock::now() + 15s;
-    const auto last = [&occupation] {
-        const std::string events = occupation.events();
+    const auto last = [&streaming] {
+        const std::string events = streaming.events();
         const std::size_t end = events.rfind("\n\n");
         const std::size_t data = events.rfind("data: ", end) + 6;
         return Json::parse(events.substr(data, end - data));
@@ -110,7 +110,7 @@ TEST_F(StreamTest, TellsTheBestPlanAndTheBoundMeanwhile) {
     EXPECT_GE(last()["best"], std::sqrt(2.0) * (side - 1));
 }
 
-TEST(Failures, OnlyTheLogIsToldOurOwn) {
+TEST(Failures, InternalDetailsGoToTheLogOnly) {
     const auto failure = [](auto exception) {
         try {
             throw exception;
@@ -127,7 +127,7 @@ TEST(Failures, OnlyTheLogIsToldOurOwn) {
     EXPECT_EQ(failure(InputError("no")).status, 422);
 }
 
-TEST_F(StreamTest, TimeIsUpForAll) {
+TEST_F(StreamTest, TimeLimitEndsThePlan) {
     begin_busy(0.5);
     const auto began = std::chrono::steady_clock::now();
     const Json plan = post_json(maps + "/thicket.map/plan", long_mission(side));
@@ -137,9 +137,9 @@ TEST_F(StreamTest, TimeIsUpForAll) {
 
 TEST_F(StreamTest, EndingFinishesWhatHasBegun) {
     begin_busy(2);
-    Occupation occupation(client(), maps + "/thicket.map/plan", long_mission(side));
+    StreamingClient streaming(client(), maps + "/thicket.map/plan", long_mission(side));
     end();
-    EXPECT_NE(occupation.events().find("event: plan\n"), std::string::npos);
+    EXPECT_NE(streaming.events().find("event: plan\n"), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A connection on which a test writes and reads what it wants.
+// A raw connection for tests.
 #pragma once
 
 #include <arpa/inet.h>
@@ -26,13 +26,13 @@ class Wire {
     bool send(const std::string& text) const {
         return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == ssize_t(text.size());
     }
-    // All that comes until the server hangs up.
+    // All bytes until the server closes the connection.
     std::string rest() const {
         std::string all;
         while (receive(all)) continue;
         return all;
     }
-    // All that comes until that text has come, or the server hangs up.
+    // All bytes until that text arrives or the server closes the connection.
     std::string until(const std::string& text) const {
         std::string all;
         while (all.find(text) == std::string::npos && receive(all)) continue;

@@ -1,4 +1,4 @@
-#include "server/intake.hpp"
+#include "server/request_body.hpp"
 
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ std::vector<std::string> codings_of(const Request& request) {
     return header_list(request.headers.get("Content-Encoding"));
 }
 
-// The type must be one that pages of other sites cannot send here without being asked for leave first.
+// Pages of other sites can send only a few media types without a CORS preflight; these are not accepted.
 void require_type(const Request& head, const std::string& wanted) {
     const std::string given = head.headers.get("Content-Type");
     if (same_word(trimmed(std::string_view(given).substr(0, given.find(';'))), wanted)) return;

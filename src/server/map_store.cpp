@@ -1,4 +1,4 @@
-#include "server/map_shelf.hpp"
+#include "server/map_store.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 const std::set<std::string> extensions{".map", ".xml", ".tif", ".tiff", ".yaml", ".png", ".pgm", ".pbm", ".ppm"};
 
-// Whether a path, links followed, lies in a folder that has no links in it.
+// Whether a path lies in a folder after following links. Precondition: the folder's own path has no links.
 bool lies_in(const fs::path& path, const fs::path& folder) {
     std::error_code error;
     const fs::path real = fs::canonical(path, error);
@@ -32,18 +32,18 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
     return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first == folder.end();
 }
 
-// A ROS map names its image, which must not lead anywhere else.
+// A ROS map names its image, which must not lie outside the folder.
 void require_image_inside(const std::string& yaml, const fs::path& path, const fs::path& folder) {
     const fs::path image = path.parent_path() / mapfile::parse_ros_yaml(yaml, path.filename().string()).image;
     if (!lies_in(image, folder)) throw InputError(path.filename().string(), 0, "its image is not in the maps folder");
 }
 
-std::optional<MapShelf::Entry> entry_of(const fs::directory_entry& file, const fs::path& folder) {
+std::optional<MapStore::Entry> entry_of(const fs::directory_entry& file, const fs::path& folder) {
     const std::string name = file.path().filename().string();
-    if (!MapShelf::is_id(name) || !extensions.contains(file.path().extension().string())) return std::nullopt;
+    if (!MapStore::is_id(name) || !extensions.contains(file.path().extension().string())) return std::nullopt;
     std::error_code error;
     if (!file.is_regular_file(error) || !lies_in(file.path(), folder)) return std::nullopt;
-    return MapShelf::Entry{.id = name};
+    return MapStore::Entry{.id = name};
 }
 
 Problem no_such_map() {
@@ -60,14 +60,14 @@ std::string upload_id(const std::string& bytes, Connectivity connectivity) {
 
 }  // namespace
 
-bool MapShelf::is_id(const std::string& text) {
+bool MapStore::is_id(const std::string& text) {
     constexpr std::size_t most = 100;
     constexpr auto letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
     return !text.empty() && text.size() <= most && text.front() != '.' &&
            text.find_first_not_of(letters) == std::string::npos;
 }
 
-MapShelf::MapShelf(const std::string& folder, const ServiceLimits& limits) : limits_(limits) {
+MapStore::MapStore(const std::string& folder, const ServiceLimits& limits) : limits_(limits) {
     if (folder.empty()) return;
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
@@ -75,13 +75,13 @@ MapShelf::MapShelf(const std::string& folder, const ServiceLimits& limits) : lim
     folder_ = real.string();
 }
 
-std::string MapShelf::path_of(const std::string& id) const {
+std::string MapStore::path_of(const std::string& id) const {
     if (folder_.empty() || !is_id(id)) return "";
     const fs::directory_entry file(fs::path(folder_) / id);
     return entry_of(file, folder_) ? file.path().string() : "";
 }
 
-std::vector<MapShelf::Entry> MapShelf::list() const {
+std::vector<MapStore::Entry> MapStore::list() const {
     std::map<std::string, Entry> entries;
     for (const BuiltInMap& map : built_in_maps) entries[std::string(map.name)] = {.id = std::string(map.name)};
     std::error_code error;
@@ -91,63 +91,63 @@ std::vector<MapShelf::Entry> MapShelf::list() const {
         }
     }
     const std::scoped_lock lock(mutex_);
-    for (const auto& [id, place] : places_) {
-        if (place->map && (place->uploaded || entries.contains(id))) entries[id] = {id, place->uploaded, true};
+    for (const auto& [id, slot] : slots_) {
+        if (slot->map && (slot->uploaded || entries.contains(id))) entries[id] = {id, slot->uploaded, true};
     }
     std::vector<Entry> list;
     for (auto& [id, entry] : entries) list.push_back(std::move(entry));
     return list;
 }
 
-std::shared_ptr<MapShelf::Place> MapShelf::place_of(const std::string& id) {
+std::shared_ptr<MapStore::Slot> MapStore::slot_of(const std::string& id) {
     const std::scoped_lock lock(mutex_);
-    const auto known = places_.find(id);
-    if (known != places_.end()) return known->second;
+    const auto known = slots_.find(id);
+    if (known != slots_.end()) return known->second;
     if (path_of(id).empty() && !built_in_map(id)) throw no_such_map();
-    return places_[id] = std::make_shared<Place>();
+    return slots_[id] = std::make_shared<Slot>();
 }
 
-SharedMap MapShelf::held(Place& place) {
+SharedMap MapStore::touch(Slot& slot) {
     const std::scoped_lock lock(mutex_);
-    place.used = ++uses_;
-    return place.map;
+    slot.used = ++uses_;
+    return slot.map;
 }
 
-std::size_t MapShelf::taken() const {
+std::size_t MapStore::memory_in_use() const {
     std::size_t bytes = reserved_;
-    for (const auto& [id, place] : places_) bytes += place->bytes;
-    for (const Lent& lent : lent_) bytes += lent.map.expired() ? 0 : lent.bytes;
+    for (const auto& [id, slot] : slots_) bytes += slot->bytes;
+    for (const Dropped& dropped : dropped_) bytes += dropped.map.expired() ? 0 : dropped.bytes;
     return bytes;
 }
 
-std::size_t MapShelf::memory() const {
+std::size_t MapStore::memory() const {
     const std::scoped_lock lock(mutex_);
-    return taken();
+    return memory_in_use();
 }
 
-void MapShelf::take_down(const std::string& id) {
-    std::erase_if(lent_, [](const Lent& lent) { return lent.map.expired(); });
-    const auto place = places_.find(id);
-    if (place->second->map.use_count() > 1) lent_.push_back({place->second->map, place->second->bytes});
-    places_.erase(place);
+void MapStore::drop(const std::string& id) {
+    std::erase_if(dropped_, [](const Dropped& dropped) { return dropped.map.expired(); });
+    const auto slot = slots_.find(id);
+    if (slot->second->map.use_count() > 1) dropped_.push_back({slot->second->map, slot->second->bytes});
+    slots_.erase(slot);
 }
 
-// Whether there was a map to take down.
-bool MapShelf::make_way(const Place* spared) {
+// Whether there was a map to evict.
+bool MapStore::evict_one(const Slot* except) {
     const auto rank = [](const auto& entry) { return std::pair(!entry.second->uploaded, entry.second->used); };
-    auto first = places_.end();
-    for (auto entry = places_.begin(); entry != places_.end(); ++entry) {
-        if (!entry->second->map || entry->second.get() == spared) continue;
-        if (first == places_.end() || rank(*entry) < rank(*first)) first = entry;
+    auto first = slots_.end();
+    for (auto entry = slots_.begin(); entry != slots_.end(); ++entry) {
+        if (!entry->second->map || entry->second.get() == except) continue;
+        if (first == slots_.end() || rank(*entry) < rank(*first)) first = entry;
     }
-    if (first == places_.end()) return false;
-    take_down(std::string(first->first));
+    if (first == slots_.end()) return false;
+    drop(std::string(first->first));
     return true;
 }
 
-MapLimits MapShelf::Reservation::limits() {
+MapLimits MapStore::Reservation::limits() {
     const auto admit = [this](std::size_t bytes) {
-        const std::size_t most = shelf_.limits_.memory;
+        const std::size_t most = store_.limits_.memory;
         if (bytes > most) {
             const std::string detail =
                 fmt::format("the map would take {} MB of memory, all maps together may take {} MB (--max-memory)",
@@ -155,39 +155,39 @@ MapLimits MapShelf::Reservation::limits() {
             throw uploaded_ ? Problem(too_large, detail, "map-too-large")
                             : Problem(unprocessable, detail, "map-beyond-memory");
         }
-        const std::scoped_lock lock(shelf_.mutex_);
-        while (shelf_.taken() + bytes > most) {
-            if (!shelf_.make_way()) {
+        const std::scoped_lock lock(store_.mutex_);
+        while (store_.memory_in_use() + bytes > most) {
+            if (!store_.evict_one()) {
                 throw Problem(unavailable, "the maps in use leave no memory for this one; ask again", "no-memory");
             }
         }
-        shelf_.reserved_ += bytes;
+        store_.reserved_ += bytes;
         bytes_ += bytes;
     };
-    return {.cells = uploaded_ ? shelf_.limits_.map_cells : max_cells, .admit = admit};
+    return {.cells = uploaded_ ? store_.limits_.map_cells : max_cells, .admit = admit};
 }
 
-void MapShelf::Reservation::release() {
-    const std::scoped_lock lock(shelf_.mutex_);
-    shelf_.reserved_ -= std::exchange(bytes_, 0);
+void MapStore::Reservation::release() {
+    const std::scoped_lock lock(store_.mutex_);
+    store_.reserved_ -= std::exchange(bytes_, 0);
 }
 
-void MapShelf::hold(Place& place, SharedMap map, Reservation& reservation) {
+void MapStore::fill(Slot& slot, SharedMap map, Reservation& reservation) {
     const std::size_t bytes = io::memory_of(map->file) + map->bytes.capacity();
     reservation.release();
     const std::scoped_lock lock(mutex_);
-    place.map = std::move(map);
-    place.used = ++uses_;
-    place.bytes = bytes;
-    const auto held = [this] {
+    slot.map = std::move(map);
+    slot.used = ++uses_;
+    slot.bytes = bytes;
+    const auto loaded = [this] {
         return std::size_t(
-            std::count_if(places_.begin(), places_.end(), [](const auto& entry) { return entry.second->map; }));
+            std::count_if(slots_.begin(), slots_.end(), [](const auto& entry) { return entry.second->map; }));
     };
-    while ((held() > limits_.maps || taken() > limits_.memory) && make_way(&place)) {
+    while ((loaded() > limits_.maps || memory_in_use() > limits_.memory) && evict_one(&slot)) {
     }
 }
 
-ShelvedMap MapShelf::read(const std::string& id, const MapLimits& limits) const {
+StoredMap MapStore::read(const std::string& id, const MapLimits& limits) const {
     const std::string path = path_of(id);
     const BuiltInMap* const built_in = path.empty() ? built_in_map(id) : nullptr;
     std::string bytes = built_in ? std::string(built_in->bytes()) : io::read_whole(path);
@@ -196,42 +196,42 @@ ShelvedMap MapShelf::read(const std::string& id, const MapLimits& limits) const 
         return {.file = mapfile::read_map_file(path)};
     }
     io::MapFile file = mapfile::parse_map(bytes, id, Connectivity::four, {}, limits);
-    bytes.shrink_to_fit();  // they are kept, and were read into more room than they need
+    bytes.shrink_to_fit();  // the bytes are kept, so free the spare capacity
     return {.file = std::move(file), .bytes = std::move(bytes)};
 }
 
-SharedMap MapShelf::at_hand(const std::string& id) {
-    return held(*place_of(id));
+SharedMap MapStore::if_loaded(const std::string& id) {
+    return touch(*slot_of(id));
 }
 
-SharedMap MapShelf::take(const std::string& id) {
-    const std::shared_ptr<Place> place = place_of(id);
-    const std::scoped_lock reading(place->reading);
-    SharedMap map = held(*place);
+SharedMap MapStore::load(const std::string& id) {
+    const std::shared_ptr<Slot> slot = slot_of(id);
+    const std::scoped_lock reading(slot->reading);
+    SharedMap map = touch(*slot);
     if (map) return map;
     Reservation reservation(*this, false);
     try {
-        map = std::make_shared<const ShelvedMap>(read(id, reservation.limits()));
+        map = std::make_shared<const StoredMap>(read(id, reservation.limits()));
     } catch (const InputError&) {
         throw Problem(unprocessable, id + " is not a map that can be read",
-                      "map-unreadable");  // the reason would name our folders
+                      "map-unreadable");  // the cause is left out: it would reveal paths of the server
     }
-    hold(*place, map, reservation);
+    fill(*slot, map, reservation);
     return map;
 }
 
-std::optional<MapShelf::Upload> MapShelf::kept(const std::string& id) {
+std::optional<MapStore::Upload> MapStore::existing(const std::string& id) {
     const std::scoped_lock lock(mutex_);
-    const auto known = places_.find(id);
-    if (known == places_.end() || !known->second->map) return std::nullopt;
+    const auto known = slots_.find(id);
+    if (known == slots_.end() || !known->second->map) return std::nullopt;
     known->second->used = ++uses_;
     return Upload{id, known->second->map, false};
 }
 
-MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
-    if (const auto known = kept(upload_id(bytes, connectivity))) return *known;
+MapStore::Upload MapStore::add(std::string bytes, Connectivity connectivity) {
+    if (const auto known = existing(upload_id(bytes, connectivity))) return *known;
     try {
-        return add([&](const MapLimits& limits) -> ShelvedMap {
+        return add([&](const MapLimits& limits) -> StoredMap {
             io::MapFile file = mapfile::parse_map(bytes, "the map", connectivity, {}, limits);
             return {.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)};
         });
@@ -242,33 +242,33 @@ MapShelf::Upload MapShelf::add(std::string bytes, Connectivity connectivity) {
     }
 }
 
-MapShelf::Upload MapShelf::add(const std::function<ShelvedMap(const MapLimits&)>& make) {
+MapStore::Upload MapStore::add(const std::function<StoredMap(const MapLimits&)>& make) {
     const std::scoped_lock adding(adding_);
     Reservation reservation(*this, true);
-    return keep(make(reservation.limits()), reservation);
+    return insert(make(reservation.limits()), reservation);
 }
 
-MapShelf::Upload MapShelf::keep(ShelvedMap map, Reservation& reservation) {
+MapStore::Upload MapStore::insert(StoredMap map, Reservation& reservation) {
     const std::string id = upload_id(map.bytes, map.connectivity);
-    if (const auto known = kept(id)) return *known;
+    if (const auto known = existing(id)) return *known;
     map.file.source = id;
-    const auto shared = std::make_shared<const ShelvedMap>(std::move(map));
-    const auto place = std::make_shared<Place>();
-    place->uploaded = true;
+    const auto shared = std::make_shared<const StoredMap>(std::move(map));
+    const auto slot = std::make_shared<Slot>();
+    slot->uploaded = true;
     {
         const std::scoped_lock lock(mutex_);
-        places_[id] = place;
+        slots_[id] = slot;
     }
-    hold(*place, shared, reservation);  // others may have to go
+    fill(*slot, shared, reservation);  // may evict others
     return {id, shared, true};
 }
 
-void MapShelf::remove(const std::string& id) {
+void MapStore::remove(const std::string& id) {
     const std::scoped_lock lock(mutex_);
-    const auto known = places_.find(id);
-    if (known != places_.end() && known->second->uploaded) {
-        take_down(id);
-    } else if (known != places_.end() || !path_of(id).empty() || built_in_map(id)) {
+    const auto known = slots_.find(id);
+    if (known != slots_.end() && known->second->uploaded) {
+        drop(id);
+    } else if (known != slots_.end() || !path_of(id).empty() || built_in_map(id)) {
         throw Problem(forbidden, "only maps that were sent here can be deleted", "map-not-removable");
     } else {
         throw no_such_map();

@@ -1,4 +1,4 @@
-#include "server/desk.hpp"
+#include "server/executor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 namespace waybreaker::server {
 namespace {
 
-constexpr double grace = 1;  // seconds that a planner has to keep its own time limit
+constexpr double grace = 1;  // seconds beyond its own time limit after which a planner is stopped
 
-// An event of several lines, as the HTML standard writes it.
+// An event in the format of the HTML standard; its data may have several lines.
 std::string event(const std::string& name, std::string_view data) {
     std::string text = "event: " + name + "\n";
     for (std::size_t begin = 0; begin < data.size();) {
@@ -68,13 +68,13 @@ std::string problem_event(const Failure& failure) {
     return event("problem", problem_json(failure.status, failure.detail, failure.kind));
 }
 
-Desk::Desk(const ServiceLimits& limits, Metrics& metrics)
+Executor::Executor(const ServiceLimits& limits, Metrics& metrics)
     : limits_(limits), metrics_(metrics), queue_(limits.workers, limits.queue) {}
 
-std::shared_ptr<Job> Desk::submit(Work work) {
-    auto job = queue_.submit([this, work = std::move(work)](const Workplace& place) {
+std::shared_ptr<Job> Executor::submit(Work work) {
+    auto job = queue_.submit([this, work = std::move(work)](const Worker& worker) {
         const auto began = std::chrono::steady_clock::now();
-        Response result = work(place);
+        Response result = work(worker);
         metrics_.count_plan(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
         return result;
     });
@@ -85,11 +85,11 @@ std::shared_ptr<Job> Desk::submit(Work work) {
     return job;
 }
 
-void Desk::watch(Job& job) {
-    if (job.seconds() > std::min(limits_.seconds, job.promised()) + grace && job.stop()) metrics_.count_stopped();
+void Executor::enforce_time_limit(Job& job) {
+    if (job.seconds() > std::min(limits_.seconds, job.time_limit()) + grace && job.stop()) metrics_.count_stopped();
 }
 
-void Desk::give_up(Job& job) {
+void Executor::cancel(Job& job) {
     if (job.stop()) metrics_.count_stopped();
 }
 

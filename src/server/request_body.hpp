@@ -1,4 +1,4 @@
-// Intake: what bodies may come as.
+// Request bodies: which media types, encodings and lengths are accepted.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace waybreaker::server {
 
-// Throws Problem if the body that a head announces is not to be taken. `length`: of it, unless it comes in chunks.
+// Throws Problem if the body that the head announces is not acceptable. `length` is empty for a chunked body.
 void require_body(const Request& head, std::optional<std::uint64_t> length, Route::Body wanted, std::size_t most);
 
-// The body as it was before it was compressed (RFC 9110, 8.4). Throws Problem if it is not what the head says.
+// Decompresses the body (RFC 9110, 8.4). Throws Problem if it is not what the head says.
 void unpack(Request& request, std::size_t most);
 
 }  // namespace waybreaker::server

@@ -1,4 +1,4 @@
-// Desk: has the plans made that clients ask for, and tells how far they are.
+// Executor: runs the work that clients request, and reports its progress.
 #pragma once
 
 #include <functional>
@@ -12,30 +12,30 @@
 
 namespace waybreaker::server {
 
-// What an exception that is in flight means to a client.
+// What a client learns of the exception being handled.
 struct Failure {
     int status;
     std::string detail;
-    std::string cause = {};      // where that must not be told: for the log
-    std::string_view kind = {};  // of the problem, if it is not the usual one of its status
+    std::string cause = {};      // for the log, where the client must not see it
+    std::string_view kind = {};  // of the problem; empty: the default of its status
 };
 Failure current_failure();
 
-// Server-sent events: how far a job is, and what has come of it.
+// Server-sent events: the progress of a job, and its result.
 std::string progress_event(const Job& job);
 std::string plan_event(const Response& response);
 std::string problem_event(const Failure& failure);
 
-class Desk {
+class Executor {
   public:
-    Desk(const ServiceLimits& limits, Metrics& metrics);
+    Executor(const ServiceLimits& limits, Metrics& metrics);
 
-    // Throws Problem if too many wait.
+    // Throws Problem if the queue is full.
     std::shared_ptr<Job> submit(Work work);
-    // To be called from time to time while the job is not done: one that takes too long is stopped.
-    void watch(Job& job);
-    // Nobody wants its result any more.
-    void give_up(Job& job);
+    // Stops the job if it takes too long. To be called from time to time until the job is done.
+    void enforce_time_limit(Job& job);
+    // The result is no longer needed.
+    void cancel(Job& job);
 
     std::size_t waiting() const { return queue_.waiting(); }
     std::size_t running() const { return queue_.running(); }

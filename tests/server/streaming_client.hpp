@@ -1,4 +1,4 @@
-// A client that has a long plan streamed to it, until it goes away.
+// A client that keeps a worker busy: a long plan is streamed to it until it disconnects.
 #pragma once
 
 #include <httplib.h>
@@ -13,22 +13,22 @@
 
 namespace waybreaker::server {
 
-class Occupation {
+class StreamingClient {
   public:
-    // Returns when a worker is at it.
-    Occupation(httplib::Client client, const std::string& path, const Json& request)
+    // Returns when a worker has started the plan.
+    StreamingClient(httplib::Client client, const std::string& path, const Json& request)
         : client_(std::move(client)), thread_([this, path, body = request.dump()] { ask(path, body); }) {
         while (!done_ && events().find("\"planning\"") == std::string::npos) {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
     }
-    ~Occupation() { leave(); }
+    ~StreamingClient() { leave(); }
 
     void leave() {
         leaving_ = true;
         if (thread_.joinable()) thread_.join();
     }
-    bool done() const { return done_; }  // whether the answer has come to its end
+    bool done() const { return done_; }  // whether the response is complete
     std::string events() const {
         const std::scoped_lock lock(mutex_);
         return events_;
@@ -58,7 +58,7 @@ class Occupation {
     std::thread thread_;
 };
 
-// A mission on thicket() that no planner proves in a short time.
+// A mission on thicket() that takes every planner long to prove optimal.
 inline Json long_mission(int side) {
     return {{"mission", {{"start", {0, 0}}, {"goal", {side - 1, side - 1}}}}, {"options", {{"removals", 20}}}};
 }

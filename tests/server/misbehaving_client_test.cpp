@@ -1,10 +1,10 @@
-// Clients that do not speak HTTP, speak it slowly, without end, or hang up.
+// Clients that do not speak HTTP, are slow, never finish, or disconnect.
 #include <chrono>
 #include <thread>
 
 #include "live_server.hpp"
 #include "malformed_requests.hpp"
-#include "occupation.hpp"
+#include "streaming_client.hpp"
 #include "wire.hpp"
 
 namespace waybreaker::server {
@@ -12,16 +12,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class RudeClientTest : public LiveServer {
+class MisbehavingClientTest : public LiveServer {
   protected:
-    RudeClientTest() {
-        options_.limits.patience = 0.5;
+    MisbehavingClientTest() {
+        options_.limits.timeout = 0.5;
         options_.limits.idle = 0.5;
         options_.limits.upload_bytes = 100000;
     }
 };
 
-TEST_F(RudeClientTest, SlowOnesDoNotHoldTheirPlace) {
+TEST_F(MisbehavingClientTest, SlowOnesDoNotHoldTheirSlot) {
     options_.limits.connections = 2;
     begin();
     const Wire silent(port());
@@ -30,11 +30,11 @@ TEST_F(RudeClientTest, SlowOnesDoNotHoldTheirPlace) {
         while (!stop.stop_requested() && slow.send("G")) std::this_thread::sleep_for(50ms);
     });
     const auto began = std::chrono::steady_clock::now();
-    EXPECT_EQ(get("/healthz").status, 200);  // waits until one of the others is told to go
+    EXPECT_EQ(get("/healthz").status, 200);  // waits until one of the others is closed
     EXPECT_LT(std::chrono::steady_clock::now() - began, 5s);
 }
 
-TEST_F(RudeClientTest, HalfRequestsAreToldSo) {
+TEST_F(MisbehavingClientTest, HalfRequestsTimeOut) {
     begin();
     const Wire wire(port());
     wire.send("GET /healthz HTTP/1.1\r\n");
@@ -48,9 +48,9 @@ TEST_F(RudeClientTest, HalfRequestsAreToldSo) {
     EXPECT_EQ(silent.rest(), "");
 }
 
-TEST_F(RudeClientTest, ManyHalfRequestsDelayNobody) {
+TEST_F(MisbehavingClientTest, ManyHalfRequestsDelayNobody) {
     options_.limits.connections = 20;
-    options_.limits.patience = 60;
+    options_.limits.timeout = 60;
     begin();
     std::vector<std::unique_ptr<Wire>> slow;
     for (int i = 0; i < 60; ++i) {
@@ -64,35 +64,35 @@ TEST_F(RudeClientTest, ManyHalfRequestsDelayNobody) {
     EXPECT_LT(std::chrono::steady_clock::now() - began, 30s);
 }
 
-TEST_F(RudeClientTest, NobodyHasMoreConnectionsThanOneClientMay) {
+TEST_F(MisbehavingClientTest, ConnectionsOfOneClientAreLimited) {
     put("maps/thicket.map", thicket(300));
     options_.limits.connections_of_client = 2;
-    options_.limits.patience = 60;
+    options_.limits.timeout = 60;
     begin();
-    // Those that can be spared give way to the client's own,
+    // The client's own connections without a complete request are closed for new ones;
     const Wire first(port());
     const Wire second(port());
     first.send("GET /heal");
     EXPECT_EQ(get("/healthz").status, 200);
-    // and where none can, it is told so.
-    Occupation one(client(), "/api/v1/maps/thicket.map/plan", long_mission(300));
-    Occupation other(client(), "/api/v1/maps/thicket.map/plan", long_mission(300));
+    // if there are none, a new one is refused.
+    StreamingClient one(client(), "/api/v1/maps/thicket.map/plan", long_mission(300));
+    StreamingClient other(client(), "/api/v1/maps/thicket.map/plan", long_mission(300));
     EXPECT_TRUE(Wire(port()).rest().starts_with("HTTP/1.1 503 "));
     EXPECT_FALSE(one.done() || other.done());
 }
 
-TEST_F(RudeClientTest, AnswersThatAreNotTakenEnd) {
+TEST_F(MisbehavingClientTest, UnreadResponsesTimeOut) {
     begin();
     const Wire wire(port());
     const std::string request = "GET /api/v1/openapi.json HTTP/1.1\r\nHost: localhost\r\n\r\n";
     const auto began = std::chrono::steady_clock::now();
-    // Until the sockets' buffers are full, which takes megabytes, and the server's patience is at its end.
+    // Until the sockets' buffers are full, which takes megabytes, and the write timeout expires.
     bool open = true;
     while (open && std::chrono::steady_clock::now() - began < 30s) open = wire.send(request);
     EXPECT_FALSE(open) << "gigabytes of answers were made that nobody read";
 }
 
-TEST_F(RudeClientTest, MalformedRequestsAreRefusedAndNothingAfterThemIsRead) {
+TEST_F(MisbehavingClientTest, MalformedRequestsAreRefusedAndNothingAfterThemIsRead) {
     begin();
     const std::string hidden = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
     for (const auto& [why, bytes, status] : malformed_requests()) {
@@ -107,7 +107,7 @@ TEST_F(RudeClientTest, MalformedRequestsAreRefusedAndNothingAfterThemIsRead) {
     EXPECT_EQ(get("/healthz").status, 200);
 }
 
-TEST_F(RudeClientTest, HeadersEnd) {
+TEST_F(MisbehavingClientTest, EndlessHeadersAreRefused) {
     begin();
     const Wire wire(port());
     ASSERT_TRUE(wire.send("GET /healthz HTTP/1.1\r\n"));
@@ -118,7 +118,7 @@ TEST_F(RudeClientTest, HeadersEnd) {
     EXPECT_EQ(get("/healthz").status, 200);
 }
 
-TEST_F(RudeClientTest, NoiseAndHangingUpDoNoHarm) {
+TEST_F(MisbehavingClientTest, NoiseAndHangingUpDoNoHarm) {
     begin();
     const std::string nul(1, '\0');
     for (const std::string& text :

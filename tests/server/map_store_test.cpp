@@ -1,0 +1,109 @@
+// The map store keeps within its memory limit.
+#include "server/map_store.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "geo/label_tiff.hpp"
+#include "server/problem.hpp"
+#include "temporary_folder.hpp"
+
+namespace waybreaker::server {
+namespace {
+
+class MapStoreTest : public TemporaryFolder {};
+
+// A map of many small obstacles, about 80 KB in memory; `mark` makes it another one.
+std::string studded(int mark = 0) {
+    std::string text = "type octile\nheight 64\nwidth 64\nmap\n";
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) text += (y % 2 == 0 && x % 2 == 0) || (y == 1 && x == mark) ? '@' : '.';
+        text += '\n';
+    }
+    return text;
+}
+
+ServiceLimits with_memory(std::size_t bytes) {
+    ServiceLimits limits;
+    limits.memory = bytes;
+    return limits;
+}
+
+// What a call throws: status and kind.
+template <class Call>
+std::pair<int, std::string> problem_of(Call call) {
+    try {
+        call();
+    } catch (const Problem& problem) {
+        return {problem.status(), std::string(problem.kind())};
+    }
+    return {};
+}
+
+TEST_F(MapStoreTest, EvictsTheLeastRecentlyUsed) {
+    constexpr std::size_t most = 200'000;
+    MapStore store("", with_memory(most));
+    const std::string first = store.add(studded(1), Connectivity::four).id;
+    const std::string second = store.add(studded(3), Connectivity::four).id;
+    EXPECT_GT(store.memory(), 120'000U);
+    (void)store.load(first);
+    store.add(studded(61), Connectivity::four);
+    EXPECT_NE(store.load(first), nullptr);
+    EXPECT_EQ(problem_of([&] { store.load(second); }), std::pair(404, std::string("map-not-found")));
+    for (int mark = 5; mark < 60; mark += 2) {
+        store.add(studded(mark), Connectivity::four);
+        EXPECT_LE(store.memory(), most);
+    }
+}
+
+TEST_F(MapStoreTest, RefusesAMapThatCannotFitAndEvictsNoOther) {
+    MapStore store("", with_memory(200'000));
+    const std::string small = store.add("type octile\nheight 1\nwidth 2\nmap\n.@\n", Connectivity::four).id;
+    const std::size_t before = store.memory();
+    // A file of a few bytes with another obstacle in every cell.
+    std::vector<std::uint32_t> labels(256 * 256);
+    std::iota(labels.begin(), labels.end(), 1U);
+    const std::string tiff = geo::label_tiff_bytes({.map = Map::from_labels(256, 256, std::move(labels))});
+    std::string wide = "type octile\nheight 256\nwidth 256\nmap\n";
+    for (int y = 0; y < 256; ++y) wide += std::string(256, '.') + '\n';
+    for (const std::string& bytes : {tiff, wide}) {
+        EXPECT_EQ(problem_of([&] { store.add(bytes, Connectivity::four); }),
+                  std::pair(413, std::string("map-too-large")));
+    }
+    EXPECT_EQ(store.memory(), before);
+    EXPECT_NE(store.load(small), nullptr);
+}
+
+TEST_F(MapStoreTest, RemovedMapsInUseStillCount) {
+    MapStore store("", with_memory(200'000));
+    MapStore::Upload first = store.add(studded(1), Connectivity::four);
+    MapStore::Upload second = store.add(studded(3), Connectivity::four);
+    store.remove(first.id);
+    EXPECT_GT(store.memory(), 120'000U);
+    const auto third = [&] { store.add(studded(5), Connectivity::four); };
+    EXPECT_EQ(problem_of(third), std::pair(503, std::string("no-memory")));
+    first.map.reset();
+    second.map.reset();
+    EXPECT_EQ(problem_of(third), std::pair(0, std::string()));
+}
+
+TEST_F(MapStoreTest, EvictsUploadsBeforeMapsOfTheFolder) {
+    put("own.map", studded());
+    MapStore store(path("."), with_memory(200'000));
+    (void)store.load("own.map");
+    const std::string sent = store.add(studded(1), Connectivity::four).id;
+    store.add(studded(3), Connectivity::four);
+    EXPECT_NE(store.if_loaded("own.map"), nullptr);
+    EXPECT_EQ(problem_of([&] { store.load(sent); }).first, 404);
+}
+
+TEST_F(MapStoreTest, RefusesMapsOfTheFolderThatCannotFit) {
+    put("own.map", studded());
+    MapStore store(path("."), with_memory(50'000));
+    EXPECT_EQ(problem_of([&] { store.load("own.map"); }), std::pair(422, std::string("map-beyond-memory")));
+    EXPECT_EQ(store.memory(), 0U);
+}
+
+}  // namespace
+}  // namespace waybreaker::server
