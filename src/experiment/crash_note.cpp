@@ -18,7 +18,7 @@ constexpr std::array crash_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::uint64_t no_job = UINT64_MAX;
 constexpr std::size_t longest_path = 4096;
 
-// A signal handler can be told nothing, so what it needs must be global.
+// A signal handler takes no context argument, so what it needs must be global.
 std::array<char, longest_path> note_path;
 std::array<struct sigaction, crash_signals.size()> former_actions;
 thread_local std::uint64_t current_job = no_job;

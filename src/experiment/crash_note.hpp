@@ -11,7 +11,7 @@
 
 namespace waybreaker::experiment {
 
-// While it lives, crashes of threads that have said their job are noted. One at a time in a program.
+// While it exists, crashes of threads that have set their job are noted. At most one at a time in a program.
 class CrashNote {
   public:
     explicit CrashNote(const std::string& path);
@@ -20,7 +20,7 @@ class CrashNote {
     CrashNote& operator=(const CrashNote&) = delete;
 };
 
-// What a thread works on, as long as this lives.
+// Sets the job of the current thread while it exists.
 class CurrentJob {
   public:
     explicit CurrentJob(std::uint64_t job);

@@ -19,7 +19,7 @@ int pragma(SQLite::Database& sql, const char* name) {
 
 Database::Database(const std::string& path, Access access) : path_(path), sql_(open(path, access)) {
     guarded([&] {
-        // Nothing that stands in a file from elsewhere may run, and nobody joins in while we write.
+        // Run no code from a file of unknown origin; lock out other processes while writing.
         sql_.exec("PRAGMA trusted_schema = OFF");
         if (access != Access::read) sql_.exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT");
         require_ours(access);

@@ -1,4 +1,4 @@
-// Database: a results file, an SQLite database of ours and nobody else's. Its tables are made in schema.cpp.
+// Database: a results file, which is an SQLite database. Its tables are created in schema.cpp.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -10,7 +10,7 @@ namespace waybreaker::experiment {
 enum class Access { read, write, create };
 
 // Opens a results file. `create` begins a new one where there is none (or an empty file, as an interrupted beginning
-// leaves it); it must not exist else. With `write` and `create` nobody else can open the file until it is closed.
+// leaves it); it must not exist otherwise. With `write` and `create` no other process can open it until it is closed.
 // Throws InputError, with the remedy, for what is no results file of this format, damaged, or in use; and changes
 // nothing then.
 class Database {

@@ -13,8 +13,8 @@ struct Estimate {
     std::size_t count = 0;  // of missions
 };
 
-// Missions of one map are alike, so the maps are what is independent: the variance is that of the maps' sums (the
-// cluster- robust variance of a mean), the interval Student's with one degree of freedom fewer than there are maps.
+// Missions on one map are correlated, maps are independent: the variance is that of the maps' sums (the cluster-robust
+// variance of a mean), the interval Student's with one degree of freedom fewer than there are maps.
 class Estimator {
   public:
     explicit Estimator(std::size_t maps) : maps_(maps) {}

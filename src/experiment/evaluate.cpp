@@ -64,7 +64,7 @@ Result Evaluator::plan(const Map& map, const ExperimentMission& mission, const C
                   .before = stage_of(plan.before),
                   .after = stage_of(plan.after),
                   .bound = plan.bound};
-    for (const Breach& removal : plan.breaches) result.removed.push_back(removal.obstacle);
+    for (const Breach& breach : plan.breaches) result.removed.push_back(breach.obstacle);
     return result;
 }
 
@@ -74,7 +74,7 @@ Result Evaluator::evaluate(const Map& map, const ExperimentMission& mission, con
     Result result;
     try {
         result = plan(map, mission, configuration, stop);
-        // The exact method gives back the best it knew then; but a figure that hangs on the clock is none.
+        // The exact method returns the best plan so far, but a result that depends on the clock is not reproducible.
         if (stop.stop_requested()) result = {.status = ResultStatus::timed_out};
     } catch (const std::bad_alloc&) {
         result = {.status = ResultStatus::failed, .message = "out of memory"};

@@ -8,10 +8,10 @@
 
 namespace waybreaker::experiment {
 
-// Keeps the planners' memory between jobs; not for two threads at once.
+// Reuses the planners' memory between jobs; not thread-safe.
 class Evaluator {
   public:
-    // Never throws for what a mission can do wrong: that is a result as well. A job that is told to stop has timed out.
+    // Never throws for a failure of a mission: that is a result as well. A job that is stopped has timed out.
     Result evaluate(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
                     const StopToken& stop);
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What results depend on, as text. The names of files do not count, but for the sets that the report tells apart.
+// What results depend on, as text. File names do not count, except those of the sets that the report distinguishes.
 std::string canonical(const Experiment& experiment) {
     std::string text = fmt::format("waybreaker-experiment/1\ntime_limit {}\n", experiment.time_limit);
     for (const Configuration& one : experiment.configurations) {

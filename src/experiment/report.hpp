@@ -1,4 +1,4 @@
-// Report: the paper's experiment as a page one can read and send: figures, numbers, claims.
+// Report: the results of the paper's experiment as a self-contained page: figures, numbers, claims.
 #pragma once
 
 #include <string>

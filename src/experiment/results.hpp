@@ -17,7 +17,7 @@ namespace waybreaker::experiment {
 
 class Results {
   public:
-    // Throws InputError if this is no sound file of results, or a run is at work on it.
+    // Throws InputError if this is not a valid results file, or a run is using it.
     explicit Results(const std::string& path);
 
     const std::string& path() const { return database_.path(); }

@@ -15,7 +15,7 @@
 
 #include "experiment/crash_note.hpp"
 #include "experiment/evaluate.hpp"
-#include "experiment/map_shelf.hpp"
+#include "experiment/map_cache.hpp"
 #include "experiment/parallel.hpp"
 
 namespace waybreaker::experiment {
@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr auto tick = std::chrono::milliseconds(50);          // how exactly time limits are kept
-constexpr auto store_every = std::chrono::milliseconds(500);  // what a kill -9 can cost
+constexpr auto store_every = std::chrono::milliseconds(500);  // at most this much work is lost by kill -9
 
 Evaluate usual_evaluator() {
     return [evaluator = std::make_shared<Evaluator>()](const Map& map, const ExperimentMission& mission,
@@ -34,8 +34,8 @@ Evaluate usual_evaluator() {
     };
 }
 
-// What a thread is at: told to stop where it takes too long.
-class Shift {
+// Watches the job of one thread, and stops it if it takes too long.
+class Watchdog {
   public:
     StopToken begin() {
         const std::scoped_lock lock(mutex_);
@@ -54,19 +54,19 @@ class Shift {
     StopSource stop_;
 };
 
-// The threads and what they have done; the caller of run() waits, watches and stores.
+// The threads and their results; the caller of run() waits, enforces time limits and stores results.
 class Work {
   public:
     Work(const Experiment& experiment, std::vector<std::uint64_t> jobs, const RunOptions& options)
         : experiment_(experiment),
           jobs_(std::move(jobs)),
           maps_(experiment.maps),
-          shifts_(std::clamp<std::size_t>(jobs_.size(), 1, thread_count(options.threads))) {
-        for (Shift& shift : shifts_) {
-            shift.begin();
+          watchdogs_(std::clamp<std::size_t>(jobs_.size(), 1, thread_count(options.threads))) {
+        for (Watchdog& watchdog : watchdogs_) {
+            watchdog.begin();
             threads_.emplace_back(
-                [this, &shift, evaluate = options.evaluators ? options.evaluators() : usual_evaluator()] {
-                    work(shift, evaluate);
+                [this, &watchdog, evaluate = options.evaluators ? options.evaluators() : usual_evaluator()] {
+                    work(watchdog, evaluate);
                 });
         }
     }
@@ -87,13 +87,13 @@ class Work {
         return working_ == 0 && rows_.empty();
     }
     void keep_time_limit() {
-        for (Shift& shift : shifts_) shift.stop_if_longer(experiment_.time_limit);
+        for (Watchdog& watchdog : watchdogs_) watchdog.stop_if_longer(experiment_.time_limit);
     }
-    // No more jobs; those at work are broken off and leave no result.
+    // Starts no more jobs; running ones are stopped and leave no result.
     void end() {
         ending_ = true;
         while (true) {
-            for (Shift& shift : shifts_) shift.stop_if_longer(0);
+            for (Watchdog& watchdog : watchdogs_) watchdog.stop_if_longer(0);
             std::unique_lock lock(mutex_);
             if (idle_.wait_for(lock, tick, [&] { return working_ == 0; })) return;
         }
@@ -104,15 +104,15 @@ class Work {
     }
 
   private:
-    void work(Shift& shift, const Evaluate& evaluate) {
+    void work(Watchdog& watchdog, const Evaluate& evaluate) {
         try {
             std::shared_ptr<const Map> map;
             std::size_t map_index = SIZE_MAX;
             for (std::size_t i = next_++; i < jobs_.size() && !ending_; i = next_++) {
                 const std::size_t configurations = experiment_.configurations.size();
                 const ExperimentMission& mission = experiment_.missions[jobs_[i] / configurations];
-                if (mission.map != map_index) map = maps_.take(map_index = mission.map);
-                const StopToken stop = shift.begin();
+                if (mission.map != map_index) map = maps_.load(map_index = mission.map);
+                const StopToken stop = watchdog.begin();
                 const CurrentJob current(jobs_[i]);
                 Row row{jobs_[i], evaluate(*map, mission, experiment_.configurations[jobs_[i] % configurations], stop)};
                 const std::scoped_lock lock(mutex_);
@@ -129,15 +129,15 @@ class Work {
 
     const Experiment& experiment_;
     const std::vector<std::uint64_t> jobs_;
-    MapShelf maps_;
-    std::vector<Shift> shifts_;
+    MapCache maps_;
+    std::vector<Watchdog> watchdogs_;
     std::atomic<std::size_t> next_ = 0;
     std::atomic<bool> ending_ = false;
     std::mutex mutex_;
     std::condition_variable idle_;
     std::vector<Row> rows_;
     std::exception_ptr error_;
-    std::size_t working_ = shifts_.size();
+    std::size_t working_ = watchdogs_.size();
     std::vector<std::jthread> threads_;  // last: joined before the rest goes
 };
 
@@ -145,7 +145,7 @@ bool went_wrong(const Row& row) {
     return row.result.status != ResultStatus::solved && row.result.status != ResultStatus::no_plan;
 }
 
-// Jobs that crashed twice have their result.
+// Results of jobs that crashed twice.
 std::vector<Row> crashed_rows(const std::string& note, const std::vector<std::uint64_t>& open) {
     std::vector<Row> rows;
     for (const auto& [job, times] : noted_crashes(note)) {

@@ -29,7 +29,7 @@ struct RunOptions {
     std::function<Evaluate()> evaluators = {};
 };
 
-// Runs the jobs that are open, and says how far it came: to the end unless told to stop. What was stored stays stored
+// Runs the open jobs to the end, unless it is asked to stop, and returns the progress made. Stored results stay stored
 // however this ends. Results do not depend on the number of threads, measured seconds aside. Throws InputError if a map
 // cannot be read or has changed, or the store cannot be written.
 RunProgress run(const Experiment& experiment, Store& store, const RunOptions& options = {});

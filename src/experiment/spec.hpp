@@ -1,4 +1,4 @@
-// Spec: what stands in the TOML file of an experiment, before its scenario files are read.
+// Spec: the content of an experiment's TOML file, before its scenario files are read.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // Store: where a run puts its results, so that nothing is lost or done twice however it ends.
 //
-// A transaction is there as a whole or not at all, also after kill -9 or a power cut; so are the results it holds.
+// Transactions are atomic and durable, even after kill -9 or a power cut.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Summary: what a report tells of a file of results, as numbers.
+// Summary: the numbers that a report shows of a results file.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline constexpr std::size_t measure_count = 8;
 struct Series {
     Configuration configuration;  // its `removals` does not count
     std::string name;
-    // By number of removals, up to the largest of the file; place 0 is the mission before removal.
+    // By number of removals, up to the largest of the file; entry 0 is the mission before removal.
     std::vector<std::array<std::optional<Estimate>, measure_count>> at;
 
     const std::optional<Estimate>& of(Measure measure, std::size_t removals) const {

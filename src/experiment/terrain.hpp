@@ -1,4 +1,4 @@
-// Terrain: made-up maps of the kinds that the paper's conjecture is about (section 4), and some others.
+// Terrain: generated maps of the kinds that the paper's conjecture is about (section 4), and some others.
 //
 //     Map map = make_terrain(Terrain::maze, {.side = 501, .seed = 7});
 #pragma once

@@ -25,7 +25,7 @@ TEST(Estimate, IsTheMeanWithTheIntervalOfItsMaps) {
     EXPECT_NEAR(estimate.high - estimate.mean, 2.7764 * 1.58114 / std::sqrt(5), 1e-4);
     EXPECT_NEAR(estimate.mean - estimate.low, estimate.high - estimate.mean, 1e-12);
     EXPECT_EQ(estimate.count, 5U);
-    // The same missions thrice on each map tell nothing more.
+    // Repeating the same missions three times on each map adds no information.
     Estimator thrice(5);
     for (const std::size_t i : {0U, 1U, 2U, 3U, 4U}) {
         for (int k = 0; k < 3; ++k) thrice.add(i, double(i) + 1);

@@ -134,7 +134,7 @@ TEST_F(RunExperiment, IsTheSameForAnyNumberOfThreadsAndShards) {
     }
 }
 
-TEST_F(RunExperiment, GoesOnWhereItWasTold) {
+TEST_F(RunExperiment, ContinuesAfterAStop) {
     run_into("whole.db");
     std::atomic<int> left = 20;
     StopSource stop;

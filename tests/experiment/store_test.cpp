@@ -99,7 +99,7 @@ TEST_F(StoreResults, KeepsWhatIsStoredWhenTheDiskIsFull) {
     Store store(path("r.db"), experiment, {}, "1.2.3");
     store.add(std::vector<Row>{{.job = 3, .result = {.message = "first"}}});
     const std::uintmax_t size = std::filesystem::file_size(path("r.db"));
-    // A file that cannot grow is a full disk to whoever writes it.
+    // A file that cannot grow behaves like a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     rlimit former{};
     getrlimit(RLIMIT_FSIZE, &former);

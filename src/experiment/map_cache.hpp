@@ -1,4 +1,4 @@
-// Map shelf: the maps that jobs are at work on, each read once and gone when nobody needs it.
+// Map cache: the maps that running jobs use, each read once and freed when no job needs it.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@
 
 namespace waybreaker::experiment {
 
-class MapShelf {
+class MapCache {
   public:
-    explicit MapShelf(const std::vector<ExperimentMap>& maps) : maps_(maps), places_(maps.size()) {}
+    explicit MapCache(const std::vector<ExperimentMap>& maps) : maps_(maps), slots_(maps.size()) {}
 
-    // Any thread may ask. Throws InputError if the file cannot be read, or is not what it was.
-    std::shared_ptr<const Map> take(std::size_t index) {
-        Place& place = places_[index];
-        const std::scoped_lock lock(place.mutex);
-        std::shared_ptr<const Map> map = place.map.lock();
-        if (!map) place.map = map = read(maps_[index]);
+    // Thread-safe. Throws InputError if the file cannot be read or has changed.
+    std::shared_ptr<const Map> load(std::size_t index) {
+        Slot& slot = slots_[index];
+        const std::scoped_lock lock(slot.mutex);
+        std::shared_ptr<const Map> map = slot.map.lock();
+        if (!map) slot.map = map = read(maps_[index]);
         return map;
     }
 
@@ -38,12 +38,12 @@ class MapShelf {
         return std::make_shared<const Map>(std::move(file.map));
     }
 
-    struct Place {
+    struct Slot {
         std::mutex mutex;
         std::weak_ptr<const Map> map;
     };
     const std::vector<ExperimentMap>& maps_;
-    std::vector<Place> places_;
+    std::vector<Slot> slots_;
 };
 
 }  // namespace waybreaker::experiment
