@@ -30,7 +30,7 @@ using Error = std::unique_ptr<GError, Release<g_error_free>>;
 
 Document parse(const std::string& svg) {
     GError* error = nullptr;
-    // "Unlimited": the outline of a large map may be longer than what libxml2 takes from strangers.
+    // "Unlimited": the outline of a large map may exceed libxml2's limits for untrusted input.
     const std::unique_ptr<GInputStream, Release<g_object_unref>> stream(
         g_memory_input_stream_new_from_data(svg.data(), gssize(svg.size()), nullptr));
     Document document(

@@ -14,7 +14,7 @@ struct PictureOptions;
 // The plan in one sentence: "Makespan 584.0 → 552.1 s at 1 m/s (−5.5 %), 3 obstacles removed, gap 0.2 %".
 std::string headline(const Mission& mission, const Plan& plan, const PictureOptions& options);
 
-// A time as the headline tells it, without its unit: "208.7".
+// A time as in the headline, without its unit: "208.7".
 std::string time_text(double time, const Mission& mission, const PictureOptions& options);
 
 // The unit of all times of the picture.

@@ -73,7 +73,7 @@ class Drawing {
 
   private:
     double step() const { return (right - left) / double(std::max<std::size_t>(chart_.categories.size(), 1)); }
-    // Series stand side by side, so that their intervals can be told apart.
+    // Series stand side by side, so that their intervals do not overlap.
     double x_of(std::size_t category, std::size_t series) const {
         const double spread = std::min(0.5 * step(), 9.0 * double(chart_.series.size() - 1));
         const double offset =

@@ -23,7 +23,7 @@ struct ChartSeries {
     int colour = 0;  // series of one colour belong together; 0 to chart_colours - 1
 };
 
-inline constexpr int chart_colours = 6;  // that colour-blind readers can tell apart (Okabe, Ito 2008)
+inline constexpr int chart_colours = 6;  // safe for colour-blind readers (Okabe, Ito 2008)
 
 struct Chart {
     std::string title;

@@ -15,7 +15,7 @@ using Kind = site::Background::Kind;
 using Shape = site::Background::Shape;
 using Feature = site::Background::Feature;
 
-// Features that look the same.
+// Features of one drawing style.
 struct Stratum {
     Kind kind;
     Shape shape;

@@ -1,4 +1,4 @@
-// What lies beneath a plan: water, green, streets and rails, faint, so that one sees where it is.
+// The background of a plan: water, green, streets and rails, faint, for orientation.
 #pragma once
 
 #include <string>

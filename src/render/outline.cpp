@@ -20,17 +20,17 @@ void append_side(std::string& path, Cell from, Cell to) {
 
 }  // namespace
 
-std::array<std::string, look_count> outlines(const site::LabelRaster& raster, std::span<const Look> looks) {
-    std::array<std::string, look_count> paths;
-    std::array<Cell, look_count> ring_starts{};  // where relative coordinates start
+std::array<std::string, style_count> outlines(const site::LabelRaster& raster, std::span<const Style> styles) {
+    std::array<std::string, style_count> paths;
+    std::array<Cell, style_count> ring_starts{};  // where relative coordinates start
     site::trace_rings(raster, [&](const site::LabelRing& ring) {
-        const std::size_t look = std::size_t(looks[ring.label]);
-        std::string& path = paths[look];
+        const std::size_t style = std::size_t(styles[ring.label]);
+        std::string& path = paths[style];
         const Cell start = ring.corners.front();
         path += 'm';
-        append(path, start.x - ring_starts[look].x);
-        append(path, start.y - ring_starts[look].y);
-        ring_starts[look] = start;
+        append(path, start.x - ring_starts[style].x);
+        append(path, start.y - ring_starts[style].y);
+        ring_starts[style] = start;
         for (std::size_t i = 1; i < ring.corners.size(); ++i) append_side(path, ring.corners[i - 1], ring.corners[i]);
         path += 'z';  // draws the last side
     });

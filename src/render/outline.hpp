@@ -10,13 +10,13 @@
 
 namespace waybreaker::render {
 
-enum class Look : std::uint8_t { obstacle, fixed_obstacle, removed };
-inline constexpr std::size_t look_count = 3;
+enum class Style : std::uint8_t { obstacle, fixed_obstacle, removed };
+inline constexpr std::size_t style_count = 3;
 
-// looks[label] says how the cells of that label are drawn. For each look, the rings around all cells of its labels as
+// styles[label] says how the cells of that label are drawn. For each style, the rings around all cells of its labels as
 // SVG path data, to be filled with the even-odd rule. One unit is one cell; corner (0, 0) is the upper-left corner of
 // cell (0, 0). Touching cells of one label share their rings; different labels have rings of their own. Only true
 // corners are written. Time O(cells).
-std::array<std::string, look_count> outlines(const site::LabelRaster& raster, std::span<const Look> looks);
+std::array<std::string, style_count> outlines(const site::LabelRaster& raster, std::span<const Style> styles);
 
 }  // namespace waybreaker::render

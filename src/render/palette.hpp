@@ -1,4 +1,4 @@
-// How a picture looks: colours (Okabe, Ito 2008, told apart by colour-blind readers too) and sizes. Sizes are in
+// The style of a picture: colours (Okabe, Ito 2008, safe for colour-blind readers) and sizes. Sizes are in
 // thousandths of the picture's width, so that a picture looks the same at 600 and at 2000 pixels.
 #pragma once
 

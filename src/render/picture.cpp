@@ -63,11 +63,11 @@ std::string rectangle(Rectangle r, std::string_view more) {
 std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
     const Sample sample(scene.map, scene.plan.breaches, layout.sample_step);
-    const auto paths = outlines(sample.raster(), sample.looks());
+    const auto paths = outlines(sample.raster(), sample.styles());
     std::string out =
         rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) + ground(scene.options.background, layout);
-    for (const Look look : {Look::obstacle, Look::fixed_obstacle, Look::removed}) {
-        out += obstacle_sign(look, paths[std::size_t(look)], {layout.map.x, layout.map.y}, scene.raster_scale(),
+    for (const Style style : {Style::obstacle, Style::fixed_obstacle, Style::removed}) {
+        out += obstacle_sign(style, paths[std::size_t(style)], {layout.map.x, layout.map.y}, scene.raster_scale(),
                              scene.unit());
     }
     return out + rectangle(layout.map, fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.4g}")", colour::frame,
@@ -110,7 +110,7 @@ std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
     const std::vector<Breach>& removed = scene.plan.breaches;
     const std::vector<Wait> waiting = waits(scene.plan);
     std::vector<waybreaker::Point> places;
-    for (const Breach& removal : removed) places.emplace_back(removal.at);
+    for (const Breach& breach : removed) places.emplace_back(breach.at);
     for (const Wait& wait : waiting) places.push_back(wait.at);
     const std::vector<Point> points = scene.on_map(places);
     const bool numbered = points.size() <= 99;
@@ -157,11 +157,11 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     const double unit = scene.unit();
     const Point middle = {23 * unit, 0};
     const auto path = [&](PathSign sign) { return path_sign(sign, {{2 * unit, 0}, {44 * unit, 0}}, unit); };
-    const auto swatch = [&](Look look) {
+    const auto swatch = [&](Style style) {
         const double scale = scene.raster_scale();
         const double width = 34 * unit / scale;
         const double height = 16 * unit / scale;
-        return obstacle_sign(look, fmt::format("M0 0h{0:.4g}v{1:.4g}h-{0:.4g}z", width, height), {6 * unit, -8 * unit},
+        return obstacle_sign(style, fmt::format("M0 0h{0:.4g}v{1:.4g}h-{0:.4g}z", width, height), {6 * unit, -8 * unit},
                              scale, unit);
     };
     const auto is_fixed = [](const Obstacle& obstacle) { return !obstacle.destructible; };
@@ -176,11 +176,11 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     }
     entries.push_back({path(PathSign::air), "air path"});
     if (before.air().path != after.air().path) entries.push_back({path(PathSign::air_before), "air path before"});
-    if (!std::all_of(all.begin(), all.end(), is_fixed)) entries.push_back({swatch(Look::obstacle), "obstacle"});
+    if (!std::all_of(all.begin(), all.end(), is_fixed)) entries.push_back({swatch(Style::obstacle), "obstacle"});
     if (std::any_of(all.begin(), all.end(), is_fixed))
-        entries.push_back({swatch(Look::fixed_obstacle), "not removable"});
+        entries.push_back({swatch(Style::fixed_obstacle), "not removable"});
     if (!scene.plan.breaches.empty()) {
-        entries.push_back({swatch(Look::removed), "removed obstacle"});
+        entries.push_back({swatch(Style::removed), "removed obstacle"});
         entries.push_back({breach_label(middle, "1", unit), "breach, when"});
     }
     if (!waits(scene.plan).empty()) entries.push_back({wait_sign(middle, unit), "wait, how long"});

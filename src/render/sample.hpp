@@ -15,18 +15,18 @@ namespace waybreaker::render {
 class Sample {
   public:
     // One cell of the raster stands for step * step cells of the map (fewer at the right and lower edges). With step 1
-    // labels are obstacle ids; with more they are looks, so neighbours melt together: a coarse cell is removed if any
+    // labels are obstacle ids; with more they are styles, so neighbours merge: a coarse cell is removed if any
     // of its cells is, otherwise blocked if at least half of its cells are. Time O(cells of the map).
     Sample(const Map& map, std::span<const Breach> removed, int step);
 
     site::LabelRaster raster() const;
     // By label of the raster.
-    std::span<const Look> looks() const { return looks_; }
+    std::span<const Style> styles() const { return styles_; }
 
   private:
     const Map* map_;
     int step_;
-    std::vector<Look> looks_;
+    std::vector<Style> styles_;
     std::vector<std::uint32_t> coarse_labels_;
 };
 

@@ -122,22 +122,22 @@ std::string note(Point at, std::string_view content, double unit) {
         content);
 }
 
-std::string obstacle_sign(Look look, std::string_view data, Point origin, double scale, double unit) {
+std::string obstacle_sign(Style style, std::string_view data, Point origin, double scale, double unit) {
     if (data.empty()) return "";
-    struct Style {
+    struct Paint {
         std::string_view fill, edge;
         double edge_width;
     };
-    constexpr Style styles[look_count] = {{colour::obstacle, colour::obstacle_edge, size::edge},
-                                          {colour::fixed_obstacle, colour::fixed_obstacle_edge, size::edge},
-                                          {"url(#hatching)", colour::removed, size::removed_edge}};
-    const Style& style = styles[std::size_t(look)];
-    // Edges of obstacles that are hardly a pixel wide would be all one sees of them, and cost most of a drawing's time.
-    const bool edged = look == Look::removed || scale >= 1;
+    constexpr Paint paints[style_count] = {{colour::obstacle, colour::obstacle_edge, size::edge},
+                                           {colour::fixed_obstacle, colour::fixed_obstacle_edge, size::edge},
+                                           {"url(#hatching)", colour::removed, size::removed_edge}};
+    const Paint& paint = paints[std::size_t(style)];
+    // Obstacles hardly a pixel wide would show only their edges, which take most of the drawing time.
+    const bool edged = style == Style::removed || scale >= 1;
     return fmt::format(
         R"svg(<path transform="translate({:.6g} {:.6g}) scale({:.6g})" fill="{}" fill-rule="evenodd" stroke="{}" stroke-width="{:.4g}" d="{}"/>)svg"
         "\n",
-        origin.x, origin.y, scale, style.fill, edged ? style.edge : "none", style.edge_width * unit / scale, data);
+        origin.x, origin.y, scale, paint.fill, edged ? paint.edge : "none", paint.edge_width * unit / scale, data);
 }
 
 std::string hatching(double unit, double scale) {

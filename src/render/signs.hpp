@@ -30,10 +30,10 @@ std::string wait_sign(Point at, double unit);
 // A few words to the right of a disc.
 std::string note(Point at, std::string_view content, double unit);
 
-// Obstacles of one look, given as path data; `scale` is the size of the data's unit in pixels, `origin` its (0, 0).
-std::string obstacle_sign(Look look, std::string_view path_data, Point origin, double scale, double unit);
+// Obstacles of one style, given as path data; `scale` is the size of the data's unit in pixels, `origin` its (0, 0).
+std::string obstacle_sign(Style style, std::string_view path_data, Point origin, double scale, double unit);
 
-// The pattern that obstacle_sign(Look::removed, ...) of the same scale needs in the document's <defs>.
+// The pattern that obstacle_sign(Style::removed, ...) of the same scale needs in the document's <defs>.
 std::string hatching(double unit, double scale);
 
 enum class Anchor { start, middle, end };

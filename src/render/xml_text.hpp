@@ -1,4 +1,4 @@
-// Text of any origin (file names, say) as text of an XML document.
+// Untrusted text (file names, say) as text of an XML document.
 #pragma once
 
 #include <cstddef>

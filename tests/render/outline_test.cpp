@@ -87,13 +87,13 @@ long signed_area(std::string_view path) {
     return twice / 2;
 }
 
-std::array<std::string, look_count> outlines_of(const Sample& sample) {
-    return outlines(sample.raster(), sample.looks());
+std::array<std::string, style_count> outlines_of(const Sample& sample) {
+    return outlines(sample.raster(), sample.styles());
 }
 
 std::string outline_of(std::string_view picture) {
     const Map map = map_from_ascii(picture);
-    return outlines_of(Sample(map, {}, 1))[std::size_t(Look::obstacle)];
+    return outlines_of(Sample(map, {}, 1))[std::size_t(Style::obstacle)];
 }
 
 TEST(Outline, OneRingForARectangle) {
@@ -151,24 +151,24 @@ RandomMap random_map() {
     return result;
 }
 
-Look look_of(const RandomMap& world, ObstacleId id) {
-    for (const Breach& removal : world.removed) {
-        if (removal.obstacle == id) return Look::removed;
+Style style_of(const RandomMap& world, ObstacleId id) {
+    for (const Breach& breach : world.removed) {
+        if (breach.obstacle == id) return Style::removed;
     }
-    return world.map.obstacle(id).destructible ? Look::obstacle : Look::fixed_obstacle;
+    return world.map.obstacle(id).destructible ? Style::obstacle : Style::fixed_obstacle;
 }
 
-RC_GTEST_PROP(Outline, FillsExactlyTheCellsOfItsLook, ()) {
+RC_GTEST_PROP(Outline, FillsExactlyTheCellsOfItsStyle, ()) {
     const RandomMap world = random_map();
     const auto paths = outlines_of(Sample(world.map, world.removed, 1));
-    for (const Look look : {Look::obstacle, Look::fixed_obstacle, Look::removed}) {
-        const std::string& path = paths[std::size_t(look)];
+    for (const Style style : {Style::obstacle, Style::fixed_obstacle, Style::removed}) {
+        const std::string& path = paths[std::size_t(style)];
         const auto filled = filled_cells(path, world.map.width(), world.map.height());
         long count = 0;
         for (int y = 0; y < world.map.height(); ++y) {
             for (int x = 0; x < world.map.width(); ++x) {
                 const ObstacleId id = world.map.obstacle_at({x, y});
-                const bool expected = id && look_of(world, id) == look;
+                const bool expected = id && style_of(world, id) == style;
                 RC_ASSERT(filled[std::size_t(y * world.map.width() + x)] == expected);
                 count += expected;
             }
@@ -188,7 +188,7 @@ RC_GTEST_PROP(Sample, CoarseCellsFollowTheirCells, ()) {
             for (int y = row * step; y < std::min((row + 1) * step, world.map.height()); ++y) {
                 for (int x = column * step; x < std::min((column + 1) * step, world.map.width()); ++x) {
                     const ObstacleId id = world.map.obstacle_at({x, y});
-                    const bool gone = id && look_of(world, id) == Look::removed;
+                    const bool gone = id && style_of(world, id) == Style::removed;
                     ++cells;
                     removed += gone;
                     blocked += id && !gone;
@@ -196,7 +196,7 @@ RC_GTEST_PROP(Sample, CoarseCellsFollowTheirCells, ()) {
             }
             const std::uint32_t label = raster.labels[std::size_t(row * raster.width + column)];
             RC_ASSERT((label != 0) == (removed > 0 || 2 * blocked >= cells));
-            if (label != 0) RC_ASSERT((sample.looks()[label] == Look::removed) == (removed > 0));
+            if (label != 0) RC_ASSERT((sample.styles()[label] == Style::removed) == (removed > 0));
         }
     }
 }

@@ -84,7 +84,7 @@ TEST(Picture, MarksTheRemovedObstacle) {
     EXPECT_TRUE(says(picture, "ground path before"));
 }
 
-TEST(Picture, TellsWhenWhatIsBreachedAndHowLongTheGroundAgentWaits) {
+TEST(Picture, ShowsWhenObstaclesAreBreachedAndHowLongTheGroundAgentWaits) {
     World world = wall();
     world.plan.breaches[0].cleared_at = 4.25;
     const auto without_waits = parsed(svg_of(world));
@@ -100,7 +100,7 @@ TEST(Picture, TellsWhenWhatIsBreachedAndHowLongTheGroundAgentWaits) {
     EXPECT_TRUE(says(in_metres, "wait, how long"));
 }
 
-TEST(Picture, TellsTheGapToTheBestPossible) {
+TEST(Picture, ShowsTheGapToTheBestPossible) {
     World world = wall();
     world.plan.bound = 6;
     EXPECT_TRUE(
@@ -122,7 +122,7 @@ TEST(Picture, WithoutRemovalsHasNoBefore) {
     EXPECT_EQ(count(picture, "/svg/path[@fill='url(#hatching)']"), 0U);
 }
 
-TEST(Picture, TellsFixedObstaclesApart) {
+TEST(Picture, DistinguishesFixedObstacles) {
     std::vector<ObstacleAttributes> attributes(2);
     attributes[1].destructible = false;
     const World world = unsolved(Map::from_labels(3, 1, {0, 1, 0}, attributes), {0, 0}, {2, 0});
