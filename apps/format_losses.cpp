@@ -6,7 +6,7 @@
 
 namespace waybreaker::apps {
 
-void tell_losses(const std::string& path, const std::vector<std::string>& losses) {
+void report_losses(const std::string& path, const std::vector<std::string>& losses) {
     for (const std::string& loss : losses) {
         std::fputs(fmt::format("waybreaker: note: {}: {}\n", path, loss).c_str(), stderr);
     }

@@ -1,4 +1,4 @@
-// What a map's format does not hold, told on standard error.
+// Reports on standard error what a map's format does not hold.
 #pragma once
 
 #include <string>
@@ -6,6 +6,6 @@
 
 namespace waybreaker::apps {
 
-void tell_losses(const std::string& path, const std::vector<std::string>& losses);
+void report_losses(const std::string& path, const std::vector<std::string>& losses);
 
 }  // namespace waybreaker::apps

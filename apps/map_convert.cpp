@@ -29,7 +29,7 @@ void run(const MapConvertOptions& options) {
     const mapfile::WrittenMap written =
         mapfile::write_map(mapfile::without_obstacles(read_map(options), options.without), options.out);
     for (const mapfile::OutputFile& file : written.files) io::write_whole(file.path, file.bytes);
-    tell_losses(options.out, written.losses);
+    report_losses(options.out, written.losses);
 }
 
 }  // namespace
@@ -41,7 +41,8 @@ void setup_map_convert(CLI::App& map, Run& run_chosen) {
         "Write a map in another format\n\n"
         "The end of OUT's name says which: .map (MovingAI), .xml (the authors' task file), .tif (labels), .geojson, "
         ".yaml (ROS, "
-        "with a .pgm beside it), .png, .pgm. What the format cannot hold of the map is told on standard error. A ROS "
+        "with a .pgm beside it), .png, .pgm. What the format cannot hold of the map is reported on standard error. A "
+        "ROS "
         "map comes back as it was, to the byte.");
     add_file(*command, "IN", options->in, "A map of any format that is read; - is standard input")->required();
     add_file(*command, "OUT", options->out, "The map to write")->required();

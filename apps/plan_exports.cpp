@@ -18,9 +18,9 @@ namespace {
 
 std::vector<mapfile::OutputFile> opened_map(const std::string& path, const Plan& plan, const io::MapFile& map) {
     std::vector<ObstacleId> removed;
-    for (const Breach& removal : plan.breaches) removed.push_back(removal.obstacle);
+    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
     mapfile::WrittenMap written = mapfile::write_map(mapfile::without_obstacles(map, removed), path);
-    tell_losses(path, written.losses);
+    report_losses(path, written.losses);
     return std::move(written.files);
 }
 

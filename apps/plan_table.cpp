@@ -131,11 +131,11 @@ std::string outcomes(const Plan& plan, const io::PlanContext& context, const Tab
 }
 
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
-    const auto named = [](const Breach& removal) { return removal.source_id != 0; };
+    const auto named = [](const Breach& breach) { return breach.source_id != 0; };
     const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
     const bool explained =
-        std::ranges::any_of(plan.breaches, [](const Breach& removal) { return removal.saves.has_value(); });
-    const auto name_of = [&](const Breach& removal) { return context.map.name_of(removal.obstacle); };
+        std::ranges::any_of(plan.breaches, [](const Breach& breach) { return breach.saves.has_value(); });
+    const auto name_of = [&](const Breach& breach) { return context.map.name_of(breach.obstacle); };
     const bool names = !std::ranges::all_of(plan.breaches, &std::string_view::empty, name_of);
     const bool counted = context.method.select == Selection::hits;
     std::vector<Row> rows{{"removed", "obstacle", "cells", "breach cell", "breached at", "entered at"}};
@@ -143,15 +143,15 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     if (explained) rows.front().emplace_back("saves");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     if (names) rows.front().emplace_back("name");
-    for (const Breach& removal : plan.breaches) {
-        rows.push_back({std::to_string(rows.size()), std::to_string(removal.obstacle.value),
-                        std::to_string(removal.cells), text(removal.at), text(removal.cleared_at, 3),
-                        text(removal.entered_at, 3)});
-        if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(removal.hits));
-        if (explained) rows.back().push_back(text(removal.saves, 3));
-        const std::string source_id = named(removal) ? std::to_string(removal.source_id) : nothing;
+    for (const Breach& breach : plan.breaches) {
+        rows.push_back({std::to_string(rows.size()), std::to_string(breach.obstacle.value),
+                        std::to_string(breach.cells), text(breach.at), text(breach.cleared_at, 3),
+                        text(breach.entered_at, 3)});
+        if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(breach.hits));
+        if (explained) rows.back().push_back(text(breach.saves, 3));
+        const std::string source_id = named(breach) ? std::to_string(breach.source_id) : nothing;
         if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);
-        if (names) rows.back().emplace_back(name_of(removal));
+        if (names) rows.back().emplace_back(name_of(breach));
     }
     if (rows.size() > 1) return aligned(rows, style.bold, names);
     if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
@@ -176,7 +176,7 @@ std::string front(const io::PlanContext& context, const TableStyle& style) {
         const std::optional<double> reached = value(plan.after, context.mission.rules.objective);
         const std::optional<double> saves = before && reached ? std::optional(*before - *reached) : std::nullopt;
         std::vector<std::uint32_t> ids;
-        for (const Breach& removal : plan.breaches) ids.push_back(removal.obstacle.value);
+        for (const Breach& breach : plan.breaches) ids.push_back(breach.obstacle.value);
         std::ranges::sort(ids);
         rows.push_back({std::to_string(rows.size() - 1), text(reached, 3), text(saves, 3), text(plan.bound, 3),
                         ids.empty() ? nothing : fmt::format("{}", fmt::join(ids, " "))});
@@ -188,10 +188,10 @@ std::string front(const io::PlanContext& context, const TableStyle& style) {
 // What one removal more would gain.
 std::string next(const Plan& plan, const io::PlanContext& context) {
     std::string lines;
-    for (const NextBreach& removal : plan.next) {
-        const std::string_view name = context.map.name_of(removal.obstacle);
-        lines += fmt::format("\none removal more, obstacle {}{}, would save {:.3f}\n", removal.obstacle.value,
-                             name.empty() ? "" : fmt::format(" ({})", name), removal.saves);
+    for (const NextBreach& next : plan.next) {
+        const std::string_view name = context.map.name_of(next.obstacle);
+        lines += fmt::format("\none removal more, obstacle {}{}, would save {:.3f}\n", next.obstacle.value,
+                             name.empty() ? "" : fmt::format(" ({})", name), next.saves);
     }
     return lines;
 }

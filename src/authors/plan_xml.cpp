@@ -71,10 +71,10 @@ void append_sections(pugi::xml_node parent, const Cells& turns) {
     }
 }
 
-// The map without what is removed, with a star wherever the ground agent goes.
+// The map without the removed obstacles, with a star on each cell of the ground path.
 void append_picture(pugi::xml_node parent, const Plan& plan, const Map& map, const Cells& cells) {
     std::vector<ObstacleId> removed;
-    for (const Breach& removal : plan.breaches) removed.push_back(removal.obstacle);
+    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
     const OpenedMap opened(map, removed);
     std::vector<std::string> rows;
     for (Cell c; c.y < map.height(); ++c.y) {
@@ -100,13 +100,13 @@ void append_summary(pugi::xml_node log, const Route& ground, double cell_size) {
 
 void append_destroyed(pugi::xml_node parent, const Plan& plan) {
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
-        const Breach& removal = plan.breaches[i];
+        const Breach& breach = plan.breaches[i];
         pugi::xml_node obstacle = parent.append_child("obstacle");
         set(obstacle, "number", double(i));
-        set(obstacle, "id", removal.obstacle.value);
-        set(obstacle, "x", removal.at.x);
-        set(obstacle, "y", removal.at.y);
-        set(obstacle, "time", removal.cleared_at);
+        set(obstacle, "id", breach.obstacle.value);
+        set(obstacle, "x", breach.at.x);
+        set(obstacle, "y", breach.at.y);
+        set(obstacle, "time", breach.cleared_at);
     }
 }
 

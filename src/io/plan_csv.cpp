@@ -25,9 +25,9 @@ std::string decimals(double value, double per_unit) {
 std::string breach_at(const Plan& plan, const Itinerary& agent, std::size_t i) {
     const Waypoint& point = agent.path[i];
     if (agent.kind != AgentKind::air || (i + 1 < agent.path.size() && agent.path[i + 1] == point)) return "";
-    for (const Breach& removal : plan.breaches) {
-        if (point == Waypoint{double(removal.at.x), double(removal.at.y), removal.cleared_at}) {
-            return std::to_string(removal.obstacle.value);
+    for (const Breach& breach : plan.breaches) {
+        if (point == Waypoint{double(breach.at.x), double(breach.at.y), breach.cleared_at}) {
+            return std::to_string(breach.obstacle.value);
         }
     }
     return "";

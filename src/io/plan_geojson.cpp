@@ -19,7 +19,7 @@ Json path_feature(const site::ToLonLat& to_lon_lat, const Itinerary& agent) {
         line.push_back(position_json(to_lon_lat, {point.x, point.y}));
         times.push_back(point.t);
     }
-    // Who stays where he is has a line all the same, of no length.
+    // An agent that does not move still has a line, of zero length.
     if (line.size() == 1) {
         line.push_back(line.front());
         times.push_back(times.front());
@@ -34,13 +34,13 @@ Json path_feature(const site::ToLonLat& to_lon_lat, const Itinerary& agent) {
                    {{"type", "LineString"}, {"coordinates", std::move(line)}});
 }
 
-Json properties_of(const Breach& removal, const MapFile& map, const char* role, std::size_t order) {
-    Json properties{{"role", role}, {"order", order}, {"obstacle", removal.obstacle.value}};
-    properties["source_id"] = removal.source_id != 0 ? Json(removal.source_id) : Json();
-    if (const std::string_view name = map.name_of(removal.obstacle); !name.empty()) properties["name"] = name;
-    properties["cells"] = removal.cells;
-    properties["cleared_at"] = removal.cleared_at;
-    properties["entered_at"] = removal.entered_at ? Json(*removal.entered_at) : Json();
+Json properties_of(const Breach& breach, const MapFile& map, const char* role, std::size_t order) {
+    Json properties{{"role", role}, {"order", order}, {"obstacle", breach.obstacle.value}};
+    properties["source_id"] = breach.source_id != 0 ? Json(breach.source_id) : Json();
+    if (const std::string_view name = map.name_of(breach.obstacle); !name.empty()) properties["name"] = name;
+    properties["cells"] = breach.cells;
+    properties["cleared_at"] = breach.cleared_at;
+    properties["entered_at"] = breach.entered_at ? Json(*breach.entered_at) : Json();
     return properties;
 }
 
@@ -54,9 +54,9 @@ std::string plan_geojson(const Plan& plan, const MapFile& map, const site::ToLon
     }
     std::vector<Json> features;
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
-        const Breach& removal = plan.breaches[i];
-        features.push_back(feature(properties_of(removal, map, "removed", i + 1),
-                                   polygons_json(to_lon_lat, site::outline(map.map, removal.obstacle))));
+        const Breach& breach = plan.breaches[i];
+        features.push_back(feature(properties_of(breach, map, "removed", i + 1),
+                                   polygons_json(to_lon_lat, site::outline(map.map, breach.obstacle))));
     }
     for (const Itinerary& agent : plan.agents) features.push_back(path_feature(to_lon_lat, agent));
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {

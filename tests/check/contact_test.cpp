@@ -1,4 +1,4 @@
-// What an agent touches, held against a look at many moments of its way and against other people's geometry.
+// What an agent touches, compared with samples at many moments of its path and with the tests' own geometry.
 #include "check/contact.hpp"
 
 #include <gtest/gtest.h>

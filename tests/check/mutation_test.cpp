@@ -21,7 +21,7 @@ struct Case {
 
     Itinerary& ground() { return plan.agents[0]; }
     Itinerary& air() { return plan.agents[1]; }
-    Breach& removal() { return plan.breaches[entered]; }
+    Breach& breach() { return plan.breaches[entered]; }
 };
 
 struct Mutation {
@@ -52,7 +52,7 @@ std::optional<Cell> find_cell(const Map& map, Holds holds) {
 
 bool is_removed(const Plan& plan, ObstacleId obstacle) {
     return std::any_of(plan.breaches.begin(), plan.breaches.end(),
-                       [obstacle](const Breach& removal) { return removal.obstacle == obstacle; });
+                       [obstacle](const Breach& breach) { return breach.obstacle == obstacle; });
 }
 
 bool through_a_wall(Case& c) {
@@ -68,11 +68,11 @@ bool through_a_wall(Case& c) {
 }
 
 bool off_the_boundary(Case& c) {
-    const std::vector<Cell> boundary = c.map.boundary(c.removal().obstacle);
+    const std::vector<Cell> boundary = c.map.boundary(c.breach().obstacle);
     const auto elsewhere =
         find_cell(c.map, [&](Cell cell) { return std::count(boundary.begin(), boundary.end(), cell) == 0; });
     if (!elsewhere) return false;
-    c.removal().at = *elsewhere;
+    c.breach().at = *elsewhere;
     return true;
 }
 
@@ -89,12 +89,12 @@ const std::vector<Mutation> mutations{
     {"enters too early", Rule::collision,
      [](Case& c) {
          c.mission.rules.timing = Timing::enforce;
-         return c.removal().cleared_at > *c.removal().entered_at + 0.01;
+         return c.breach().cleared_at > *c.breach().entered_at + 0.01;
      }},
     {"is cleared after it is entered", Rule::collision,
      [](Case& c) {
          c.mission.rules.timing = Timing::enforce;
-         c.removal().cleared_at = *c.removal().entered_at + 1;
+         c.breach().cleared_at = *c.breach().entered_at + 1;
          return true;
      }},
     {"bends between cells", Rule::vertex,
@@ -140,10 +140,10 @@ const std::vector<Mutation> mutations{
     {"has no route", Rule::agents, [](Case& c) { return c.plan.after.routes.pop_back(), true; }},
     {"has no speed", Rule::agents, [](Case& c) { return c.ground().speed = 0, true; }},
     {"removes what there is not", Rule::obstacle,
-     [](Case& c) { return c.removal().obstacle.value = std::uint32_t(c.map.obstacles().size()) + 1, true; }},
-    {"removes nothing", Rule::obstacle, [](Case& c) { return c.removal().obstacle.value = 0, true; }},
+     [](Case& c) { return c.breach().obstacle.value = std::uint32_t(c.map.obstacles().size()) + 1, true; }},
+    {"removes nothing", Rule::obstacle, [](Case& c) { return c.breach().obstacle.value = 0, true; }},
     {"removes what is protected", Rule::obstacle,
-     [](Case& c) { return c.mission.rules.protect.push_back(c.removal().obstacle), true; }},
+     [](Case& c) { return c.mission.rules.protect.push_back(c.breach().obstacle), true; }},
     {"removes it twice", Rule::repetition,
      [](Case& c) { return c.plan.breaches.push_back(c.plan.breaches.back()), true; }},
     {"removes too many", Rule::removals,
@@ -152,12 +152,12 @@ const std::vector<Mutation> mutations{
      [](Case& c) { return c.mission.rules.budget = double(c.plan.breaches.size()) - 0.5, true; }},
     {"leaves what must go", Rule::removals,
      [](Case& c) {
-         c.mission.rules.force = {c.removal().obstacle};
+         c.mission.rules.force = {c.breach().obstacle};
          c.plan.breaches.erase(std::ranges::find(c.plan.breaches, c.mission.rules.force[0], &Breach::obstacle));
          return true;
      }},
-    {"counts cells wrongly", Rule::cells, [](Case& c) { return c.removal().cells += 1, true; }},
-    {"names the source wrongly", Rule::cells, [](Case& c) { return c.removal().source_id += 1, true; }},
+    {"counts cells wrongly", Rule::cells, [](Case& c) { return c.breach().cells += 1, true; }},
+    {"names the source wrongly", Rule::cells, [](Case& c) { return c.breach().source_id += 1, true; }},
     {"breaches off the boundary", Rule::boundary, off_the_boundary},
     {"breaches off the flight", Rule::breach,
      [](Case& c) {
@@ -167,12 +167,12 @@ const std::vector<Mutation> mutations{
                                  [cell](const Waypoint& p) { return std::hypot(p.x - cell.x, p.y - cell.y) < 1; });
          };
          const std::optional<Cell> cell = find_cell(c.map, off);
-         if (cell) c.removal().at = *cell;
+         if (cell) c.breach().at = *cell;
          return cell.has_value();
      }},
     {"is breached later", Rule::breach,
-     [](Case& c) { return c.removal().cleared_at += 0.2, c.air().path.back().t > c.removal().cleared_at + 1; }},
-    {"is breached before the mission", Rule::breach, [](Case& c) { return c.removal().cleared_at = -1, true; }},
+     [](Case& c) { return c.breach().cleared_at += 0.2, c.air().path.back().t > c.breach().cleared_at + 1; }},
+    {"is breached before the mission", Rule::breach, [](Case& c) { return c.breach().cleared_at = -1, true; }},
     {"takes time to breach", Rule::breach, [](Case& c) { return c.mission.rules.breach_time.per_cell = 0.01, true; }},
     {"lists the last breach first", Rule::order,
      [](Case& c) {
@@ -180,15 +180,15 @@ const std::vector<Mutation> mutations{
          return c.plan.breaches.front().cleared_at > c.plan.breaches.back().cleared_at + 0.01;
      }},
     {"would remove it again next", Rule::next,
-     [](Case& c) { return c.plan.next.push_back({.obstacle = c.removal().obstacle}), true; }},
+     [](Case& c) { return c.plan.next.push_back({.obstacle = c.breach().obstacle}), true; }},
     {"would remove next what there is not", Rule::next,
      [](Case& c) { return c.plan.next.push_back({.obstacle = {}}), true; }},
-    {"says it is entered later", Rule::entered, [](Case& c) { return add(c.removal().entered_at, 0.01); }},
-    {"says it is never entered", Rule::entered, [](Case& c) { return c.removal().entered_at.reset(), true; }},
+    {"says it is entered later", Rule::entered, [](Case& c) { return add(c.breach().entered_at, 0.01); }},
+    {"says it is never entered", Rule::entered, [](Case& c) { return c.breach().entered_at.reset(), true; }},
     {"says it is entered", Rule::entered,
      [](Case& c) {
-         for (Breach& removal : c.plan.breaches) {
-             if (!removal.entered_at) return removal.entered_at = 1, true;
+         for (Breach& breach : c.plan.breaches) {
+             if (!breach.entered_at) return breach.entered_at = 1, true;
          }
          return false;
      }},
@@ -253,7 +253,7 @@ void for_any_case(const std::function<void(const Case&)>& visit) {
     const Plan plan = MissionPlanner().plan(map, mission, method);
     RC_PRE(plan.status == PlanStatus::solved);
     const auto entered = std::find_if(plan.breaches.begin(), plan.breaches.end(),
-                                      [](const Breach& removal) { return removal.entered_at.has_value(); });
+                                      [](const Breach& breach) { return breach.entered_at.has_value(); });
     RC_PRE(entered != plan.breaches.end());
     visit({map, mission, plan, std::size_t(entered - plan.breaches.begin())});
 }

@@ -95,16 +95,16 @@ TEST_F(PlanGeojson, HasBreachesAndRemovedObstacles) {
     ASSERT_EQ(removed.size(), 3U);
     EXPECT_EQ(map.name_of(plan.breaches[2].obstacle), "Endoskopie");
     for (std::size_t i = 0; i < removed.size(); ++i) {
-        const Breach& removal = plan.breaches[i];
-        expect_at(*breaches[i]->GetGeometryRef()->toPoint(), removal.at.x, removal.at.y);
+        const Breach& breach = plan.breaches[i];
+        expect_at(*breaches[i]->GetGeometryRef()->toPoint(), breach.at.x, breach.at.y);
         for (const auto* feature : {breaches[i].get(), removed[i].get()}) {
-            EXPECT_EQ(feature->GetFieldAsInteger64("source_id"), removal.source_id);
-            EXPECT_EQ(feature->GetFieldAsInteger("obstacle"), int(removal.obstacle.value));
-            EXPECT_EQ(feature->GetFieldAsString("name"), map.name_of(removal.obstacle));
-            EXPECT_EQ(feature->GetFieldAsDouble("cleared_at"), removal.cleared_at);
+            EXPECT_EQ(feature->GetFieldAsInteger64("source_id"), breach.source_id);
+            EXPECT_EQ(feature->GetFieldAsInteger("obstacle"), int(breach.obstacle.value));
+            EXPECT_EQ(feature->GetFieldAsString("name"), map.name_of(breach.obstacle));
+            EXPECT_EQ(feature->GetFieldAsDouble("cleared_at"), breach.cleared_at);
         }
         OGRGeometry* shape = removed[i]->GetGeometryRef();
-        EXPECT_NEAR(OGR_G_Area(OGRGeometry::ToHandle(shape)), removal.cells * cell * cell, 0.1);
+        EXPECT_NEAR(OGR_G_Area(OGRGeometry::ToHandle(shape)), breach.cells * cell * cell, 0.1);
         // The air agent is at its boundary: a cell, diagonals included, away.
         EXPECT_LT(shape->Distance(breaches[i]->GetGeometryRef()), 0.75 * cell);
     }

@@ -87,15 +87,15 @@ RC_GTEST_PROP(Mission, PlansWhatItsStepsSay, ()) {
     RC_ASSERT(plan.breaches.size() == chosen.size());
     double flown = 0;
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {
-        const Breach& removal = plan.breaches[i];
-        RC_ASSERT(removal.obstacle == flight.breaches[i].obstacle);
-        RC_ASSERT(Point(removal.at) == plan.after.air().path[i + 1]);
-        RC_ASSERT(removal.cells == map.obstacle(removal.obstacle).cells);
-        RC_ASSERT(removal.hits == before.hits[removal.obstacle.value]);
-        const std::vector<Cell> boundary = map.boundary(removal.obstacle);
-        RC_ASSERT(std::count(boundary.begin(), boundary.end(), removal.at) == 1);
-        flown += distance(plan.after.air().path[i], removal.at);
-        RC_ASSERT(near(removal.cleared_at, flown / flyer.speed));
+        const Breach& breach = plan.breaches[i];
+        RC_ASSERT(breach.obstacle == flight.breaches[i].obstacle);
+        RC_ASSERT(Point(breach.at) == plan.after.air().path[i + 1]);
+        RC_ASSERT(breach.cells == map.obstacle(breach.obstacle).cells);
+        RC_ASSERT(breach.hits == before.hits[breach.obstacle.value]);
+        const std::vector<Cell> boundary = map.boundary(breach.obstacle);
+        RC_ASSERT(std::count(boundary.begin(), boundary.end(), breach.at) == 1);
+        flown += distance(plan.after.air().path[i], breach.at);
+        RC_ASSERT(near(breach.cleared_at, flown / flyer.speed));
     }
 
     // The agents, in the mission's order, on time.

@@ -21,11 +21,11 @@ std::string drawn(const Map& map, const Plan& plan) {
     for (Cell c; c.y < map.height(); ++c.y) {
         for (c.x = 0; c.x < map.width(); ++c.x) {
             if (map.obstacle_at(c)) at(c) = '#';
-            for (const Breach& removal : plan.breaches) at(c) = removal.obstacle == map.obstacle_at(c) ? 'x' : at(c);
+            for (const Breach& breach : plan.breaches) at(c) = breach.obstacle == map.obstacle_at(c) ? 'x' : at(c);
         }
     }
     for (const Point p : plan.after.ground().path) at({int(p.x), int(p.y)}) = '+';
-    for (const Breach& removal : plan.breaches) at(removal.at) = 'o';
+    for (const Breach& breach : plan.breaches) at(breach.at) = 'o';
     at(plan.agents[1].start) = 'S';
     at(plan.agents[1].goal) = 'G';
     return joined(rows);

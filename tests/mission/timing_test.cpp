@@ -67,7 +67,7 @@ RC_GTEST_PROP(Timing, OnlyWhatIsNeededIsRemoved, ()) {
     const World world = any_world();
     const Plan plan = world.plan();
     if (plan.status != PlanStatus::solved) return;
-    for (const Breach& removal : plan.breaches) RC_ASSERT(removal.entered_at.has_value());
+    for (const Breach& breach : plan.breaches) RC_ASSERT(breach.entered_at.has_value());
 }
 
 RC_GTEST_PROP(Timing, ALongerBreachOrASlowerFlightNeverHelps, ()) {
@@ -89,8 +89,8 @@ RC_GTEST_PROP(Timing, WhatIsProtectedOrTooDearStays, ()) {
     world.mission.rules.budget = *rc::gen::element(1.0, 2.0, 3.0, 100.0);
     const Plan plan = world.plan();
     RC_ASSERT(double(plan.breaches.size()) * 1.5 <= world.mission.rules.budget);
-    for (const Breach& removal : plan.breaches) {
-        RC_ASSERT(std::ranges::count(world.mission.rules.protect, removal.obstacle) == 0);
+    for (const Breach& breach : plan.breaches) {
+        RC_ASSERT(std::ranges::count(world.mission.rules.protect, breach.obstacle) == 0);
     }
 }
 

@@ -143,32 +143,33 @@ RC_GTEST_PROP(ExactChoice, ExplainsWhatEachRemovalSaves, ()) {
     world.method.explain = true;
     const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
     if (plan.status != PlanStatus::solved) return;
-    for (const Breach& removal : plan.breaches) {
+    for (const Breach& breach : plan.breaches) {
         World without = world;
         without.method.explain = false;
-        without.mission.rules.protect.push_back(removal.obstacle);
-        std::erase(without.mission.rules.force, removal.obstacle);
+        without.mission.rules.protect.push_back(breach.obstacle);
+        std::erase(without.mission.rules.force, breach.obstacle);
         const double cost = objective(without, MissionPlanner().plan(world.map, without.mission, without.method));
-        RC_ASSERT(removal.saves.has_value());
-        const bool forced = std::ranges::count(world.mission.rules.force, removal.obstacle) > 0;
-        RC_ASSERT(forced || *removal.saves >= -1e-9);
-        RC_ASSERT(cost == infinity || std::abs(cost - objective(world, plan) - *removal.saves) < 1e-6);
+        RC_ASSERT(breach.saves.has_value());
+        const bool forced = std::ranges::count(world.mission.rules.force, breach.obstacle) > 0;
+        RC_ASSERT(forced || *breach.saves >= -1e-9);
+        RC_ASSERT(cost == infinity || std::abs(cost - objective(world, plan) - *breach.saves) < 1e-6);
     }
 }
 
-RC_GTEST_PROP(ExactChoice, TellsWhatItKnowsAsItLearnsIt, ()) {
+RC_GTEST_PROP(ExactChoice, ReportsProgressAsItIsMade, ()) {
     World world = any_world();
     world.method.explain = *rc::gen::arbitrary<bool>();  // which plans more, and says nothing of it
-    std::vector<Progress> told;
-    world.limits.progress = [&told](const Progress& progress) { told.push_back(progress); };
+    std::vector<Progress> reported;
+    world.limits.progress = [&reported](const Progress& progress) { reported.push_back(progress); };
     const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
-    RC_ASSERT(!told.empty());
-    for (std::size_t i = 1; i < told.size(); ++i) {
-        RC_ASSERT(told[i].best <= told[i - 1].best);
-        RC_ASSERT(told[i].bound >= told[i - 1].bound);
+    RC_ASSERT(!reported.empty());
+    for (std::size_t i = 1; i < reported.size(); ++i) {
+        RC_ASSERT(reported[i].best <= reported[i - 1].best);
+        RC_ASSERT(reported[i].bound >= reported[i - 1].bound);
     }
-    RC_ASSERT(told.back().best == objective(world, plan));
-    if (plan.status == PlanStatus::solved) RC_ASSERT(std::min(told.back().bound, told.back().best) == *plan.bound);
+    RC_ASSERT(reported.back().best == objective(world, plan));
+    if (plan.status == PlanStatus::solved)
+        RC_ASSERT(std::min(reported.back().bound, reported.back().best) == *plan.bound);
 }
 
 // Of a search that may expand little, or is out of time at once.
