@@ -1,4 +1,4 @@
-// `waybreaker check`: whether a plan file holds what it promises, from the map alone.
+// `waybreaker check`: whether a plan file is valid, judged from the map alone.
 #include <fmt/format.h>
 
 #include "commands.hpp"
@@ -35,7 +35,7 @@ std::string as_text(const std::vector<Violation>& violations, const std::string&
             violation.place ? fmt::format("{:.6g},{:.6g}", violation.place->x, violation.place->y) : "-";
         text += fmt::format("{:>10}  {:>15}  {}\n", time, place, violation.message);
     }
-    if (violations.size() > most) text += fmt::format("and {} more; --json tells all\n", violations.size() - most);
+    if (violations.size() > most) text += fmt::format("and {} more; --json lists all\n", violations.size() - most);
     return text;
 }
 

@@ -26,10 +26,10 @@ struct ExperimentRunOptions {
     experiment::Shard shard;
 };
 
-// The signal that asked us to end, 0 if none did: a handler can only leave word.
+// The signal that asked us to end, 0 if none did: a handler can only set a flag.
 volatile std::sig_atomic_t asked_to_end = 0;
 
-// Asked politely (Ctrl-C, a batch system's time limit) a run stores what it has; asked twice it goes at once.
+// On the first signal (Ctrl-C, a batch system's time limit) a run stores what it has; on the second it ends at once.
 void heed_requests_to_end() {
     struct sigaction action {};
     action.sa_handler = [](int signal) { asked_to_end = signal; };
@@ -43,7 +43,7 @@ std::string duration(double seconds) {
     return minutes < 60 ? fmt::format("{} min", minutes) : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-// One line that is written over and over, for a person who watches.
+// One line that is overwritten, for a person who watches.
 void show(const experiment::RunProgress& progress) {
     const std::size_t now = progress.stored - progress.begun_with;
     const std::string left =
@@ -76,16 +76,17 @@ void run(const ExperimentRunOptions& options) {
     heed_requests_to_end();
     StopSource stop;
     const bool watched = isatty(STDERR_FILENO) == 1;
-    const auto tell = [&](const experiment::RunProgress& progress) {
+    const auto on_progress = [&](const experiment::RunProgress& progress) {
         if (watched) show(progress);
         if (asked_to_end != 0) stop.request_stop();
     };
     const experiment::RunProgress progress = experiment::run(
-        experiment, store, {.threads = options.threads, .stop = stop.get_token(), .progress = tell, .evaluators = {}});
+        experiment, store,
+        {.threads = options.threads, .stop = stop.get_token(), .progress = on_progress, .evaluators = {}});
     if (watched) fmt::print(stderr, "\r\033[K");
     io::write_whole("-", summary(options.output, progress));
     if (asked_to_end != 0 && progress.stored < progress.jobs) {
-        // As shells and batch systems expect of what was asked to end.
+        // Shells and batch systems expect a program to die of the signal that ended it.
         std::signal(asked_to_end, SIG_DFL);
         std::raise(asked_to_end);
     }

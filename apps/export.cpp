@@ -1,4 +1,4 @@
-// `waybreaker export`: a plan file in the formats that others take plans in.
+// `waybreaker export`: converts a plan file to other formats.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ io::MapFile read_map(const ExportOptions& options, const io::PlanFile& plan) {
     return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
 }
 
-// Writers believe a plan; one that comes from a file has to show first that it holds.
+// Writers trust a plan, so one that comes from a file is checked first.
 void require_valid(const ExportOptions& options, const io::PlanFile& plan, const io::MapFile& map) {
     if (plan.width != map.map.width() || plan.height != map.map.height() ||
         (plan.digest != map.digest && !options.ignore_digest)) {

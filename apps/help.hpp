@@ -1,4 +1,4 @@
-// Help as people expect it: a summary, usage, options with wrapped texts, examples.
+// Help in the usual layout: a summary, usage, options with wrapped texts, examples.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -34,7 +34,7 @@ geo::ImportReport import_with_progress(const ImportOptions& options) {
     return geo::import_city(options.source, options.window);
 }
 
-// What a reader knows the place by: "; 120 names, 85 streets, 2 waters"; nothing if the source tells nothing.
+// What helps a reader recognise the place: "; 120 names, 85 streets, 2 waters"; empty if the source has none.
 std::string kept(const geo::LabelTiff& tiff) {
     std::vector<std::string> counts = background_summary(tiff.background);
     const std::size_t names = site::name_count(tiff.names);
@@ -53,7 +53,7 @@ const char* things_of(const ImportOptions& options) {
     return options.window.choice.obstacles.empty() ? "buildings" : "features";
 }
 
-// What lies beyond the source's data looks as if it were free.
+// Warns that cells outside the source's data count as free.
 void warn_of_gaps(const ImportOptions& options, double covered) {
     const double percent = 100 * covered;
     if (percent >= 99.5) return;

@@ -23,7 +23,8 @@ int complain(ExitStatus status, std::string message) {
     for (char& c : message) {
         if (static_cast<unsigned char>(c) < ' ') c = ' ';  // one line, whatever a file name contains
     }
-    std::fputs(fmt::format("waybreaker: {}\n", message).c_str(), stderr);  // if that fails, there is nobody to tell
+    std::fputs(fmt::format("waybreaker: {}\n", message).c_str(),
+               stderr);  // if that fails, there is nowhere to report it
     return status;
 }
 
@@ -64,7 +65,8 @@ void parse_and_run(int argc, const char* const* argv) {
     run();
 }
 
-// What is closed is opened on nothing, so that no file of ours becomes standard output by chance; writing fails there.
+// Opens closed standard descriptors on /dev/null, so that no file of ours becomes standard output by chance; writing
+// there fails.
 void fill_standard_streams() {
     for (int stream = 0; stream <= 2; ++stream) {
         if (fcntl(stream, F_GETFD) == -1) open("/dev/null", O_RDONLY);

@@ -5,7 +5,7 @@
 namespace waybreaker::apps {
 
 void setup_map(CLI::App& root, Run& run_chosen) {
-    CLI::App* map = root.add_subcommand("map", "Look at map files, and convert them");
+    CLI::App* map = root.add_subcommand("map", "Inspect and convert map files");
     map->require_subcommand(1);
     set_examples(*map, {"waybreaker map info data/turin.tif", "waybreaker map convert data/turin.tif turin.map"});
     setup_map_info(*map, run_chosen);

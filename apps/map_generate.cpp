@@ -1,4 +1,4 @@
-// `waybreaker map generate`: made-up maps.
+// `waybreaker map generate`: generated maps.
 #include <fmt/format.h>
 
 #include "commands.hpp"

@@ -86,7 +86,7 @@ void run(const MapInfoOptions& options) {
 
 void setup_map_info(CLI::App& map, Run& run_chosen) {
     auto options = std::make_shared<MapInfoOptions>();
-    CLI::App* command = map.add_subcommand("info", "Tell a map's size, density, obstacles, place on earth and origin");
+    CLI::App* command = map.add_subcommand("info", "Print a map's size, density, obstacles, place on earth and origin");
     add_file(*command, "FILE", options->file,
              "A map: MovingAI, the authors' XML, GeoTIFF, the YAML of a ROS map, PNG, PGM, ...; - is standard input")
         ->required();

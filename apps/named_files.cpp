@@ -17,10 +17,10 @@ namespace {
 
 struct Suffix {
     std::string_view text;
-    std::vector<std::string_view> options;  // that write such files; none: nothing but a map is called so
+    std::vector<std::string_view> options;  // that write such files; none: only maps have such names
 };
 
-// Names that say what a file is. Others say nothing, and are as good for one format as for another.
+// Extensions that identify a format. Other extensions may be used for any format.
 const std::array<Suffix, 17> suffixes{{{".json", {"--json", "--save-mission", "--trace", "--geojson"}},
                                        {".svg", {"--svg"}},
                                        {".png", {"--png", "--opened-map"}},

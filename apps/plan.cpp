@@ -28,7 +28,7 @@
 namespace waybreaker::apps {
 namespace {
 
-// Every step of the ground search on the closed map, searched once more so that listening slows down nothing else.
+// Every step of the ground search on the closed map. Searches again, so that tracing slows down nothing else.
 std::string trace(const Map& map, const Mission& mission, const Method& method) {
     const Agent& driver = mission.first(AgentKind::ground);
     SearchOptions search = search_options(method, driver.body);
@@ -39,7 +39,7 @@ std::string trace(const Map& map, const Mission& mission, const Method& method) 
     return listener.text();
 }
 
-// Never nothing: what is planned late still has to come to an end.
+// Never zero: a plan that starts late still has to finish.
 double time_left(const Deadline& deadline) {
     constexpr double least = 0.01;
     return std::max(deadline.left(), least);
@@ -47,7 +47,7 @@ double time_left(const Deadline& deadline) {
 
 constexpr int usual_most_removals = 8;  // that a page's curve shows
 
-// Whether lengths can be told in metres.
+// Whether lengths can be given in metres.
 bool has_metres(const PlanOptions& options, const io::MapFile& map) {
     return options.cell_size || map.georeference || map.cell_size != 1;
 }
@@ -109,7 +109,7 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
     return plan_html(context.map, plans, json(more, usual, front.back(), front));
 }
 
-// What goes where, standard output last: by then all files are complete. `outputs`: what is known without a plan.
+// Writes all outputs, standard output last, when all files are complete. `outputs`: what is known without a plan.
 void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, const PlanOptions& options,
                    const io::PlanContext& context, const Plan& explained, const Limits& limits,
                    const Deadline& deadline) {
@@ -172,7 +172,7 @@ std::vector<Plan> plan_mission(const io::MapFile& file, const io::MissionDocumen
     Limits limits = asked.limits;
     limits.progress = [&progress](const waybreaker::Progress& known) {
         if (!std::isfinite(known.best)) return;
-        progress.tell(fmt::format("best {:.1f}, none below {:.1f}", known.best, known.bound));
+        progress.update(fmt::format("best {:.1f}, none below {:.1f}", known.best, known.bound));
     };
     MissionPlanner planner;
     std::vector<Plan> plans = front ? planner.front(file.map, asked.mission, asked.method, limits)

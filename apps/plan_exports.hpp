@@ -1,4 +1,4 @@
-// The formats that others take plans in: what `waybreaker plan` and `waybreaker export` have in common.
+// Export formats of plans: what `waybreaker plan` and `waybreaker export` have in common.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// A plan as a page to mail around: what `waybreaker plan --html` and `waybreaker export --html` write.
+// A plan as a self-contained page: what `waybreaker plan --html` and `waybreaker export --html` write.
 #pragma once
 
 #include <span>

@@ -137,7 +137,7 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
                      "Leave out measured times, so that equal input gives equal bytes");
 }
 
-// What only a search with a heuristic knows, or can tell of its steps.
+// Whether an option applies only to a search with a heuristic.
 bool needs_search(const PlanOptions& options) {
     return options.heuristic || options.weight || options.tie_break || !options.trace.empty();
 }
@@ -228,7 +228,7 @@ void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mis
 void set_rules(const PlanOptions& options, const Map& map, Rules& rules) {
     if (options.budget) {
         rules.budget = *options.budget;
-        // Alone it stands in place of a count.
+        // Without --removals, the budget replaces the count.
         if (options.mission.empty()) rules.removals = int(std::min<std::size_t>(map.obstacles().size(), INT_MAX));
     }
     rules.removals = options.removals.value_or(rules.removals);

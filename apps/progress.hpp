@@ -1,7 +1,7 @@
-// A sign of life for a person who waits longer than a second.
+// Progress display for a person who waits longer than a second.
 //
 //     Progress progress("planning");
-//     progress.tell("best 404.9, none below 398.2");
+//     progress.update("best 404.9, none below 398.2");
 #pragma once
 
 #include <memory>
@@ -10,18 +10,17 @@
 
 namespace waybreaker::apps {
 
-// As long as it lives, from the second second on: what is going on, for how long and how far it is, on one line of
-// standard error that is wiped in the end. Nothing if that is not a terminal.
+// While it exists and more than a second has passed: activity, elapsed time and status on one line of standard error,
+// which is cleared at the end. Shows nothing if that is not a terminal.
 class Progress {
   public:
     explicit Progress(std::string activity);
 
-    // What is known by now.
-    void tell(std::string news);
+    void update(std::string status);
 
   private:
-    struct News;
-    std::shared_ptr<News> news_;
+    struct Status;
+    std::shared_ptr<Status> status_;
     std::jthread ticker_;
 };
 

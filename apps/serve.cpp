@@ -1,4 +1,4 @@
-// `waybreaker serve`: the service over HTTP, until it is told to end.
+// `waybreaker serve`: the service over HTTP, until a signal ends it.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -17,7 +17,7 @@
 namespace waybreaker::apps {
 namespace {
 
-// SIGTERM and SIGINT are waited for by one thread, and told to no other. To be made before other threads are.
+// One thread waits for SIGTERM and SIGINT, all others block them. Must be created before other threads.
 class EndSignals {
   public:
     EndSignals() {
@@ -45,7 +45,7 @@ void run(server::ServiceOptions options) {
     options.log = log;
     const std::string host = options.host;
     server::Service service(std::move(options));
-    // For whoever started it by hand; programs read the log.
+    // For a person at a terminal; programs read the log.
     if (isatty(STDOUT_FILENO) == 1) {
         fmt::print("The page is at http://{}:{}/ - Ctrl-C ends the server\n", host, service.port());
         std::fflush(stdout);
@@ -56,8 +56,8 @@ void run(server::ServiceOptions options) {
         service.stop();
         signals.wait();
         if (ended) return;
-        log(server::log_line("stopped", "told twice: what was not finished is lost"));
-        std::_Exit(0);  // work that cannot be stopped is not waited for; it writes nothing
+        log(server::log_line("stopped", "second signal: unfinished requests are lost"));
+        std::_Exit(0);  // without waiting for work that cannot be stopped; it writes nothing
     });
     service.run();
     ended = true;
@@ -92,7 +92,7 @@ void add_limits(CLI::App& command, server::ServiceLimits& limits) {
     add_count(
         command, "--queue", [&limits](std::int64_t n) { limits.queue = std::size_t(n); }, 0, most,
         "Plans that may wait; more are answered with 503 (default: 16)");
-    constexpr std::int64_t most_connections = 1000;  // a process has 1024 files unless told otherwise
+    constexpr std::int64_t most_connections = 1000;  // by default a process may have 1024 files open
     add_count(
         command, "--connections", [&limits](std::int64_t n) { limits.connections = std::size_t(n); }, 1,
         most_connections,
@@ -113,16 +113,16 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
     CLI::App* command = root.add_subcommand(
         "serve",
         "Serve maps and plans over HTTP, and a page to plan in\n\n"
-        "Answers programs of this machine only, unless told otherwise; GET /api/v1/openapi.json describes what can be "
+        "Answers programs of this machine only by default; GET /api/v1/openapi.json describes what can be "
         "asked. Logs a line of JSON for each request to standard error. SIGTERM or Ctrl-C end it: what has begun is "
-        "finished, unless it is told twice.");
+        "finished, unless a second signal follows.");
     add_file(*command, "--maps", options->maps,
              "A folder of maps to serve, beside those that are built in; no other file is read", "FOLDER");
     add_text(*command, "--host", options->host, "ADDRESS", "Address to listen on (default: 127.0.0.1)");
     constexpr int last_port = 65535;
     add_count(
         *command, "--port", [options](std::int64_t n) { options->port = int(n); }, 0, last_port,
-        "Port to listen on; 0 takes one that is free, which the log tells (default: 8080)")
+        "Port to listen on; 0 takes one that is free, which the log states (default: 8080)")
         ->type_name("PORT");
     command->option_defaults()->group("Safety");
     add_text(*command, "--token", options->token, "TOKEN",

@@ -37,7 +37,7 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
 }  // namespace
 
 std::string unexpected(const CLI::App& command, std::string given) {
-    // What nobody can have meant has no words like it.
+    // Too far from every known word to be a typing error.
     constexpr std::size_t most = 40;
     given = io::excerpt(given, most);
     std::vector<std::string> words;
@@ -52,7 +52,7 @@ std::string unexpected(const CLI::App& command, std::string given) {
 }
 
 std::string usage_error(const CLI::App& root, const CLI::ParseError& error) {
-    // The command the user was speaking to.
+    // The command that the arguments belong to.
     const CLI::App* command = &root;
     std::string name = root.get_name();
     while (!command->get_subcommands().empty()) {

@@ -1,4 +1,4 @@
-// What is wrong with a command line, in one helpful line.
+// One helpful line about an error on the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@ namespace waybreaker::apps {
 // Precondition: root.parse() has just thrown `error`.
 std::string usage_error(const CLI::App& root, const CLI::ParseError& error);
 
-// That the command has no such option or command below it, and which may be meant.
+// Says that there is no such option or subcommand, and suggests a similar one.
 std::string unexpected(const CLI::App& command, std::string given);
 
 }  // namespace waybreaker::apps
