@@ -72,7 +72,7 @@ export function city(): Scene {
   };
 }
 
-// A house with ragged walls around a yard, wall to wall with its neighbours or not.
+// A building with ragged walls around a yard, wall to wall with its neighbours or not.
 function build(
   labels: Uint16Array,
   id: number,

@@ -9,7 +9,7 @@ declare global {
   }
 }
 
-// The mark tells whoever measures what comes now.
+// Marks for the measuring script what comes next.
 async function frames(name: string, count: number, step: (i: number) => void): Promise<void> {
   performance.mark(`bench: ${name}`);
   for (let i = 0; i < count; ++i) {

@@ -33,7 +33,7 @@ async function missionIn(address: Place, studio: Studio): Promise<string> {
   try {
     return await missionAt(address);
   } catch {
-    studio.tell("bad", "The link is not complete: the mission in it cannot be read.");
+    studio.notify("bad", "The link is not complete: the mission in it cannot be read.");
     return "";
   }
 }

@@ -1,4 +1,5 @@
-// Asks the service. Every failure is a ServiceError with a sentence for people; a server that is busy is asked again.
+// Client of the service. Every failure is a ServiceError with a sentence for people. Requests to a busy server are
+// retried.
 import type { Run } from "../domain/geometry";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import type { Plan } from "../domain/plan";
@@ -6,10 +7,10 @@ import type { Comparison, MapEntry, PlanRequest, ProblemDocument } from "./docum
 import { readEvents } from "./events";
 
 export type Trouble =
-  | "refused" // the service says why not
+  | "refused" // by the service, which says why
   | "missing" // there is no such map (any more)
-  | "gone" // nobody answers
-  | "stopped"; // the page itself gave up
+  | "gone" // no response
+  | "stopped"; // cancelled by the page
 
 export class ServiceError extends Error {
   constructor(
@@ -38,7 +39,7 @@ export interface Progress {
   state: "queued" | "planning";
   seconds: number;
   best?: number | null; // the objective of the best plan so far
-  bound?: number | null; // and what none is below
+  bound?: number | null; // a lower bound of it
 }
 
 export type ExportFormat = "json" | "geojson" | "csv" | "svg";
@@ -103,8 +104,13 @@ export class Client {
     return this.json(mapPath(id, "edits"), { method: "POST", json: edits, signal });
   }
 
-  plan(id: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan> {
-    return this.stream(mapPath(id, "plan"), request, signal, tell);
+  plan(
+    id: string,
+    request: PlanRequest,
+    signal?: AbortSignal,
+    onProgress?: (progress: Progress) => void,
+  ): Promise<Plan> {
+    return this.stream(mapPath(id, "plan"), request, signal, onProgress);
   }
 
   compare(id: string, request: PlanRequest, signal?: AbortSignal): Promise<Comparison> {
@@ -135,19 +141,19 @@ export class Client {
     }
   }
 
-  // The planner stops when the page hangs up, so all plans come as streams.
+  // The planner stops when the page disconnects, so all plans are streamed.
   private async stream<T>(
     path: string,
     json: unknown,
     signal?: AbortSignal,
-    tell?: (progress: Progress) => void,
+    onProgress?: (progress: Progress) => void,
   ): Promise<T> {
     const answer = await this.ask(path, { method: "POST", json, signal, accept: "text/event-stream" });
     let result: T | null = null;
     try {
-      // To its end, so that the connection can be used again.
+      // Read to the end, so that the connection can be reused.
       for await (const { name, data } of readEvents(answer)) {
-        if (name === "progress") tell?.(JSON.parse(data) as Progress);
+        if (name === "progress") onProgress?.(JSON.parse(data) as Progress);
         if (name === "plan") result = JSON.parse(data) as T;
         if (name === "problem") throw refusal(JSON.parse(data) as ProblemDocument);
       }

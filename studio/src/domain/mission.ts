@@ -101,7 +101,7 @@ export function withEnoughRemovals(mission: Mission): Mission {
   return removals === "auto" || removals >= forced ? mission : { ...mission, removals: forced };
 }
 
-// Whether a plan of one mission is a plan of the other: how a mission is looked at does not matter.
+// Whether a plan of one mission is a plan of the other: how a mission is displayed does not matter.
 export function asksTheSame(a: Mission, b: Mission): boolean {
   const names = Object.keys(defaults).filter((name) => name !== "layers" && name !== "time");
   return ["map", "markers", ...names].every((name) => {

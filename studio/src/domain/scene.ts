@@ -26,7 +26,7 @@ export interface Scene {
   time: number | null; // of playback; null shows whole paths
   tool: Tool;
   editable: boolean; // whether markers can be dragged
-  formatTime?: (time: number) => string; // how long a wait is said to be; without it waits are shown, not told
+  formatTime?: (time: number) => string; // formats the duration of waits; without it they are shown without a label
 }
 
 export interface SceneEvents {

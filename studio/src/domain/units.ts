@@ -1,5 +1,5 @@
-// Between people, who say metres and seconds, and the service, which says cells and cells per unit of time. A map that
-// does not say how large its cells are is told about in cells and steps.
+// Converts between the units of the page, metres and seconds, and those of the service, cells and cells per unit of
+// time. For a map without a cell size the page uses cells and steps.
 import type { MapDescription } from "./map";
 
 export type TimeUnit = "seconds" | "steps";

@@ -13,7 +13,7 @@ export interface MapCanvasProps {
   scene: ReadonlySignal<Scene | null>; // null: nothing to show yet
   events: SceneEvents;
   label?: string; // what the map shows, for those who do not see it
-  view?: (view: MapView | null) => void; // told of the view, for buttons that zoom, fit or centre
+  view?: (view: MapView | null) => void; // called with the view, for buttons that zoom, fit or centre
 }
 
 const names: Record<Handle, string> = {
@@ -23,7 +23,7 @@ const names: Record<Handle, string> = {
   air_goal: "Air goal",
 };
 
-export function MapCanvas({ scene, events, label = "Map", view: tell }: MapCanvasProps) {
+export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCanvasProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<MapView | null>(null);
   const latest = useRef(events);
@@ -39,9 +39,9 @@ export function MapCanvas({ scene, events, label = "Map", view: tell }: MapCanva
     });
     view.current = made;
     if (scene.peek()) made.show(scene.peek()!);
-    tell?.(made);
+    onView?.(made);
     return () => {
-      tell?.(null);
+      onView?.(null);
       view.current = null;
       made.destroy();
     };

@@ -1,4 +1,4 @@
-// The map on a canvas: shows scenes, and tells what people do to them. Draws only when something has changed.
+// The map on a canvas: shows scenes, and reports user actions. Draws only when something has changed.
 import type { Cell, Point } from "../domain/geometry";
 import { cellOf, type Handle, isAir } from "../domain/mission";
 import type { Scene, SceneEvents } from "../domain/scene";
@@ -112,7 +112,7 @@ export class MapView implements GestureTarget {
     this.#surface.destroy();
   }
 
-  // What Gestures tells.
+  // Callbacks of Gestures.
 
   grab(at: Point): "pan" | "drag" | "draw" {
     const scene = this.#scene;
@@ -274,7 +274,7 @@ export class MapView implements GestureTarget {
   }
 }
 
-// Whether one map is an edit of the other: then people keep looking at the same place.
+// Whether one map is an edit of the other: then the view stays where it is.
 function samePlace(a: Scene, b: Scene): boolean {
   const key = ({ map }: Scene): string =>
     JSON.stringify([map.width, map.height, map.cell_size, map.georeference?.center, map.title]);

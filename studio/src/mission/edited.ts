@@ -1,4 +1,4 @@
-// What the service is told to change about a map.
+// The edits of a map that are sent to the service.
 import type { Edits } from "../api/client";
 import type { CellMap } from "../domain/cell_map";
 import type { Run } from "../domain/geometry";

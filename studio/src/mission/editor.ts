@@ -91,7 +91,7 @@ export abstract class Editor extends PageState {
   markKey(key: number, mark: Choice | null): void {
     const next = withMark(this.mission.value!, key, mark);
     if (marked(next, "force").length > mostRemovals) {
-      return this.tell("bad", `No more than ${mostRemovals} obstacles can be removed.`);
+      return this.notify("bad", `No more than ${mostRemovals} obstacles can be removed.`);
     }
     this.change(() => withEnoughRemovals(next));
   }

@@ -23,7 +23,7 @@ export function endGesture<T>(history: History<T>): History<T> {
   return { ...history, gesture: null };
 }
 
-// Changes what no step is: how the mission is looked at.
+// Changes that are not steps: how the mission is displayed.
 export function replace<T>(history: History<T>, present: T): History<T> {
   return { ...history, present };
 }

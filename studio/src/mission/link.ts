@@ -1,4 +1,4 @@
-// A mission as the query of an address, and back: whoever has the link has the mission. What is as usual is left out.
+// A mission as the query of an address, and back. Defaults are left out.
 import type { Cell, Run } from "../domain/geometry";
 import {
   type Choice,

@@ -34,9 +34,9 @@ async function openPlan(studio: Studio, plan: Plan): Promise<void> {
   const [there, query] = asked(plan, new Set(studio.mapList.value.map((entry) => entry.id)));
   if (!(await studio.open(there, query, plan.map.digest)) || studio.notice.value) return;
   if (studio.shown.value?.base.description.digest === plan.map.digest) {
-    studio.tell("info", "The mission of the plan is planned anew.");
+    studio.notify("info", "The mission of the plan is planned anew.");
   } else {
-    studio.tell("bad", `The plan was made on another state of “${there}”; its mission is planned on this one.`);
+    studio.notify("bad", `The plan was made on another state of “${there}”; its mission is planned on this one.`);
   }
 }
 
@@ -56,6 +56,6 @@ async function take(studio: Studio, files: readonly File[], act: (given: Given) 
     await act(await understood(files));
   } catch (error) {
     if (!(error instanceof NotUnderstood)) throw error;
-    studio.tell("bad", error.message);
+    studio.notify("bad", error.message);
   }
 }

@@ -75,7 +75,7 @@ export class PageState {
     return keys.find((key) => ids.toShown(key) === id) ?? ids.toBase(id);
   }
 
-  tell(tone: Notice["tone"], text: string, actions: Notice["actions"] = []): void {
+  notify(tone: Notice["tone"], text: string, actions: Notice["actions"] = []): void {
     this.notice.value = { tone, text, actions };
   }
 }

@@ -54,7 +54,7 @@ function byRow(runs: readonly Run[]): Map<number, Spans> {
   return rows;
 }
 
-// From left to right over all ends: how many spans of each set are open tells where the result begins and ends.
+// From left to right over all ends: the number of open spans of each set determines where the result begins and ends.
 function sweep(a: Spans, b: Spans, keep: (inA: boolean, inB: boolean) => boolean): Spans {
   const ends: [x: number, ofA: number, ofB: number][] = [];
   for (const [from, end] of a) ends.push([from, 1, 0], [end, -1, 0]);

@@ -1,7 +1,7 @@
-// Waits for a server that does not answer, and then goes on.
+// Waits for a server that does not respond, then retries.
 import { signal } from "@preact/signals";
 
-const shortest = 1500; // ms between questions whether it is there
+const shortest = 1500; // ms between checks
 const longest = 60_000;
 
 export class ServerWatch {
@@ -9,10 +9,11 @@ export class ServerWatch {
   #again: () => unknown = () => undefined;
   #pause = shortest;
 
-  // `isThere` asks the server something small.
+  // `isThere` sends the server a small request.
   constructor(private readonly isThere: () => Promise<boolean>) {}
 
-  // Does `again` once the server answers. A server that is there and breaks off what it is asked is asked less and less often.
+  // Calls `again` once the server responds. If the server runs but drops the request, retries become less and less
+  // frequent.
   async await(again: () => unknown): Promise<void> {
     this.#again = again;
     if (this.gone.value) return;
@@ -24,7 +25,7 @@ export class ServerWatch {
     this.#again();
   }
 
-  // It has answered what it was asked.
+  // The server has responded to the retried request.
   isWell(): void {
     this.#pause = shortest;
   }

@@ -26,7 +26,7 @@ export class Studio extends Editor {
   readonly #maps: Maps;
   readonly #watch: ServerWatch;
   #opening: AbortController | null = null;
-  #redrawn = false; // whether the map was drawn on anew since the last answer
+  #redrawn = false; // whether the drawing was sent again since the last response
 
   constructor(
     readonly client: Client,
@@ -47,7 +47,7 @@ export class Studio extends Editor {
     });
   }
 
-  // Whether nobody answers.
+  // Whether the service does not respond.
   get gone() {
     return this.#watch.gone;
   }
@@ -77,7 +77,7 @@ export class Studio extends Editor {
         const usual = defaultMission(base.description, base.cells);
         const { width, height } = base.cells;
         const { mission, complaints } = decodeLink(query, id, usual.markers, width, height);
-        if (complaints.length > 0) this.tell("bad", `${complaints.join("; ")}. The rest of the link is shown.`);
+        if (complaints.length > 0) this.notify("bad", `${complaints.join("; ")}. The rest of the link is shown.`);
         batch(() => {
           this.#show(base);
           const history = this.history.value;
@@ -105,7 +105,7 @@ export class Studio extends Editor {
     const sent = lost && (await this.#send(file, () => this.restore(file)));
     if (!sent || this.lost.value !== lost) return;
     const isSame = sent.id === lost.id || (lost.digest === null ? !isUpload(lost.id) : sent.digest === lost.digest);
-    if (!isSame) return this.tell("bad", `“${file.name}” is not the map that this mission was made on.`);
+    if (!isSame) return this.notify("bad", `“${file.name}” is not the map that this mission was made on.`);
     this.lost.value = null;
     lost.resume(sent.id);
   }
@@ -143,7 +143,7 @@ export class Studio extends Editor {
     const go = (base: HeldMap | null) => {
       batch(() => {
         if (base) this.#show(base);
-        // Undo takes back what is asked, not how one looks at it.
+        // Undo reverts the mission, not how it is displayed.
         this.history.value = replace(next, { ...next.present, layers: history.present.layers });
       });
       return this.follow();
@@ -225,12 +225,12 @@ export class Studio extends Editor {
     });
   }
 
-  // Says what went wrong; if nobody answered, does it again once somebody does.
+  // Reports what went wrong; if the service did not respond, retries once it does.
   failed(error: unknown, again: () => unknown, prefix = ""): void {
     if (!(error instanceof ServiceError)) throw error;
     if (error.trouble === "gone") void this.#watch.await(again);
     else if (error.trouble === "missing") this.#mapIsMissing();
-    else if (error.trouble !== "stopped") this.tell("bad", `${prefix}${error.message}`);
+    else if (error.trouble !== "stopped") this.notify("bad", `${prefix}${error.message}`);
   }
 
   // What was drawn is drawn again, once; if that does not help, the map below is gone.

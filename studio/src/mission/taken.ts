@@ -31,7 +31,7 @@ export async function copyLink(studio: Studio): Promise<void> {
     const file = { label: "Save the mission as a file", act: () => downloadMission(studio) };
     const anyway = { label: "Copy it all the same", act: () => void copy(studio, address) };
     const letters = `${Math.round(address.length / 1000)} 000 letters`;
-    return studio.tell("info", `The link has ${letters}, more than many programs take.`, [file, anyway]);
+    return studio.notify("info", `The link has ${letters}, more than many programs take.`, [file, anyway]);
   }
   await copy(studio, address);
 }
@@ -39,9 +39,9 @@ export async function copyLink(studio: Studio): Promise<void> {
 async function copy(studio: Studio, address: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(address);
-    studio.tell("info", "The link to this mission is in the clipboard.");
+    studio.notify("info", "The link to this mission is in the clipboard.");
   } catch {
-    studio.tell("info", `The link to this mission: ${address}`);
+    studio.notify("info", `The link to this mission: ${address}`);
   }
 }
 

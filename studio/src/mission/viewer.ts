@@ -1,4 +1,4 @@
-// The page of a single plan: everything is in the document, nobody is asked.
+// The page of a single plan: everything is in the document, no server is needed.
 import { signal } from "@preact/signals";
 import type { CheckReport } from "../api/client";
 import { CellMap } from "../domain/cell_map";

@@ -6,7 +6,7 @@ import { agentOf, arrival } from "../play/motion";
 export interface Headline {
   tone: "good" | "plain" | "bad";
   title: string;
-  // What is reached, and what would be without removals: shown large, as figures.
+  // The result, and the result without removals: shown large, as figures.
   figures: { after: number; before: number | null } | null;
   remedies: string[]; // what can be done where there is no plan
 }
@@ -89,7 +89,7 @@ function isAirsArrival(plan: Plan): boolean {
   return objectiveOf(plan) === "makespan" && lastOf(plan) === "air";
 }
 
-// Whose arrival decides: both where they are so near to each other that nobody would see it.
+// The agent that arrives last; both if the difference is too small to see.
 function lastOf(plan: Plan): "ground" | "air" | "both" {
   const [ground, air] = (["ground", "air"] as const).map((kind) => {
     const agent = agentOf(plan, kind);

@@ -41,7 +41,7 @@ interface SegmentedProps<T extends string> {
   onChange: (value: T) => void;
 }
 
-// One of a few, as radio buttons that look like one control.
+// A choice of a few, as radio buttons styled as one control.
 export function Segmented<T extends string>({ legend, choices, value, onChange }: SegmentedProps<T>) {
   const name = useId();
   return (
@@ -73,7 +73,7 @@ interface NumberFieldProps {
   onDone: () => void;
 }
 
-// What is no number of the range is not taken, and said to be so by the browser.
+// Input outside the range is not accepted, and the browser says so.
 export function NumberField({ label, unit, value, min, max, step, onInput, onDone }: NumberFieldProps) {
   const id = useId();
   return (

@@ -12,10 +12,10 @@ interface FileButtonProps {
 
 export function FileButton({ primary = false, title, label, onFiles, children }: FileButtonProps) {
   const input = useRef<HTMLInputElement>(null);
-  const look = primary ? "button primary" : "button";
+  const style = primary ? "button primary" : "button";
   return (
     <>
-      <button type="button" class={look} title={title} onClick={() => input.current?.click()}>
+      <button type="button" class={style} title={title} onClick={() => input.current?.click()}>
         {children}
       </button>
       <input

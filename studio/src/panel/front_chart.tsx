@@ -39,7 +39,7 @@ function columnsOf({ points, from, isDone }: Front, objective: Objective): Colum
 interface ChartProps {
   page: PageState;
   count: number;
-  onChoose: ((n: number) => void) | null; // null: only to look at
+  onChoose: ((n: number) => void) | null; // null: read-only
 }
 
 const height = 92;

@@ -30,7 +30,7 @@ export function Icon({ name }: { name: IconName }) {
   );
 }
 
-// The house's sign: a way through what stood in it.
+// The project's logo: a path through what blocked it.
 export function Sign() {
   return (
     <svg class="sign" viewBox="0 0 28 28" width="28" height="28" aria-hidden="true">

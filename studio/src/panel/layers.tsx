@@ -1,4 +1,4 @@
-// Which ways the map shows, what their lines look like, and what each reaches.
+// Which layers the map shows, a legend of their lines, and the result of each.
 import type { LayerName } from "../domain/mission";
 import { valueOf } from "../domain/plan";
 import { duration } from "../domain/units";

@@ -1,5 +1,5 @@
-// Asks the service for what a question needs and puts it into the results: first what has to follow the mouse, and the
-// rest when there is time.
+// Requests what a question needs and stores it in the results: first what has to follow the mouse, the rest when there
+// is time.
 import { type CheckReport, type Progress, stopped } from "../api/client";
 import type { PlanRequest } from "../api/documents";
 import type { LayerName } from "../domain/mission";
@@ -20,7 +20,12 @@ import {
 import { type KnownResults, type Verdict, verdictOf } from "./results";
 
 export interface PlanService {
-  plan(map: string, request: PlanRequest, signal?: AbortSignal, tell?: (progress: Progress) => void): Promise<Plan>;
+  plan(
+    map: string,
+    request: PlanRequest,
+    signal?: AbortSignal,
+    onProgress?: (progress: Progress) => void,
+  ): Promise<Plan>;
   check(map: string, plan: Plan, signal?: AbortSignal): Promise<CheckReport>;
 }
 
@@ -46,7 +51,7 @@ export class PlanFetcher {
     if (!isSlow || !(await this.#draft(question, stop))) await this.#plan(question, stop);
   }
 
-  // Whether the plans hold, what other numbers of removals reach, what each removal saves, what the paper would do.
+  // The checks of the plans, the curve, what each removal saves, the paper's plan.
   async fetchRest(question: Question, stop: AbortSignal): Promise<void> {
     const { plans } = this.results;
     if (plans.value.after?.draft) await this.#plan(question, stop);
@@ -62,16 +67,16 @@ export class PlanFetcher {
   }
 
   async #plan(question: Question, stop: AbortSignal): Promise<void> {
-    const tell = (progress: Progress) => (this.results.progress.value = progress);
+    const onProgress = (progress: Progress) => (this.results.progress.value = progress);
     const kept = this.results.beforeFor(question);
     const isKnown = this.#isKnown(question);
     const { removals } = question;
     const began = performance.now();
     const [after, before] = await Promise.all([
       removals === "auto"
-        ? this.#trace(question, stop, tell).then((plans) => bestAtPrice(plans, question.price))
+        ? this.#trace(question, stop, onProgress).then((plans) => bestAtPrice(plans, question.price))
         : (this.#traced(question, removals) ??
-          this.service.plan(question.map, planRequest(question, removals), stop, tell)),
+          this.service.plan(question.map, planRequest(question, removals), stop, onProgress)),
       kept || !question.withBefore ? null : this.service.plan(question.map, beforeRequest(question), stop),
     ]);
     if (stop.aborted) throw stopped();
@@ -81,7 +86,7 @@ export class PlanFetcher {
     this.results.progress.value = null;
   }
 
-  // The same, soon but roughly. Whether there is a way so soon.
+  // The same, fast but rough. Whether there is a plan.
   async #draft(question: Question, stop: AbortSignal): Promise<boolean> {
     const kept = this.results.beforeFor(question);
     const shown = this.results.plans.value.after;
@@ -99,16 +104,21 @@ export class PlanFetcher {
 
   // What each number of removals reaches, one after the other: each is shown as soon as it is known, and what is known
   // of an unchanged question is not asked again.
-  async #trace(question: Question, stop: AbortSignal, tell?: (progress: Progress) => void): Promise<readonly Plan[]> {
+  async #trace(
+    question: Question,
+    stop: AbortSignal,
+    onProgress?: (progress: Progress) => void,
+  ): Promise<readonly Plan[]> {
     const key = keyOf.front(question);
     if (this.#curve?.key !== key) this.#curve = new Curve(key, question.options.force?.length ?? 0);
     const curve = this.#curve;
     const began = performance.now();
-    const tellAll = (progress: Progress) => tell?.({ ...progress, seconds: (performance.now() - began) / 1000 });
+    const onStepProgress = (progress: Progress) =>
+      onProgress?.({ ...progress, seconds: (performance.now() - began) / 1000 });
     while (!curve.isDone) {
       const plan =
         this.results.planFor(question, curve.next) ??
-        (await this.service.plan(question.map, stepRequest(question, curve.next), stop, tellAll));
+        (await this.service.plan(question.map, stepRequest(question, curve.next), stop, onStepProgress));
       if (stop.aborted) throw stopped();
       curve.add(curve.next === question.removals ? this.#better(plan, stop) : plan);
       this.results.front.value = curve.front();
@@ -142,11 +152,11 @@ export class PlanFetcher {
     const short = shown !== undefined && isHasty(shown.plan);
     if (!shown || (shown.plan.removed.length === 0 && !short)) return;
     const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
-    const tell = (progress: Progress) => {
+    const onProgress = (progress: Progress) => {
       if (short && !stop.aborted) this.results.progress.value = progress;
     };
     try {
-      const plan = await this.service.plan(question.map, thoroughRequest(question, removals), stop, tell);
+      const plan = await this.service.plan(question.map, thoroughRequest(question, removals), stop, onProgress);
       if (!isAsGood(plan, shown.plan)) return;
       this.#show("after", plan, stop, hasSamePaths(plan, shown.plan) ? shown.verdict : null);
     } finally {

@@ -1,12 +1,12 @@
-// Keeps the results up with the mission. The latest question wins: one is asked at a time, those in between are
-// dropped. When nothing changes for a moment, the rest is asked.
+// Keeps the results up to date with the mission. One question is asked at a time, and the latest wins: those in between
+// are dropped. When nothing changes for a moment, the rest is requested.
 import { pause, ServiceError, stopped } from "../api/client";
 import { PlanFetcher, type PlanService } from "./plan_fetcher";
 import type { Question } from "./request";
 import { KnownResults } from "./results";
 
 export interface Pace {
-  calm: number; // ms without change after which the rest is asked
+  calm: number; // ms without change after which the rest is requested
   patience: number; // ms that a plan may take while a newer question waits
   fluent: number; // ms: where plans take longer, a draft comes first
 }
@@ -44,7 +44,7 @@ export class Planner {
     }
   }
 
-  // The plan under way is given up; what was shown before stays.
+  // Cancels the plan in progress; what was shown before stays.
   stop(): void {
     this.#wanted = null;
     this.#resting?.abort();
@@ -103,7 +103,7 @@ export class Planner {
       await pause(this.pace.calm, stop);
       await this.#fetcher.fetchRest(question, stop);
     } catch (error) {
-      // What is beside the plan may be missing; but that nobody answers has to be said.
+      // Other results may be missing, but a service that does not respond has to be reported.
       const trouble = asServiceError(error);
       const said = trouble.trouble === "gone" || trouble.trouble === "missing";
       if (said || (this.results.plans.value.after?.draft && !stop.aborted)) this.results.failure.value = trouble;

@@ -1,4 +1,4 @@
-// A mission as the service is asked about it.
+// A mission as a request to the service.
 import type { PlanRequest } from "../api/documents";
 import { marked, type Method, type Mission } from "../domain/mission";
 import type { Plan, PlanOptions } from "../domain/plan";
@@ -54,7 +54,7 @@ export function questionOf(
 }
 
 // A draft, where plans take too long to follow the mouse: any-angle search that hurries to the goal, and of the obstacles in its way
-// those it met most. On a city of 4096² cells that is a hundredth of the work, and its ways are a percent longer.
+// those it met most. On a city of 4096² cells that is a hundredth of the work, and its paths are a percent longer.
 const hurried: PlanOptions = { planner: "theta", weight: 1.5 };
 
 function request(question: Question, method: Method | "draft", options: PlanOptions): PlanRequest {

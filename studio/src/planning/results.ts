@@ -6,13 +6,13 @@ import type { Plan } from "../domain/plan";
 import type { Front } from "./curve";
 import { isHasty, keyOf, type Question } from "./request";
 
-// What the independent check says of a plan: null while it is not known.
+// The verdict of the independent check on a plan: null while unknown.
 export type Verdict = { valid: true } | { valid: false; reason: string } | null;
 
 export interface Judged {
   plan: Plan;
   verdict: Verdict;
-  draft?: boolean; // made in a hurry: the plan itself follows
+  draft?: boolean; // a quick draft: the plan itself follows
 }
 
 export type Plans = Readonly<Partial<Record<LayerName, Judged>>>;
@@ -60,7 +60,7 @@ export class KnownResults implements Results {
     return last && !before?.draft && keyOf.before(last) === keyOf.before(question) ? before : undefined;
   }
 
-  // The plan that is shown anyway, unless it had to be found in haste.
+  // The plan that is shown anyway, unless it is a draft.
   planFor(question: Question, removals: number): Plan | null {
     const last = this.answered.value;
     const { after } = this.plans.value;

@@ -27,7 +27,7 @@ function reached(path: Agent["path"], t: number): number {
   return low;
 }
 
-// Where an agent looks at point i: along the way it goes on, past waits; at the end along the way it came.
+// The heading of an agent at point i: of its next move, past waits; at the end of its last move.
 function headingAt(path: Agent["path"], i: number): number {
   for (let k = i; k + 1 < path.length; ++k) {
     const [ax, ay] = path[k]!;

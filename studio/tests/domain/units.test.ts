@@ -39,24 +39,24 @@ describe("units", () => {
     [975.05, "16 min 15 s", "16:15"],
     [3599.6, "1 h 0 min", "1:00:00"],
     [7325, "2 h 2 min", "2:02:05"],
-  ])("tell %d seconds", (time, long, short) => {
+  ])("format %d seconds", (time, long, short) => {
     expect(plain(duration(time, city))).toBe(long);
     expect(plain(clockTime(time, city))).toBe(short);
   });
 
-  it("tell steps where times are those", () => {
+  it("format steps where times are those", () => {
     expect(plain(duration(406.2713, grid))).toBe("406.3 steps");
     expect(clockTime(406.2713, grid)).toBe("406.3");
   });
 
-  it("tell sizes", () => {
+  it("format sizes", () => {
     expect(plain(area(1000, city))).toBe("5760 m²");
     expect(plain(area(2357, city))).toBe("13 576 m²");
     expect(plain(area(1, grid))).toBe("1 cell");
     expect(plain(length(3, grid))).toBe("3 cells");
   });
 
-  it("tell shares", () => {
+  it("format shares", () => {
     expect(plain(percent(0.2229))).toBe("22 %");
     expect(plain(percent(0.0312))).toBe("3.1 %");
     expect(plain(percent(0.00001))).toBe("less than 0.01 %");

@@ -15,14 +15,14 @@ interface Asked {
   answer(plan: Plan): void;
   report(report: CheckReport): void;
   fail(error: ServiceError): void;
-  tell(progress: Progress): void;
+  onProgress(progress: Progress): void;
 }
 
 // A service whose answers the test gives.
 class FakeService implements PlanService {
   readonly asked: Asked[] = [];
 
-  plan: PlanService["plan"] = (_, request, signal, tell) => this.#note<Plan>("plan", request, signal, tell);
+  plan: PlanService["plan"] = (_, request, signal, onProgress) => this.#note<Plan>("plan", request, signal, onProgress);
   check = (_: string, __: Plan, signal?: AbortSignal) => this.#note<CheckReport>("check", null, signal);
 
   last(): Asked {
@@ -33,12 +33,12 @@ class FakeService implements PlanService {
     what: Asked["what"],
     request: PlanRequest | null,
     signal?: AbortSignal,
-    tell: (progress: Progress) => void = () => undefined,
+    onProgress: (progress: Progress) => void = () => undefined,
   ): Promise<T> {
     return new Promise((done, fail) => {
       signal?.addEventListener("abort", () => fail(new ServiceError("stopped", "")));
       const give = (value: unknown) => done(value as T);
-      this.asked.push({ what, request, signal, answer: give, report: give, fail, tell });
+      this.asked.push({ what, request, signal, answer: give, report: give, fail, onProgress });
     });
   }
 }
@@ -220,7 +220,7 @@ it("takes the time for a better plan once there is one", async () => {
   await settle();
   await answerUntilExplained();
   expect(service.last().request?.options?.time_limit).toBeUndefined();
-  service.last().tell({ state: "planning", seconds: 5 });
+  service.last().onProgress({ state: "planning", seconds: 5 });
   expect(planner.results.progress.value?.seconds).toBe(5);
   expect(planner.results.front.value?.points[2]?.makespan).toBe(90); // as the headline says
   const better = planOf({ removed: [5], after: 80 });

@@ -1,4 +1,4 @@
-// Turns what pointers, wheel and keys do over the canvas into what is meant: pan, zoom, click, drag, stroke.
+// Turns pointer, wheel and key events over the canvas into gestures: pan, zoom, click, drag, stroke.
 import type { Point } from "../../domain/geometry";
 
 export interface GestureTarget {

@@ -1,4 +1,4 @@
-// Small drawings, around the origin and about 20 wide; agents look to the right.
+// Small drawings, around the origin and about 20 wide; agents face right.
 export const glyphs = {
   // A rover from above: body, four wheels, a mast at the front.
   rover: new Path2D(

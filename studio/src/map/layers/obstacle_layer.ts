@@ -83,7 +83,7 @@ export class ObstacleLayer {
     context.setLineDash([]);
   }
 
-  // So that marks are told apart by more than their colour.
+  // So that marks differ by more than their colour.
   #drawSign(frame: Frame, obstacle: number, mark: Mark): void {
     const { context, theme } = frame;
     const middle = this.#outlines!.middleOf(obstacle);

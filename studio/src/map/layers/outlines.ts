@@ -10,7 +10,7 @@ import type { Frame } from "../viewport/frame";
 import { outline } from "./outline";
 
 const large = 20000; // cells
-const finest = 3; // pixels, of what is told of a large one
+const finest = 3; // pixels: the finest detail of a large one
 const block = 256; // its parts have corners at multiples of so many of its squares
 const mostPaths = 500;
 

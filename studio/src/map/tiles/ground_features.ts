@@ -110,7 +110,7 @@ export class FeatureIndex {
     return [...found].sort((a, b) => a - b);
   }
 
-  // Of the map alone: whoever wrote the file may have gone far beyond.
+  // Only on the map: features of the file may reach far beyond it.
   *#keysOver(box: Box): Generator<string> {
     const { left, top, right, bottom } = intersection(box, mapBox(this.map));
     for (let y = Math.floor(top / bucket); y <= Math.floor(bottom / bucket); ++y) {

@@ -33,7 +33,7 @@ export function fixedObstacles(cells: CellMap): Uint8Array {
   return fixed;
 }
 
-// RGBA of tileSize² pixels, clear where no obstacle is. `fixed` as fixedObstacles() tells.
+// RGBA of tileSize² pixels, clear where no obstacle is. `fixed` is the result of fixedObstacles().
 export function obstaclePixels(
   cells: CellMap,
   fixed: Uint8Array,

@@ -45,7 +45,7 @@ export class TileCache {
     }
   }
 
-  // Paints what the last drawing lacked until the time is `end`, one tile at least; whether there is news to draw.
+  // Paints what the last drawing lacked until the time is `end`, one tile at least; whether something new can be drawn.
   paintMissing(end: number): boolean {
     let painted = 0;
     while (this.#missing.length > 0 && (painted === 0 || performance.now() < end)) {

@@ -1,4 +1,4 @@
-// Colours of the map, light and dark: Okabe and Ito's (2008), told apart by colour-blind readers too, over a quiet
+// Colours of the map, light and dark: Okabe and Ito's (2008), safe for colour-blind readers, over a quiet
 // ground. The light ones are those of `waybreaker plan --svg`.
 
 export interface Theme {

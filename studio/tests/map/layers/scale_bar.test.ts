@@ -10,7 +10,7 @@ describe("the scale bar", () => {
     }
   });
 
-  it("is told as people tell lengths", () => {
+  it("formats lengths", () => {
     expect([0.05, 5, 200, 2000].map(lengthText)).toEqual(["5 cm", "5 m", "200 m", "2 km"]);
   });
 });
