@@ -1,4 +1,4 @@
-// One look from cell to cell on a city map, by the length of the segment. Theta* looks mostly along clear segments, so
+// One line-of-sight test on a city map, by the length of the segment. Theta* mostly tests clear segments, so
 // those are timed apart from random ones.
 #include "map/line_of_sight.hpp"
 
@@ -32,21 +32,21 @@ std::vector<Segment> segments(const LineOfSight& sight, const Map& map, double l
     return result;
 }
 
-void look(benchmark::State& state, bool only_clear, double radius) {
+void line_of_sight(benchmark::State& state, bool only_clear, double radius) {
     const Map map(read_city("Berlin_0_512"));
     const OpenedMap opened(map);
     const LineOfSight sight(opened, {.radius = radius});
-    const std::vector<Segment> looks = segments(sight, map, double(state.range(0)), only_clear);
+    const std::vector<Segment> tests = segments(sight, map, double(state.range(0)), only_clear);
     std::size_t next = 0;
     for (auto _ : state) {
-        const Segment& segment = looks[next++ % looks.size()];
+        const Segment& segment = tests[next++ % tests.size()];
         benchmark::DoNotOptimize(sight.clear(segment.from, segment.to));
     }
 }
 
-BENCHMARK_CAPTURE(look, clear, true, 0.5)->Arg(1)->Arg(4)->Arg(16)->Arg(64);
-BENCHMARK_CAPTURE(look, random, false, 0.5)->Arg(4)->Arg(16)->Arg(64)->Arg(256);
-BENCHMARK_CAPTURE(look, wide_agent_clear, true, 1.5)->Arg(4)->Arg(16)->Arg(64);
+BENCHMARK_CAPTURE(line_of_sight, clear, true, 0.5)->Arg(1)->Arg(4)->Arg(16)->Arg(64);
+BENCHMARK_CAPTURE(line_of_sight, random, false, 0.5)->Arg(4)->Arg(16)->Arg(64)->Arg(256);
+BENCHMARK_CAPTURE(line_of_sight, wide_agent_clear, true, 1.5)->Arg(4)->Arg(16)->Arg(64);
 
 }  // namespace
 }  // namespace waybreaker::bench

@@ -1,4 +1,4 @@
-# Every target of the house is made here, so that warnings and sanitizers are the same everywhere.
+# All targets of the project are defined here, so that warnings and sanitizers are the same everywhere.
 
 set(WAYBREAKER_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
 option(WAYBREAKER_COVERAGE "Instrument for gcov" OFF)
@@ -20,7 +20,7 @@ function(waybreaker_flags target)
   endif()
 endfunction()
 
-# Clang writes into precompiled headers when they were made, unless told: ccache would never find them again.
+# By default, Clang writes timestamps into precompiled headers, so that ccache would never find them again.
 function(waybreaker_timeless target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 endfunction()

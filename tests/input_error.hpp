@@ -1,4 +1,4 @@
-// What bad input is answered with.
+// Expected errors of bad input.
 #pragma once
 
 #include <gtest/gtest.h>

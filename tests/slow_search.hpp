@@ -1,5 +1,6 @@
-// A slow and obvious search, the textbook loop of each planner (Nash et al. 2007, 2010; Hart et al. 1968), to hold the
-// fast one against: same total order of the open list, every line of sight looked at, nothing inferred or skipped.
+// A slow and obvious search, the textbook loop of each planner (Nash et al. 2007, 2010; Hart et al. 1968), as the
+// reference for the fast one: same total order of the open list, every line of sight tested, nothing inferred or
+// skipped.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A folder that goes with the test that uses it.
+// A folder that is deleted with the test that uses it.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// XML elements that know their place in the file, so that errors can name the line.
+// XML elements that know their position in the file, so that errors can name the line.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What somebody else wrote, in a message of ours.
+// Quotes text from outside in messages.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace waybreaker {
 
-// A foreign word for an error message: its first characters, with nothing that a terminal would obey.
+// A word from outside for an error message: its first characters, without control characters.
 inline std::string quoted(std::string_view word) {
     constexpr std::size_t most = 32;
     std::string text = "'";

@@ -1,4 +1,4 @@
-// Numbers from outside must lie in a range in which everything computed from them stays a number.
+// Range checks for input, so that everything computed from it stays finite.
 #pragma once
 
 #include <sstream>

@@ -1,6 +1,6 @@
 // A map's background as a metadata item of its GeoTIFF, WAYBREAKER_BACKGROUND: a table (CSV) of its features in
 // longitude and latitude, which GIS open, and which stays right when gdal_translate cuts a piece out or gdalwarp
-// projects anew.
+// reprojects.
 //
 //     WKT;kind;class;name
 //     MULTILINESTRING((13.38312 52.52131,13.38402 52.52144));street;primary;Friedrichstraße

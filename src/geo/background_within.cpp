@@ -24,7 +24,7 @@ constexpr double least_length = 2;  // of a line worth a place, in cells
 constexpr double least_area = 16;   // of a ring
 constexpr int least_rank = 3;
 
-// Half of what is read: the file may tell its points at greater length than is reckoned here.
+// Half of what a reader accepts: the file may need more bytes for its points than estimated here.
 constexpr std::size_t most_bytes = max_background_bytes / 2;
 
 struct Extent {

@@ -40,7 +40,7 @@ std::vector<std::uint32_t> rasterise(const std::vector<Seen>& seen, const CellWi
     std::array<double, 6> transform = window.georeference.transform;
     raster->SetGeoTransform(transform.data());
 
-    // GDAL lets the last one win.
+    // With GDAL the last one wins.
     std::vector<OGRGeometryH> shapes;
     std::vector<double> numbers;
     for (std::size_t i = seen.size(); i-- > 0;) {

@@ -1,4 +1,4 @@
-// What the features of a layer say of themselves: in attributes, or in the `other_tags` that GDAL makes of
+// The tags of a layer's features: in attributes, or in the `other_tags` that GDAL makes of
 // OpenStreetMap's rarer tags.
 #pragma once
 
@@ -25,7 +25,7 @@ class FeatureTags {
     bool from_osm() const { return way_ >= 0 || osm_ >= 0; }
     // Whether features can have the tag at all.
     bool can_have(const std::string& key) const;
-    // GDAL's condition that passes all features with one of the filters' keys; empty: it cannot be said.
+    // GDAL's condition that passes all features with one of the filters' keys; empty: it cannot be expressed.
     std::string condition(const std::vector<TagFilter>& filters) const;
 
     std::optional<std::string> value(const OGRFeature& feature, const std::string& key) const;

@@ -1,4 +1,4 @@
-// Which of somebody's filters have matched anything yet, so that a misspelt one is told from one that is only rare.
+// Which of the user's filters have matched anything yet, to tell a misspelt filter from one that matches rarely.
 #pragma once
 
 #include <string>

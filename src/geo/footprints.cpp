@@ -33,7 +33,7 @@ std::string names_of(const std::vector<OGRLayer*>& layers) {
 }
 
 // In a source of several layers, such as a folder of shapefiles, those that know what a building is hold the buildings;
-// else somebody has to say which.
+// else the user has to say which.
 void choose_buildings(std::vector<OGRLayer*>& layers, const std::string& source) {
     if (layers.size() < 2) return;
     const auto knows = [](OGRLayer* layer) { return FeatureTags(*layer).can_have("building"); };
@@ -62,8 +62,8 @@ std::vector<OGRLayer*> layers_of(GDALDataset& file, Kind kind, const ObstacleCho
         const OGRwkbGeometryType type = layer->GetGeomType();
         return !is_of(kind, type) && wkbFlatten(type) != wkbUnknown;
     });
-    // The OSM driver sorts a file's objects into five layers at once and would hoard those nobody reads. Other lines
-    // than those of its layer `lines` come in layers of relations.
+    // The OSM driver sorts a file's objects into five layers at once and would buffer those that are not read. Other
+    // lines than those of its layer `lines` come in layers of relations.
     if (EQUAL(file.GetDriverName(), "OSM")) {
         const char* const name = kind == Kind::areas ? "multipolygons" : "lines";
         std::erase_if(layers, [&](OGRLayer* layer) { return !EQUAL(layer->GetName(), name); });
@@ -85,7 +85,7 @@ class Selection {
     Selection(const FeatureTags& tags, const ObstacleChoice& choice, Kind kind)
         : tags_(tags), kind_(kind), filters_(choice.obstacles.empty() ? buildings() : choice.obstacles) {
         all_ = choice.obstacles.empty() && !tags.can_have("building");
-        // A building that is a line is one that nobody has closed.
+        // A building that is a line is an unclosed outline.
         if (kind == Kind::lines)
             std::erase_if(filters_, [](const TagFilter& filter) { return filter.key == "building"; });
     }
@@ -111,7 +111,7 @@ void for_each_obstacle(OGRLayer& layer, Kind kind, const ObstacleChoice& choice,
     const GdalScope gdal;
     const FeatureTags tags(layer);
     const Selection selection(tags, choice, kind);
-    // Not for speed alone: GDAL's OSM driver takes the outer way of any relation for a part of that relation, so that a
+    // Not only for speed: GDAL's OSM driver takes the outer way of any relation for a part of that relation, so that a
     // building whose outline also bounds, say, its lowest storey (the Empire State Building) is lost; unless the
     // relation itself does not pass this filter.
     const std::string condition = selection.condition();
@@ -135,7 +135,7 @@ ObstacleAttributes attributes_of(const OGRFeature& feature, const FeatureTags& t
             .breach_time = number(choice.breach_time).value_or(0)};
 }
 
-// What people call it: its own name, else its address.
+// Its name, else its address.
 std::string name_of(const OGRFeature& feature, const FeatureTags& tags) {
     for (const char* key : {"name", "addr:housename"}) {
         if (const std::optional<std::string> text = tags.value(feature, key)) {
@@ -181,7 +181,7 @@ std::vector<Footprint> placed(std::vector<Footprint> footprints, const OGRSpatia
     return footprints;
 }
 
-// For somebody whose window missed them all.
+// For error messages, if the window contains none of them.
 std::string whereabouts(const std::vector<Kind>& kinds, const ObstacleChoice& choice, const std::string& source) {
     OGRSpatialReference wgs84;
     wgs84.SetWellKnownGeogCS("WGS84");
@@ -205,7 +205,7 @@ std::string whereabouts(const std::vector<Kind>& kinds, const ObstacleChoice& ch
                        everywhere.MinY, everywhere.MaxX, everywhere.MaxY);
 }
 
-// A filter without a match in the window may have one elsewhere: looks through the whole source.
+// A filter without a match in the window may have one elsewhere: searches the whole source.
 void require_matches(const std::vector<Kind>& kinds, const ObstacleChoice& choice, const std::string& source,
                      FilterUse& use) {
     for (const Kind kind : kinds) {

@@ -1,4 +1,4 @@
-// Footprints: the buildings, walls, waters ... of a vector source that stand in a window, in the window's coordinates.
+// Footprints: the buildings, walls, waters ... of a vector source inside a window, in the window's coordinates.
 #pragma once
 
 #include <ogr_geometry.h>
@@ -27,8 +27,8 @@ struct Footprints {
 };
 
 // One scan of the source, and another for lines if they are wanted; `cell` is the least width of lines. Throws
-// InputError if it cannot be read, holds nothing of that kind, or nothing in the window: then says where its data lies;
-// also if a filter matches nothing in the whole source.
+// InputError if it cannot be read, holds nothing of that kind, or nothing in the window (the message says where its
+// data lies), or if a filter matches nothing in the whole source.
 Footprints read_footprints(const std::string& source, const Window& window, const ObstacleChoice& choice, double cell);
 
 // Of a shape's part within a rectangle.

@@ -39,11 +39,11 @@ GdalScope::~GdalScope() {
 
 void GdalScope::remember(const char* message) {
     if (failed()) return;
-    constexpr std::size_t most = 300;  // it can quote as much of a file as it likes
+    constexpr std::size_t most = 300;  // messages can quote any amount of the file
     const std::string_view text = message;
     std::size_t end = std::min(text.size(), most);
     while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80)
-        --end;  // whole in UTF-8
+        --end;  // do not cut a UTF-8 character
     failure_ = std::string(text.substr(0, end)) + (end < text.size() ? "..." : "");
     std::replace_if(
         failure_.begin(), failure_.end(), [](unsigned char c) { return c < ' '; }, ' ');
@@ -54,7 +54,7 @@ std::string GdalScope::failure() const {
     return failed() ? failure_ : "unknown cause";
 }
 
-// An address is a name that no other living object has.
+// The object's address makes the name unique.
 MemoryFile::MemoryFile() : path_(fmt::format("/vsimem/waybreaker/{}.tif", fmt::ptr(this))) {}
 
 MemoryFile::MemoryFile(std::string_view bytes) : MemoryFile() {

@@ -1,4 +1,4 @@
-// GDAL, kept on a short lead: quiet, without side files, and with its errors as ours.
+// GDAL without side effects: silent, without side files, and with its errors as ours.
 #pragma once
 
 #include <array>
@@ -8,8 +8,9 @@
 
 namespace waybreaker::geo {
 
-// While it lives, GDAL on this thread prints nothing and writes no side files (.aux.xml, .gz.properties); its first
-// failure is remembered. What was set before comes back at the end, so scopes nest; the inner does not tell the outer.
+// While it exists, GDAL on this thread prints nothing and writes no side files (.aux.xml, .gz.properties); its first
+// failure is remembered. Its destructor restores the previous settings, so scopes nest; the outer one does not see
+// failures of the inner one.
 class GdalScope {
   public:
     GdalScope();
@@ -18,7 +19,7 @@ class GdalScope {
     GdalScope& operator=(const GdalScope&) = delete;
 
     bool failed() const { return !failure_.empty(); }
-    // GDAL's own words in one line, or "unknown cause".
+    // GDAL's own message in one line, or "unknown cause".
     std::string failure() const;
 
     // For GDAL's error handler.

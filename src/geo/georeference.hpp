@@ -17,10 +17,10 @@ namespace waybreaker::geo {
 // For people, e.g. "WGS 84 / UTM zone 33N".
 std::string crs_name(const site::Georeference& place);
 
-// Takes points of a map to WGS84 degrees. Not for two threads at once.
+// Transforms points of a map to WGS84 degrees. Not thread-safe.
 class ToLonLat {
   public:
-    // Throws InputError if there is no way from that coordinate system.
+    // Throws InputError if there is no transformation from that coordinate system.
     explicit ToLonLat(const site::Georeference& place);
     ~ToLonLat();
     ToLonLat(const ToLonLat&) = delete;
@@ -34,7 +34,7 @@ class ToLonLat {
     std::unique_ptr<OGRCoordinateTransformation> to_wgs84_;
 };
 
-// The way back. Not for two threads at once.
+// The inverse. Not thread-safe.
 class FromLonLat {
   public:
     explicit FromLonLat(const site::Georeference& place);
@@ -54,7 +54,7 @@ class FromLonLat {
 // a x + b y + c and the latitude d x + e y + f. Good to a cell everywhere on the map, or there is none.
 std::optional<std::array<double, 6>> affine_to_lon_lat(const site::Georeference& place, int width, int height);
 
-// ToLonLat for who knows no GDAL; empty for a map without a georeference.
+// ToLonLat for code without GDAL; empty for a map without a georeference.
 site::ToLonLat lon_lat_of(const std::optional<site::Georeference>& place);
 
 }  // namespace waybreaker::geo

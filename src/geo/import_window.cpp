@@ -15,7 +15,7 @@ namespace {
 
 constexpr double widest = 100000;  // metres of one UTM zone
 
-// UTM without the exceptions around Norway: they change names, not lengths to speak of.
+// UTM without the exceptions around Norway: they change the zone's name, but hardly any length.
 OGRSpatialReference utm_at(double longitude, double latitude) {
     OGRSpatialReference system;
     system.SetWellKnownGeogCS("WGS84");

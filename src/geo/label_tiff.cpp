@@ -19,11 +19,11 @@ namespace {
 constexpr const char* title_item = "TIFFTAG_IMAGEDESCRIPTION";
 constexpr const char* attribution_item = "TIFFTAG_COPYRIGHT";
 
-// No compression worth the name packs more cells into a byte of the file; even the table of a file's empty blocks takes
-// more room. A few bytes cannot claim a gigabyte.
+// No practical compression gets more cells into a byte of the file; even the table of a file's empty blocks takes more.
+// So a few bytes cannot claim a gigabyte.
 constexpr std::size_t most_cells_per_byte = 16384;
 
-// Cells may be this much (a share of their side) off a square.
+// Cells may deviate from squares by this share of their side.
 constexpr double square_tolerance = 1e-3;
 
 InputError refusal(const std::string& name, const std::string& message) {
@@ -35,7 +35,7 @@ std::string metadata(GDALDataset& file, const char* item) {
     return text ? text : "";
 }
 
-// Looks at the header alone, so that nothing large is allocated for a map that is refused.
+// Reads only the header, so that nothing large is allocated for a map that is refused.
 void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name, std::size_t most_cells) {
     if (file.GetRasterCount() != 1) {
         throw refusal(name, fmt::format("has {} bands, a label map has one; pick one with 'gdal_translate -b 1'",
@@ -86,7 +86,7 @@ std::vector<std::uint32_t> read_labels(GDALDataset& file, const MemoryFile& memo
     int block_width = 0;
     int rows = 0;
     band.GetBlockSize(&block_width, &rows);
-    // Block by block, for GDAL would keep what it has read: as much again for a large map.
+    // Block by block, as GDAL would cache what it has read: as much memory again for a large map.
     for (int y = 0; y < height; y += rows) {
         rows = std::min(rows, height - y);
         const CPLErr outcome = band.RasterIO(GF_Read, 0, y, width, rows, &labels[std::size_t(y) * std::size_t(width)],
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> read_labels(GDALDataset& file, const MemoryFile& memo
     return labels;
 }
 
-// Whether what is not 0 is all the same.
+// Whether all labels other than 0 are equal.
 bool has_one_value(const std::vector<std::uint32_t>& labels) {
     const auto first = std::find_if(labels.begin(), labels.end(), [](std::uint32_t l) { return l != 0; });
     return std::all_of(first, labels.end(), [&](std::uint32_t l) { return l == 0 || l == *first; });
@@ -181,7 +181,7 @@ Place read_place(GDALDataset& file, const std::string& name) {
     return place;
 }
 
-// A map that does not say where it lies cannot say what lies there.
+// A map without a georeference cannot have a background.
 site::Background read_background(GDALDataset& file, const Place& place, int width, int height,
                                  const std::string& name) {
     const std::string text = metadata(file, background_item);

@@ -29,12 +29,12 @@ struct LabelTiff {
     std::string title = {};          // place and window, for captions; may be empty
     site::ObstacleNames names = {};  // what people call the obstacles
     site::Background background = {};
-    bool mask = false;  // the file says which cells are blocked, not by what
+    bool mask = false;  // the file says which cells are blocked, but not by which obstacle
 };
 
 // The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. Where all that
 // is not 0 has one value, and nothing says who the obstacles are, it is a mask: its obstacles are connected sets of
-// cells. `name` is how it is called in errors. Throws InputError (name and remedy) on anything that is not such a map,
+// cells. `name` is what errors call it. Throws InputError (name and remedy) on anything that is not such a map,
 // or too large for the limits of grid.hpp.
 LabelTiff read_label_tiff(std::string_view bytes, const std::string& name,
                           Connectivity connectivity = Connectivity::four, const MapLimits& limits = {});

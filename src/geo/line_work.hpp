@@ -1,4 +1,4 @@
-// Lines made fit to be drawn: ways joined to streets, cut to a window.
+// Prepares lines for drawing: joins ways to streets, clips them to a window.
 #pragma once
 
 #include <ogr_core.h>

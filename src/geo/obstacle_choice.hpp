@@ -1,4 +1,4 @@
-// Which features of map data are obstacles, which of them may go, and what that costs.
+// Which features of map data are obstacles, which of them are destructible, and what their removal costs.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ Quantity parse_quantity(const std::string& text);
 struct ObstacleChoice {
     std::vector<TagFilter> obstacles = {};     // empty: buildings, and all polygons where nothing says what is one
     std::vector<TagFilter> destructible = {};  // empty: all
-    std::vector<TagFilter> protect = {};       // cannot be destroyed in any case
+    std::vector<TagFilter> protect = {};       // never destructible
     Quantity weight = {};                      // 1 where the tag says no number above 0
     Quantity breach_time = {};                 // 0 where the tag says no number
     double wall_width = 0;                     // of features that are lines, in metres; at least a cell

@@ -36,10 +36,10 @@ bool take_number(std::string_view& text, Number& value) {
     return true;
 }
 
-// Empty if nothing is worth to be written.
+// Empty if there is nothing to write.
 std::string obstacles_text(const Map& map) {
     std::string text;
-    // A single obstacle must not be taken for a mask.
+    // Else a single obstacle would be read as a mask.
     bool worth_writing = map.obstacles().size() == 1;
     for (const Obstacle& obstacle : map.obstacles()) {
         if (!text.empty()) text += ',';

@@ -4,7 +4,7 @@
 //     WAYBREAKER_WEIGHTS       what each counts for against a budget
 //     WAYBREAKER_BREACH_TIMES  how long the breach of each takes
 //
-// An item is left out where it would say the usual of all.
+// An item is left out if all its values are the default.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ namespace waybreaker::geo {
 // Items and their texts.
 std::vector<std::pair<const char*, std::string>> obstacle_metadata(const Map& map);
 
-// What a file says, by label; only entry 0 if it says nothing. `name` is how the file is called in errors.
+// What a file says, by label; only entry 0 if it says nothing. `name` is what errors call the file.
 std::vector<ObstacleAttributes> read_obstacle_metadata(GDALDataset& file, const std::string& name);
 
 }  // namespace waybreaker::geo

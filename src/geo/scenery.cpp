@@ -22,10 +22,10 @@ struct Rule {
     int rank;
     std::vector<Shape> shapes;
     TagFilter filter;
-    bool only_named = false;  // else every way across a courtyard, and both sides of each street once more
+    bool only_named = false;  // excludes ways across courtyards, and pavements on both sides of streets
 };
 
-// The first that holds.
+// The first matching rule applies.
 const std::vector<Rule>& rules() {
     static const std::vector<Rule> all{
         {Kind::street,
@@ -90,7 +90,7 @@ class SceneryLayer {
   public:
     SceneryLayer(OGRLayer& layer, const Window& window, const std::string& source)
         : tags_(layer), window_(window), to_window_(transformation(system_of(layer, source), window.system)) {
-        // Where GDAL's OSM driver passes over points, ways lose them too.
+        // If GDAL's OSM driver skips points, ways lose them too.
         if (wkbFlatten(layer.GetGeomType()) != wkbPoint) {
             const OGREnvelope bounds = bounds_in(system_of(layer, source), window, source);
             layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);

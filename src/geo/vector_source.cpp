@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* index_option = "OSM_USE_CUSTOM_INDEXING";
 
-// The first bytes of a file, unpacked where the path says so.
+// The first bytes of a file, decompressed if the path says so.
 std::string head_of(const std::string& path, std::size_t bytes) {
     std::string head(bytes, '\0');
     std::size_t length = 0;
@@ -23,7 +23,7 @@ std::string head_of(const std::string& path, std::size_t bytes) {
 }
 
 // GDAL finds out about compressed files by the prefix of their path only, and about OpenStreetMap's XML only if its
-// root stands in the first kilobyte.
+// root is in the first kilobyte.
 std::string gdal_path(const std::string& source) {
     constexpr std::size_t longest_prologue = std::size_t{1} << 20;
     constexpr std::size_t seen_by_gdal = 1000;
@@ -34,7 +34,7 @@ std::string gdal_path(const std::string& source) {
     return root && *root > seen_by_gdal ? "/vsisubfile/" + std::to_string(*root) + "," + path : path;
 }
 
-// What can be done about a file that GDAL does not read.
+// The remedy for a file that GDAL does not read.
 std::string remedy(const std::string& source) {
     const GdalScope gdal;
     const std::string head = head_of(source, 6);

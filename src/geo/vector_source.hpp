@@ -1,4 +1,4 @@
-// Vector data of any kind GDAL knows, and the way from its coordinates to a window's.
+// Vector data in any format GDAL reads, and the transformation from its coordinates to a window's.
 #pragma once
 
 #include <gdal_priv.h>
@@ -25,14 +25,14 @@ InputError refusal(const std::string& source, const std::string& message);
 // read.
 GDALDatasetUniquePtr open_source(const std::string& source);
 
-// What GDAL stumbles over in an OpenStreetMap file whose nodes are not in the order of their ids, or new ones, with ids
-// below 0, of an editor: its own index of nodes, which is fast, but does not take these.
+// Thrown for OpenStreetMap files that GDAL's fast index of nodes does not support: nodes are not sorted by id, or have
+// negative ids, as editors give new ones.
 class NodesOutOfOrder : public InputError {
   public:
     using InputError::InputError;
 };
 
-// While it lives, GDAL on this thread does without that index.
+// While it exists, GDAL does not use that index on this thread.
 class AnyOrderOfNodes {
   public:
     AnyOrderOfNodes();
@@ -50,7 +50,7 @@ void require_read(const GdalScope& gdal, const std::string& source);
 bool is_area(OGRwkbGeometryType type);
 bool is_line(OGRwkbGeometryType type);
 
-// Throws InputError if the layer does not say it.
+// Throws InputError if the layer does not state it.
 const OGRSpatialReference& system_of(OGRLayer& layer, const std::string& source);
 
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
@@ -58,7 +58,7 @@ using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 // Between coordinates in (east, north) order, whatever order the system's authority prefers.
 Transformation transformation(OGRSpatialReference from, OGRSpatialReference to);
 
-// The smallest box that holds the transformed one; the whole breadth of the world if it crosses the date line.
+// The smallest box that holds the transformed one; the full range of longitudes if it crosses the date line.
 std::optional<OGREnvelope> transformed(const OGREnvelope& box, const OGRSpatialReference& from,
                                        const OGRSpatialReference& to);
 

@@ -9,7 +9,7 @@ namespace {
 
 using Violations = std::vector<Violation>;
 
-// That the plan was made for this map. On one of another size there is nothing else to say.
+// Violations if the plan was not made for this map. For a map of another size, nothing else is checked.
 Violations judge_size(const PlanFile& plan, const Map& map) {
     if (plan.width == map.width() && plan.height == map.height()) return {};
     return {{Rule::map, fmt::format("the plan is for a map of {} x {} cells, this one has {} x {}", plan.width,

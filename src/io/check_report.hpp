@@ -1,4 +1,4 @@
-// Whether a plan file holds what it promises on a map file, and the report of it.
+// Whether a plan file is valid for a map file, and the report of that check.
 #pragma once
 
 #include <string>

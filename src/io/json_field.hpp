@@ -1,5 +1,5 @@
 // A value of a JSON document that knows where it stands, so that errors can say so: "plan.json:7:12: removed[2].at is
-// not a cell". The document comes from outside: nothing is taken for granted.
+// not a cell". The document is untrusted: everything is validated.
 #pragma once
 
 #include <cstdint>
@@ -36,13 +36,13 @@ class JsonField {
     // Throws InputError if the object has a member of another name: a typing error, most likely.
     void allow(std::initializer_list<std::string_view> names) const;
 
-    // What it is, for choices between forms.
+    // Its type, to choose between forms.
     const nlohmann::json& json() const { return *json_; }
 
     // The values of an array.
     std::vector<JsonField> items() const;
 
-    // What it is; throws InputError if it is something else.
+    // The value; throws InputError if it is of another type.
     double number() const;
     std::int64_t whole_number(std::int64_t least, std::int64_t most) const;
     std::string text() const;  // of printable characters

@@ -1,4 +1,5 @@
-// Where a value stands in the text of a JSON document. Found by reading the text anew, so that only errors cost time.
+// The position of a value in the text of a JSON document. Found by parsing the text again, so that only errors cost
+// time.
 #pragma once
 
 #include <cstddef>

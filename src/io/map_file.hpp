@@ -1,4 +1,4 @@
-// A map with all that its file says of it, whatever the format.
+// A map with all metadata of its file, in any format.
 #pragma once
 
 #include <array>
@@ -55,7 +55,7 @@ struct MapFile {
     std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};
     std::uint64_t unknown = 0;            // cells of unknown occupancy
-    std::vector<std::string> notes = {};  // what a person should know of the file, a line each
+    std::vector<std::string> notes = {};  // for the user, a line each
 
     // Empty where it is unknown.
     std::string_view name_of(ObstacleId id) const {

@@ -5,7 +5,7 @@
 namespace waybreaker::io {
 namespace {
 
-constexpr std::size_t allocation = 16;  // what the heap takes for a piece beside its bytes
+constexpr std::size_t allocation = 16;  // heap overhead per allocation
 
 std::size_t memory_of(const std::string& text) {
     const bool inside = text.capacity() <= std::string().capacity();

@@ -1,4 +1,4 @@
-// How many bytes of memory a map keeps that has been read.
+// How many bytes of memory a map takes once it is read.
 #pragma once
 
 #include "io/map_file.hpp"

@@ -22,7 +22,7 @@ std::string cause() {
     return std::generic_category().message(errno);
 }
 
-// An open file, closed when it goes.
+// RAII wrapper of a file descriptor.
 class File {
   public:
     explicit File(int descriptor) : descriptor_(descriptor) {}
@@ -34,14 +34,14 @@ class File {
     explicit operator bool() const { return descriptor_ >= 0; }
     int descriptor() const { return descriptor_; }
 
-    // A full disk may only show here. False, with errno set, on failure.
+    // A full disk may only be reported here. False, with errno set, on failure.
     bool sync_and_close() { return ::fsync(descriptor_) == 0 && ::close(std::exchange(descriptor_, -1)) == 0; }
 
   private:
     int descriptor_;
 };
 
-// Removes the file when it goes, unless it was renamed away.
+// Removes the file in its destructor, unless it was renamed.
 struct Temporary {
     explicit Temporary(std::string its_path) : path(std::move(its_path)) {}
     Temporary(const Temporary&) = delete;
@@ -67,7 +67,7 @@ void write_through(const std::string& path, int descriptor, std::string_view byt
     if (!write_all(descriptor, bytes)) throw InputError("cannot write " + excerpt(path) + ": " + cause());
 }
 
-// A new file next to `target`, under a name that nobody uses.
+// A new file next to `target`, under an unused name.
 std::pair<std::string, File> open_neighbour(const std::string& target) {
     for (int i = 0;; ++i) {
         std::string path = target + "." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".part";
@@ -106,7 +106,7 @@ void write_whole(const std::string& path, std::string_view bytes) {
 
 namespace {
 
-// Its own descriptor in any case, for it is closed.
+// Always a descriptor of its own, as it is closed afterwards.
 File open_input(const std::string& path) {
     return File(is_standard_input(path) ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
 }

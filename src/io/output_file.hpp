@@ -1,4 +1,4 @@
-// Files are read whole, and written whole or not at all.
+// Reads whole files, and writes them atomically.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ bool is_standard_input(const std::string& path);
 // What errors call it.
 std::string input_name(const std::string& path);
 
-// Told the first bytes, up to head_size, before the rest is read; throws InputError if they cannot be what is wanted.
+// Called with the first bytes, up to head_size, before the rest is read; throws InputError to reject the file.
 using HeadCheck = std::function<void(std::string_view head)>;
 inline constexpr std::size_t head_size = std::size_t{1} << 16;
 

@@ -1,4 +1,4 @@
-// Plans as GeoJSON (RFC 7946): for every GIS, over any base map.
+// Plans as GeoJSON (RFC 7946), for GIS.
 //
 // Features have a property `role`: `path` (a line, with the time at each of its points), `breach` (a point, where the
 // air agent opens an obstacle) and `removed` (the obstacle's cells as polygons, with its id in the source and its

@@ -19,7 +19,7 @@ namespace {
 constexpr double most_poses = 1e6;
 constexpr double last_second = 2147483647;  // that a stamp can say
 
-// A point of the way, in metres.
+// A point of the path, in metres.
 struct Pose {
     Point at;
     double t = 0;  // seconds
@@ -48,7 +48,7 @@ std::string pose_text(const Pose& pose) {
         real(std::sin(pose.yaw / 2), of_a_quaternion), real(std::cos(pose.yaw / 2), of_a_quaternion));
 }
 
-// Makes each pose look to the next one elsewhere, and those at the end where the agent came from.
+// Points each pose towards the next position; the poses at the end keep the last direction.
 void turn(std::vector<Pose>& poses) {
     const auto last_move =
         std::adjacent_find(poses.rbegin(), poses.rend(), [](const Pose& b, const Pose& a) { return a.at != b.at; });
@@ -61,7 +61,7 @@ void turn(std::vector<Pose>& poses) {
     }
 }
 
-// The corners of the way.
+// The corners of the path.
 std::vector<Pose> corners_of(const Itinerary& agent, const MapFrame& frame) {
     std::vector<Pose> corners;
     for (const Waypoint& point : agent.path) corners.push_back({frame.metres({point.x, point.y}), point.t});
@@ -121,7 +121,7 @@ std::string plan_ros_path(const Plan& plan, const MapFile& map, std::optional<do
         for (const Itinerary& agent : plan.agents) {
             if (agent.kind != kind) continue;
             if (!ids.insert(agent.id).second)
-                throw InputError("two agents have the same id, which is what paths of ROS are told apart by");
+                throw InputError("two agents have the same id, by which ROS paths are named");
             const std::vector<Pose> corners = corners_of(agent, frame);
             require_bounded(corners, metres);
             text += path_text(agent, corners, metres);

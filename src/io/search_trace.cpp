@@ -54,7 +54,7 @@ std::string SearchTrace::event(std::string_view type, const Step& step) const {
            shortest_text(step.f) + "}";
 }
 
-// A cell is closed when all around it has been looked at; the goal ends the search.
+// A cell is closed when all its neighbours have been visited; the goal ends the search.
 std::string SearchTrace::last_event() const {
     if (!expanding_) return "";
     return ",\n" + event(expanding_->cell == goal_ ? "end" : "closing", *expanding_);

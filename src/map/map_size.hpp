@@ -9,10 +9,10 @@
 
 namespace waybreaker {
 
-// How large a map may be that is being read.
+// Limits for a map that is being read.
 struct MapLimits {
     std::size_t cells = max_cells;
-    // Told how many bytes a map of acceptable size will take, before they are taken; throws to refuse it.
+    // Called with the bytes a map will take, before they are allocated; throws to refuse the map.
     std::function<void(std::size_t bytes)> admit = {};
 };
 

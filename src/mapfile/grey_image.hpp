@@ -34,7 +34,7 @@ GreyImage read_png(std::string_view bytes, const std::string& name, std::size_t 
 // The same for the netpbm formats, with 8 or 16 bits a sample; the first image of the file. In PBM 1 is black.
 GreyImage read_netpbm(std::string_view bytes, const std::string& name, std::size_t most_pixels = max_cells);
 
-// Either of them, told apart by its first bytes.
+// Either of them, detected by the first bytes.
 GreyImage read_image(std::string_view bytes, const std::string& name, std::size_t most_pixels = max_cells);
 
 // Which cells of an image are blocked: those at least so dark, 0 (white) to 1 (black). What is transparent is white.

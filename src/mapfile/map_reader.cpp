@@ -160,7 +160,7 @@ io::MapFile read_ros_map(std::string& text, const std::string& path, Connectivit
                            {});
 }
 
-// Told from the first bytes, so that nothing else is read to its end.
+// Detected from the first bytes, so that files of other kinds are not read to their end.
 void require_map(std::string_view head, const std::string& path) {
     if (is_tiff(head) || is_png(head) || is_netpbm(head) || is_xml(head) || is_ros_yaml(head) ||
         head.starts_with(movingai_start)) {

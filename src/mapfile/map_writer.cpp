@@ -24,7 +24,7 @@ constexpr std::uint8_t blocked_grey = 0;
 constexpr std::uint8_t free_grey = 254;
 constexpr std::uint8_t white = 255;
 
-// What a format holds beside which cells are blocked.
+// What a format holds besides which cells are blocked.
 struct Format {
     std::string_view extension;
     const char* name;
@@ -59,7 +59,7 @@ const Format& format_of(const std::string& path) {
     throw InputError(path + ": the name says no format for a map; end it in one of " + known);
 }
 
-// Whether the obstacles are more than what one sees of them: connected sets of blocked cells.
+// Whether the obstacles differ from the connected sets of blocked cells.
 std::string lost_obstacles(const io::MapFile& file) {
     const Map& map = file.map;
     const Map seen{Grid(map.grid())};
@@ -119,7 +119,7 @@ std::vector<std::uint8_t> grey(const Grid& grid, std::uint8_t of_free) {
     return pixels;
 }
 
-// Files that were read go out as they came in; others as nav2's map saver writes them.
+// ROS maps that were read are written unchanged; others as nav2's map saver writes them.
 std::vector<OutputFile> ros_files(const io::MapFile& map, const std::string& path) {
     fs::path extension = map.ros ? fs::path(map.ros->yaml.image).extension() : fs::path(".pgm");
     if (extension == fs::path(path).extension()) extension = ".pgm";  // not over the YAML itself

@@ -1,4 +1,4 @@
-// Maps as files, in every format that is written: what each holds is kept, what it cannot hold is said.
+// Writes maps in all supported formats, and reports what the format cannot hold.
 #pragma once
 
 #include <string>

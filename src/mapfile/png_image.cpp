@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view magic = "\x89PNG\r\n\x1a\n";
 
-// Deflate packs at most 1032 bytes into one, and a byte holds at most 8 pixels.
+// Deflate compresses at most 1032 bytes into one, and a byte holds at most 8 pixels.
 constexpr std::size_t most_pixels_per_byte = std::size_t{1032} * 8;
 
 struct Size {
@@ -57,13 +57,13 @@ class Decoder {
     Decoder& operator=(const Decoder&) = delete;
     ~Decoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-    // Empty if all went well, else why not.
+    // Empty on success, else the reason.
     const char* decode(std::string_view bytes) {
         png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, &Decoder::fail, &Decoder::warn);
         info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
         if (info_ == nullptr) return "there is no memory for it";
         if (setjmp(png_jmpbuf(png_)) != 0) return reason_.data();
-        // Texts, colour profiles and the like can unpack to gigabytes.
+        // Texts, colour profiles and the like can decompress to gigabytes.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_set_progressive_read_fn(png_, this, &Decoder::begin, &Decoder::take_row, &Decoder::end);
         auto* const first = reinterpret_cast<png_bytep>(const_cast<char*>(bytes.data()));
@@ -79,7 +79,7 @@ class Decoder {
         std::strncpy(kept.data(), reason, kept.size() - 1);
         png_longjmp(png, 1);
     }
-    // What libpng would read past. Only faults of the pixels matter here.
+    // libpng only warns of faults in the pixel data; they are errors here. Other faults do not matter.
     static void warn(png_structp png, png_const_charp reason) {
         if (std::string_view(reason).find("IDAT") != std::string_view::npos) {
             fail(png, "it holds other pixels than its header says");
@@ -120,12 +120,12 @@ class Decoder {
     png_infop info_ = nullptr;
     unsigned channels_ = 1;
     bool interlaced_ = false;
-    std::size_t pixels_ = 0;  // that have come
+    std::size_t pixels_ = 0;  // received so far
     bool ended_ = false;
     std::array<char, 200> reason_{};
 };
 
-// libpng's picture for its simplified writer, released when it goes.
+// RAII wrapper of the image of libpng's simplified writer.
 struct Picture {
     Picture() { image.version = PNG_IMAGE_VERSION; }
     Picture(const Picture&) = delete;

@@ -1,4 +1,4 @@
-// Maps with other obstacles than their file has: some gone, some new.
+// Maps whose obstacles differ from those of their file: some removed, some new.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace waybreaker::mapfile {
 
-// Gives the map other labels. What was the id of an obstacle is still that obstacle, with its name and all that is
-// known of it; numbers above all ids are new obstacles, and 0 is free.
+// Replaces the labels of the map. Existing ids still stand for the same obstacles, with their names and attributes;
+// higher numbers are new obstacles, and 0 is free.
 void relabel(io::MapFile& file, std::vector<std::uint32_t> labels);
 
 // The map after the removal of these obstacles. Of a ROS map the image changes too: what was unknown stays unknown, and

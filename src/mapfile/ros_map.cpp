@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_bytes = 1 << 16;
 
-// What yaml-cpp has to say, without what it quotes of the file that a terminal would obey.
+// yaml-cpp's message, without control characters that it quotes from the file.
 std::string reason(const YAML::Exception& problem) {
     std::string text = "not well-formed YAML: " + problem.msg;
     std::replace_if(
@@ -96,7 +96,7 @@ std::array<double, 2> origin_of(const Document& document, const YAML::Node& node
             document.number(node[1], "the y of origin", -far, far)};
 }
 
-// Whether the text is that of a ROS map with that image.
+// Whether the text is the YAML of a ROS map with that image.
 bool names_image(const std::string& text, const std::string& image) {
     try {
         return parse_ros_yaml(text, "").image == image;
@@ -115,7 +115,7 @@ std::string image_of(const Document& document) {
     const YAML::Node node = document.get("image");
     std::string image = node.IsScalar() ? node.Scalar() : "";
     const bool one_line = image.find_first_of(std::string_view("\0\n\r", 3)) == std::string::npos;
-    // What is no text in UTF-8 would not be written as it was read.
+    // Bytes that are not UTF-8 would not be written as they were read.
     const bool text = YAML::Load(as_yaml(image)).Scalar() == image;
     if (image.empty() || !one_line || !text) throw document.error(node.Mark(), "image must be the name of a file");
     return image;
@@ -230,7 +230,7 @@ std::string with_image(std::string_view bytes, const std::string& image, const s
     const std::size_t at = bytes.find(yaml.image, key);
     std::string changed(bytes);
     if (at < bytes.find('\n', key)) changed.replace(at, yaml.image.size(), image);
-    // Written in a way that hides the name, or does not suit the new one: then in our own words.
+    // The YAML's style hides the name, or does not suit the new one: then the file is written from scratch.
     yaml.image = image;
     return names_image(changed, image) ? changed : ros_yaml_text(yaml);
 }

@@ -25,13 +25,12 @@ namespace waybreaker::mapfile {
 // A text file with a line that begins with "image:".
 bool is_ros_yaml(std::string_view bytes);
 
-// A ROS map in one piece, for who can send only one: the YAML, a line of three dots, which ends it, and the image's
-// bytes.
+// A ROS map in one piece, for uploads: the YAML, a line of three dots, which ends it, and the image's bytes.
 struct RosPieces {
     std::string text;
     std::string image;
 };
-// Empty where the bytes are something else.
+// Empty if the bytes are something else.
 std::optional<RosPieces> ros_pieces(std::string_view bytes);
 
 // Throws InputError with name and line.
@@ -44,21 +43,21 @@ struct RosCells {
     Grid occupied;
     Grid unknown;
     std::size_t unknown_count = 0;
-    // Whether free_thresh makes free of the grey of 205 that map savers write for unknown.
+    // Whether free_thresh makes the grey of 205 free that map savers write for unknown.
     bool frees_unknown = false;
 };
 
 // Cells are occupied from an occupancy of `threshold` (a share, 1 in nav2's costmap) on.
 RosCells ros_cells(const GreyImage& image, const io::RosYaml& yaml, double threshold);
 
-// Obstacles are connected sets of occupied cells, and connected sets of unknown ones: these cannot be destroyed, as
-// nobody knows what stands there, and never are one obstacle with a wall that they touch.
+// Obstacles are connected sets of occupied cells, and connected sets of unknown ones. The latter are not destructible,
+// as it is unknown what is there, and are never merged with a wall that they touch.
 Map ros_map(const RosCells& cells, Connectivity connectivity, bool unknown_free);
 
 // The text of such a file, as nav2's map saver writes it; numbers come back the same.
 std::string ros_yaml_text(const io::RosYaml& yaml);
 
-// The text with another image named in it, all else as it is.
+// The text with another image name, otherwise unchanged.
 std::string with_image(std::string_view bytes, const std::string& image, const std::string& name);
 
 }  // namespace waybreaker::mapfile

@@ -1,4 +1,4 @@
-// Missions that can be put on a map.
+// Validates missions on a map.
 #include "waybreaker/mission.hpp"
 
 #include <algorithm>

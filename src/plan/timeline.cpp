@@ -62,7 +62,7 @@ double touch(const Move& move, double radius) {
 }
 
 // The share of a move from a to b after which the disc touches a cell of the obstacle; infinity if it never does. Only
-// cells near the way are looked at, row by row in its direction, each row's cells in its direction as well.
+// cells near the move are tested: rows in the order the move crosses them, and the cells of a row in its direction.
 double first_touch(const Map& map, const Obstacle& obstacle, const Waypoint& a, const Waypoint& b, double radius) {
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;

@@ -19,7 +19,7 @@
 
 namespace waybreaker {
 
-// A query, looked at once: what the loop needs of map and options.
+// What the loop needs of map and options, computed once per query.
 struct Query {
     const OpenedMap& map;
     Cell start;

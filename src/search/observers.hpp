@@ -1,4 +1,4 @@
-// Observers of a search. Each is a part that plugs into the loop at compile time: what nobody asks for costs nothing.
+// Observers of a search, plugged into the loop at compile time: unused ones cost nothing.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace waybreaker {
 
-// Hears nothing; the others build on it.
+// Ignores all events; base of the others.
 struct NoObserver {
     void generated(Cell, Cell, double, double) {}
     void updated(Cell, Cell, double, double) {}

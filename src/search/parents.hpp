@@ -1,5 +1,5 @@
-// Parent rules: whose child a cell becomes when it is reached. That choice is all that tells A*, Theta* and Lazy Theta*
-// apart.
+// Parent rules: which node becomes a cell's parent when the cell is reached. Only this distinguishes A*, Theta* and
+// Lazy Theta*.
 //
 // relax() gives back a function of (to, node of to, cost of the step) that the loop calls for every open or new
 // successor.
@@ -26,8 +26,8 @@ struct StepParents {
 
 // Theta*: the parent of that cell, where it is in sight; else that cell.
 //
-// Two things spare most looks along the line. By the triangle inequality the way through the grandparent is never
-// longer than the way through the cell, so where not even that would improve the successor, neither can. And sight can
+// Two things save most line-of-sight tests. By the triangle inequality the path through the grandparent is never
+// longer than the path through the cell, so where not even that would improve the successor, neither can. And sight can
 // be inferred: see inferred().
 class ThetaParents {
   public:
@@ -56,10 +56,10 @@ class ThetaParents {
   private:
     // Whether `to` is surely in sight of `from` because cells before it are: those that have `from` as their parent.
     //
-    // Look at the line of cells across the segment k cells before its end. The segment passes between two neighbours
+    // Consider the line of cells across the segment k cells before its end. The segment passes between two neighbours
     // there, or through one cell. The strips swept to these two are less than one cell apart, so together they cover
     // all that the segment sweeps before that line. What it sweeps on the last k + 1 lines lies within two cells of it
-    // and is looked at here. (tests/search checks both claims for every segment up to some length.)
+    // and is tested here. (tests/search checks both claims for every segment up to some length.)
     bool inferred(const NodeStore& nodes, Cell from, Cell to, const Node* node) const {
         if (!sight_.is_unit_disc()) return false;
         const int dx = to.x - from.x;
@@ -82,7 +82,7 @@ class ThetaParents {
     template <class LineAt>
     static bool inferred(const NodeStore& nodes, CellKey from, const Node* node, const Axis& major, const Axis& minor,
                          LineAt line_at) {
-        constexpr int furthest = 8;  // lines back; beyond, the look along the whole segment is as cheap
+        constexpr int furthest = 8;  // lines back; beyond, testing the whole segment is as cheap
         // On line k the segment lies (behind - rest / major.length) cells before its end across.
         int behind[furthest + 1]{};
         int rest = 0;
@@ -114,8 +114,8 @@ class ThetaParents {
     const LineOfSight& sight_;
 };
 
-// Lazy Theta*: takes the grandparent on trust and looks when the cell is taken from the open list; if it is out of
-// sight, the best closed neighbour becomes the parent. (Nash, Koenig, Tovey 2010.)
+// Lazy Theta*: assumes the grandparent is in sight and tests it when the cell is taken from the open list; if it is out
+// of sight, the best closed neighbour becomes the parent. (Nash, Koenig, Tovey 2010.)
 template <class Steps>
 struct LazyThetaParents {
     const LineOfSight& sight;

@@ -1,5 +1,5 @@
 // Background: what a reader of the map knows a place by, beside its obstacles: streets, rails, water, green, names of
-// places. Nobody plans with it.
+// places. Planning does not use it.
 #pragma once
 
 #include <array>

@@ -15,8 +15,8 @@ struct Georeference {
     std::array<double, 6> transform{0, 1, 0, 0, 0, 1};
 };
 
-// Longitude and latitude (WGS84, degrees) of a point in cell units (integer = cell centre). Empty where nobody knows:
-// who writes a format that needs it says so.
+// Longitude and latitude (WGS84, degrees) of a point in cell units (integer = cell centre). Empty if unknown: writers
+// of formats that need it report that.
 using ToLonLat = std::function<std::array<double, 2>(Point)>;
 
 }  // namespace waybreaker::site

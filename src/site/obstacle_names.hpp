@@ -1,4 +1,4 @@
-// What people call the obstacles of a map.
+// Names of the obstacles of a map.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ using ObstacleNames = std::vector<std::string>;
 // How many obstacles have one.
 std::size_t name_count(const ObstacleNames& names);
 
-// By the number in a label layer, before the map numbers its obstacles anew.
+// By the number in a label layer, before the map renumbers its obstacles.
 using LabelNames = std::unordered_map<std::uint32_t, std::string>;
 
 struct NamedCell {

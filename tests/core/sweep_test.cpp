@@ -40,7 +40,7 @@ TEST(Sweep, MeetsExactlyTheCellsOfTheStrip) {
     }
 }
 
-// On the longest segments only the ends of the intervals can be looked at.
+// On the longest segments only the ends of the intervals can be tested.
 RC_GTEST_PROP(Sweep, IsExactOnTheLongestSegments, ()) {
     const int major = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(20'000, 32'768));
     const int minor = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, major + 1));

@@ -1,4 +1,4 @@
-// What a map's background and names look like as metadata, and that it comes back: whole, cut, and through GDAL's
+// A map's background and names as metadata, and reading them back: whole, cut, and through GDAL's
 // tools.
 #include "site/background.hpp"
 

@@ -1,4 +1,4 @@
-// The background as the service tells it.
+// The background as the service returns it.
 #include "io/background_json.hpp"
 
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ Grid studded(int side) {
 }
 
 TEST(MapMemory, IsWhatTheHeapGives) {
-    if (heap() == 0) GTEST_SKIP() << "the sanitizer's heap does not tell";
+    if (heap() == 0) GTEST_SKIP() << "the sanitizer's heap does not report its size";
     for (const bool many : {false, true}) {
         Grid grid = many ? studded(2000) : Grid(2000, 2000);
         const std::size_t before = heap();

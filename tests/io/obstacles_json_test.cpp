@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(ObstaclesJson, TellsWhoTheyAre) {
+TEST(ObstaclesJson, DescribesEachObstacle) {
     MapFile file{.map = map_from_ascii(".#...\n.#..#\n....."), .names = {"", "", "Dom \"A\""}};
     const Json json = Json::parse(obstacles_json(file));
     EXPECT_EQ(json["width"], 5);

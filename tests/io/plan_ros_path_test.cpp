@@ -78,7 +78,7 @@ TEST(RosPaths, HaveAPoseEveryCell) {
                                         {-8.75 + 1.0 / 3, 20.25 + 1.0 / 3, north_east, 6 + length / 3},
                                         {-8.75 + 2.0 / 3, 20.25 + 2.0 / 3, north_east, 6 + 2 * length / 3},
                                         {-7.75, 21.25, north_east, 6 + length}});
-    // Who never moves looks along x; what is told is when it is there.
+    // An agent that never moves faces along x; its poses give the times.
     expect_poses(poses(all["air"]), {{-9.75, 20.25, 0, 0}, {-9.75, 20.25, 0, 1e-6}, {-9.75, 20.25, 0, 2147483647}});
 }
 

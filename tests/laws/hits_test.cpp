@@ -1,4 +1,4 @@
-// What the hits say: an obstacle without a hit was in nobody's way, so removing it changes nothing.
+// What hits mean: an obstacle without a hit was in no search's way, so removing it changes nothing.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace waybreaker {
 namespace {
 
-// For planners that look no further than a cell's neighbours, step by step.
+// For planners that only expand a cell's neighbours.
 RC_GTEST_PROP(Hits, ZeroMeansThatRemovalChangesNothing, ()) {
     const PlainMap plain = *random_map(24, 24);
     const Map map(plain.grid());
@@ -45,7 +45,7 @@ RC_GTEST_PROP(Hits, NameEveryWallOfAPrison, ()) {
     std::uint64_t hits = 0;
     for (std::size_t id = 1; id < before.hits.size(); ++id) hits += before.hits[id];
     RC_ASSERT(hits > 0);
-    RC_ASSERT(before.hits[0] == 0U);  // free cells are nobody
+    RC_ASSERT(before.hits[0] == 0U);  // free cells are no obstacle
 }
 
 }  // namespace

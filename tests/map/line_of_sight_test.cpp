@@ -53,7 +53,7 @@ RC_GTEST_PROP(LineOfSight, OfPointsIsExact, ()) {
 }
 
 // Lines longer than a word of bits, on opened maps.
-RC_GTEST_PROP(LineOfSight, LooksAlongLongLines, ()) {
+RC_GTEST_PROP(LineOfSight, HoldsForLongSegments, ()) {
     const PlainMap closed = *rc::gen::suchThat(random_map(150, 12), [](const PlainMap& m) { return m.width > 60; });
     const Map map(*number(0, 1) == 0 ? closed.grid() : closed.grid().transposed());
     const std::vector<ObstacleId> removed = some_obstacles(map, 6);

@@ -1,4 +1,4 @@
-// Map files are told apart by what is in them, not by their names.
+// The format of a map file is detected by content, not by name.
 #include "mapfile/map_reader.hpp"
 
 #include "ascii_map.hpp"

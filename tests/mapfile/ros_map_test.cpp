@@ -99,7 +99,7 @@ TEST(RosMaps, BlockWhatIsOccupiedAndUnknown) {
     EXPECT_EQ(ros_cells(image, {}, 1).unknown_count, 3U);
 }
 
-// Nobody knows what stands where nothing has been seen: it cannot be removed, nor be one with a wall it touches.
+// It is unknown what unknown cells hold: they cannot be removed, and are not merged with a wall they touch.
 TEST(RosMaps, UnknownIsNoWall) {
     const std::string_view picture = R"(
         ##uu.
@@ -164,7 +164,7 @@ TEST(RosMaps, YamlNamesAnotherImageAndNothingElseChanges) {
     EXPECT_EQ(with_image(saved, "hall.pgm", "y"), "image: hall.pgm" + std::string(saved).substr(16));
     const std::string rest = "  # here\nresolution: 1\norigin: [0, 0, 0]\n";
     EXPECT_EQ(with_image("image: \"a b.pgm\"" + rest, "c.pgm", "y"), "image: \"c.pgm\"" + rest);
-    // A name in disguise: then the file is written anew.
+    // An escaped name: then the file is written from scratch.
     EXPECT_EQ(parse_ros_yaml(with_image("image: \"a\\x62.pgm\"" + rest, "c.pgm", "y"), "y").image, "c.pgm");
     EXPECT_EQ(parse_ros_yaml(with_image("image: &i im\nnote: im" + rest, "c: d.pgm", "y"), "y").image, "c: d.pgm");
 }

@@ -55,7 +55,7 @@ RC_GTEST_PROP(MovingaiMap, IsReadOrRefused, (const std::string& junk)) {
     input_error([&] { read("type octile\nheight 2\nwidth 2\nmap\n" + junk); });
 }
 
-TEST(MovingaiMap, TellsTerrain) {
+TEST(MovingaiMap, ReadsTerrain) {
     const Grid grid = read("type octile\nheight 1\nwidth 10\nmap\n.GS@OTW# \xff\n");
     for (int x = 0; x < 10; ++x) EXPECT_EQ(grid.blocked({x, 0}), x > 2) << "cell " << x;
 }

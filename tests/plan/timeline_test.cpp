@@ -1,4 +1,4 @@
-// Times and touches against a look at many moments of the drive.
+// Times and touches compared with samples at many moments of the drive.
 #include "plan/timeline.hpp"
 
 #include <gtest/gtest.h>

@@ -19,7 +19,7 @@ bool in_strip(int major, int minor, int u, int v) {
     return excess < 0 || excess * excess < major * major + minor * minor;
 }
 
-// Calls visit(u, v) for the strip's cells on lines first to last, v being looked for near the segment.
+// Calls visit(u, v) for the strip's cells on lines first to last; v is searched near the segment.
 template <class Visit>
 void for_each_cell(int major, int minor, int first, int last, Visit visit) {
     for (int u = first; u <= last; ++u) {

@@ -1,4 +1,4 @@
-// What a searcher promises beside the path: limits, ends, memory, listeners.
+// What a searcher guarantees besides the path: limits, ends, memory, listeners.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -146,7 +146,7 @@ TEST(Searcher, SaysThatThereIsNoPath) {
         EXPECT_GT(result.expanded, 0U);
         EXPECT_EQ(result.generated, result.expanded);
         ASSERT_EQ(result.hits.size(), 2U);
-        // JPS looks around at jump points only, and there is none on the way to a straight wall.
+        // JPS tests neighbours at jump points only, and there is none on the way to a straight wall.
         EXPECT_EQ(result.hits[1] > 0, planner != Planner::jps);
         const SearchResult opened = Searcher().find(OpenedMap(map, std::vector<ObstacleId>{{1}}), {0, 0}, {4, 2},
                                                     {.planner = planner, .count_hits = true});

@@ -26,7 +26,7 @@ RC_GTEST_PROP(Surroundings, AreTheNineCellsAround, ()) {
 // A step is legal iff the agent sees the neighbour's centre, for each of the 512 patterns.
 TEST(Surroundings, StepsAreLegalWhereThereIsSight) {
     for (unsigned pattern = 0; pattern < 512; ++pattern) {
-        if ((pattern & step_bit(0, 0)) != 0) continue;  // nobody stands in a wall
+        if ((pattern & step_bit(0, 0)) != 0) continue;  // no agent stands in a wall
         PlainMap plain{3, 3, {}};
         for (unsigned bit = 0; bit < 9; ++bit) plain.obstacles.push_back((pattern >> bit) & 1U);
         for (const Corners corners : {Corners::none, Corners::cut, Corners::squeeze}) {
