@@ -1,5 +1,5 @@
-// How good plans are where time matters: the paper's 144 missions with breaches that last, aircraft from elsewhere, other
-// speeds and objectives. For each setting the certified gap and the time of a plan, mean and worst.
+// How good plans are where time matters: the paper's 144 missions with breaches that last, aircraft from elsewhere,
+// other speeds and objectives. For each setting the certified gap and the time of a plan, mean and worst.
 //
 //     bench_time [--removals N] [--setting WORD]
 #include <algorithm>
@@ -58,7 +58,8 @@ constexpr Setting settings[] = {
     {"breach time 20", [](Mission& m, const Map&, std::mt19937_64&) { m.rules.breach_time.per_obstacle = 20; }},
     {"breach time 50", [](Mission& m, const Map&, std::mt19937_64&) { m.rules.breach_time.per_obstacle = 50; }},
     {"base at the goal", [](Mission& m, const Map&, std::mt19937_64&) { air(m).start = air(m).goal; }},
-    {"base anywhere", [](Mission& m, const Map& map, std::mt19937_64& random) { air(m).start = free_cell(map, random); }},
+    {"base anywhere",
+     [](Mission& m, const Map& map, std::mt19937_64& random) { air(m).start = free_cell(map, random); }},
     {"air speed 0.5", [](Mission& m, const Map&, std::mt19937_64&) { air(m).speed = 0.5; }},
     {"air speed 2", [](Mission& m, const Map&, std::mt19937_64&) { air(m).speed = 2; }},
     {"air speed 5", [](Mission& m, const Map&, std::mt19937_64&) { air(m).speed = 5; }},

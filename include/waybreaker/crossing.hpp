@@ -30,18 +30,30 @@ struct CrossingOptions {
     std::span<const ObstacleId> protect = {};
     std::span<const ObstacleId> only = {};                    // if not empty: no others are crossed
     double budget = std::numeric_limits<double>::infinity();  // the crossed weigh at most so much together
-    // A path that crosses an obstacle costs at least so many cells, however short it is: it cannot be open earlier.
-    std::function<double(ObstacleId)> least_cost = {};
+    // How many cells the agent could drive until the last of these obstacles is open; never less for more of them. The
+    // agent waits for that, wherever at the border of an obstacle the rest of the way is shortest. Empty: all are open.
+    std::function<double(std::span<const ObstacleId>)> opened_after = {};
+    // The same of the whole mission of whoever opens them. A path costs no less; `adds_both`: it costs the sum of both.
+    std::function<double(std::span<const ObstacleId>)> done_after = {};
+    bool adds_both = false;
     double length_limit = std::numeric_limits<double>::infinity();  // dearer paths are not looked for
     double expected = 0;  // a guess of the cost, cells: near above it, the search is fastest
     Limits limits = {};
 };
 
+// A wait at the border of an obstacle.
+struct CrossingGate {
+    Point at;
+    std::vector<ObstacleId> crossed;  // by then, the obstacle it waits for excluded
+};
+
 struct CrossingPath {
     std::vector<Point> path;          // turning points from start to goal
     double length = 0;                // cells
-    double cost = 0;                  // the length, or what a crossed obstacle costs at least
+    double cost = 0;                  // cells: driven, waited for obstacles to open, or as `done_after` says
     std::vector<ObstacleId> crossed;  // in the order of the path, each once; without those of `removed`
+    // Where it waits. Such a path is a lower limit: it may come to a gate through what stands, half a cell early.
+    std::vector<CrossingGate> gates = {};
 };
 
 struct CrossingResult {

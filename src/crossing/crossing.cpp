@@ -1,15 +1,11 @@
 // A* over taut paths. A label is a vertex, the set of obstacles crossed on the way there, and the length of the way.
 // It is expanded by rays and outlines alone, so that only what stands in the way costs anything: docs/exact.md.
-#include "waybreaker/crossing.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <optional>
 
 #include "crossing/dominance.hpp"
-#include "crossing/fan.hpp"
-#include "crossing/interrupt.hpp"
-#include "crossing/labels.hpp"
+#include "crossing/search.hpp"
 #include "crossing/validate.hpp"
 
 namespace waybreaker {
@@ -22,91 +18,52 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-class CrossingSearcher::Search {
-  public:
-    CrossingResult run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
-                       const std::function<bool(const CrossingPath&)>* accept);
-
-  private:
-    enum class Outcome { found, exhausted, limit_reached, stopped };
-
-    void search_ellipses(double longest);
-    Outcome search_ellipse();
-    void expand(std::uint32_t index);
-    double least_cost(std::uint32_t parent, const Reached& reached) const;
-    void push(std::uint32_t parent, const Reached& reached);
-    void insert(std::uint32_t label);
-    bool earlier(std::uint32_t a, std::uint32_t b) const;
-    std::optional<Outcome> interrupted();
-    CrossingPath path_of(std::uint32_t index);
-    CrossingPath incumbent();
-
-    const Map* map_ = nullptr;
-    const CrossingOptions* options_ = nullptr;
-    const std::function<bool(const CrossingPath&)>* accept_ = nullptr;
-    Vertex start_;
-    Vertex goal_;
-    int capacity_ = 0;  // members of a set, the removed obstacles included
-    double weight_capacity_ = infinity;
-    double limit_ = infinity;  // half cells; dearer paths are left out
-    double told_ = 0;          // half cells; cheaper paths have been told to `accept`
-    CrossingResult result_;
-
-    Interrupt interrupt_;
-    Fan fan_;
-    ObstacleSets sets_;
-    Places places_;
-    std::vector<Label> labels_;
-    std::vector<Front> fronts_;        // straight on from labels; the first is none
-    std::vector<std::uint32_t> open_;  // heap
-};
-
 bool CrossingSearcher::Search::earlier(std::uint32_t a, std::uint32_t b) const {
     const Label& la = labels_[a];
     const Label& lb = labels_[b];
     if (la.estimate != lb.estimate) return la.estimate < lb.estimate;
-    if (la.length != lb.length) return la.length > lb.length;
+    if (la.cost != lb.cost) return la.cost > lb.cost;
     return a < b;
-}
-
-// Half cells.
-double CrossingSearcher::Search::least_cost(std::uint32_t parent, const Reached& reached) const {
-    double least = labels_[parent].least;
-    if (!options_->least_cost) return least;
-    for (const std::uint32_t id : reached.crossed) least = std::max(least, 2 * options_->least_cost(ObstacleId{id}));
-    return least;
 }
 
 void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached) {
     const std::span<const std::uint32_t> crossed = reached.crossed;
-    const Vertex v = reached.at;
+    const std::optional<double> cost = cost_of(parent, reached);
+    if (!cost) return;
     Label label;
-    label.at = v;
-    label.length = labels_[parent].length + length(v - labels_[parent].at);
-    label.least = least_cost(parent, reached);
-    label.estimate = std::max(label.length + length(goal_ - v), label.least);
-    if (label.estimate > limit_) return;
+    label.at = reached.at;
+    label.cost = *cost;
+    if (label.cost + length(goal_ - label.at) > limit_) return;
     label.parent = parent;
+    label.since = since_of(parent);
     label.set = labels_[parent].set;
     if (!crossed.empty()) {
         const auto before = sets_[label.set];
         std::vector<std::uint32_t> set(before.begin(), before.end());
         set.insert(set.end(), crossed.begin(), crossed.end());
         std::sort(set.begin(), set.end());
-        label.set = sets_.add(set);
+        label.set = add_set(set);
     }
-    const Dominance dominates{*map_, sets_, options_->budget < infinity, goal_, limit_, accept_ == nullptr};
-    const std::uint32_t place = places_.find_or_add(v);
+    label.estimate = estimate(label);
+    if (label.estimate > limit_) return;
+    if (const auto ahead = fan_.ahead(reached)) {
+        label.fronts_begin = std::uint32_t(fronts_.size());
+        fronts_.insert(fronts_.end(), ahead->begin(), ahead->end());
+        label.fronts_end = std::uint32_t(fronts_.size());
+    }
+    add(label);
+}
+
+// Unless another one at its vertex dominates it.
+void CrossingSearcher::Search::add(Label label) {
+    const bool by_count = accept_ == nullptr && !in_time();  // another set may open later
+    const Dominance dominates{*map_, sets_, options_->budget < infinity, goal_, limit_, by_count};
+    const std::uint32_t place = places_.find_or_add(label.at);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
     }
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(label, labels_[other])) labels_[other].dominated = true;
-    }
-    if (const auto ahead = fan_.ahead(reached)) {
-        label.fronts_begin = std::uint32_t(fronts_.size());
-        fronts_.insert(fronts_.end(), ahead->begin(), ahead->end());
-        label.fronts_end = std::uint32_t(fronts_.size());
     }
     label.next = places_[place].labels;
     places_[place].labels = std::uint32_t(labels_.size());
@@ -127,25 +84,18 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
                    .open = sets_[label.set],
                    .crossings = capacity_ - int(sets_[label.set].size()),
                    .weight = weight_capacity_,
-                   .range = limit_ - label.length};
-    if (label.parent != no_label) from.arriving = label.at - labels_[label.parent].at;
+                   .range = limit_ - label.cost - (options_->adds_both ? done_after_[label.set] : 0)};
+    // Where it comes from does not matter after a wait.
+    if (label.parent != no_label && label.gate == 0) from.arriving = label.at - labels_[label.parent].at;
     for (const std::uint32_t obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
-    for (bool alternatives = accept_ != nullptr;; alternatives = true) {
-        bool dear = false;  // the straight way to the goal costs more than its length: a detour can cost less
-        // What is pushed moves them.
-        from.open = sets_[label.set];
-        if (label.fronts_begin != 0) {
-            from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
-        }
-        const std::span<const Reached> all = fan_.look(from, alternatives);
-        if (interrupt_.cause() != Interrupt::Cause::none) return;
-        for (const Reached& reached : all) {
-            push(index, reached);
-            if (reached.at == goal_)
-                dear = dear || least_cost(index, reached) > label.length + length(goal_ - label.at);
-        }
-        if (alternatives || !dear) return;
+    if (label.fronts_begin != 0) {
+        from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
     }
+    const bool alternatives = accept_ != nullptr || in_time();
+    const std::span<const Reached> all = fan_.look(from, alternatives);
+    if (interrupt_.cause() != Interrupt::Cause::none) return;
+    for (const Reached& reached : all) push(index, reached);
+    if (waits_) push_gates(index);
 }
 
 std::optional<CrossingSearcher::Search::Outcome> CrossingSearcher::Search::interrupted() {
@@ -158,19 +108,18 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
     labels_.clear();
     open_.clear();
     sets_.clear();
+    group_numbers_.clear();
+    groups_.resize(1);
+    done_after_.clear();
     places_.clear();
     fronts_.resize(1);
-    std::vector<std::uint32_t> removed;
-    for (const ObstacleId id : options_->removed) removed.push_back(id.value);
-    std::sort(removed.begin(), removed.end());
-    removed.erase(std::unique(removed.begin(), removed.end()), removed.end());
-    capacity_ = options_->crossings + int(removed.size());
+    capacity_ = options_->crossings + int(removed_.size());
     weight_capacity_ = options_->budget;
-    for (const std::uint32_t obstacle : removed) weight_capacity_ += fan_.ray().weight(obstacle);
+    for (const std::uint32_t obstacle : removed_) weight_capacity_ += fan_.ray().weight(obstacle);
     Label start;
     start.at = start_;
-    start.estimate = length(goal_ - start_);
-    start.set = sets_.add(removed);
+    start.set = add_set(removed_);
+    start.estimate = estimate(start);
     labels_.push_back(start);
     places_[places_.find_or_add(start_)].labels = 0;
     open_.push_back(0);
@@ -181,12 +130,18 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
         open_.pop_back();
         if (labels_[index].dominated) continue;
         ++result_.expanded;
+        // What a wait costs is a lower limit, and may come out below what was proven before.
+        if (waits_) proven_ = std::max(proven_, labels_[index].estimate);
+        if (labels_[index].group != 0) {
+            expand_group(index);
+            continue;
+        }
         if (labels_[index].at == goal_) {
             if (labels_[index].estimate <= told_) continue;
             const CrossingPath path = path_of(index);
             if (result_.status != SearchStatus::found) result_.best = path;
             result_.status = SearchStatus::found;
-            result_.lower_bound = path.cost;
+            result_.lower_bound = std::max(path.cost, proven_ / 2);
             if (accept_ == nullptr || !(*accept_)(path)) return Outcome::found;
             continue;
         }
@@ -196,15 +151,34 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
     return Outcome::exhausted;
 }
 
+// Without what was removed anyway.
+std::vector<ObstacleId> CrossingSearcher::Search::ids_of(std::span<const std::uint32_t> set) const {
+    std::vector<ObstacleId> ids;
+    for (const std::uint32_t id : set) {
+        if (!std::ranges::binary_search(removed_, id)) ids.push_back(ObstacleId{id});
+    }
+    return ids;
+}
+
 CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
     CrossingPath path;
-    path.length = labels_[index].length / 2;
     path.cost = labels_[index].estimate / 2;
     for (std::uint32_t label = index; label != no_label; label = labels_[label].parent) {
         const Label& here = labels_[label];
         path.path.emplace_back(here.at.x / 2.0, here.at.y / 2.0);
         if (here.parent == no_label) break;
         const Label& before = labels_[here.parent];
+        path.length += length(here.at - before.at) / 2;
+        const auto append = [&](ObstacleId id) {
+            if (std::ranges::find(path.crossed, id) == path.crossed.end()) path.crossed.push_back(id);
+        };
+        if (here.gate != 0) {
+            path.gates.push_back({path.path.back(), ids_of(sets_[here.set])});
+            std::erase(path.gates.back().crossed, ObstacleId{here.gate});
+            append({here.gate});
+            std::ranges::for_each(path.gates.back().crossed, append);
+            continue;
+        }
         if (here.set == before.set) continue;
         // Backwards: what is entered last comes first.
         const auto set = sets_[here.set];
@@ -217,12 +191,9 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
         }
         std::sort(hits.begin(), hits.end(),
                   [](const Hit& a, const Hit& b) { return a.at != b.at ? a.at > b.at : a.obstacle > b.obstacle; });
-        for (const Hit& hit : hits) {
-            const ObstacleId id{hit.obstacle};
-            if (std::find(path.crossed.begin(), path.crossed.end(), id) == path.crossed.end())
-                path.crossed.push_back(id);
-        }
+        for (const Hit& hit : hits) append({hit.obstacle});
     }
+    std::reverse(path.gates.begin(), path.gates.end());
     std::reverse(path.path.begin(), path.path.end());
     std::reverse(path.crossed.begin(), path.crossed.end());
     return path;
@@ -230,21 +201,40 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
 
 CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                                              const std::function<bool(const CrossingPath&)>* accept) {
-    map_ = &map;
-    options_ = &options;
-    accept_ = accept;
-    start_ = centre(start);
-    goal_ = centre(goal);
-    told_ = -1;
-    interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
-    result_ = {};
-    result_.lower_bound = infinity;
     const auto stands = [&](Cell c) {
         if (!map.grid().contains(c)) return false;
         const ObstacleId id = map.obstacle_at(c);
         return !id || std::find(options.removed.begin(), options.removed.end(), id) != options.removed.end();
     };
-    if (!stands(start) || !stands(goal)) return result_;
+    if (stands(start) && stands(goal)) return run_between(map, centre(start), centre(goal), options, accept);
+    CrossingResult none;
+    none.lower_bound = infinity;
+    return none;
+}
+
+CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex start, Vertex goal,
+                                                     const CrossingOptions& options,
+                                                     const std::function<bool(const CrossingPath&)>* accept) {
+    map_ = &map;
+    options_ = &options;
+    accept_ = accept;
+    start_ = start;
+    goal_ = goal;
+    told_ = -1;
+    interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
+    result_ = {};
+    result_.lower_bound = infinity;
+    removed_.clear();
+    for (const ObstacleId id : options.removed) removed_.push_back(id.value);
+    std::sort(removed_.begin(), removed_.end());
+    removed_.erase(std::unique(removed_.begin(), removed_.end()), removed_.end());
+    waits_ = bool(options.opened_after);
+    if (waits_) {
+        borders_.start_query(map, reach_of(options.body));
+        ways_.start_query(map, options);
+    }
+    // The square turns and waits at lattice points only; the point is a lower limit for who waits anywhere.
+    early_ = options.body.is_point() ? 1 : 0;
     fan_.start_query(map, goal_, options, interrupt_);
     search_ellipses(2 * options.length_limit);
     result_.generated = result_.expanded + open_.size();
@@ -254,10 +244,15 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
 // In ellipses that grow until one holds the path: what lies outside costs nothing, and the last one costs about as much
 // as all before it.
 void CrossingSearcher::Search::search_ellipses(double longest) {
-    const double straight = length(goal_ - start_);
+    Label start;
+    start.at = start_;
+    done_after_.clear();
+    sets_.clear();
+    start.set = add_set(removed_);
+    const double straight = estimate(start);
     const bool guessed = 2 * options_->expected > straight;
     const double least = guessed ? 2 * options_->expected : straight;
-    double proven = straight;
+    proven_ = straight;
     // With nothing to cross detours are long.
     for (double slack = guessed ? 0.004 : options_->crossings == 0 ? 0.4 : 0.002;; slack *= slack < 0.02 ? 4 : 2) {
         limit_ = slack > 2 || longest < least * (1 + 1.5 * slack) ? longest : least * (1 + slack);
@@ -265,13 +260,14 @@ void CrossingSearcher::Search::search_ellipses(double longest) {
         if (outcome == Outcome::found) return;
         if (outcome != Outcome::exhausted) {
             result_.status = outcome == Outcome::stopped ? SearchStatus::stopped : SearchStatus::limit_reached;
-            if (!open_.empty()) proven = std::max(proven, std::min(limit_, labels_[open_.front()].estimate));
-            result_.lower_bound = proven / 2;
+            if (!open_.empty()) proven_ = std::max(proven_, std::min(limit_, labels_[open_.front()].estimate));
+            result_.lower_bound = proven_ / 2;
             if (accept_ == nullptr) result_.best = incumbent();
             return;
         }
-        proven = limit_;
-        told_ = limit_;
+        proven_ = limit_;
+        // A larger ellipse may know of waits that a smaller one does not: what it tells is new.
+        if (!waits_) told_ = limit_;
         if (limit_ >= longest) {
             result_.lower_bound = limit_ / 2;
             return;

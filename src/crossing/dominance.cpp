@@ -6,13 +6,14 @@ namespace waybreaker::crossing {
 
 bool Dominance::operator()(const Label& better, const Label& worse) const {
     constexpr double rounding = 1e-12;  // relative: one way to the goal in other pieces is told of once
-    if (better.at == goal ? better.estimate > worse.estimate * (1 + rounding)
-                          : better.length > worse.length || better.least > worse.least) {
+    if (better.at == goal ? better.estimate > worse.estimate * (1 + rounding) : better.cost > worse.cost) {
         return false;
     }
     if (better.set == worse.set) return true;
     const auto mine = sets[better.set];
     const auto theirs = sets[worse.set];
+    // Who has not waited for the obstacle goes another way.
+    if (worse.gate != 0 && !std::binary_search(mine.begin(), mine.end(), worse.gate)) return false;
     int more = 0;
     double more_weight = 0;
     for (const std::uint32_t obstacle : mine) {
@@ -38,7 +39,7 @@ bool Dominance::lost(std::uint32_t obstacle, const Label& label) const {
         const int dy = std::max({2 * box.min.y - 2 - v.y, v.y - 2 * box.max.y - 2, 0});
         return length({dx, dy});
     };
-    return label.length + gap(label.at) + gap(goal) > limit;
+    return label.cost + gap(label.at) + gap(goal) > limit;
 }
 
 }  // namespace waybreaker::crossing

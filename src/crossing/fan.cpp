@@ -13,6 +13,7 @@ void Fan::start_query(const Map& map, Vertex goal, const CrossingOptions& option
     bends_ = &bends_of_[std::size_t(reach_ - 1)];
     bends_->start_query(map);
     ray_.start_query(map, options);
+    notes_entered_ = bool(options.opened_after);
 }
 
 std::span<const Reached> Fan::look(const Viewpoint& from, bool alternatives) {
@@ -20,6 +21,7 @@ std::span<const Reached> Fan::look(const Viewpoint& from, bool alternatives) {
     ellipse_ = Ellipse(from.at, goal_, from.range);
     aims_.clear();  // of a look that was interrupted
     reached_.clear();
+    entered_.clear();
     fronts_.resize(1);
     ray_.set_open(from.open);
     if (!from.arriving) {
@@ -101,7 +103,28 @@ void Fan::look_at(const Aim& aim) {
 // True if nothing stops the ray.
 bool Fan::cast(Step direction, int times) {
     const Vertex end{from_.at.x + direction.x * times, from_.at.y + direction.y * times};
-    return ray_.cast(from_.at, end, from_.crossings, from_.weight);
+    const bool free = ray_.cast(from_.at, end, from_.crossings, from_.weight);
+    if (notes_entered_) note_entered(length(end - from_.at));
+    return free;
+}
+
+void Fan::note_entered(double length) {
+    in_order_.assign(ray_.hits().begin(), ray_.hits().end());
+    std::ranges::stable_sort(in_order_, {}, &Hit::at);
+    int passed = 0;
+    double weight = 0;
+    bool first = true;
+    for (const Hit& hit : in_order_) {
+        weight += ray_.weight(hit.obstacle);
+        if (ray_.solid(hit.obstacle) || passed == from_.crossings || weight > from_.weight) return;
+        entered_.push_back({hit.obstacle, hit.at * length, hit.surely, first});
+        first = false;
+        if (hit.surely) {
+            ++passed;
+        } else {
+            weight -= ray_.weight(hit.obstacle);
+        }
+    }
 }
 
 // How often the step fits until it has left the ellipse, or the map.

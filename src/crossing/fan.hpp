@@ -34,6 +34,14 @@ struct Front {
     Step side;
 };
 
+// What a ray enters, in order, as far as it may.
+struct Entered {
+    std::uint32_t obstacle = 0;
+    double at = 0;       // half cells from the viewpoint
+    bool surely = true;  // false: that or another one
+    bool first = false;  // of its ray
+};
+
 // A way to be somewhere.
 struct Viewpoint {
     Vertex at;
@@ -61,6 +69,8 @@ class Fan {
     // All corners and the goal that a shortest path can go to next; some of them if it is interrupted. `alternatives`:
     // also when the goal itself is in reach. What is returned lives until the next call.
     std::span<const Reached> look(const Viewpoint& from, bool alternatives);
+    // What the rays of the last look entered, one ray after the other; if obstacles open in time.
+    std::span<const Entered> entered() const { return entered_; }
     // What the last look met straight on from what it reached, if that is known.
     std::optional<std::span<const Front>> ahead(const Reached& reached) const;
 
@@ -91,6 +101,7 @@ class Fan {
     void look_along(Step direction, int into);
     void look_at(const Aim& aim);
     bool cast(Step direction, int times);
+    void note_entered(double length);
     int times_in_range(Step direction) const;
     void scan_from(Front front, Step direction, int only);
     void keep_ahead(double share);
@@ -117,6 +128,9 @@ class Fan {
     Sector sector_;
     std::vector<Aim> aims_;
     std::vector<Reached> reached_;
+    bool notes_entered_ = false;
+    std::vector<Entered> entered_;
+    std::vector<Hit> in_order_;
     std::vector<Front> fronts_;  // ahead of those reached; the first is none
 };
 

@@ -13,15 +13,17 @@ inline constexpr std::uint32_t no_label = UINT32_MAX;
 
 // A path from the start to a vertex.
 struct Label {
-    double length = 0;    // half cells
-    double least = 0;     // what the path costs at least, for what it has crossed
-    double estimate = 0;  // of the cost: length and the straight line to the goal, or the least
+    double cost = 0;      // half cells, driven or waited
+    double estimate = 0;  // the least that a path can cost which goes on from there
     Vertex at;
     std::uint32_t parent = no_label;
     std::uint32_t set = 0;           // of the obstacles crossed
     std::uint32_t next = no_label;   // at the same vertex
     std::uint32_t fronts_begin = 0;  // of what it meets straight on; 0, 0: not known
     std::uint32_t fronts_end = 0;
+    std::uint32_t since = 0;  // the gate that it comes from, or the start
+    std::uint32_t gate = 0;   // the obstacle that it waits for there; 0: it does not wait
+    std::uint32_t group = 0;  // not 0: it stands for the gates of a group that are left
     bool dominated = false;
 };
 

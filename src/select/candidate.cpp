@@ -92,7 +92,8 @@ double cost(const Task& task, const Candidate& candidate) {
 
 const Candidate& best_of(const Task& task, const Candidate& start, const std::vector<Candidate>& candidates) {
     if (candidates.empty()) return start;
-    const Candidate* best = task.rules.timing == Timing::ignore ? &candidates.back() : &start;
+    const bool as_paper = task.rules.timing == Timing::ignore && task.method.select == Selection::hits;
+    const Candidate* best = as_paper ? &candidates.back() : &start;
     for (const Candidate& candidate : candidates) {
         if (cost(task, candidate) < cost(task, *best) * (1 - 1e-9)) best = &candidate;
     }

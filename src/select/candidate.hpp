@@ -52,8 +52,8 @@ Candidate candidate_of(const Task& task, Opening opening);
 // The objective; infinity where there is no ground path.
 double cost(const Task& task, const Candidate& candidate);
 
-// The first of the best, gains that are rounding aside; `start` removes nothing but what must be. Where obstacles do
-// not stand in time (the paper), the last candidate whatever it costs.
+// The first of the best, gains that are rounding aside; `start` removes nothing but what must be. By hits, where
+// obstacles do not stand in time (the paper): the last candidate whatever it costs.
 const Candidate& best_of(const Task& task, const Candidate& start, const std::vector<Candidate>& candidates);
 
 }  // namespace waybreaker

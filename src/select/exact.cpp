@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "select/hits.hpp"
+#include "select/opening_times.hpp"
 #include "select/shortcuts.hpp"
+#include "select/timed_path.hpp"
 
 namespace waybreaker {
 namespace {
@@ -21,6 +23,11 @@ int patience(const Task& task) {
     return task.rules.removals <= 3 ? 256 : 16;
 }
 constexpr std::uint64_t patient_expansions = 10'000;
+// Where obstacles open in time: for the ground agent's own body, and for the bound of a point.
+constexpr std::uint64_t patient_expansions_in_time = 4'000;
+constexpr std::uint64_t patient_expansions_of_bound = 400'000;
+// Relative: where obstacles open in time, a plan so near to its bound is good enough.
+constexpr double close = 5e-4;
 // Of the time that is left when selecting begins; the rest is for sets that are likely to be good, if the proof is not
 // done by then.
 constexpr double share_of_proof = 0.8;
@@ -31,28 +38,21 @@ Body body_of(const Task& task) {
     return drives_by_crossing(task) ? task.driver.body : point_body;
 }
 
-double gap(Cell c, const Box& box) {
-    const int x = std::max({box.min.x - c.x, c.x - box.max.x, 0});
-    const int y = std::max({box.min.y - c.y, c.y - box.max.y, 0});
-    return std::sqrt(double(x) * x + double(y) * y);
+// What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the
+// whole objective.
+double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
+    const bool flight_apart = task.rules.objective == Objective::flowtime && !opening_times.matter();
+    return (flight_apart ? objective - task.least_flight : objective) * task.driver.speed;
 }
 
-// The longest ground path, in cells, that could still lead to an objective.
-double longest_path(const Task& task, double objective) {
-    const double left = task.rules.objective == Objective::flowtime ? objective - task.least_flight : objective;
-    return left * task.driver.speed;
+// No plan with such a path is below.
+double least_objective(const Task& task, double path_cost, const OpeningTimes& opening_times) {
+    const double time = path_cost / task.driver.speed;
+    return opening_times.matter() ? time : task.objective(time, task.least_flight);
 }
 
-// A path through an obstacle ends no earlier than its breach and the way from there to the goal take.
-double least_cost(const Task& task, ObstacleId id) {
-    const Obstacle& obstacle = task.map.obstacle(id);
-    const double flight = std::max(gap(task.flyer.start, obstacle.bounds) - std::sqrt(2.0), 0.0);
-    const double cleared = flight / task.flyer.speed + task.rules.breach_time.of(obstacle);
-    const double drive = std::max(gap(task.driver.goal, obstacle.bounds) - 0.5 - task.driver.body.reach(), 0.0);
-    return cleared * task.driver.speed + drive;
-}
-
-CrossingOptions crossing_options(const Task& task, const Body& body, double longest, double seconds) {
+CrossingOptions crossing_options(const Task& task, const Body& body, double objective, double seconds,
+                                 OpeningTimes& opening_times) {
     const Rules& rules = task.rules;
     CrossingOptions crossing;
     crossing.body = body;
@@ -60,19 +60,26 @@ CrossingOptions crossing_options(const Task& task, const Body& body, double long
     crossing.removed = rules.force;
     crossing.protect = rules.protect;
     crossing.budget = task.spare_budget();
-    crossing.length_limit = longest;
+    crossing.length_limit = dearest_path(task, objective, opening_times);
     crossing.limits = limits_of(task, seconds);
-    if (rules.timing == Timing::enforce) {
-        crossing.least_cost = [&task](ObstacleId id) { return least_cost(task, id); };
+    if (opening_times.matter()) {
+        crossing.opened_after = [&](std::span<const ObstacleId> obstacles) { return opening_times.cells(obstacles); };
+        if (rules.objective != Objective::ground_makespan) {
+            crossing.done_after = [&](std::span<const ObstacleId> obstacles) {
+                return opening_times.flight_cells(obstacles);
+            };
+        }
+        crossing.adds_both = rules.objective == Objective::flowtime;
     }
     return crossing;
 }
 
 // The shortest path that crosses none but some obstacles: that is quickly found.
 CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
-                           double longest) {
+                           double objective, OpeningTimes& opening_times) {
     if (obstacles.empty()) return {};
-    CrossingOptions options = crossing_options(task, body_of(task), longest, std::max(task.deadline.left(), grace));
+    CrossingOptions options =
+        crossing_options(task, body_of(task), objective, std::max(task.deadline.left(), grace), opening_times);
     options.only = obstacles;
     return crossing.find(task.map, task.driver.start, task.driver.goal, options);
 }
@@ -81,20 +88,28 @@ CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::sp
 class ExactSelection {
   public:
     ExactSelection(const Task& task, const Searchers& searchers, const Candidate& start, const Bound& bound,
-                   const Deadline& deadline)
+                   const Deadline& deadline, OpeningTimes& opening_times)
         : task_(task),
           searchers_(searchers),
           start_(start),
           bound_(bound),
           deadline_(deadline),
+          opening_times_(opening_times),
           best_(cost(task, start)) {}
 
     Selected run() && {
         if (task_.spare_removals() == 0) return std::move(selected_);
+        if (!drives_by_crossing(task_)) try_for_other_planners();
         // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
         try_within(bound_.removed);
+        if (opening_times_.matter() && best_ <= bound_.objective * (1 + close)) return std::move(selected_);
         const CrossingResult first = find_first();
-        if (first.status == SearchStatus::limit_reached) try_what_is_likely();
+        if (first.status == SearchStatus::limit_reached) {
+            const bool own_patience = opening_times_.matter() && first.expanded >= patience_of_search() &&
+                                      task_.limits.expansions >= patience_of_search();
+            selected_.limited = !own_patience;
+            try_what_is_likely();
+        }
         if (first.status != SearchStatus::found || !beats_best(first.best)) return std::move(selected_);
         if (!try_others(first)) try_with_fewer_removals();
         return std::move(selected_);
@@ -102,7 +117,7 @@ class ExactSelection {
 
   private:
     bool beats_best(const CrossingPath& path) const {
-        return task_.objective(path.cost / task_.driver.speed, task_.least_flight) < best_ * (1 - rounding);
+        return least_objective(task_, path.cost, opening_times_) < best_ * (1 - rounding);
     }
 
     // Puts a path and what it crosses in time. `search` found it.
@@ -112,31 +127,65 @@ class ExactSelection {
         if (path.crossed.empty() || std::ranges::any_of(selected_.candidates, known)) return;
         CrossingResult found = search;
         found.best = path;
-        Opening opening = drives_by_crossing(task_) ? opening_of(removed, found, since_last_.seconds())
-                                                    : open(task_, searchers_, removed);
-        selected_.candidates.push_back(candidate_of(task_, std::move(opening)));
-        best_ = std::min(best_, cost(task_, selected_.candidates.back()));
+        if (!opening_times_.matter()) {
+            add_candidate(drives_by_crossing(task_) ? opening_of(removed, found, since_last_.seconds())
+                                                    : open(task_, searchers_, removed));
+        } else {
+            if (drives_by_crossing(task_) && !task_.driver.body.is_point()) {
+                Opening opening = drivable(task_, searchers_, path, removed);
+                selected_.limited = selected_.limited || opening.limited;
+                opening.ground.expanded += search.expanded;
+                opening.ground.generated += search.generated;
+                if (opening.status == SearchStatus::found) add_candidate(std::move(opening));
+            }
+            if (beats_best(path)) add_candidate(open(task_, searchers_, removed));
+        }
         task_.report(best_, bound_.objective);
         since_last_ = {};
     }
 
+    std::uint64_t patience_of_search() const {
+        return opening_times_.matter() ? patient_expansions_in_time : patient_expansions;
+    }
+
+    void add_candidate(Opening opening) {
+        selected_.candidates.push_back(timed_candidate(task_, searchers_, std::move(opening)));
+        const double reached = cost(task_, selected_.candidates.back());
+        if (reached < best_ * (1 - rounding)) best_ = reached;
+    }
+
     void try_within(std::span<const ObstacleId> likely) {
-        const CrossingResult found = find_within(task_, searchers_.crossing, likely, longest_path(task_, best_));
+        const CrossingResult found = find_within(task_, searchers_.crossing, likely, best_, opening_times_);
         if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
+    }
+
+    // Another agent may not fit where a point slips through: what is in its way most often, and what opens the way for
+    // the square.
+    void try_for_other_planners() {
+        const SearchResult search = search_counting_hits(task_, searchers_.cells);
+        const std::vector<ObstacleId> hit = chosen_by_hits(task_, search.hits);
+        for (std::size_t count = task_.rules.force.size() + 1; count <= hit.size() && !deadline_.passed(); ++count) {
+            add_candidate(open(task_, searchers_, {hit.begin(), hit.begin() + std::ptrdiff_t(count)}));
+        }
+        const CrossingOptions options = crossing_options(task_, Body{}, best_, deadline_.left(), opening_times_);
+        const CrossingResult found =
+            searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
+        if (!found.best.path.empty()) try_out(found.best, found);
     }
 
     // The set whose shortest path is shortest.
     CrossingResult find_first() {
-        options_ =
-            crossing_options(task_, body_of(task_), longest_path(task_, best_) * (1 - rounding), deadline_.left());
-        options_.expected = longest_path(task_, bound_.objective);
+        options_ = crossing_options(task_, body_of(task_), best_ * (1 - rounding), deadline_.left(), opening_times_);
+        options_.expected = dearest_path(task_, bound_.objective, opening_times_);
+        if (opening_times_.matter()) {
+            options_.limits.expansions = std::min(options_.limits.expansions, patience_of_search());
+        }
         CrossingResult first = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options_);
         if (!first.best.path.empty() && beats_best(first.best)) try_out(first.best, first);
         return first;
     }
 
     void try_what_is_likely() {
-        selected_.limited = true;
         const std::vector<Point>& closed = start_.opening.ground.path;
         try_within(closed.empty() ? chosen_by_hits(task_, search_counting_hits(task_, searchers_.cells).hits)
                                   : chosen_by_shortcuts(task_, closed));
@@ -144,9 +193,9 @@ class ExactSelection {
 
     // All sets that could still be better, in order. Whether they came to their end.
     bool try_others(const CrossingResult& first) {
-        options_.length_limit = longest_path(task_, best_);
+        options_.length_limit = dearest_path(task_, best_, opening_times_);
         options_.limits.seconds = deadline_.left();
-        options_.limits.expansions = std::min(options_.limits.expansions, patient_expansions);
+        options_.limits.expansions = std::min(options_.limits.expansions, patience_of_search());
         CrossingSearcher enumerator;
         int tried = 0;
         bool gave_up = false;
@@ -162,7 +211,8 @@ class ExactSelection {
             enumerator.enumerate(task_.map, task_.driver.start, task_.driver.goal, options_, try_next);
         const bool cut = rest.status == SearchStatus::limit_reached;
         // Patience is the method's own; the limits are the caller's.
-        selected_.limited = deadline_.passed() || (cut && task_.limits.expansions < patient_expansions);
+        selected_.limited =
+            selected_.limited || deadline_.passed() || (cut && task_.limits.expansions < patience_of_search());
         return !gave_up && !cut;
     }
 
@@ -172,7 +222,7 @@ class ExactSelection {
         Rules fewer = task_.rules;
         --fewer.removals;
         const Task less = task_.under(fewer);
-        Selected selected = ExactSelection(less, searchers_, start_, bound_, deadline_).run();
+        Selected selected = ExactSelection(less, searchers_, start_, bound_, deadline_, opening_times_).run();
         std::ranges::move(selected.candidates, std::back_inserter(selected_.candidates));
         selected_.limited = selected_.limited || selected.limited;
     }
@@ -182,6 +232,7 @@ class ExactSelection {
     const Candidate& start_;
     const Bound& bound_;
     const Deadline& deadline_;
+    OpeningTimes& opening_times_;
     CrossingOptions options_;
     Stopwatch since_last_;  // candidate
     double best_;
@@ -193,21 +244,36 @@ class ExactSelection {
 Selected ExactSelector::select(const Task& task, const Candidate& start) {
     const Deadline deadline = task.deadline.share(share_of_proof);
     task.report(cost(task, start), 0);
-    const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), deadline);
+    OpeningTimes opening_times(task);
+    const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), deadline, opening_times);
     task.report(cost(task, start), bound.objective);
-    Selected selected = ExactSelection(task, searchers_, start, bound, deadline).run();
+    Selected selected = ExactSelection(task, searchers_, start, bound, deadline, opening_times).run();
     selected.bound = bound.objective;
     selected.limited = selected.limited || bound.limited;
     return selected;
 }
 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
-    const CrossingOptions options = crossing_options(task, point_body, longest_path(task, reached), deadline.left());
+    OpeningTimes opening_times(task);
+    return prove_bound(task, crossing, reached, deadline, opening_times);
+}
+
+Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
+                  OpeningTimes& opening_times) {
+    CrossingOptions options = crossing_options(task, point_body, reached, deadline.left(), opening_times);
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
+    if (opening_times.matter()) {
+        options.limits.expansions = std::min(options.limits.expansions, patient_expansions_of_bound);
+        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        const bool cut = found.status == SearchStatus::limit_reached;
+        const bool own_patience = cut && found.expanded >= patient_expansions_of_bound;
+        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
+                std::move(found.best.crossed), cut && !own_patience};
+    }
     if (task.rules.objective != Objective::flowtime) {
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
-        return {std::min(least(found.lower_bound, task.least_flight), reached), std::move(found.best.crossed),
-                found.status == SearchStatus::limit_reached};
+        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
+                std::move(found.best.crossed), found.status == SearchStatus::limit_reached};
     }
     // The flight past the obstacles of a set counts as well.
     Bound best{infinity, {}};

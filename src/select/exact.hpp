@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "select/opening_times.hpp"
 #include "select/selector.hpp"
 
 namespace waybreaker {
@@ -17,6 +18,8 @@ struct Bound {
 // Of a point, the air agent on its shortest way. `reached`: the objective of a plan; the bound is never above. A proof
 // that a limit ends is a bound as well.
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline);
+Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
+                  OpeningTimes& opening_times);
 
 class ExactSelector : public Selector {
   public:

@@ -3,6 +3,7 @@
 #include "select/exact.hpp"
 #include "select/greedy.hpp"
 #include "select/hits.hpp"
+#include "select/timed_path.hpp"
 
 namespace waybreaker {
 namespace {
@@ -37,7 +38,7 @@ std::unique_ptr<Selector> selector_of(const Method& method, const Searchers& sea
 Candidate start_of(const Task& task, const Searchers& searchers, const Candidate& baseline) {
     const std::vector<ObstacleId>& force = task.rules.force;
     if (force.empty()) return baseline;
-    Candidate opened = candidate_of(task, open(task, searchers, force));
+    Candidate opened = timed_candidate(task, searchers, open(task, searchers, force));
     // An obstacle that falls late may better be driven around.
     Opening around = baseline.opening;
     around.removed = force;

@@ -38,7 +38,7 @@ RC_GTEST_PROP(ExactPlan, IsValid, ()) {
     const int crossings = *number(0, 4);
     CrossingOptions options{.body = body, .crossings = crossings};
     const double least = *rc::gen::element(0.0, 10.0, 60.0);
-    options.least_cost = [least](ObstacleId) { return least; };
+    options.done_after = [least](std::span<const ObstacleId> crossed) { return crossed.empty() ? 0 : least; };
     const CrossingResult result = CrossingSearcher().find(map, any_free_cell(plain), any_free_cell(plain), options);
     RC_PRE(result.status == SearchStatus::found);
     Mission mission = ground_and_air(any_cell(plain), any_cell(plain));

@@ -28,7 +28,7 @@ struct CrossingCase {
     std::vector<ObstacleId> removed = {};
     std::vector<ObstacleId> protect = {};
     double budget = std::numeric_limits<double>::infinity();
-    std::vector<double> least_cost = {};  // empty: none
+    std::vector<double> done_after = {};  // empty: none
 
     CrossingOptions options() const {
         CrossingOptions options;
@@ -37,7 +37,13 @@ struct CrossingCase {
         options.removed = removed;
         options.protect = protect;
         options.budget = budget;
-        if (!least_cost.empty()) options.least_cost = [this](ObstacleId id) { return least_cost[id.value]; };
+        if (!done_after.empty()) {
+            options.done_after = [this](std::span<const ObstacleId> crossed) {
+                double last = 0;
+                for (const ObstacleId id : crossed) last = std::max(last, done_after[id.value]);
+                return last;
+            };
+        }
         return options;
     }
 
@@ -64,8 +70,8 @@ struct CrossingCase {
 
     // Of a path of that length that crosses that set.
     double cost(double length, slow::Set set) const {
-        for (std::size_t id = 0; id < least_cost.size(); ++id) {
-            if (set >> id & 1) length = std::max(length, least_cost[id]);
+        for (std::size_t id = 0; id < done_after.size(); ++id) {
+            if (set >> id & 1) length = std::max(length, done_after[id]);
         }
         return length;
     }
@@ -93,8 +99,8 @@ struct CrossingCase {
         list(", protected", problem.protect);
         out << ", weights";
         for (const Obstacle& obstacle : problem.map.obstacles()) out << ' ' << obstacle.weight;
-        out << ", budget " << problem.budget << ", least costs";
-        for (const double cost : problem.least_cost) out << ' ' << cost;
+        out << ", budget " << problem.budget << ", done after";
+        for (const double cost : problem.done_after) out << ' ' << cost;
         return out << '\n';
     }
 
@@ -162,15 +168,15 @@ inline CrossingCase random_case(Map map) {
     std::vector<ObstacleId> protect = sometimes(2);
     double budget = std::numeric_limits<double>::infinity();
     if (*number(0, 3) == 0) budget = random_budget(map);
-    std::vector<double> least_cost;
+    std::vector<double> done_after;
     if (*number(0, 3) == 0) {
-        for (std::size_t id = 0; id <= map.obstacles().size(); ++id) least_cost.push_back(*number(0, 16));
+        for (std::size_t id = 0; id <= map.obstacles().size(); ++id) done_after.push_back(*number(0, 16));
     }
     const PlainMap opened = plain(map, removed);
     const Cell start = *number(0, 20) == 0 ? any_cell(opened) : any_free_cell(opened);
     const Cell goal = *number(0, 20) == 0 ? any_cell(opened) : any_free_cell(opened);
     const Body body = *rc::gen::element(Body{}, point_body);
-    return {std::move(map), start, goal, body, crossings, removed, protect, budget, least_cost};
+    return {std::move(map), start, goal, body, crossings, removed, protect, budget, done_after};
 }
 
 inline rc::Gen<CrossingCase> any_case(int most_side) {

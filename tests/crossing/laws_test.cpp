@@ -29,7 +29,7 @@ CrossingCase plain_case(int most_side) {
     problem.removed.clear();
     problem.protect.clear();
     problem.budget = std::numeric_limits<double>::infinity();
-    problem.least_cost.clear();
+    problem.done_after.clear();
     return problem;
 }
 

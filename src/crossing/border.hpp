@@ -1,0 +1,55 @@
+// Border: where an agent can stand that touches an obstacle, as lattice points.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "crossing/lattice.hpp"
+#include "waybreaker/map.hpp"
+
+namespace waybreaker::crossing {
+
+inline constexpr std::uint32_t no_neighbour = UINT32_MAX;
+
+// All lattice points on the border of a grown obstacle; no place on it is farther than half a cell from one of them.
+struct Border {
+    std::vector<Vertex> points;
+    // Of each point: others a cell away, to which the agent can go straight.
+    std::vector<std::array<std::uint32_t, 4>> neighbours;
+    Vertex min;  // the least box around them
+    Vertex max;
+};
+
+// From a vertex to the box around a border.
+inline double gap(Vertex v, const Border& border) {
+    return length(
+        {std::max({border.min.x - v.x, v.x - border.max.x, 0}), std::max({border.min.y - v.y, v.y - border.max.y, 0})});
+}
+
+class Borders {
+  public:
+    void start_query(const Map& map, int reach);
+
+    // Found when first asked for, in O(the obstacle's bounding box), and kept for as long as the map is the same.
+    const Border& of(std::uint32_t obstacle);
+
+    // Whether the agent can be there: in no obstacle but these (sorted).
+    bool stands(Vertex v, std::span<const std::uint32_t> open) const;
+
+  private:
+    Border trace(std::uint32_t obstacle) const;
+    std::vector<Vertex> points_of(std::uint32_t obstacle) const;
+    bool free_between(Vertex a, Vertex b) const;
+
+    const Map* map_ = nullptr;
+    int reach_ = 0;
+    std::shared_ptr<const void> identity_;
+    std::unordered_map<std::uint32_t, Border> borders_;
+};
+
+}  // namespace waybreaker::crossing

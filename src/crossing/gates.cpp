@@ -1,0 +1,88 @@
+#include "crossing/gates.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace waybreaker::crossing {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double spacing = 2;  // of neighbours, half cells
+
+}  // namespace
+
+double GateGroup::first_estimate(Vertex goal) const {
+    const double arrival = terms_.arrival + gap(terms_.from, *border_);
+    return std::max(terms_.open, arrival) - terms_.early + gap(goal, *border_);
+}
+
+double GateGroup::cost_of(const Point& point) const {
+    return std::max(terms_.open, point.arrival) - terms_.early;
+}
+
+// Where the agent comes after the obstacle has opened it does not wait: the taut paths through it are no gates.
+void GateGroup::open_up(const std::function<bool(Vertex)>& stands) {
+    for (const Vertex v : border_->points) {
+        const double arrival = terms_.arrival + length(v - terms_.from);
+        const bool free = stands(v);
+        const bool waits = arrival - terms_.early < terms_.open;
+        points_.push_back({.arrival = arrival, .stands = free, .done = !waits || !free});
+    }
+}
+
+bool GateGroup::find_best(Vertex goal, const std::function<bool(Vertex)>& stands) {
+    if (points_.empty()) open_up(stands);
+    best_gate_.estimate = infinity;
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+        if (points_[i].done) continue;
+        const double cost = cost_of(points_[i]);
+        const double estimate = cost + length(goal - border_->points[i]);
+        if (estimate >= best_gate_.estimate) continue;
+        best_ = i;
+        best_gate_ = {border_->points[i], cost, estimate};
+    }
+    return best_gate_.estimate < infinity;
+}
+
+double GateGroup::past(Vertex v, const std::function<bool(Vertex)>& stands,
+                       const std::function<double(Vertex)>& arrival_at) {
+    if (points_.empty()) open_up(stands);
+    while (true) {
+        double earliest = infinity;
+        std::uint32_t entry = 0;
+        for (std::uint32_t i = 0; i < points_.size(); ++i) {
+            if (!points_[i].stands) continue;
+            const double there = cost_of(points_[i]) + length(v - border_->points[i]);
+            if (there >= earliest) continue;
+            earliest = there;
+            entry = i;
+        }
+        if (earliest == infinity || points_[entry].proven) return earliest;
+        prove(entry, arrival_at(border_->points[entry]));
+    }
+}
+
+void GateGroup::prove(std::uint32_t point, double arrival) {
+    points_[point].proven = true;
+    learn(point, arrival);
+}
+
+// From its neighbours no way there can be shorter than theirs.
+void GateGroup::learn(std::uint32_t point, double arrival) {
+    std::vector<std::pair<std::uint32_t, double>> open{{point, arrival}};
+    while (!open.empty()) {
+        const auto [at, least] = open.back();
+        open.pop_back();
+        if (at != point && (points_[at].proven || points_[at].arrival >= least)) continue;
+        points_[at].arrival = std::max(points_[at].arrival, least);
+        if (points_[at].arrival - terms_.early >= terms_.open) points_[at].done = true;
+        if (least - spacing <= terms_.arrival) continue;
+        for (const std::uint32_t next : border_->neighbours[at]) {
+            if (next != no_neighbour && points_[next].arrival < least - spacing)
+                open.emplace_back(next, least - spacing);
+        }
+    }
+}
+
+}  // namespace waybreaker::crossing

@@ -1,0 +1,77 @@
+// Gates: places at the border of an obstacle where the agent waits until it opens.
+//
+// What opens later than the agent gets there, it enters wherever the rest of the way is shortest: taut there is every
+// direction. The border is kept as one group, whose points come out one by one, the most promising first; how long the
+// way to a point is, is found out when it is its turn.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "crossing/border.hpp"
+
+namespace waybreaker::crossing {
+
+class GateGroup {
+  public:
+    // All in half cells. `arrival`: when the agent is at `from`. `early`: how much earlier than at a lattice point it
+    // may be at a place of the border that is nearest to that point.
+    struct Terms {
+        std::uint32_t since = 0;     // label at `from`
+        std::uint32_t obstacle = 0;  // that opens
+        std::uint32_t set = 0;       // of what is crossed then
+        Vertex from;
+        double arrival = 0;
+        double open = 0;
+        double early = 0;
+        std::vector<std::uint32_t> passed = {};  // groups of what is entered on the way, not before it opens
+    };
+    GateGroup() = default;
+    GateGroup(Terms terms, const Border& border) : terms_(std::move(terms)), border_(&border) {}
+
+    const Terms& terms() const { return terms_; }
+
+    // No gate of the group leads to the goal for less.
+    double first_estimate(Vertex goal) const;
+
+    struct Gate {
+        Vertex at;
+        double cost = 0;  // when it is left
+        double estimate = 0;
+    };
+    // Turns to the gate with the least estimate of those left; false if none is. `stands`: whether the agent can be
+    // somewhere.
+    bool find_best(Vertex goal, const std::function<bool(Vertex)>& stands);
+    // Of the best: whether the way to it is known, not only a lower limit.
+    const Gate& best() const { return best_gate_; }
+    bool proven() const { return points_[best_].proven; }
+    // `arrival`: no way gets there earlier.
+    void prove(double arrival) { prove(best_, arrival); }
+    void take() { points_[best_].done = true; }
+
+    // When the agent can be at v that enters the obstacle anywhere before. `arrival_at`: when it can be at a point of
+    // the border.
+    double past(Vertex v, const std::function<bool(Vertex)>& stands, const std::function<double(Vertex)>& arrival_at);
+
+  private:
+    struct Point {
+        double arrival;  // a lower limit
+        bool proven = false;
+        bool stands = false;
+        bool done = false;
+    };
+    double cost_of(const Point& point) const;
+    void open_up(const std::function<bool(Vertex)>& stands);
+    void prove(std::uint32_t point, double arrival);
+    void learn(std::uint32_t point, double arrival);
+
+    Terms terms_;
+    const Border* border_ = nullptr;
+    std::vector<Point> points_;  // as the border's; empty until the first is asked for
+    std::uint32_t best_ = 0;
+    Gate best_gate_;
+};
+
+}  // namespace waybreaker::crossing

@@ -1,0 +1,93 @@
+// The state of a crossing search: docs/exact.md.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "crossing/border.hpp"
+#include "crossing/fan.hpp"
+#include "crossing/gates.hpp"
+#include "crossing/interrupt.hpp"
+#include "crossing/labels.hpp"
+#include "crossing/ways.hpp"
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker {
+
+class CrossingSearcher::Search {
+  public:
+    CrossingResult run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
+                       const std::function<bool(const CrossingPath&)>* accept);
+    // Between places where the agent can stand.
+    CrossingResult run_between(const Map& map, crossing::Vertex start, crossing::Vertex goal,
+                               const CrossingOptions& options, const std::function<bool(const CrossingPath&)>* accept);
+
+  private:
+    enum class Outcome { found, exhausted, limit_reached, stopped };
+
+    void search_ellipses(double longest);
+    Outcome search_ellipse();
+    std::optional<Outcome> interrupted();
+    void expand(std::uint32_t index);
+    void push(std::uint32_t parent, const crossing::Reached& reached);
+    void add(crossing::Label label);
+    void insert(std::uint32_t label);
+    bool earlier(std::uint32_t a, std::uint32_t b) const;
+    CrossingPath path_of(std::uint32_t index);
+    std::vector<ObstacleId> ids_of(std::span<const std::uint32_t> set) const;
+    CrossingPath incumbent();
+
+    // waits.cpp. Whether paths may cost more than their length, for what they cross:
+    bool in_time() const { return waits_ || options_->done_after; }
+    double opened_after(std::span<const std::uint32_t> sorted) const;
+    std::uint32_t add_set(std::span<const std::uint32_t> sorted);
+    double estimate(const crossing::Label& label) const;
+    double with_flight(double ground, std::uint32_t set) const;
+    std::optional<double> cost_of(std::uint32_t parent, const crossing::Reached& reached);
+    void push_gates(std::uint32_t parent);
+    std::uint32_t push_group(crossing::GateGroup::Terms terms, const std::vector<std::uint32_t>& set);
+    void expand_group(std::uint32_t index);
+    void push_gate(const crossing::GateGroup& group, std::uint32_t set);
+    double arrival_at_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
+    double way_to_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
+    std::uint32_t since_of(std::uint32_t label) const;
+
+    const Map* map_ = nullptr;
+    const CrossingOptions* options_ = nullptr;
+    std::vector<std::uint32_t> removed_;  // sorted
+    bool waits_ = false;                  // obstacles open in time
+    const std::function<bool(const CrossingPath&)>* accept_ = nullptr;
+    crossing::Vertex start_;
+    crossing::Vertex goal_;
+    int capacity_ = 0;  // members of a set, the removed obstacles included
+    double weight_capacity_ = std::numeric_limits<double>::infinity();
+    double limit_ = std::numeric_limits<double>::infinity();  // half cells; dearer paths are left out
+    double proven_ = 0;                                       // half cells; no path costs less
+    double told_ = 0;                                         // half cells; cheaper paths have been told to `accept`
+    CrossingResult result_;
+
+    crossing::Interrupt interrupt_;
+    crossing::Fan fan_;
+    crossing::ObstacleSets sets_;
+    crossing::Places places_;
+    std::vector<crossing::Label> labels_;
+    std::vector<crossing::Front> fronts_;  // straight on from labels; the first is none
+    std::vector<std::uint32_t> open_;      // heap
+
+    // Of paths in time.
+    std::vector<double> done_after_;  // by set, half cells
+    double early_ = 0;                // at a gate, half cells
+    crossing::Borders borders_;
+    crossing::Ways ways_;
+    std::unique_ptr<Search> way_to_gate_;
+    std::vector<crossing::GateGroup> groups_{{}};                        // the first is none
+    std::map<std::vector<std::uint32_t>, std::uint32_t> group_numbers_;  // by set, obstacle and where they come from
+};
+
+}  // namespace waybreaker

@@ -1,0 +1,173 @@
+// Paths in time: obstacles open late, and whoever opens them has to get home.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "crossing/search.hpp"
+
+namespace waybreaker {
+
+using namespace crossing;
+
+// When all of them are open, in half cells.
+double CrossingSearcher::Search::opened_after(std::span<const std::uint32_t> sorted) const {
+    const std::vector<ObstacleId> ids = ids_of(sorted);
+    return ids.empty() ? 0 : 2 * options_->opened_after(ids);
+}
+
+std::uint32_t CrossingSearcher::Search::add_set(std::span<const std::uint32_t> sorted) {
+    if (options_->done_after) done_after_.push_back(2 * options_->done_after(ids_of(sorted)));
+    return sets_.add(sorted);
+}
+
+double CrossingSearcher::Search::estimate(const Label& label) const {
+    return with_flight(label.cost + length(goal_ - label.at), label.set);
+}
+
+double CrossingSearcher::Search::with_flight(double ground, std::uint32_t set) const {
+    if (!options_->done_after) return ground;
+    const double done = done_after_[set];
+    return options_->adds_both ? ground + done : std::max(ground, done);
+}
+
+// The cost of the way from a label to what it has reached; none if it would have to wait on the way.
+std::optional<double> CrossingSearcher::Search::cost_of(std::uint32_t parent, const Reached& reached) {
+    const Label& from = labels_[parent];
+    const double step = length(reached.at - from.at);
+    if (!waits_ || reached.crossed.empty()) return from.cost + step;
+    std::vector<std::uint32_t> set(sets_[from.set].begin(), sets_[from.set].end());
+    Ray& ray = fan_.ray();
+    ray.cast(from.at, reached.at, capacity_, std::numeric_limits<double>::infinity());
+    std::vector<Hit> hits;
+    for (const Hit& hit : ray.hits()) {
+        if (std::ranges::find(reached.crossed, hit.obstacle) != reached.crossed.end()) hits.push_back(hit);
+    }
+    std::ranges::sort(hits, {}, &Hit::at);
+    for (const Hit& hit : hits) {
+        set.insert(std::ranges::upper_bound(set, hit.obstacle), hit.obstacle);
+        if (opened_after(set) > from.cost + hit.at * step + early_) return std::nullopt;
+    }
+    return from.cost + step;
+}
+
+// What a ray has entered may open later than the agent gets there, or to another place on its border.
+void CrossingSearcher::Search::push_gates(std::uint32_t parent) {
+    const double cost = labels_[parent].cost;
+    const Vertex from = labels_[parent].at;
+    GateGroup::Terms terms;
+    std::vector<std::uint32_t> set;
+    bool too_late = false;  // for all that the ray enters next
+    for (const Entered& entered : fan_.entered()) {
+        if (entered.first) {
+            const auto crossed = sets_[labels_[parent].set];
+            set.assign(crossed.begin(), crossed.end());
+            terms.passed.clear();
+            too_late = false;
+        }
+        if (too_late) continue;
+        const auto added = std::ranges::upper_bound(set, entered.obstacle) - set.begin();
+        set.insert(set.begin() + added, entered.obstacle);
+        terms.since = since_of(parent);
+        terms.obstacle = entered.obstacle;
+        terms.open = opened_after(set);
+        std::uint32_t group = 0;
+        if (terms.open > cost + gap(from, borders_.of(entered.obstacle))) group = push_group(terms, set);
+        if (!entered.surely) {
+            set.erase(set.begin() + added);
+        } else if (terms.open > cost + entered.at + early_) {
+            too_late = group == 0;
+            terms.passed.push_back(group);
+        }
+    }
+}
+
+// Once for all ways to an obstacle from the last gate. Its number; 0 if it costs too much.
+std::uint32_t CrossingSearcher::Search::push_group(GateGroup::Terms terms, const std::vector<std::uint32_t>& set) {
+    std::vector<std::uint32_t> key = set;
+    key.insert(key.end(), {terms.obstacle, terms.since, 0});
+    key.insert(key.end(), terms.passed.begin(), terms.passed.end());
+    const auto [known, added] = group_numbers_.try_emplace(std::move(key), 0);
+    if (!added) return known->second;
+    terms.from = labels_[terms.since].at;
+    terms.arrival = labels_[terms.since].cost;
+    terms.early = early_;
+    const Border& border = borders_.of(terms.obstacle);
+    const double first = GateGroup(terms, border).first_estimate(goal_);
+    if (first > limit_) return 0;
+    terms.set = add_set(set);
+    Label label;
+    label.group = std::uint32_t(groups_.size());
+    label.set = terms.set;
+    label.estimate = with_flight(first, terms.set);
+    if (label.estimate > limit_) return 0;
+    known->second = label.group;
+    groups_.emplace_back(std::move(terms), border);
+    labels_.push_back(label);
+    insert(std::uint32_t(labels_.size() - 1));
+    return label.group;
+}
+
+// Takes the next gate out of a group, or puts the group back where it belongs by now.
+void CrossingSearcher::Search::expand_group(std::uint32_t index) {
+    const std::uint32_t set = labels_[index].set;
+    GateGroup& group = groups_[labels_[index].group];
+    const auto stands = [&](Vertex v) { return borders_.stands(v, sets_[set]); };
+    while (group.find_best(goal_, stands)) {
+        const double estimate = with_flight(group.best().estimate, set);
+        if (estimate > limit_) return;
+        if (estimate > labels_[index].estimate) {
+            labels_[index].estimate = estimate;
+            insert(index);
+            return;
+        }
+        if (group.proven()) {
+            group.take();
+            insert(index);
+            push_gate(group, set);
+            return;
+        }
+        group.prove(arrival_at_gate(group.terms(), group.best().at));
+        if (interrupt_.cause() != Interrupt::Cause::none) return;
+    }
+}
+
+void CrossingSearcher::Search::push_gate(const GateGroup& group, std::uint32_t set) {
+    Label label;
+    label.at = group.best().at;
+    label.parent = group.terms().since;
+    label.since = group.terms().since;
+    label.gate = group.terms().obstacle;
+    label.set = set;
+    label.cost = group.best().cost;
+    label.estimate = estimate(label);
+    add(label);
+}
+
+// No way gets there earlier: neither the shortest through what is open by then, nor past any of those that open late.
+double CrossingSearcher::Search::arrival_at_gate(const GateGroup::Terms& terms, Vertex gate) {
+    double arrival = terms.arrival + way_to_gate(terms, gate);
+    for (const std::uint32_t passed : terms.passed) {
+        GateGroup& group = groups_[passed];
+        const auto stands = [&](Vertex v) { return borders_.stands(v, sets_[group.terms().set]); };
+        const auto arrival_at = [&](Vertex v) { return group.terms().arrival + way_to_gate(group.terms(), v); };
+        arrival = std::max(arrival, group.past(gate, stands, arrival_at));
+    }
+    return arrival;
+}
+
+// How long the shortest way to a gate is through what is open by then.
+double CrossingSearcher::Search::way_to_gate(const GateGroup::Terms& terms, Vertex gate) {
+    std::vector<std::uint32_t> open(sets_[terms.set].begin(), sets_[terms.set].end());
+    std::erase(open, terms.obstacle);
+    return ways_.length(terms.from, gate, open, [&](const CrossingOptions& options) {
+        ++result_.expanded;
+        if (!way_to_gate_) way_to_gate_ = std::make_unique<Search>();
+        return way_to_gate_->run_between(*map_, terms.from, gate, options, nullptr);
+    });
+}
+
+std::uint32_t CrossingSearcher::Search::since_of(std::uint32_t label) const {
+    return labels_[label].gate != 0 ? label : labels_[label].since;
+}
+
+}  // namespace waybreaker

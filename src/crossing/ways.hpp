@@ -1,0 +1,56 @@
+// Ways: how long shortest paths are between two places with some obstacles open, found out once.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "crossing/lattice.hpp"
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker::crossing {
+
+class Ways {
+  public:
+    void start_query(const Map& map, const CrossingOptions& options) {
+        if (identity_ != map.identity() || reach_ != reach_of(options.body) || lengths_.size() > most_kept) {
+            lengths_.clear();
+        }
+        identity_ = map.identity();
+        reach_ = reach_of(options.body);
+        options_.body = options.body;
+        options_.limits = options.limits;
+        options_.limits.expansions = most_expanded;
+    }
+
+    // In half cells, or less where that is long to find out; infinity where there is none. `search` is asked for those
+    // that are not known.
+    template <class Search>
+    double length(Vertex from, Vertex to, const std::vector<std::uint32_t>& open, Search search) {
+        const auto [known, added] = lengths_.try_emplace({from.x, from.y, to.x, to.y, open}, 0);
+        if (!added) return known->second;
+        std::vector<ObstacleId> removed;
+        for (const std::uint32_t id : open) removed.push_back(ObstacleId{id});
+        options_.removed = removed;
+        const CrossingResult result = search(options_);
+        known->second = 2 * result.lower_bound;
+        const double length = known->second;
+        const bool out_of_time = result.status == SearchStatus::stopped ||
+                                 (result.status == SearchStatus::limit_reached && result.expanded < most_expanded);
+        if (out_of_time) lengths_.erase(known);
+        return length;
+    }
+
+  private:
+    static constexpr std::size_t most_kept = 1U << 16U;
+    static constexpr std::uint64_t most_expanded = 160;
+
+    std::shared_ptr<const void> identity_;
+    int reach_ = 0;
+    CrossingOptions options_;
+    std::map<std::tuple<int, int, int, int, std::vector<std::uint32_t>>, double> lengths_;
+};
+
+}  // namespace waybreaker::crossing

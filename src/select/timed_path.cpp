@@ -1,0 +1,105 @@
+#include "select/timed_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/stopwatch.hpp"
+
+namespace waybreaker {
+namespace {
+
+constexpr double rounding = 1e-9;  // relative
+constexpr int most_rounds = 8;
+
+bool waits(const Task& task, const Candidate& candidate) {
+    if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
+    const double driven = *candidate.opening.ground.length / task.driver.speed;
+    return candidate.schedule.ground.back().t > driven * (1 + rounding);
+}
+
+Cell cell_of(Point p) {
+    return {int(std::lround(p.x)), int(std::lround(p.y))};
+}
+
+CrossingOptions options_for(const Task& task, std::span<const ObstacleId> crossed) {
+    CrossingOptions options;
+    options.body = task.driver.body;
+    options.crossings = int(crossed.size());
+    options.only = crossed;
+    options.limits = limits_of(task, task.deadline.left());
+    return options;
+}
+
+// The best path for the breaches of a schedule; says of the known candidate if a limit ended the search for it.
+std::optional<Opening> other_path(const Task& task, const Searchers& searchers, Candidate& known) {
+    const Schedule& schedule = known.schedule;
+    CrossingOptions options = options_for(task, known.opening.removed);
+    options.length_limit = schedule.ground.back().t * task.driver.speed * (1 - rounding);
+    options.opened_after = [&](std::span<const ObstacleId> obstacles) {
+        double last = 0;
+        for (std::size_t i = 0; i < schedule.cleared_at.size(); ++i) {
+            const bool one_of_them =
+                std::ranges::find(obstacles, schedule.flight.breaches[i].obstacle) != obstacles.end();
+            if (one_of_them) last = std::max(last, schedule.cleared_at[i]);
+        }
+        return last * task.driver.speed;
+    };
+    const CrossingResult found = searchers.crossing.find(task.map, task.driver.start, task.driver.goal, options);
+    known.opening.limited = known.opening.limited || found.status == SearchStatus::limit_reached;
+    if (found.best.path.empty()) return std::nullopt;
+    Opening opening = drivable(task, searchers, found.best, known.opening.removed);
+    known.opening.limited = known.opening.limited || opening.limited;
+    if (opening.status != SearchStatus::found) return std::nullopt;
+    opening.limited = known.opening.limited;
+    return opening;
+}
+
+}  // namespace
+
+Opening drivable(const Task& task, const Searchers& searchers, const CrossingPath& path,
+                 std::vector<ObstacleId> removed) {
+    const Stopwatch watch;
+    Opening opening{std::move(removed), SearchStatus::found, {}, false};
+    Route& ground = opening.ground;
+    ground.path.push_back(path.path.front());
+    ground.length = 0;
+    auto gate = path.gates.begin();
+    for (std::size_t i = 1; i < path.path.size(); ++i) {
+        const Point from = ground.path.back();
+        const Point to = path.path[i];
+        if (from == to && (gate == path.gates.end() || gate->at != to)) continue;
+        if (gate == path.gates.end() || gate->at != to) {
+            ground.path.push_back(to);
+            *ground.length += distance(from, to);
+            continue;
+        }
+        const CrossingResult leg =
+            searchers.crossing.find(task.map, cell_of(from), cell_of(to), options_for(task, (gate++)->crossed));
+        if (leg.best.path.empty()) {
+            return {std::move(opening.removed), leg.status, {}, leg.status == SearchStatus::limit_reached};
+        }
+        ground.path.insert(ground.path.end(), leg.best.path.begin() + 1, leg.best.path.end());
+        *ground.length += leg.best.length;
+        ground.expanded += leg.expanded;
+        ground.generated += leg.generated;
+    }
+    ground.seconds = watch.seconds();
+    return opening;
+}
+
+Candidate timed_candidate(const Task& task, const Searchers& searchers, Opening opening) {
+    Candidate best = candidate_of(task, std::move(opening));
+    if (!drives_by_crossing(task) || task.driver.body.is_point()) return best;
+    for (int round = 0; round < most_rounds && waits(task, best) && !task.deadline.passed(); ++round) {
+        std::optional<Opening> other = other_path(task, searchers, best);
+        if (!other || other->ground.path == best.opening.ground.path) break;
+        Candidate next = candidate_of(task, std::move(*other));
+        if (!(cost(task, next) < cost(task, best) * (1 - rounding))) break;
+        best = std::move(next);
+    }
+    return best;
+}
+
+}  // namespace waybreaker
