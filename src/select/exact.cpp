@@ -248,6 +248,11 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), deadline, opening_times);
     task.report(cost(task, start), bound.objective);
     Selected selected = ExactSelection(task, searchers_, start, bound, deadline, opening_times).run();
+    if (opening_times.matter() && !selected.candidates.empty()) {
+        // To force what is best must not be better.
+        const std::vector<ObstacleId> removed = best_of(task, start, selected.candidates).opening.removed;
+        selected.candidates.push_back(timed_candidate(task, searchers_, open(task, searchers_, removed)));
+    }
     selected.bound = bound.objective;
     selected.limited = selected.limited || bound.limited;
     return selected;

@@ -204,5 +204,17 @@ RC_GTEST_PROP(Oracle, NoPlanIsBelowTheBoundAndNoneBeatsAllPlans, ()) {
     RC_ASSERT(reached >= best * (1 - 1e-6));
 }
 
+RC_GTEST_PROP(Oracle, ToForceThePlansOwnRemovalsIsNoBetter, ()) {
+    World world = any_world();
+    const Plan plan = MissionPlanner().plan(world.map, world.mission);
+    if (plan.status != PlanStatus::solved || plan.breaches.empty()) return;
+    for (const Breach& breach : plan.breaches) world.mission.rules.force.push_back(breach.obstacle);
+    world.mission.rules.removals = int(plan.breaches.size());
+    const Plan forced = MissionPlanner().plan(world.map, world.mission);
+    RC_LOG() << picture(world);
+    const Objective objective = world.mission.rules.objective;
+    RC_ASSERT(*value(plan.after, objective) <= *value(forced.after, objective) * (1 + 1e-9));
+}
+
 }  // namespace
 }  // namespace waybreaker
