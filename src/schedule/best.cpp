@@ -67,17 +67,17 @@ class Best {
 
     const Tour& tour() const { return tour_; }
 
-  private:
-    Objective objective() const { return course_.task().rules.objective; }
-    Rank rank_of(const Finish& finish) const { return rank(objective(), finish); }
-    bool promises(const Finish& finish) const { return better(rank_of(finish), rank_, rounding_); }
-
     void consider(const Tour& tour) {
         const Finish finish = course_.finish(tour);
         if (!promises(finish)) return;
         tour_ = tour;
         rank_ = rank_of(finish);
     }
+
+  private:
+    Objective objective() const { return course_.task().rules.objective; }
+    Rank rank_of(const Finish& finish) const { return rank(objective(), finish); }
+    bool promises(const Finish& finish) const { return better(rank_of(finish), rank_, rounding_); }
 
     // The earliest end of the air agent with which the ground agent finishes by `ground`; none if it is too late for
     // the best, the ground agent not finishing before `ground_low`.
@@ -121,6 +121,7 @@ Schedule best_schedule(const Map& map, const ScheduleTask& task) {
     const Tour shortest = few ? shortest_tour(start, goal, course.targets(), known)
                               : good_tour(start, goal, course.targets(), nearest, deadline);
     Best best(course, shortest, deadline);
+    if (!few) best.consider(nearest);
     const bool proven = few && best.prove();
 
     std::vector<Breaching> breachings;
