@@ -1,5 +1,6 @@
-// A* over taut paths. A label is a vertex, the set of obstacles crossed on the way there, and the length of the way.
-// It is expanded by rays and outlines alone, so that only what stands in the way costs anything: docs/exact.md.
+// A* over taut paths. A label is a vertex, the set of obstacles crossed on the way there, and what the way costs. It is
+// expanded by rays and outlines alone, so that only what stands in the way costs anything: docs/exact.md. What
+// obstacles that open late add is in waits.cpp.
 #include <algorithm>
 #include <limits>
 #include <optional>

@@ -70,17 +70,17 @@ void GateGroup::prove(std::uint32_t point, double arrival) {
 
 // From its neighbours no way there can be shorter than theirs.
 void GateGroup::learn(std::uint32_t point, double arrival) {
-    std::vector<std::pair<std::uint32_t, double>> open{{point, arrival}};
-    while (!open.empty()) {
-        const auto [at, least] = open.back();
-        open.pop_back();
+    // Breadth first: all steps are equally long, so that each point is improved once.
+    std::vector<std::pair<std::uint32_t, double>> queue{{point, arrival}};
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+        const auto [at, least] = queue[i];
         if (at != point && (points_[at].proven || points_[at].arrival >= least)) continue;
         points_[at].arrival = std::max(points_[at].arrival, least);
         if (points_[at].arrival - terms_.early >= terms_.open) points_[at].done = true;
         if (least - spacing <= terms_.arrival) continue;
         for (const std::uint32_t next : border_->neighbours[at]) {
             if (next != no_neighbour && points_[next].arrival < least - spacing)
-                open.emplace_back(next, least - spacing);
+                queue.emplace_back(next, least - spacing);
         }
     }
 }

@@ -18,7 +18,11 @@ class Interrupt {
     // Once due, always due.
     bool due() {
         constexpr unsigned calls_per_look = 64;
-        if (cause_ == Cause::none && calls_++ % calls_per_look == 0) {
+        return calls_++ % calls_per_look == 0 ? due_now() : cause_ != Cause::none;
+    }
+    // For steps that may take long: reads the clock each time.
+    bool due_now() {
+        if (cause_ == Cause::none) {
             cause_ = stop_.stop_requested() ? Cause::stop : deadline_.passed() ? Cause::limit : Cause::none;
         }
         return cause_ != Cause::none;

@@ -127,7 +127,7 @@ void CrossingSearcher::Search::expand_group(std::uint32_t index) {
             return;
         }
         group.prove(arrival_at_gate(group.terms(), group.best().at));
-        if (interrupt_.due()) {  // the gates that are left still count for the bound
+        if (interrupt_.due_now()) {  // the gates that are left still count for the bound
             insert(index);
             return;
         }

@@ -33,8 +33,9 @@ class Ways {
         if (!added) return known->second;
         std::vector<ObstacleId> removed;
         for (const std::uint32_t id : open) removed.push_back(ObstacleId{id});
-        options_.removed = removed;
-        const CrossingResult result = search(options_);
+        CrossingOptions options = options_;
+        options.removed = removed;
+        const CrossingResult result = search(options);
         known->second = 2 * result.lower_bound;
         const double length = known->second;
         const bool out_of_time = result.status == SearchStatus::stopped ||

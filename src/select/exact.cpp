@@ -99,23 +99,35 @@ class ExactSelection {
 
     Selected run() && {
         if (task_.spare_removals() == 0) return std::move(selected_);
-        if (!drives_by_crossing(task_)) try_for_other_planners();
-        // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
-        try_within(bound_.removed);
-        if (opening_times_.matter() && best_ <= bound_.objective * (1 + close)) return std::move(selected_);
-        const CrossingResult first = find_first();
-        if (first.status == SearchStatus::limit_reached) {
-            const bool own_patience = opening_times_.matter() && first.expanded >= patience_of_search() &&
-                                      task_.limits.expansions >= patience_of_search();
-            selected_.limited = !own_patience;
-            try_what_is_likely();
-        }
-        if (first.status != SearchStatus::found || !beats_best(first.best)) return std::move(selected_);
-        if (!try_others(first)) try_with_fewer_removals();
+        try_sets();
+        if (opening_times_.matter()) try_as_if_forced();
         return std::move(selected_);
     }
 
   private:
+    void try_sets() {
+        if (!drives_by_crossing(task_)) try_for_other_planners();
+        // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
+        try_within(bound_.removed);
+        if (opening_times_.matter() && best_ <= bound_.objective * (1 + close)) return;
+        const CrossingResult first = find_first();
+        if (first.status == SearchStatus::limit_reached) {
+            const bool own_patience = opening_times_.matter() && first.expanded >= patience_of_search() &&
+                                      task_.limits.expansions >= patience_of_search();
+            selected_.limited = selected_.limited || !own_patience;
+            try_what_is_likely();
+        }
+        if (first.status != SearchStatus::found || !beats_best(first.best)) return;
+        if (!try_others(first)) try_with_fewer_removals();
+    }
+
+    // To force what the plan removes must not be better.
+    void try_as_if_forced() {
+        if (selected_.candidates.empty()) return;
+        add_candidate(open(task_, searchers_, best_of(task_, start_, selected_.candidates).opening.removed));
+        task_.report(best_, bound_.objective);
+    }
+
     bool beats_best(const CrossingPath& path) const {
         return least_objective(task_, path.cost, opening_times_) < best_ * (1 - rounding);
     }
@@ -248,11 +260,6 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), deadline, opening_times);
     task.report(cost(task, start), bound.objective);
     Selected selected = ExactSelection(task, searchers_, start, bound, deadline, opening_times).run();
-    if (opening_times.matter() && !selected.candidates.empty()) {
-        // To force what is best must not be better.
-        const std::vector<ObstacleId> removed = best_of(task, start, selected.candidates).opening.removed;
-        selected.candidates.push_back(timed_candidate(task, searchers_, open(task, searchers_, removed)));
-    }
     selected.bound = bound.objective;
     selected.limited = selected.limited || bound.limited;
     return selected;
