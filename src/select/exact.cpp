@@ -148,6 +148,7 @@ class ExactSelection {
                 selected_.limited = selected_.limited || opening.limited;
                 opening.ground.expanded += search.expanded;
                 opening.ground.generated += search.generated;
+                opening.ground.seconds = since_last_.seconds();
                 if (opening.status == SearchStatus::found) add_candidate(std::move(opening));
             }
             if (beats_best(path)) add_candidate(open(task_, searchers_, removed));

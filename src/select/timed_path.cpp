@@ -34,6 +34,7 @@ CrossingOptions options_for(const Task& task, std::span<const ObstacleId> crosse
 
 // The best path for the breaches of a schedule; says of the known candidate if a limit ended the search for it.
 std::optional<Opening> other_path(const Task& task, const Searchers& searchers, Candidate& known) {
+    const Stopwatch watch;
     const Schedule& schedule = known.schedule;
     CrossingOptions options = options_for(task, known.opening.removed);
     options.length_limit = schedule.ground.back().t * task.driver.speed * (1 - rounding);
@@ -53,6 +54,9 @@ std::optional<Opening> other_path(const Task& task, const Searchers& searchers, 
     known.opening.limited = known.opening.limited || opening.limited;
     if (opening.status != SearchStatus::found) return std::nullopt;
     opening.limited = known.opening.limited;
+    opening.ground.expanded += found.expanded;
+    opening.ground.generated += found.generated;
+    opening.ground.seconds = watch.seconds();
     return opening;
 }
 
@@ -60,7 +64,6 @@ std::optional<Opening> other_path(const Task& task, const Searchers& searchers, 
 
 Opening drivable(const Task& task, const Searchers& searchers, const CrossingPath& path,
                  std::vector<ObstacleId> removed) {
-    const Stopwatch watch;
     Opening opening{std::move(removed), SearchStatus::found, {}, false};
     Route& ground = opening.ground;
     ground.path.push_back(path.path.front());
@@ -69,9 +72,9 @@ Opening drivable(const Task& task, const Searchers& searchers, const CrossingPat
     for (std::size_t i = 1; i < path.path.size(); ++i) {
         const Point from = ground.path.back();
         const Point to = path.path[i];
-        if (from == to && (gate == path.gates.end() || gate->at != to)) continue;
-        if (gate == path.gates.end() || gate->at != to) {
-            ground.path.push_back(to);
+        const bool waits_there = gate != path.gates.end() && gate->at == to;
+        if (!waits_there) {
+            if (from != to) ground.path.push_back(to);
             *ground.length += distance(from, to);
             continue;
         }
@@ -85,7 +88,6 @@ Opening drivable(const Task& task, const Searchers& searchers, const CrossingPat
         ground.expanded += leg.expanded;
         ground.generated += leg.generated;
     }
-    ground.seconds = watch.seconds();
     return opening;
 }
 
