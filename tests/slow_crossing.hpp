@@ -4,7 +4,8 @@
 //
 // What a path may do follows from what stands: for the square the open 2 x 2 boxes around the centres of standing cells
 // are closed, for the point the open cells and the common border of two standing cells side by side (or of a standing
-// cell and the map's edge).
+// cell and the map's edge). For a wider disc the cells around a standing one are closed as well: for the square those
+// at whose centre the disc would meet it, for the relaxed those that are in the disc's way from corner to corner.
 #pragma once
 
 #include <algorithm>
@@ -60,18 +61,41 @@ inline bool meets_box(Point a, Point b, Point at, std::int64_t half_side) {
     return left && right;
 }
 
+inline constexpr Set edge = Set{1} << 63;  // of the map: never gone
+
+// The obstacles that must be gone before an agent can be at a cell.
+inline Set needed(const PlainMap& map, const Body& body, bool relaxed, Cell at) {
+    const auto closes = [&](Cell blocked) {
+        const double dx = std::abs(at.x - blocked.x);
+        const double dy = std::abs(at.y - blocked.y);
+        if (dx == 0 && dy == 0) return true;
+        if (relaxed || body.is_point()) return std::hypot(dx, dy) <= body.reach();
+        return std::hypot(std::max(dx - 0.5, 0.0), std::max(dy - 0.5, 0.0)) < body.radius;
+    };
+    Set all = 0;
+    const int margin = int(body.reach()) + 1;
+    for (int y = at.y - margin; y <= at.y + margin; ++y) {
+        for (int x = at.x - margin; x <= at.x + margin; ++x) {
+            const Cell c{x, y};
+            if (map.blocked(c) && closes(c)) all |= map.contains(c) ? Set{1} << map.at(c) : edge;
+        }
+    }
+    return all;
+}
+
 class CrossingOracle {
   public:
     static constexpr double nowhere = std::numeric_limits<double>::infinity();
 
-    CrossingOracle(PlainMap map, Body body, Cell start, Cell goal)
+    CrossingOracle(PlainMap map, Body body, bool relaxed, Cell start, Cell goal)
         : map_(std::move(map)),
-          body_(body),
+          square_(!relaxed && !body.is_point()),
           start_(start),
           goal_(goal),
           bends_{slow::centre(start), slow::centre(goal)} {
-        for (std::int64_t y = body == Body{} ? 0 : -1; y < 2 * map_.height; y += 2) {
-            for (std::int64_t x = body == Body{} ? 0 : -1; x < 2 * map_.width; x += 2) bends_.push_back({x, y});
+        for (const Cell c : map_.cells()) needed_.push_back(needed(map_, body, relaxed, c));
+        for (std::int64_t y = square_ ? 0 : -1; y < 2 * map_.height; y += 2) {
+            for (std::int64_t x = square_ ? 0 : -1; x < 2 * map_.width; x += 2) bends_.push_back({x, y});
         }
         demands_.resize(bends_.size());
         for (std::size_t i = 0; i < bends_.size(); ++i) {
@@ -83,13 +107,16 @@ class CrossingOracle {
     std::vector<Set> demands(Point a, Point b) const {
         std::vector<Set> all;
         for (const Cell c : map_.cells()) {
-            if (!map_.blocked(c)) continue;
-            const Set own = Set{1} << map_.at(c);
-            if (meets_box(a, b, slow::centre(c), body_ == Body{} ? 2 : 1)) all.push_back(own);
-            if (body_ == Body{}) continue;
+            if (at(c) == 0) continue;
+            if (meets_box(a, b, slow::centre(c), square_ ? 2 : 1)) {
+                for (const Set own : each(at(c))) all.push_back(own);
+            }
+            if (square_) continue;
             for (const Cell side : {Cell{c.x - 1, c.y}, Cell{c.x + 1, c.y}, Cell{c.x, c.y - 1}, Cell{c.x, c.y + 1}}) {
-                if (!map_.blocked(side) || !slides_between(a, b, c, side)) continue;
-                all.push_back(map_.contains(side) ? own | Set{1} << map_.at(side) : own);
+                if (at(side) == 0 || !slides_between(a, b, c, side)) continue;
+                for (const Set own : each(at(c))) {
+                    for (const Set other : each(at(side))) all.push_back(own | other);
+                }
             }
         }
         std::sort(all.begin(), all.end());
@@ -124,7 +151,15 @@ class CrossingOracle {
   private:
     static double length(Point a, Point b) { return std::hypot(double(a.x - b.x), double(a.y - b.y)) / 2; }
 
-    bool stands(Cell c, Set gone) const { return map_.blocked(c) && (!map_.contains(c) || !(gone >> map_.at(c) & 1)); }
+    bool stands(Cell c, Set gone) const { return (at(c) & ~gone) != 0; }
+
+    // What must be gone at a cell.
+    Set at(Cell c) const { return map_.contains(c) ? needed_[map_.index(c)] : edge; }
+    static std::vector<Set> each(Set set) {
+        std::vector<Set> members;
+        for (; set != 0; set &= set - 1) members.push_back(set & -set);
+        return members;
+    }
 
     // Whether the segment runs along the border between two cells side by side, for more than a point of it.
     static bool slides_between(Point a, Point b, Cell c, Cell side) {
@@ -142,7 +177,8 @@ class CrossingOracle {
     }
 
     PlainMap map_;
-    Body body_;
+    std::vector<Set> needed_;  // by cell
+    bool square_;
     Cell start_;
     Cell goal_;
     std::vector<Point> bends_;                            // the start first, then the goal

@@ -10,7 +10,7 @@ enum class Corners { none, cut, squeeze };
 
 // What an agent is, to the ground it moves on.
 struct Body {
-    // Of the disc, in cells: 0.5 to 32, thousandths count. 0 is a point that slips between diagonal neighbours.
+    // Of the disc, in cells: 0.001 to 32, thousandths count. 0 is a point that slips between diagonal neighbours.
     double radius = 0.5;
     // Other than `none` the agent is a point, and its radius is left at 0.5.
     Corners corners = Corners::none;

@@ -20,10 +20,15 @@
 namespace waybreaker {
 
 struct CrossingOptions {
-    // Of radius 0.5 or 0, corners `none`. The disc of 0.5 is searched as the unit square around it, which does not
-    // turn; its path bends at cell centres. The path of a point bends at cell corners, may touch obstacles and slip
-    // between diagonal neighbours. Both start and end at cell centres.
+    // With corners `none`. A disc of radius up to 0.5 is searched as the unit square around it, which does not turn;
+    // its path bends at cell centres. A wider disc is that square on a map grown by the disc, cell by cell, which is
+    // kept for the next query: what is found is legal for the disc, and near the best. The path of a point (radius 0)
+    // bends at cell corners, may touch obstacles and slip between diagonal neighbours. All start and end at cell
+    // centres.
     Body body = {};
+    // A lower limit instead: the path of a point on a map grown by less than the body. No path of the body that bends
+    // at cell centres and crosses as much is shorter.
+    bool relaxed = false;
     int crossings = 0;  // at most so many distinct obstacles, however often each is crossed
     // Crossed for nothing, as if they were gone; and never crossed. Indestructible obstacles never are.
     std::span<const ObstacleId> removed = {};
@@ -71,6 +76,9 @@ class CrossingSearcher {
     CrossingSearcher(CrossingSearcher&&) noexcept;
     CrossingSearcher& operator=(CrossingSearcher&&) noexcept;
 
+    // Another searcher, for queries while this one is busy, that shares the maps grown for wide bodies.
+    CrossingSearcher another() const;
+
     // The shortest path; of equally short ones always the same. No path if start or goal lie in an obstacle that is not
     // removed, or off the map. Cost grows with the ellipse that the path needs, not with the map. Throws InputError on
     // options out of range. Not for use by two threads at once.
@@ -81,8 +89,14 @@ class CrossingSearcher {
     CrossingResult enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                              const std::function<bool(const CrossingPath&)>& accept);
 
+    // Whether the body gets from start to goal by legal steps to one of eight neighbours, past all but what is removed.
+    // A disc wider than 0.5 may do so where find() knows no path: its square does not pass diagonally between two
+    // cells. Time O(cells of the map).
+    bool has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options = {});
+
   private:
     class Search;
+    explicit CrossingSearcher(std::unique_ptr<Search> search);
     std::unique_ptr<Search> search_;
 };
 

@@ -41,7 +41,7 @@ struct SearchOptions {
     SearchListener* listener = nullptr;  // not owned; called at every step
 };
 
-// Whether Planner::optimal moves an agent of that body: of radius 0.5 or 0, passing no blocked corner, by eight moves.
+// Whether Planner::optimal moves an agent of that body: one that passes no blocked corner, by eight moves.
 bool can_drive_optimally(const Body& body, bool diagonal);
 
 // The heuristic that a search with these options uses.

@@ -5,27 +5,28 @@
 
 namespace waybreaker::crossing {
 
-void Borders::start_query(const Map& map, int reach) {
-    map_ = &map;
-    if (identity_ == map.identity() && reach_ == reach) return;
-    identity_ = map.identity();
+void Borders::start_query(const Regions& regions, int reach) {
+    regions_ = &regions;
+    map_ = &regions.map();
+    if (identity_ == map_->identity() && reach_ == reach) return;
+    identity_ = map_->identity();
     reach_ = reach;
     borders_.clear();
 }
 
-const Border& Borders::of(std::uint32_t obstacle) {
-    const auto [found, added] = borders_.try_emplace(obstacle);
-    if (added) found->second = trace(obstacle);
+const Border& Borders::of(std::uint32_t region) {
+    const auto [found, added] = borders_.try_emplace(region);
+    if (added) found->second = trace(region);
     return found->second;
 }
 
-// Of the square: cells beside a cell of the obstacle, diagonals included. Of the point: corners of its cells, but for
-// those with the obstacle all around.
-std::vector<Vertex> Borders::points_of(std::uint32_t obstacle) const {
-    const Box& box = map_->obstacle(ObstacleId{obstacle}).bounds;
+// Of the square: cells beside a cell of the region, diagonals included. Of the point: corners of its cells, but for
+// those with the region all around.
+std::vector<Vertex> Borders::points_of(std::uint32_t region) const {
+    const Box& box = map_->obstacle(ObstacleId{region}).bounds;
     const auto owns = [&](int x, int y) {
         const Cell c{x, y};
-        return map_->grid().contains(c) && map_->obstacle_at(c).value == obstacle;
+        return map_->grid().contains(c) && map_->obstacle_at(c).value == region;
     };
     std::vector<Vertex> border;
     const int from = reach_ == 2 ? 1 : 0;
@@ -48,8 +49,8 @@ std::vector<Vertex> Borders::points_of(std::uint32_t obstacle) const {
     return border;
 }
 
-Border Borders::trace(std::uint32_t obstacle) const {
-    Border border{points_of(obstacle), {}, {INT_MAX, INT_MAX}, {INT_MIN, INT_MIN}};
+Border Borders::trace(std::uint32_t region) const {
+    Border border{points_of(region), {}, {INT_MAX, INT_MAX}, {INT_MIN, INT_MIN}};
     std::unordered_map<std::uint64_t, std::uint32_t> index;
     const auto key = [](Vertex v) { return std::uint64_t(std::uint32_t(v.x)) << 32U | std::uint32_t(v.y); };
     for (const Vertex v : border.points) {
@@ -72,7 +73,7 @@ Border Borders::trace(std::uint32_t obstacle) const {
 // Whether nothing at all is in the way from a lattice point to the next.
 bool Borders::free_between(Vertex a, Vertex b) const {
     if (reach_ == 2) return !map_->grid().blocked({a.x / 2, a.y / 2}) && !map_->grid().blocked({b.x / 2, b.y / 2});
-    // The cells on both sides of an edge: one is the obstacle's, as it is on its border.
+    // The cells on both sides of an edge: one is the region's, as it is on its border.
     const Vertex middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
     const Step across = a.x == b.x ? Step{1, 0} : Step{0, 1};
     const Vertex one = middle + across;
@@ -84,7 +85,7 @@ bool Borders::stands(Vertex v, std::span<const std::uint32_t> open) const {
     if (reach_ == 1) return true;  // corners of cells are in no cell
     const Cell c{v.x / 2, v.y / 2};
     if (!map_->grid().blocked(c)) return true;
-    return std::ranges::binary_search(open, map_->obstacle_at(c).value);
+    return regions_->within(map_->obstacle_at(c).value, open);
 }
 
 }  // namespace waybreaker::crossing

@@ -1,4 +1,4 @@
-// Border: where an agent can stand that touches an obstacle, as lattice points.
+// Border: where an agent can stand that touches a region, as lattice points.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,15 @@
 #include <vector>
 
 #include "crossing/lattice.hpp"
+#include "crossing/regions.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::crossing {
 
 inline constexpr std::uint32_t no_neighbour = UINT32_MAX;
 
-// All lattice points on the border of a grown obstacle; no place on it is farther than half a cell from one of them.
+// All lattice points on the border of a region, grown by the body; no place on it is farther than half a cell from one
+// of them.
 struct Border {
     std::vector<Vertex> points;
     // Of each point: others a cell away, to which the agent can go straight.
@@ -33,20 +35,21 @@ inline double gap(Vertex v, const Border& border) {
 
 class Borders {
   public:
-    void start_query(const Map& map, int reach);
+    void start_query(const Regions& regions, int reach);
 
-    // Found when first asked for, in O(the obstacle's bounding box), and kept for as long as the map is the same.
-    const Border& of(std::uint32_t obstacle);
+    // Found when first asked for, in O(the region's bounding box), and kept for as long as the map is the same.
+    const Border& of(std::uint32_t region);
 
     // Whether the agent can be there: in no obstacle but these (sorted).
     bool stands(Vertex v, std::span<const std::uint32_t> open) const;
 
   private:
-    Border trace(std::uint32_t obstacle) const;
-    std::vector<Vertex> points_of(std::uint32_t obstacle) const;
+    Border trace(std::uint32_t region) const;
+    std::vector<Vertex> points_of(std::uint32_t region) const;
     bool free_between(Vertex a, Vertex b) const;
 
-    const Map* map_ = nullptr;
+    const Regions* regions_ = nullptr;
+    const Map* map_ = nullptr;  // of the regions
     int reach_ = 0;
     std::shared_ptr<const void> identity_;
     std::unordered_map<std::uint32_t, Border> borders_;

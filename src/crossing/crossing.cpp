@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <ranges>
 
 #include "crossing/dominance.hpp"
 #include "crossing/search.hpp"
 #include "crossing/validate.hpp"
+#include "map/line_of_sight.hpp"
 
 namespace waybreaker {
 
@@ -16,6 +18,15 @@ using namespace crossing;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<std::uint32_t> sorted(std::span<const ObstacleId> ids) {
+    std::vector<std::uint32_t> numbers;
+    for (const ObstacleId id : ids) numbers.push_back(id.value);
+    std::ranges::sort(numbers);
+    const auto repeated = std::ranges::unique(numbers);
+    numbers.erase(repeated.begin(), repeated.end());
+    return numbers;
+}
 
 }  // namespace
 
@@ -58,7 +69,7 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
 // Unless another one at its vertex dominates it.
 void CrossingSearcher::Search::add(Label label) {
     const bool by_count = accept_ == nullptr && !in_time();  // another set may open later
-    const Dominance dominates{*map_, sets_, options_->budget < infinity, goal_, limit_, by_count};
+    const Dominance dominates{*regions_, sets_, groups_, options_->budget < infinity, goal_, limit_, by_count};
     const std::uint32_t place = places_.find_or_add(label.at);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
@@ -174,9 +185,11 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
             if (std::ranges::find(path.crossed, id) == path.crossed.end()) path.crossed.push_back(id);
         };
         if (here.gate != 0) {
+            const auto& opened = groups_[here.gate].terms().opened;
             path.gates.push_back({path.path.back(), ids_of(sets_[here.set])});
-            std::erase(path.gates.back().crossed, ObstacleId{here.gate});
-            append({here.gate});
+            std::erase_if(path.gates.back().crossed,
+                          [&](ObstacleId id) { return std::ranges::binary_search(opened, id.value); });
+            std::ranges::for_each(ids_of(opened), append);
             std::ranges::for_each(path.gates.back().crossed, append);
             continue;
         }
@@ -188,11 +201,13 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
         ray.cast(before.at, here.at, int(set.size()), infinity);
         std::vector<Hit> hits;
         for (const Hit& hit : ray.hits()) {
-            if (std::binary_search(set.begin(), set.end(), hit.obstacle)) hits.push_back(hit);
+            if (regions_->within(hit.region, set)) hits.push_back(hit);
         }
         std::sort(hits.begin(), hits.end(),
-                  [](const Hit& a, const Hit& b) { return a.at != b.at ? a.at > b.at : a.obstacle > b.obstacle; });
-        for (const Hit& hit : hits) append({hit.obstacle});
+                  [](const Hit& a, const Hit& b) { return a.at != b.at ? a.at < b.at : a.region < b.region; });
+        std::vector<std::uint32_t> entered;
+        for (const Hit& hit : hits) ray.add_missing(hit.region, entered);
+        for (const std::uint32_t obstacle : std::views::reverse(entered)) append({obstacle});
     }
     std::reverse(path.gates.begin(), path.gates.end());
     std::reverse(path.path.begin(), path.path.end());
@@ -202,21 +217,65 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
 
 CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                                              const std::function<bool(const CrossingPath&)>* accept) {
-    const auto stands = [&](Cell c) {
-        if (!map.grid().contains(c)) return false;
-        const ObstacleId id = map.obstacle_at(c);
-        return !id || std::find(options.removed.begin(), options.removed.end(), id) != options.removed.end();
-    };
-    if (stands(start) && stands(goal)) return run_between(map, centre(start), centre(goal), options, accept);
+    const std::shared_ptr<const Regions> regions = regions_for(map, options);
+    const std::vector<std::uint32_t> removed = sorted(options.removed);
+    if (stands(*regions, start, removed) && stands(*regions, goal, removed)) {
+        return run_between(map, centre(start), centre(goal), options, accept);
+    }
     CrossingResult none;
     none.lower_bound = infinity;
     return none;
+}
+
+bool CrossingSearcher::Search::stands(const Regions& regions, Cell c, std::span<const std::uint32_t> removed) {
+    if (!regions.map().grid().contains(c)) return false;
+    const ObstacleId region = regions.map().obstacle_at(c);
+    return !region || regions.within(region.value, removed);
+}
+
+bool CrossingSearcher::Search::has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
+    const std::shared_ptr<const Regions> regions = regions_for(map, options);
+    const std::vector<std::uint32_t> removed = sorted(options.removed);
+    const OpenedMap opened(map, options.removed);
+    const LineOfSight sight(opened, options.body);
+    const auto free = [&](Cell c) { return stands(*regions, c, removed); };
+    if (!free(start) || !free(goal)) return false;
+    const auto width = std::size_t(map.width());
+    std::vector<bool> seen(width * std::size_t(map.height()));
+    std::vector<Cell> open{start};
+    while (!open.empty()) {
+        const Cell at = open.back();
+        open.pop_back();
+        if (at == goal) return true;
+        for (const Step step : {Step{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
+            const Cell next = at + step;
+            if (!free(next) || seen[std::size_t(next.y) * width + std::size_t(next.x)]) continue;
+            if (step.x != 0 && step.y != 0 && !sight.clear(at, next)) continue;
+            seen[std::size_t(next.y) * width + std::size_t(next.x)] = true;
+            open.push_back(next);
+        }
+    }
+    return false;
+}
+
+// Grown once for all queries that move the same body on the same map.
+std::shared_ptr<const Regions> CrossingSearcher::Search::regions_for(const Map& map, const CrossingOptions& options) {
+    std::shared_ptr<const Regions>& known = regions_of_[std::size_t(reach_of(options) - 1)];
+    if (!known || !known->serve(map, options)) known = std::make_shared<const Regions>(map, options);
+    return known;
+}
+
+std::unique_ptr<CrossingSearcher::Search> CrossingSearcher::Search::another() const {
+    auto search = std::make_unique<Search>();
+    search->regions_of_ = regions_of_;
+    return search;
 }
 
 CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex start, Vertex goal,
                                                      const CrossingOptions& options,
                                                      const std::function<bool(const CrossingPath&)>* accept) {
     map_ = &map;
+    regions_ = regions_for(map, options);
     options_ = &options;
     accept_ = accept;
     start_ = start;
@@ -225,18 +284,15 @@ CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex star
     interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
     result_ = {};
     result_.lower_bound = infinity;
-    removed_.clear();
-    for (const ObstacleId id : options.removed) removed_.push_back(id.value);
-    std::sort(removed_.begin(), removed_.end());
-    removed_.erase(std::unique(removed_.begin(), removed_.end()), removed_.end());
+    removed_ = sorted(options.removed);
     waits_ = bool(options.opened_after);
     if (waits_) {
-        borders_.start_query(map, reach_of(options.body));
+        borders_.start_query(*regions_, reach_of(options));
         ways_.start_query(map, options);
     }
     // The square turns and waits at lattice points only; the point is a lower limit for who waits anywhere.
-    early_ = options.body.is_point() ? 1 : 0;
-    fan_.start_query(map, goal_, options, interrupt_);
+    early_ = reach_of(options) == 1 ? 1 : 0;
+    fan_.start_query(*regions_, goal_, options, interrupt_);
     search_ellipses(2 * options.length_limit);
     result_.generated = result_.expanded + open_.size();
     return result_;
@@ -287,13 +343,23 @@ CrossingPath CrossingSearcher::Search::incumbent() {
 }
 
 CrossingSearcher::CrossingSearcher() : search_(std::make_unique<Search>()) {}
+CrossingSearcher::CrossingSearcher(std::unique_ptr<Search> search) : search_(std::move(search)) {}
 CrossingSearcher::~CrossingSearcher() = default;
 CrossingSearcher::CrossingSearcher(CrossingSearcher&&) noexcept = default;
 CrossingSearcher& CrossingSearcher::operator=(CrossingSearcher&&) noexcept = default;
 
+CrossingSearcher CrossingSearcher::another() const {
+    return CrossingSearcher(search_->another());
+}
+
 CrossingResult CrossingSearcher::find(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
     validate(map, options);
     return search_->run(map, start, goal, options, nullptr);
+}
+
+bool CrossingSearcher::has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
+    validate(map, options);
+    return search_->has_steps(map, start, goal, options);
 }
 
 CrossingResult CrossingSearcher::enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,

@@ -12,8 +12,8 @@ bool Dominance::operator()(const Label& better, const Label& worse) const {
     if (better.set == worse.set) return true;
     const auto mine = sets[better.set];
     const auto theirs = sets[worse.set];
-    // Who has not waited for the obstacle goes another way.
-    if (worse.gate != 0 && !std::binary_search(mine.begin(), mine.end(), worse.gate)) return false;
+    // Who has not waited for the same goes another way.
+    if (worse.gate != 0 && !std::ranges::includes(mine, groups[worse.gate].terms().opened)) return false;
     int more = 0;
     double more_weight = 0;
     for (const std::uint32_t obstacle : mine) {
@@ -33,7 +33,7 @@ bool Dominance::operator()(const Label& better, const Label& worse) const {
 
 // No path that is short enough can come back to the obstacle.
 bool Dominance::lost(std::uint32_t obstacle, const Label& label) const {
-    const Box& box = map.obstacle(ObstacleId{obstacle}).bounds;
+    const Box box = regions.bounds(obstacle);
     const auto gap = [&box](Vertex v) {
         const int dx = std::max({2 * box.min.x - 2 - v.x, v.x - 2 * box.max.x - 2, 0});
         const int dy = std::max({2 * box.min.y - 2 - v.y, v.y - 2 * box.max.y - 2, 0});

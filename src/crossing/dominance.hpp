@@ -1,14 +1,18 @@
 // Dominance: which of two ways to be at a vertex need not be followed.
 #pragma once
 
+#include <vector>
+
+#include "crossing/gates.hpp"
 #include "crossing/labels.hpp"
-#include "waybreaker/map.hpp"
+#include "crossing/regions.hpp"
 
 namespace waybreaker::crossing {
 
 struct Dominance {
-    const Map& map;
+    const Regions& regions;
     const ObstacleSets& sets;
+    const std::vector<GateGroup>& groups;
     bool weighs;  // whether the budget is limited
     Vertex goal;
     double limit;   // half cells: dearer paths are not looked for
@@ -20,7 +24,7 @@ struct Dominance {
 
   private:
     bool lost(std::uint32_t obstacle, const Label& label) const;
-    double weight(std::uint32_t obstacle) const { return weighs ? map.obstacle(ObstacleId{obstacle}).weight : 0; }
+    double weight(std::uint32_t obstacle) const { return weighs ? regions.weight(obstacle) : 0; }
 };
 
 }  // namespace waybreaker::crossing

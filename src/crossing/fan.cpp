@@ -5,14 +5,14 @@
 
 namespace waybreaker::crossing {
 
-void Fan::start_query(const Map& map, Vertex goal, const CrossingOptions& options, Interrupt& interrupt) {
-    map_ = &map;
+void Fan::start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, Interrupt& interrupt) {
+    map_ = &regions.map();
     interrupt_ = &interrupt;
-    reach_ = reach_of(options.body);
+    reach_ = reach_of(options);
     goal_ = goal;
     bends_ = &bends_of_[std::size_t(reach_ - 1)];
-    bends_->start_query(map);
-    ray_.start_query(map, options);
+    bends_->start_query(*map_);
+    ray_.start_query(regions, options);
     notes_entered_ = bool(options.opened_after);
 }
 
@@ -54,7 +54,7 @@ bool Fan::look_at_goal() {
     const Step direction = goal_ - from_.at;
     const std::size_t before = reached_.size();
     if (cast(direction, 1)) reach(goal_, 1);
-    for (const Hit& hit : ray_.hits()) scan_from({hit.obstacle, hit.cell, hit.side}, direction, 0);
+    for (const Hit& hit : ray_.hits()) scan_from({hit.region, hit.cell, hit.side}, direction, 0);
     return reached_.size() > before;
 }
 
@@ -66,7 +66,7 @@ void Fan::look_into(const Sector& sector) {
             look_along(sector.straight, sector.turn);
         }
         const Step outward = sector.sliding + -sector.around.quadrant;
-        const Outline outline(*map_, reach_, sector.around.obstacle);
+        const Outline outline(*map_, reach_, sector.around.region);
         // Along the obstacle's own side. Where that ends at a corner, the ray to it is the sector's border.
         if (!scan(outline, {sector.around.cell, outward, sector.sliding}, -sector.turn))
             look_along(sector.sliding, -sector.turn);
@@ -81,7 +81,7 @@ void Fan::look_into(const Sector& sector) {
 // A border of the sector: what it hits is followed into the sector only.
 void Fan::look_along(Step direction, int into) {
     cast(direction, times_in_range(direction));
-    for (const Hit& hit : ray_.hits()) scan_from({hit.obstacle, hit.cell, hit.side}, direction, into);
+    for (const Hit& hit : ray_.hits()) scan_from({hit.region, hit.cell, hit.side}, direction, into);
 }
 
 void Fan::look_at(const Aim& aim) {
@@ -97,7 +97,7 @@ void Fan::look_at(const Aim& aim) {
     }
     // What lies behind the corner is followed to its open side only.
     for (const Hit& hit : ray_.hits())
-        scan_from({hit.obstacle, hit.cell, hit.side}, direction, hit.at < share ? 0 : aim.open);
+        scan_from({hit.region, hit.cell, hit.side}, direction, hit.at < share ? 0 : aim.open);
 }
 
 // True if nothing stops the ray.
@@ -111,19 +111,15 @@ bool Fan::cast(Step direction, int times) {
 void Fan::note_entered(double length) {
     in_order_.assign(ray_.hits().begin(), ray_.hits().end());
     std::ranges::stable_sort(in_order_, {}, &Hit::at);
-    int passed = 0;
-    double weight = 0;
+    passed_.clear();
     bool first = true;
     for (const Hit& hit : in_order_) {
-        weight += ray_.weight(hit.obstacle);
-        if (ray_.solid(hit.obstacle) || passed == from_.crossings || weight > from_.weight) return;
-        entered_.push_back({hit.obstacle, hit.at * length, hit.surely, first});
+        const std::size_t before = passed_.size();
+        ray_.add_missing(hit.region, passed_);
+        if (ray_.solid(hit.region) || !affords(passed_)) return;
+        entered_.push_back({hit.region, hit.at * length, hit.surely, first});
         first = false;
-        if (hit.surely) {
-            ++passed;
-        } else {
-            weight -= ray_.weight(hit.obstacle);
-        }
+        if (!hit.surely) passed_.resize(before);
     }
 }
 
@@ -138,7 +134,7 @@ int Fan::times_in_range(Step direction) const {
 void Fan::keep_ahead(double share) {
     reached_.back().fronts_begin = std::uint32_t(fronts_.size());
     for (const Hit& hit : ray_.hits()) {
-        if (hit.at >= share) fronts_.push_back({hit.obstacle, hit.cell, hit.side});
+        if (hit.at >= share) fronts_.push_back({hit.region, hit.cell, hit.side});
     }
     reached_.back().fronts_end = std::uint32_t(fronts_.size());
 }
@@ -150,7 +146,7 @@ std::optional<std::span<const Front>> Fan::ahead(const Reached& reached) const {
 
 // Both ways along the outline of what a ray has hit; or to one side only.
 void Fan::scan_from(Front front, Step direction, int only) {
-    const Outline outline(*map_, reach_, front.obstacle);
+    const Outline outline(*map_, reach_, front.region);
     if (outline.owns(front.cell + front.side)) {  // it was entered at a concave corner, through two boxes at once
         front.cell = front.cell + front.side;
         front.side = front.side.x != 0 ? Step{0, -sign(direction.y)} : Step{-sign(direction.x), 0};
@@ -250,53 +246,56 @@ std::optional<Corner> Fan::corner_at(Vertex v, Step quadrant) const {
     const Cell cell = square ? Cell{v.x / 2 + quadrant.x, v.y / 2 + quadrant.y}
                              : Cell{(v.x + quadrant.x) / 2, (v.y + quadrant.y) / 2};
     if (!map_->grid().blocked(cell) || !map_->grid().contains(cell)) return std::nullopt;
-    const std::uint32_t obstacle = map_->obstacle_at(cell).value;
-    if (ray_.open(obstacle)) return std::nullopt;
-    const Outline outline(*map_, reach_, obstacle);
+    const std::uint32_t region = map_->obstacle_at(cell).value;
+    if (ray_.open(region)) return std::nullopt;
+    const Outline outline(*map_, reach_, region);
     if (outline.owns(cell + Step{-quadrant.x, 0}) || outline.owns(cell + Step{0, -quadrant.y})) return std::nullopt;
     if (square && outline.owns(cell + -quadrant)) return std::nullopt;
-    return Corner{quadrant, cell, obstacle};
+    return Corner{quadrant, cell, region};
 }
 
 bool Fan::bends(Vertex v, std::span<const std::uint32_t> crossed) const {
     return std::any_of(quadrants.begin(), quadrants.end(), [&](Step quadrant) {
         if (sliding(v - from_.at, quadrant) == Step{}) return false;
         const std::optional<Corner> corner = corner_at(v, quadrant);
-        return corner && std::find(crossed.begin(), crossed.end(), corner->obstacle) == crossed.end();
+        return corner && !ray_.opens(corner->region, crossed);
     });
 }
 
 void Fan::reach(Vertex v, double share) {
     std::vector<std::uint32_t> crossed;
     for (const Hit& hit : ray_.hits()) {
-        if (hit.surely && hit.at < share) crossed.push_back(hit.obstacle);
+        if (hit.surely && hit.at < share) ray_.add_missing(hit.region, crossed);
     }
     reach(v, share, 0, crossed);
 }
 
 // Once for each choice between the two obstacles of a squeeze.
 void Fan::reach(Vertex v, double share, std::size_t squeeze, std::vector<std::uint32_t>& crossed) {
-    double weight = 0;
-    for (const std::uint32_t obstacle : crossed) weight += ray_.weight(obstacle);
-    if (int(crossed.size()) > from_.crossings || weight > from_.weight) return;
+    if (!affords(crossed)) return;
     if (squeeze == ray_.squeezes().size()) {
         if (v == goal_ || bends(v, crossed)) reached_.push_back({v, crossed});
         return;
     }
-    const auto has = [&crossed](std::uint32_t obstacle) {
-        return std::find(crossed.begin(), crossed.end(), obstacle) != crossed.end();
-    };
     const Squeeze pair = ray_.squeezes()[squeeze];
-    if (pair.at >= share || has(pair.one) || has(pair.other)) {
+    if (pair.at >= share || ray_.opens(pair.one, crossed) || ray_.opens(pair.other, crossed)) {
         reach(v, share, squeeze + 1, crossed);
         return;
     }
-    for (const std::uint32_t obstacle : {pair.one, pair.other}) {
-        if (ray_.solid(obstacle)) continue;
-        crossed.push_back(obstacle);
+    for (const std::uint32_t region : {pair.one, pair.other}) {
+        if (ray_.solid(region)) continue;
+        const std::size_t before = crossed.size();
+        ray_.add_missing(region, crossed);
         reach(v, share, squeeze + 1, crossed);
-        crossed.pop_back();
+        crossed.resize(before);
     }
+}
+
+// Whether so much may still be crossed.
+bool Fan::affords(std::span<const std::uint32_t> obstacles) const {
+    double weight = 0;
+    for (const std::uint32_t obstacle : obstacles) weight += ray_.weight(obstacle);
+    return int(obstacles.size()) <= from_.crossings && weight <= from_.weight;
 }
 
 }  // namespace waybreaker::crossing

@@ -20,23 +20,23 @@
 
 namespace waybreaker::crossing {
 
-// A corner of an obstacle: the quadrant of its vertex that the obstacle fills, and the obstacle.
+// A corner of a region: the quadrant of its vertex that the region fills, and the region.
 struct Corner {
     Step quadrant;
     Cell cell;
-    std::uint32_t obstacle = 0;
+    std::uint32_t region = 0;
 };
 
-// What a ray has met: through which side of which cell it enters the obstacle.
+// What a ray has met: through which side of which cell it enters the region.
 struct Front {
-    std::uint32_t obstacle = 0;
+    std::uint32_t region = 0;
     Cell cell;
     Step side;
 };
 
 // What a ray enters, in order, as far as it may.
 struct Entered {
-    std::uint32_t obstacle = 0;
+    std::uint32_t region = 0;
     double at = 0;       // half cells from the viewpoint
     bool surely = true;  // false: that or another one
     bool first = false;  // of its ray
@@ -63,8 +63,8 @@ struct Reached {
 
 class Fan {
   public:
-    // Keeps the interrupt for as long as the query lasts.
-    void start_query(const Map& map, Vertex goal, const CrossingOptions& options, Interrupt& interrupt);
+    // Keeps regions and interrupt for as long as the query lasts.
+    void start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, Interrupt& interrupt);
 
     // All corners and the goal that a shortest path can go to next; some of them if it is interrupted. `alternatives`:
     // also when the goal itself is in reach. What is returned lives until the next call.
@@ -111,10 +111,11 @@ class Fan {
     void note(Vertex corner, int open);
     std::optional<Corner> corner_at(Vertex v, Step quadrant) const;
     bool bends(Vertex v, std::span<const std::uint32_t> crossed) const;
+    bool affords(std::span<const std::uint32_t> obstacles) const;
     void reach(Vertex v, double share);
     void reach(Vertex v, double share, std::size_t squeeze, std::vector<std::uint32_t>& crossed);
 
-    const Map* map_ = nullptr;
+    const Map* map_ = nullptr;  // of the regions
     Interrupt* interrupt_ = nullptr;
     int reach_ = 2;  // half cells
     Vertex goal_;
@@ -131,6 +132,7 @@ class Fan {
     bool notes_entered_ = false;
     std::vector<Entered> entered_;
     std::vector<Hit> in_order_;
+    std::vector<std::uint32_t> passed_;
     std::vector<Front> fronts_;  // ahead of those reached; the first is none
 };
 

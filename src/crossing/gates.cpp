@@ -21,13 +21,18 @@ double GateGroup::cost_of(const Point& point) const {
     return std::max(terms_.open, point.arrival) - terms_.early;
 }
 
-// Where the agent comes after the obstacle has opened it does not wait: the taut paths through it are no gates.
+// Where the agent comes long after the obstacle has opened it does not wait: the taut paths through it are no gates.
+// The first points at which it is open are: with points a cell apart, the best place to bend may lie just behind the
+// last at which it is not. For the lower limit a gate stands for all places around it.
+bool GateGroup::is_gate(double arrival) const {
+    return arrival - terms_.early < terms_.open + (terms_.early > 0 ? 0 : spacing);
+}
+
 void GateGroup::open_up(const std::function<bool(Vertex)>& stands) {
     for (const Vertex v : border_->points) {
         const double arrival = terms_.arrival + length(v - terms_.from);
         const bool free = stands(v);
-        const bool waits = arrival - terms_.early < terms_.open;
-        points_.push_back({.arrival = arrival, .stands = free, .done = !waits || !free});
+        points_.push_back({.arrival = arrival, .stands = free, .done = !is_gate(arrival) || !free});
     }
 }
 
@@ -76,7 +81,7 @@ void GateGroup::learn(std::uint32_t point, double arrival) {
         const auto [at, least] = queue[i];
         if (at != point && (points_[at].proven || points_[at].arrival >= least)) continue;
         points_[at].arrival = std::max(points_[at].arrival, least);
-        if (points_[at].arrival - terms_.early >= terms_.open) points_[at].done = true;
+        if (!is_gate(points_[at].arrival)) points_[at].done = true;
         if (least - spacing <= terms_.arrival) continue;
         for (const std::uint32_t next : border_->neighbours[at]) {
             if (next != no_neighbour && points_[next].arrival < least - spacing)

@@ -22,7 +22,7 @@ struct Label {
     std::uint32_t fronts_begin = 0;  // of what it meets straight on; 0, 0: not known
     std::uint32_t fronts_end = 0;
     std::uint32_t since = 0;  // the gate that it comes from, or the start
-    std::uint32_t gate = 0;   // the obstacle that it waits for there; 0: it does not wait
+    std::uint32_t gate = 0;   // the group of the gate that it waits at; 0: it does not wait
     std::uint32_t group = 0;  // not 0: it stands for the gates of a group that are left
     bool dominated = false;
 };

@@ -2,7 +2,8 @@
 //
 // Cell (x, y) has its centre at (2x, 2y). An obstacle grown by the body is the union of the open boxes around its
 // cells' centres with half side `reach`: 2 for the unit square, whose path bends at the boxes' corners, the cell
-// centres; 1 for the point, where boxes are the cells themselves.
+// centres; 1 for the point, where boxes are the cells themselves. For wider bodies the cells are those of a map that
+// was grown before (regions.hpp).
 #pragma once
 
 #include <algorithm>
@@ -59,8 +60,8 @@ constexpr Vertex centre(Cell c) {
     return {2 * c.x, 2 * c.y};
 }
 // Half the side of the box around a cell that the body's centre cannot enter, in half cells.
-constexpr int reach_of(const Body& body) {
-    return body.is_point() ? 1 : 2;
+inline int reach_of(const CrossingOptions& options) {
+    return options.relaxed || options.body.is_point() ? 1 : 2;
 }
 
 constexpr std::int64_t floor_divide(std::int64_t a, std::int64_t b) {

@@ -15,28 +15,41 @@ void Ray::Free::operator()(void* memory) const {
     std::free(memory);
 }
 
-void Ray::start_query(const Map& map, const CrossingOptions& options) {
-    map_ = &map;
-    touching_ = map.obstacles_touch();
-    reach_ = reach_of(options.body);
+void Ray::start_query(const Regions& regions, const CrossingOptions& options) {
+    regions_ = &regions;
+    map_ = &regions.map();
+    touching_ = map_->obstacles_touch();
+    reach_ = reach_of(options);
     weighs_ = options.budget < std::numeric_limits<double>::infinity();
     allows_some_ = !options.only.empty();
-    const std::size_t count = map.obstacles().size() + 1;
+    const std::size_t region_limit = regions.count() + 1;
+    const std::size_t obstacle_limit = regions.obstacle_limit();
     // Fresh pages are zero and cost nothing until used: a big map costs no more than what the rays see of it.
-    if (count > mark_count_ || query_ > UINT32_MAX / 2 || opening_ > UINT32_MAX / 2 || ray_ > UINT32_MAX / 2) {
-        marks_.reset(static_cast<Mark*>(std::calloc(count, sizeof(Mark))));
-        if (!marks_) throw std::bad_alloc();
-        mark_count_ = count;
+    if (region_limit > region_limit_ || obstacle_limit > obstacle_limit_ || query_ > UINT32_MAX / 2 ||
+        opening_ > UINT32_MAX / 2 || ray_ > UINT32_MAX / 2) {
+        region_marks_.reset(static_cast<RegionMark*>(std::calloc(region_limit, sizeof(RegionMark))));
+        obstacle_marks_.reset(static_cast<ObstacleMark*>(std::calloc(obstacle_limit, sizeof(ObstacleMark))));
+        if (!region_marks_ || !obstacle_marks_) throw std::bad_alloc();
+        region_limit_ = region_limit;
+        obstacle_limit_ = obstacle_limit;
         query_ = opening_ = ray_ = 0;
     }
     ++query_;
-    for (const ObstacleId id : options.protect) marks_[id.value].protect = query_;
-    for (const ObstacleId id : options.only) marks_[id.value].allow = query_;
+    for (const ObstacleId id : options.protect) obstacle_marks_[id.value].protect = query_;
+    for (const ObstacleId id : options.only) obstacle_marks_[id.value].allow = query_;
 }
 
 void Ray::set_open(std::span<const std::uint32_t> obstacles) {
     ++opening_;
-    for (const std::uint32_t obstacle : obstacles) marks_[obstacle].open = opening_;
+    for (const std::uint32_t obstacle : obstacles) obstacle_marks_[obstacle].open = opening_;
+    for (const std::uint32_t obstacle : obstacles) {
+        regions_->for_each_region_of(obstacle, [&](std::uint32_t region) {
+            bool open = true;
+            regions_->for_each_member(region,
+                                      [&](std::uint32_t o) { open = open && obstacle_marks_[o].open == opening_; });
+            if (open) region_marks_[region].open = opening_;
+        });
+    }
 }
 
 bool Ray::cast(Vertex from, Vertex to, int crossings, double weight) {
@@ -160,7 +173,7 @@ Hit Ray::entry(const Frame& f, int x, int row) const {
     const double along = f.dx == 0 ? -1 : double(2 * x - sign(f.dx) * reach_ - f.x) / f.dx;
     const double across = f.dy == 0 ? -1 : double(2 * row - sign(f.dy) * reach_ - f.y) / f.dy;
     const Step side = along >= across ? Step{-sign(f.dx), 0} : Step{0, -sign(f.dy)};
-    return {.obstacle = outside(f, x, row) ? 0 : label(f, x, row),
+    return {.region = outside(f, x, row) ? 0 : label(f, x, row),
             .cell = f.steep ? Cell{row, x} : Cell{x, row},
             .side = f.steep ? Step{side.y, side.x} : side,
             .row = row,
@@ -172,7 +185,7 @@ void Ray::visit_cell(const Frame& f, int x, int row) {
         stop(entry(f, x, row).at);
         return;
     }
-    const Mark& mark = marks_[label(f, x, row)];
+    const RegionMark& mark = region_marks_[label(f, x, row)];
     if (mark.open == opening_) return;
     // Boxes of the row behind the first can begin earlier; those of later rows cannot.
     const bool known = mark.ray == ray_ && std::abs(row - hits_[mark.hit].row) != 1;
@@ -180,7 +193,7 @@ void Ray::visit_cell(const Frame& f, int x, int row) {
 }
 
 void Ray::meet(const Hit& hit) {
-    Mark& mark = marks_[hit.obstacle];
+    RegionMark& mark = region_marks_[hit.region];
     if (mark.ray == ray_) {
         Hit& known = hits_[mark.hit];
         if (known.surely || !hit.surely) {
@@ -191,7 +204,7 @@ void Ray::meet(const Hit& hit) {
         if (stopped_ && hit.at >= stopped_at_) return;
         mark.hit = std::uint32_t(hits_.size());
         hits_.push_back(hit);
-        if (solid(hit.obstacle)) stop(hit.at);
+        if (solid(hit.region)) stop(hit.at);
         return;
     }
     if (stopped_ && hit.at >= stopped_at_) return;
@@ -199,11 +212,27 @@ void Ray::meet(const Hit& hit) {
     mark.hit = std::uint32_t(hits_.size());
     hits_.push_back(hit);
     if (stopped_) return;
-    --crossings_left_;
-    weight_left_ -= weight(hit.obstacle);
-    if (crossings_left_ < 0 || weight_left_ < 0 || solid(hit.obstacle)) {
-        stop(hit.at);
-    }
+    pay(hit.region);
+    if (crossings_left_ < 0 || weight_left_ < 0 || solid(hit.region)) stop(hit.at);
+}
+
+// For the obstacles that are neither open nor paid for by this ray.
+Ray::Price Ray::price(std::uint32_t region) const {
+    Price price;
+    regions_->for_each_member(region, [&](std::uint32_t obstacle) {
+        const ObstacleMark& mark = obstacle_marks_[obstacle];
+        if (mark.open == opening_ || mark.ray == ray_) return;
+        ++price.crossings;
+        price.weight += weight(obstacle);
+    });
+    return price;
+}
+
+void Ray::pay(std::uint32_t region) {
+    const Price due = price(region);
+    crossings_left_ -= due.crossings;
+    weight_left_ -= due.weight;
+    regions_->for_each_member(region, [&](std::uint32_t obstacle) { obstacle_marks_[obstacle].ray = ray_; });
 }
 
 void Ray::stop(double at) {
@@ -211,10 +240,15 @@ void Ray::stop(double at) {
     stopped_ = true;
 }
 
-bool Ray::solid(std::uint32_t obstacle) const {
-    const Mark& mark = marks_[obstacle];
-    return mark.protect == query_ || (allows_some_ && mark.allow != query_) ||
-           !map_->obstacle(ObstacleId{obstacle}).destructible;
+bool Ray::solid(std::uint32_t region) const {
+    bool solid = false;
+    regions_->for_each_member(region, [&](std::uint32_t obstacle) {
+        const ObstacleMark& mark = obstacle_marks_[obstacle];
+        if (mark.open == opening_) return;
+        solid = solid || !regions_->destructible(obstacle) || mark.protect == query_ ||
+                (allows_some_ && mark.allow != query_);
+    });
+    return solid;
 }
 
 // A point that slides along cell edges crosses what fills both sides.
@@ -238,15 +272,15 @@ void Ray::walk_edge(const Frame& f) {
 Hit Ray::edge_entry(const Frame& f, int x, int row, int across) const {
     Hit hit = entry(f, x, row);
     const int back = x - sign(f.dx);
-    const bool along = !outside(f, back, row) && label(f, back, row) == hit.obstacle;
+    const bool along = !outside(f, back, row) && label(f, back, row) == hit.region;
     const Step side = along ? Step{0, across - row} : Step{-sign(f.dx), 0};
     hit.side = f.steep ? Step{side.y, side.x} : side;
     return hit;
 }
 
-// A ray can squeeze past an obstacle in several places: where each begins is a hit of its own.
+// A ray can squeeze past a region in several places: where each begins is a hit of its own.
 void Ray::meet_beside(const Hit& hit, bool begins) {
-    if (!met(hit.obstacle)) {
+    if (!met(hit.region)) {
         meet(hit);
     } else if (begins) {
         hits_.push_back(hit);
@@ -262,26 +296,27 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
     }
     Hit one = edge_entry(f, x, no_upper ? upper + 1 : upper, no_upper ? upper : upper + 1);
     Hit other = edge_entry(f, x, no_lower ? upper : upper + 1, no_lower ? upper + 1 : upper);
-    if (open(one.obstacle) || open(other.obstacle)) return;
-    if (one.obstacle == other.obstacle) {
+    if (open(one.region) || open(other.region)) return;
+    if (one.region == other.region) {
         meet((f.steep ? one.side.y : one.side.x) != 0 ? one : other);
         return;
     }
-    squeezes_.push_back({one.obstacle, other.obstacle, one.at});
+    squeezes_.push_back({one.region, other.region, one.at});
     const int back = x - sign(f.dx);
     const bool begins = outside(f, back, upper) || outside(f, back, upper + 1) ||
                         label(f, back, upper) != label(f, x, upper) ||
                         label(f, back, upper + 1) != label(f, x, upper + 1);
     one.surely = other.surely = false;
-    const bool counted = met(one.obstacle) || met(other.obstacle);
-    const int crossings = crossings_left_ - (counted ? 0 : 1);
-    const double weight_left = weight_left_ - (counted ? 0 : std::min(weight(one.obstacle), weight(other.obstacle)));
+    const Price price_of_one = price(one.region);
+    const Price price_of_other = price(other.region);
+    const int crossings = crossings_left_ - std::min(price_of_one.crossings, price_of_other.crossings);
+    const double weight_left = weight_left_ - std::min(price_of_one.weight, price_of_other.weight);
     meet_beside(one, begins);
     stopped_ = false;  // both are hit, whichever stops the ray
     meet_beside(other, begins);
     crossings_left_ = crossings;
     weight_left_ = weight_left;
-    stopped_ = crossings_left_ < 0 || weight_left_ < 0 || (solid(one.obstacle) && solid(other.obstacle));
+    stopped_ = crossings_left_ < 0 || weight_left_ < 0 || (solid(one.region) && solid(other.region));
     stopped_at_ = stopped_ ? one.at : std::numeric_limits<double>::infinity();
 }
 

@@ -1,19 +1,21 @@
-// Ray: which obstacles a straight move meets, in integers, a word of cells at a time.
+// Ray: which regions a straight move meets, in integers, a word of cells at a time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "crossing/lattice.hpp"
+#include "crossing/regions.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::crossing {
 
-// Where a ray first enters an obstacle: through which side of which of its cells.
+// Where a ray first enters a region: through which side of which of its cells.
 struct Hit {
-    std::uint32_t obstacle = 0;
+    std::uint32_t region = 0;
     Cell cell;
     Step side;           // from the cell outwards
     int row = 0;         // of the cell, across the ray
@@ -21,7 +23,7 @@ struct Hit {
     bool surely = true;  // false: only as one of a Squeeze
 };
 
-// Two different obstacles on both sides of an edge that a point slides along: one of them must go.
+// Two different regions on both sides of an edge that a point slides along: one of them must go.
 struct Squeeze {
     std::uint32_t one = 0;
     std::uint32_t other = 0;
@@ -30,36 +32,63 @@ struct Squeeze {
 
 class Ray {
   public:
-    void start_query(const Map& map, const CrossingOptions& options);
+    // Keeps the regions for as long as the query lasts.
+    void start_query(const Regions& regions, const CrossingOptions& options);
 
     // Obstacles that the next rays pass as if they were gone.
     void set_open(std::span<const std::uint32_t> obstacles);
 
     // Casts a ray that passes at most so many further obstacles, of at most that weight together. False when it was
-    // stopped: by an obstacle that cannot be passed any more, or by the edge of the map. What it met before is in
-    // hits(). Squeezes count as the cheaper of their obstacles, so a ray can get farther than a path does.
+    // stopped: by a region that cannot be passed any more, or by the edge of the map. What it met before is in
+    // hits(). Squeezes count as the cheaper of their regions, so a ray can get farther than a path does.
     bool cast(Vertex from, Vertex to, int crossings, double weight);
     // Whether it got to that share of its length.
     bool reaches(double share) const { return !stopped_ || stopped_at_ >= share; }
 
-    // The obstacles that the ray met, each once; when stopped also those that stop it. Their order means nothing.
+    // The regions that the ray met, each once; when stopped also those that stop it. Their order means nothing.
     std::span<const Hit> hits() const { return hits_; }
     std::span<const Squeeze> squeezes() const { return squeezes_; }
 
-    bool met(std::uint32_t obstacle) const { return marks_[obstacle].ray == ray_; }
-    bool open(std::uint32_t obstacle) const { return marks_[obstacle].open == opening_; }
+    bool met(std::uint32_t region) const { return region_marks_[region].ray == ray_; }
+    // Whether all its obstacles are open.
+    bool open(std::uint32_t region) const { return region_marks_[region].open == opening_; }
     // Never passed.
-    bool solid(std::uint32_t obstacle) const;
-    // Against the budget; 0 where it is not limited.
-    double weight(std::uint32_t obstacle) const { return weighs_ ? map_->obstacle(ObstacleId{obstacle}).weight : 0; }
+    bool solid(std::uint32_t region) const;
+    // Of an obstacle against the budget; 0 where it is not limited.
+    double weight(std::uint32_t obstacle) const { return weighs_ ? regions_->weight(obstacle) : 0; }
+    // Whether nothing of a region stands that is not in the list.
+    bool opens(std::uint32_t region, std::span<const std::uint32_t> obstacles) const {
+        bool all = true;
+        regions_->for_each_member(region, [&](std::uint32_t obstacle) {
+            const bool open = obstacle_marks_[obstacle].open == opening_;
+            all = all && (open || std::ranges::find(obstacles, obstacle) != obstacles.end());
+        });
+        return all;
+    }
+    // Adds the obstacles that must be crossed for a region: those that are neither open nor in the list.
+    void add_missing(std::uint32_t region, std::vector<std::uint32_t>& obstacles) const {
+        regions_->for_each_member(region, [&](std::uint32_t obstacle) {
+            if (obstacle_marks_[obstacle].open == opening_) return;
+            if (std::ranges::find(obstacles, obstacle) == obstacles.end()) obstacles.push_back(obstacle);
+        });
+    }
 
   private:
-    struct Mark {
+    struct RegionMark {
+        std::uint32_t open = 0;  // the set_open() that opened it
+        std::uint32_t ray = 0;   // the ray that met it
+        std::uint32_t hit = 0;   // its index in hits_, if so
+    };
+    struct ObstacleMark {
         std::uint32_t open = 0;     // the set_open() that named it
-        std::uint32_t ray = 0;      // the ray that met it
-        std::uint32_t hit = 0;      // its index in hits_, if so
+        std::uint32_t ray = 0;      // the ray that counted it
         std::uint32_t protect = 0;  // the query that protects it
         std::uint32_t allow = 0;    // the query that allows it alone, with others
+    };
+    // What it costs to pass.
+    struct Price {
+        int crossings = 0;
+        double weight = 0;
     };
     struct Free {
         void operator()(void* memory) const;
@@ -79,6 +108,8 @@ class Ray {
     void visit_cell(const Frame& frame, int x, int row);
     void visit_pair(const Frame& frame, int x, int upper);
     void meet(const Hit& hit);
+    Price price(std::uint32_t region) const;
+    void pay(std::uint32_t region);
     void meet_beside(const Hit& hit, bool begins);
     void stop(double at);
     static bool outside(const Frame& frame, int x, int row);
@@ -86,13 +117,16 @@ class Ray {
     Hit entry(const Frame& frame, int x, int row) const;
     Hit edge_entry(const Frame& frame, int x, int row, int across) const;
 
-    const Map* map_ = nullptr;
+    const Regions* regions_ = nullptr;
+    const Map* map_ = nullptr;  // of the regions
     int reach_ = 2;
     bool touching_ = false;
     bool allows_some_ = false;  // and no others
     bool weighs_ = false;       // whether the budget is limited
-    std::unique_ptr<Mark[], Free> marks_;
-    std::size_t mark_count_ = 0;
+    std::unique_ptr<RegionMark[], Free> region_marks_;
+    std::unique_ptr<ObstacleMark[], Free> obstacle_marks_;
+    std::size_t region_limit_ = 0;
+    std::size_t obstacle_limit_ = 0;
     std::uint32_t query_ = 0;
     std::uint32_t opening_ = 0;
     std::uint32_t ray_ = 0;

@@ -1,6 +1,7 @@
 // The state of a crossing search: docs/exact.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "crossing/gates.hpp"
 #include "crossing/interrupt.hpp"
 #include "crossing/labels.hpp"
+#include "crossing/regions.hpp"
 #include "crossing/ways.hpp"
 #include "waybreaker/crossing.hpp"
 
@@ -22,13 +24,20 @@ namespace waybreaker {
 
 class CrossingSearcher::Search {
   public:
+    // With the same grown maps.
+    std::unique_ptr<Search> another() const;
     CrossingResult run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                        const std::function<bool(const CrossingPath&)>* accept);
+    bool has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options);
     // Between places where the agent can stand.
     CrossingResult run_between(const Map& map, crossing::Vertex start, crossing::Vertex goal,
                                const CrossingOptions& options, const std::function<bool(const CrossingPath&)>* accept);
 
   private:
+    // Whether a cell of the map is free once that is removed.
+    static bool stands(const crossing::Regions& regions, Cell c, std::span<const std::uint32_t> removed);
+    std::shared_ptr<const crossing::Regions> regions_for(const Map& map, const CrossingOptions& options);
+
     enum class Outcome { found, exhausted, limit_reached, stopped };
 
     void search_ellipses(double longest);
@@ -50,10 +59,11 @@ class CrossingSearcher::Search {
     double estimate(const crossing::Label& label) const;
     double with_flight(double ground, std::uint32_t set) const;
     std::optional<double> cost_of(std::uint32_t parent, const crossing::Reached& reached);
+    std::vector<std::uint32_t> add_members(std::uint32_t region, std::vector<std::uint32_t>& set) const;
     void push_gates(std::uint32_t parent);
     std::uint32_t push_group(crossing::GateGroup::Terms terms, const std::vector<std::uint32_t>& set);
     void expand_group(std::uint32_t index);
-    void push_gate(const crossing::GateGroup& group, std::uint32_t set);
+    void push_gate(std::uint32_t group, std::uint32_t set);
     double arrival_at_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
     double way_to_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
     std::uint32_t since_of(std::uint32_t label) const;
@@ -72,6 +82,9 @@ class CrossingSearcher::Search {
     double told_ = 0;                                         // half cells; cheaper paths have been told to `accept`
     CrossingResult result_;
 
+    // By reach: of the point, of the square. Shared with searches within this one.
+    std::array<std::shared_ptr<const crossing::Regions>, 2> regions_of_;
+    std::shared_ptr<const crossing::Regions> regions_;
     crossing::Interrupt interrupt_;
     crossing::Fan fan_;
     crossing::ObstacleSets sets_;

@@ -19,9 +19,9 @@ void validate(const Map& map, const CrossingOptions& options) {
     check_ids(options.protect, "protect");
     check_ids(options.only, "cross");
     if (!(options.budget >= 0)) throw InputError("the budget cannot be negative");
-    const Body& body = options.body;
-    if (body.corners != Corners::none || (body.radius != 0.5 && body.radius != 0)) {
-        throw InputError("the crossing search moves an agent of radius 0.5 or 0 that passes no blocked corner");
+    validate(options.body);
+    if (options.body.corners != Corners::none) {
+        throw InputError("the crossing search moves an agent that passes no blocked corner");
     }
 }
 

@@ -40,14 +40,27 @@ std::optional<double> CrossingSearcher::Search::cost_of(std::uint32_t parent, co
     ray.cast(from.at, reached.at, capacity_, std::numeric_limits<double>::infinity());
     std::vector<Hit> hits;
     for (const Hit& hit : ray.hits()) {
-        if (std::ranges::find(reached.crossed, hit.obstacle) != reached.crossed.end()) hits.push_back(hit);
+        if (ray.opens(hit.region, reached.crossed)) hits.push_back(hit);
     }
     std::ranges::sort(hits, {}, &Hit::at);
     for (const Hit& hit : hits) {
-        set.insert(std::ranges::upper_bound(set, hit.obstacle), hit.obstacle);
+        add_members(hit.region, set);
         if (opened_after(set) > from.cost + hit.at * step + early_) return std::nullopt;
     }
     return from.cost + step;
+}
+
+// The members of the region that were not in the set before; both sorted.
+std::vector<std::uint32_t> CrossingSearcher::Search::add_members(std::uint32_t region,
+                                                                 std::vector<std::uint32_t>& set) const {
+    std::vector<std::uint32_t> added;
+    regions_->for_each_member(region, [&](std::uint32_t obstacle) {
+        const auto at = std::ranges::lower_bound(set, obstacle);
+        if (at != set.end() && *at == obstacle) return;
+        set.insert(at, obstacle);
+        added.push_back(obstacle);
+    });
+    return added;
 }
 
 // What a ray has entered may open later than the agent gets there, or to another place on its border.
@@ -65,15 +78,14 @@ void CrossingSearcher::Search::push_gates(std::uint32_t parent) {
             too_late = false;
         }
         if (too_late) continue;
-        const auto added = std::ranges::upper_bound(set, entered.obstacle) - set.begin();
-        set.insert(set.begin() + added, entered.obstacle);
         terms.since = since_of(parent);
-        terms.obstacle = entered.obstacle;
+        terms.region = entered.region;
+        terms.opened = add_members(entered.region, set);
         terms.open = opened_after(set);
         std::uint32_t group = 0;
-        if (terms.open > cost + gap(from, borders_.of(entered.obstacle))) group = push_group(terms, set);
+        if (terms.open > cost + gap(from, borders_.of(entered.region))) group = push_group(terms, set);
         if (!entered.surely) {
-            set.erase(set.begin() + added);
+            std::erase_if(set, [&](std::uint32_t o) { return std::ranges::binary_search(terms.opened, o); });
         } else if (terms.open > cost + entered.at + early_) {
             too_late = group == 0;
             terms.passed.push_back(group);
@@ -81,17 +93,17 @@ void CrossingSearcher::Search::push_gates(std::uint32_t parent) {
     }
 }
 
-// Once for all ways to an obstacle from the last gate. Its number; 0 if it costs too much.
+// Once for all ways to a region from the last gate. Its number; 0 if it costs too much.
 std::uint32_t CrossingSearcher::Search::push_group(GateGroup::Terms terms, const std::vector<std::uint32_t>& set) {
     std::vector<std::uint32_t> key = set;
-    key.insert(key.end(), {terms.obstacle, terms.since, 0});
+    key.insert(key.end(), {terms.region, terms.since, 0});
     key.insert(key.end(), terms.passed.begin(), terms.passed.end());
     const auto [known, added] = group_numbers_.try_emplace(std::move(key), 0);
     if (!added) return known->second;
     terms.from = labels_[terms.since].at;
     terms.arrival = labels_[terms.since].cost;
     terms.early = early_;
-    const Border& border = borders_.of(terms.obstacle);
+    const Border& border = borders_.of(terms.region);
     const double first = GateGroup(terms, border).first_estimate(goal_);
     if (first > limit_) return 0;
     terms.set = add_set(set);
@@ -123,7 +135,7 @@ void CrossingSearcher::Search::expand_group(std::uint32_t index) {
         if (group.proven()) {
             group.take();
             insert(index);
-            push_gate(group, set);
+            push_gate(labels_[index].group, set);
             return;
         }
         group.prove(arrival_at_gate(group.terms(), group.best().at));
@@ -134,12 +146,13 @@ void CrossingSearcher::Search::expand_group(std::uint32_t index) {
     }
 }
 
-void CrossingSearcher::Search::push_gate(const GateGroup& group, std::uint32_t set) {
+void CrossingSearcher::Search::push_gate(std::uint32_t number, std::uint32_t set) {
+    const GateGroup& group = groups_[number];
     Label label;
     label.at = group.best().at;
     label.parent = group.terms().since;
     label.since = group.terms().since;
-    label.gate = group.terms().obstacle;
+    label.gate = number;
     label.set = set;
     label.cost = group.best().cost;
     label.estimate = estimate(label);
@@ -161,10 +174,11 @@ double CrossingSearcher::Search::arrival_at_gate(const GateGroup::Terms& terms, 
 // How long the shortest way to a gate is through what is open by then.
 double CrossingSearcher::Search::way_to_gate(const GateGroup::Terms& terms, Vertex gate) {
     std::vector<std::uint32_t> open(sets_[terms.set].begin(), sets_[terms.set].end());
-    std::erase(open, terms.obstacle);
+    std::erase_if(open, [&](std::uint32_t o) { return std::ranges::binary_search(terms.opened, o); });
     return ways_.length(terms.from, gate, open, [&](const CrossingOptions& options) {
         ++result_.expanded;
-        if (!way_to_gate_) way_to_gate_ = std::make_unique<Search>();
+        if (!way_to_gate_) way_to_gate_ = another();
+        way_to_gate_->regions_of_ = regions_of_;
         return way_to_gate_->run_between(*map_, terms.from, gate, options, nullptr);
     });
 }

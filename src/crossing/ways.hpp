@@ -15,12 +15,12 @@ namespace waybreaker::crossing {
 class Ways {
   public:
     void start_query(const Map& map, const CrossingOptions& options) {
-        if (identity_ != map.identity() || reach_ != reach_of(options.body) || lengths_.size() > most_kept) {
-            lengths_.clear();
-        }
+        const bool same =
+            identity_ == map.identity() && options_.body == options.body && options_.relaxed == options.relaxed;
+        if (!same || lengths_.size() > most_kept) lengths_.clear();
         identity_ = map.identity();
-        reach_ = reach_of(options.body);
         options_.body = options.body;
+        options_.relaxed = options.relaxed;
         options_.limits = options.limits;
         options_.limits.expansions = most_expanded;
     }
@@ -49,7 +49,6 @@ class Ways {
     static constexpr std::uint64_t most_expanded = 160;
 
     std::shared_ptr<const void> identity_;
-    int reach_ = 0;
     CrossingOptions options_;
     std::map<std::tuple<int, int, int, int, std::vector<std::uint32_t>>, double> lengths_;
 };

@@ -94,7 +94,7 @@ struct Assembly {
 }  // namespace
 
 bool can_drive_optimally(const Body& body, bool diagonal) {
-    return diagonal && body.corners == Corners::none && (body.radius == 0.5 || body.radius == 0);
+    return diagonal && body.corners == Corners::none;
 }
 
 void validate(const SearchOptions& options) {
@@ -104,13 +104,12 @@ void validate(const SearchOptions& options) {
     if (options.planner == Planner::optimal) {
         if (can_drive_optimally(options.body, options.diagonal)) return;
         throw InputError(
-            "the optimal planner drives an agent of radius 0.5 or 0 that passes no blocked corner: use theta for "
-            "others");
+            "the optimal planner drives an agent that passes no blocked corner by eight moves: use theta for others");
     }
     if (options.planner != Planner::jps) return;
     if (!options.diagonal) throw InputError("jps needs eight neighbours: use astar for four");
     if (is_wide(options.body))
-        throw InputError("jps plans for a radius of 0.5 only: use astar or theta for larger agents");
+        throw InputError("jps plans for a radius of at most 0.5: use astar or theta for larger agents");
 }
 
 SearchResult Searcher::find(const OpenedMap& map, Cell start, Cell goal, const SearchOptions& options) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/stopwatch.hpp"
+#include "select/shortened.hpp"
 #include "waybreaker/flight.hpp"
 
 namespace waybreaker {
@@ -25,7 +26,7 @@ Opening opening_of(std::vector<ObstacleId> removed, const SearchResult& search, 
     return opening;
 }
 
-Opening opening_of(std::vector<ObstacleId> removed, const CrossingResult& search, double seconds) {
+Opening opening_of(const Task& task, std::vector<ObstacleId> removed, const CrossingResult& search, double seconds) {
     Opening opening{std::move(removed), search.status, {}, search.status == SearchStatus::limit_reached};
     Route& ground = opening.ground;
     ground.expanded = search.expanded;
@@ -35,6 +36,13 @@ Opening opening_of(std::vector<ObstacleId> removed, const CrossingResult& search
     opening.status = SearchStatus::found;  // even where a limit ended the search
     ground.length = search.best.length;
     ground.path = search.best.path;
+    if (task.driver.body.is_point()) return opening;
+    ground.path = shortened(OpenedMap(task.map, opening.removed), task.driver.body, std::move(ground.path));
+    if (ground.path == search.best.path) return opening;
+    ground.length = 0;
+    for (std::size_t i = 1; i < ground.path.size(); ++i) {
+        *ground.length += distance(ground.path[i - 1], ground.path[i]);
+    }
     return opening;
 }
 
@@ -51,8 +59,8 @@ SearchOptions cell_search(const Task& task) {
 
 Opening open(const Task& task, const Searchers& searchers, std::vector<ObstacleId> removed) {
     const Stopwatch watch;
-    const bool by_crossing = drives_by_crossing(task);
-    if (by_crossing) {
+    bool limited = false;
+    if (drives_by_crossing(task)) {
         CrossingOptions options;
         options.body = task.driver.body;
         options.removed = removed;
@@ -60,12 +68,17 @@ Opening open(const Task& task, const Searchers& searchers, std::vector<ObstacleI
         const CrossingResult found = searchers.crossing.find(task.map, task.driver.start, task.driver.goal, options);
         const bool out_of_time = found.status == SearchStatus::limit_reached && found.best.path.empty() &&
                                  found.expanded < options.limits.expansions;
-        if (!out_of_time) return opening_of(std::move(removed), found, watch.seconds());
+        // A wide disc may pass where its square does not.
+        const bool squeezes_through =
+            found.status == SearchStatus::no_path && task.driver.body.radius > 0.5 &&
+            searchers.crossing.has_steps(task.map, task.driver.start, task.driver.goal, options);
+        if (!out_of_time && !squeezes_through) return opening_of(task, std::move(removed), found, watch.seconds());
+        limited = out_of_time;
     }
     const SearchResult found =
         searchers.cells.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, cell_search(task));
     Opening opening = opening_of(std::move(removed), found, watch.seconds());
-    opening.limited = opening.limited || by_crossing;
+    opening.limited = opening.limited || limited;
     return opening;
 }
 

@@ -25,9 +25,9 @@ struct Opening {
     bool limited = false;  // a limit ended the search: there may be a shorter path
 };
 
-// What a search found on the map without some obstacles.
+// What a search found on the map without some obstacles; the crossing search's path as the disc drives it.
 Opening opening_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds);
-Opening opening_of(std::vector<ObstacleId> removed, const CrossingResult& search, double seconds);
+Opening opening_of(const Task& task, std::vector<ObstacleId> removed, const CrossingResult& search, double seconds);
 
 // Whether the crossing search drives the ground agent itself, for its body is one that it moves.
 bool drives_by_crossing(const Task& task);

@@ -34,10 +34,6 @@ constexpr double share_of_proof = 0.8;
 // Seconds: a search among few obstacles is short, so that it may be a little late.
 constexpr double grace = 0.01;
 
-Body body_of(const Task& task) {
-    return drives_by_crossing(task) ? task.driver.body : point_body;
-}
-
 // What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the
 // whole objective.
 double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
@@ -51,11 +47,15 @@ double least_objective(const Task& task, double path_cost, const OpeningTimes& o
     return opening_times.matter() ? time : task.objective(time, task.least_flight);
 }
 
-CrossingOptions crossing_options(const Task& task, const Body& body, double objective, double seconds,
+// `relaxed`: for a lower limit of all paths.
+CrossingOptions crossing_options(const Task& task, bool relaxed, double objective, double seconds,
                                  OpeningTimes& opening_times) {
     const Rules& rules = task.rules;
     CrossingOptions crossing;
-    crossing.body = body;
+    if (task.driver.body.corners == Corners::none) crossing.body = task.driver.body;
+    // Who cuts corners is a point.
+    if (task.driver.body.corners != Corners::none && relaxed) crossing.body = point_body;
+    crossing.relaxed = relaxed;
     crossing.crossings = task.spare_removals();
     crossing.removed = rules.force;
     crossing.protect = rules.protect;
@@ -78,8 +78,8 @@ CrossingOptions crossing_options(const Task& task, const Body& body, double obje
 CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
                            double objective, OpeningTimes& opening_times) {
     if (obstacles.empty()) return {};
-    CrossingOptions options =
-        crossing_options(task, body_of(task), objective, std::max(task.deadline.left(), grace), opening_times);
+    CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective,
+                                               std::max(task.deadline.left(), grace), opening_times);
     options.only = obstacles;
     return crossing.find(task.map, task.driver.start, task.driver.goal, options);
 }
@@ -140,7 +140,7 @@ class ExactSelection {
         CrossingResult found = search;
         found.best = path;
         if (!opening_times_.matter()) {
-            add_candidate(drives_by_crossing(task_) ? opening_of(removed, found, since_last_.seconds())
+            add_candidate(drives_by_crossing(task_) ? opening_of(task_, removed, found, since_last_.seconds())
                                                     : open(task_, searchers_, removed));
         } else {
             if (drives_by_crossing(task_) && !task_.driver.body.is_point()) {
@@ -180,7 +180,7 @@ class ExactSelection {
         for (std::size_t count = task_.rules.force.size() + 1; count <= hit.size() && !deadline_.passed(); ++count) {
             add_candidate(open(task_, searchers_, {hit.begin(), hit.begin() + std::ptrdiff_t(count)}));
         }
-        const CrossingOptions options = crossing_options(task_, Body{}, best_, deadline_.left(), opening_times_);
+        const CrossingOptions options = crossing_options(task_, false, best_, deadline_.left(), opening_times_);
         const CrossingResult found =
             searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
         if (!found.best.path.empty()) try_out(found.best, found);
@@ -188,7 +188,8 @@ class ExactSelection {
 
     // The set whose shortest path is shortest.
     CrossingResult find_first() {
-        options_ = crossing_options(task_, body_of(task_), best_ * (1 - rounding), deadline_.left(), opening_times_);
+        options_ = crossing_options(task_, !drives_by_crossing(task_), best_ * (1 - rounding), deadline_.left(),
+                                    opening_times_);
         options_.expected = dearest_path(task_, bound_.objective, opening_times_);
         if (opening_times_.matter()) {
             options_.limits.expansions = std::min(options_.limits.expansions, patience_of_search());
@@ -209,7 +210,7 @@ class ExactSelection {
         options_.length_limit = dearest_path(task_, best_, opening_times_);
         options_.limits.seconds = deadline_.left();
         options_.limits.expansions = std::min(options_.limits.expansions, patience_of_search());
-        CrossingSearcher enumerator;
+        CrossingSearcher enumerator = searchers_.crossing.another();
         int tried = 0;
         bool gave_up = false;
         const auto try_next = [&](const CrossingPath& path) {
@@ -273,7 +274,7 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
                   OpeningTimes& opening_times) {
-    CrossingOptions options = crossing_options(task, point_body, reached, deadline.left(), opening_times);
+    CrossingOptions options = crossing_options(task, true, reached, deadline.left(), opening_times);
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, patient_expansions_of_bound);

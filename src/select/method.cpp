@@ -34,9 +34,7 @@ void validate(const Map& map, const Mission& mission, const Method& method, cons
         validate(search_options(method, agent.body));
         if (method.select == Selection::greedy && planner_of(method, agent.body) != Planner::optimal) {
             throw InputError(
-                "greedy selection drives by the optimal planner, which moves an agent of radius 0.5 or 0 that passes "
-                "no "
-                "blocked corner");
+                "greedy selection drives by the optimal planner, which moves an agent that passes no blocked corner");
         }
     }
     validate(map, mission);

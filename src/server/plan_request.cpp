@@ -182,8 +182,7 @@ io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequ
     const Planner planner = planner_of(method, body);
     if (options.planner_given && method.planner == Planner::optimal && planner != Planner::optimal) {
         throw InputError(
-            "the planner optimal drives an agent of radius 0.5 or 0 that passes no blocked corner, and "
-            "counts no hits");
+            "the planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits");
     }
     method.planner = planner;
     return result;

@@ -29,10 +29,12 @@ struct CrossingCase {
     std::vector<ObstacleId> protect = {};
     double budget = std::numeric_limits<double>::infinity();
     std::vector<double> done_after = {};  // empty: none
+    bool relaxed = false;
 
     CrossingOptions options() const {
         CrossingOptions options;
         options.body = body;
+        options.relaxed = relaxed;
         options.crossings = crossings;
         options.removed = removed;
         options.protect = protect;
@@ -47,7 +49,7 @@ struct CrossingCase {
         return options;
     }
 
-    slow::CrossingOracle oracle() const { return {plain(map), body, start, goal}; }
+    slow::CrossingOracle oracle() const { return {plain(map), body, relaxed, start, goal}; }
 
     // The sets of obstacles that may be crossed: not those that a path would start or end in.
     std::vector<slow::Set> choices() const {
@@ -55,7 +57,7 @@ struct CrossingCase {
         for (const Obstacle& obstacle : map.obstacles()) {
             if (obstacle.destructible) candidates |= slow::Set{1} << obstacle.id.value;
         }
-        for (const Cell end : {start, goal}) candidates &= ~(slow::Set{1} << map.obstacle_at(end).value);
+        for (const Cell end : {start, goal}) candidates &= ~slow::needed(plain(map), body, relaxed, end);
         std::vector<slow::Set> sets =
             slow::subsets(candidates & ~slow::set_of(removed) & ~slow::set_of(protect), crossings);
         std::erase_if(sets, [&](slow::Set set) { return weight(set) > budget; });
@@ -93,8 +95,9 @@ struct CrossingCase {
             }
             out << '\n';
         }
-        out << (problem.body == Body{} ? "square" : "point") << " from " << problem.start.x << "," << problem.start.y
-            << " to " << problem.goal.x << "," << problem.goal.y << ", n = " << problem.crossings;
+        out << (problem.relaxed ? "relaxed, " : "") << "radius " << problem.body.radius << " from " << problem.start.x
+            << "," << problem.start.y << " to " << problem.goal.x << "," << problem.goal.y
+            << ", n = " << problem.crossings;
         list(", removed", problem.removed);
         list(", protected", problem.protect);
         out << ", weights";

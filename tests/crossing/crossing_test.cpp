@@ -219,7 +219,7 @@ TEST(Crossing, RefusesOptionsOutOfRange) {
     EXPECT_THROW(find({.removed = unknown}), InputError);
     EXPECT_THROW(find({.removed = none}), InputError);
     EXPECT_THROW(find({.protect = unknown}), InputError);
-    EXPECT_THROW(find({.body = {.radius = 1}}), InputError);
+    EXPECT_THROW(find({.body = {.radius = 33}}), InputError);
     EXPECT_THROW(find({.body = {.corners = Corners::cut}}), InputError);
     EXPECT_THROW(find({.budget = -1}), InputError);
     EXPECT_NO_THROW(find({.crossings = 1000}));

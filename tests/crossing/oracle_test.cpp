@@ -17,7 +17,8 @@ double shortest(Body body, std::string_view picture, std::string_view gone = "")
     const Map map = map_from_ascii(picture);
     Set set = 0;
     for (const char letter : gone) set |= Set{1} << map.obstacle_at(mark_in_ascii(picture, letter)).value;
-    return CrossingOracle(plain(map), body, mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G')).shortest(set);
+    return CrossingOracle(plain(map), body, false, mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'))
+        .shortest(set);
 }
 
 const double root2 = std::sqrt(2.0);
@@ -123,7 +124,7 @@ TEST(CrossingOracle, LeavesNestedRingsOneByOne) {
 
 TEST(CrossingOracle, OpensNoEndInsideAnObstacle) {
     const Map map = map_from_ascii("aa..");
-    const CrossingOracle oracle(plain(map), Body{}, {0, 0}, {3, 0});
+    const CrossingOracle oracle(plain(map), Body{}, false, {0, 0}, {3, 0});
     EXPECT_EQ(oracle.shortest(0), CrossingOracle::nowhere);
     EXPECT_DOUBLE_EQ(oracle.shortest(2), 3);
 }

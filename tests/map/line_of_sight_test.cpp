@@ -33,8 +33,8 @@ RC_GTEST_PROP(LineOfSight, OfTheUnitDiscIsExact, ()) {
     check_all_pairs(*random_map(11, 9), {});
 }
 
-RC_GTEST_PROP(LineOfSight, OfWiderDiscsIsExact, ()) {
-    const double radius = *rc::gen::element(0.501, 0.707, 0.708, 0.75, 1.0, 1.5, 2.25, 3.7);
+RC_GTEST_PROP(LineOfSight, OfOtherDiscsIsExact, ()) {
+    const double radius = *rc::gen::element(0.001, 0.2, 0.499, 0.501, 0.707, 0.708, 0.75, 1.0, 1.5, 2.25, 3.7);
     check_all_pairs(*random_map(11, 9), {.radius = radius});
 }
 
@@ -105,7 +105,7 @@ TEST(LineOfSight, TouchesButDoesNotCross) {
 }
 
 TEST(LineOfSight, RefusesImpossibleAgents) {
-    EXPECT_THROW(validate(Body{.radius = 0.499}), InputError);
+    EXPECT_THROW(validate(Body{.radius = 0.0004}), InputError);
     EXPECT_THROW(validate(Body{.radius = 32.001}), InputError);
     EXPECT_THROW(validate(Body{.radius = std::nan("")}), InputError);
     EXPECT_THROW(validate(Body{.radius = 1, .corners = Corners::cut}), InputError);

@@ -66,7 +66,7 @@ TEST(ValidateMission, RefusesAMethodThatCannotPlanIt) {
     }
     expect_words(refusal(mission, {.planner = Planner::jps, .diagonal = false}), {"jps", "astar"});
     mission.agents[0].body.radius = 1;
-    expect_words(refusal(mission, {.planner = Planner::jps}), {"jps", "radius of 0.5"});
+    expect_words(refusal(mission, {.planner = Planner::jps}), {"jps", "radius of at most 0.5"});
     const std::string no_time = input_error([&] {
         MissionPlanner().plan(small_map(), ground_and_air({0, 0}, {3, 2}), {}, {.seconds = 0});
     });
@@ -75,9 +75,9 @@ TEST(ValidateMission, RefusesAMethodThatCannotPlanIt) {
 
 TEST(ValidateMission, RefusesImpossibleBodies) {
     Mission mission = ground_and_air({0, 0}, {3, 2});
-    for (const double radius : {-1.0, 0.1, 33.0, 1e300, std::nan("")}) {
+    for (const double radius : {-1.0, 0.0001, 33.0, 1e300, std::nan("")}) {
         mission.agents[0].body.radius = radius;
-        expect_words(refusal(mission), {"radius", "0.5 to 32"});
+        expect_words(refusal(mission), {"radius", "0.001 to 32"});
     }
     mission.agents[0].body = {.radius = 1, .corners = Corners::cut};
     expect_words(refusal(mission), {"point", "0.5"});

@@ -1,0 +1,97 @@
+// Regions: which obstacles a body must cross to be at a cell.
+//
+// For the point and the unit square every obstacle is a region of its own. For a wider disc the map is grown by the
+// body, as cells; where the growths of several obstacles overlap, the cell belongs to all of them. Each set of
+// obstacles that some cell belongs to is a region: docs/exact.md.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker::crossing {
+
+class Regions {
+  public:
+    // For the body that the options move. Time O(runs of blocked cells * radius) to grow the map, else O(1). The map
+    // must outlive it unless it is grown.
+    Regions(const Map& map, const CrossingOptions& options);
+    Regions(const Regions&) = delete;
+    Regions& operator=(const Regions&) = delete;
+    bool serve(const Map& map, const CrossingOptions& options) const;
+
+    // Whose obstacles are the regions.
+    const Map& map() const { return grown_ ? *grown_ : *original_; }
+    // Regions are numbered from 1 to this.
+    std::size_t count() const { return map().obstacles().size(); }
+    // The obstacles' numbers are below this: the edge of the map is one behind the last.
+    std::size_t obstacle_limit() const { return obstacles().size() + 2; }
+
+    template <class Visit>
+    void for_each_member(std::uint32_t region, Visit visit) const {
+        if (!grown_) return visit(region);
+        for (const std::uint32_t obstacle : members_.of(region)) visit(obstacle);
+    }
+    template <class Visit>
+    void for_each_region_of(std::uint32_t obstacle, Visit visit) const {
+        if (!grown_) return visit(obstacle);
+        for (const std::uint32_t region : regions_.of(obstacle)) visit(region);
+    }
+    // Whether all of a region's obstacles are among these, which are sorted.
+    bool within(std::uint32_t region, std::span<const std::uint32_t> obstacles) const {
+        bool all = true;
+        for_each_member(region, [&](std::uint32_t obstacle) {
+            all = all && std::binary_search(obstacles.begin(), obstacles.end(), obstacle);
+        });
+        return all;
+    }
+
+    // Of an obstacle; the edge of the map stands for ever and weighs nothing.
+    bool destructible(std::uint32_t obstacle) const {
+        return obstacle <= obstacles().size() && obstacles()[obstacle - 1].destructible;
+    }
+    double weight(std::uint32_t obstacle) const {
+        return obstacle > obstacles().size() ? 0 : obstacles()[obstacle - 1].weight;
+    }
+    // The cells of all its regions lie within.
+    Box bounds(std::uint32_t obstacle) const {
+        const Box box = obstacles()[obstacle - 1].bounds;
+        return {{box.min.x - margin_, box.min.y - margin_}, {box.max.x + margin_, box.max.y + margin_}};
+    }
+
+  private:
+    // Lists of numbers, by number.
+    class Lists {
+      public:
+        void add(std::span<const std::uint32_t> list) {
+            items_.insert(items_.end(), list.begin(), list.end());
+            begins_.push_back(items_.size());
+        }
+        std::span<const std::uint32_t> of(std::uint32_t number) const {
+            return {items_.data() + begins_[number], items_.data() + begins_[number + 1]};
+        }
+
+      private:
+        std::vector<std::uint32_t> items_;
+        std::vector<std::size_t> begins_{0, 0};  // number 0 has none
+    };
+
+    void grow(const Map& map);
+    std::span<const Obstacle> obstacles() const { return grown_ ? std::span(grown_from_) : original_->obstacles(); }
+
+    std::shared_ptr<const void> identity_;  // of the map
+    std::vector<int> half_widths_;          // of the growth's rows, by distance from its middle row; empty: none
+    int margin_ = 0;                        // cells by which it reaches beyond an obstacle
+    const Map* original_ = nullptr;         // if it is not grown
+    std::optional<Map> grown_;
+    std::vector<Obstacle> grown_from_;
+    Lists members_;  // obstacles, by region
+    Lists regions_;  // by obstacle
+};
+
+}  // namespace waybreaker::crossing
