@@ -1,26 +1,34 @@
 // `waybreaker check`: whether a plan file is valid, judged from the map alone.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "commands.hpp"
 #include "help.hpp"
 #include "io/check_report.hpp"
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
+#include "io/weights.hpp"
 #include "mapfile/map_reader.hpp"
 #include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::apps {
 namespace {
+
+constexpr double seconds_to_replan = 10;
 
 struct CheckOptions {
     std::string map;
     std::string plan;
     std::string json;
+    std::string weights;
     double tolerance = io::JudgeOptions().tolerance;
     bool ignore_digest = false;
+    bool replan = false;
 };
 
 // For a person: the first few, with time and place.
@@ -39,8 +47,32 @@ std::string as_text(const std::vector<Violation>& violations, const std::string&
     return text;
 }
 
+// Holds what no path in the file proves, the figures without removals and the bound, against planning once more.
+void judge_by_planning(const io::PlanFile& file, const Map& map, double tolerance, std::vector<Violation>& violations) {
+    const Progress progress("planning again");
+    const Plan& plan = file.plan;
+    Method method = file.method;
+    method.bound = plan.bound.has_value();
+    method.explain = false;
+    const Plan again = MissionPlanner().plan(map, file.mission, method, {.seconds = seconds_to_replan});
+    const auto report = [&](Rule rule, const char* what, double stated, double found) {
+        violations.push_back(
+            {rule, fmt::format("{} is {:.9g} by the plan, and {:.9g} when it is planned again", what, stated, found)});
+    };
+    const auto& before = plan.before.ground().length;
+    const auto& before_again = again.before.ground().length;
+    const bool limited = plan.limit_reached || again.limit_reached;
+    if (before && before_again && !limited && std::abs(*before - *before_again) > tolerance * *before_again) {
+        report(Rule::before, "before removal the ground agent's length", *before, *before_again);
+    }
+    // A limit makes a bound weaker, never wrong: what was proven this time need not be all there is.
+    if (plan.bound && again.bound && !again.limit_reached && *plan.bound > *again.bound * (1 + tolerance)) {
+        report(Rule::bound, "the bound", *plan.bound, *again.bound);
+    }
+}
+
 void run(const CheckOptions& options) {
-    const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}};
+    const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}, {"--weights", options.weights}};
     validate_inputs(inputs);
     validate_outputs({{"--json", options.json}}, inputs);
     const io::PlanFile plan = io::read_plan_file(options.plan);
@@ -48,8 +80,13 @@ void run(const CheckOptions& options) {
         const Progress progress("reading " + io::input_name(options.map));
         return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
     }();
-    const std::vector<Violation> violations =
-        io::judge(plan, map, {.tolerance = options.tolerance, .ignore_digest = options.ignore_digest});
+    io::JudgeOptions judging{.tolerance = options.tolerance, .ignore_digest = options.ignore_digest};
+    if (!options.weights.empty()) judging.weights = io::read_weights(options.weights, map.map);
+    std::vector<Violation> violations = io::judge(plan, map, judging);
+    if (options.replan && violations.empty()) {
+        const Map& weighed = judging.weights ? map.map.with_weights(*judging.weights) : map.map;
+        judge_by_planning(plan, weighed, options.tolerance, violations);
+    }
     if (!options.json.empty()) io::write_whole(options.json, io::check_json(violations));
     if (options.json != "-") io::write_whole("-", as_text(violations, io::input_name(options.plan)));
     if (violations.empty()) return;
@@ -71,11 +108,17 @@ void setup_check(CLI::App& root, Run& run_chosen) {
     add_file(*command, "MAP", options->map, "The map the plan was made for; - is standard input")->required();
     add_file(*command, "PLAN", options->plan, "A plan file, as waybreaker plan --json writes it; or -")->required();
     add_file(*command, "--json", options->json, "Write all violations, for programs; - is standard output");
+    command->add_flag(
+        "--replan", options->replan,
+        "Plan the mission again, for at most 10 s, and compare the figures without removals and the bound: "
+        "nothing else in the file shows whether they are true");
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
+    add_file(*command, "--weights", options->weights,
+             "Weights that the mission gave obstacles, as for waybreaker plan (default: as the map says)");
     add_number(
         *command, "--tolerance", [options](double share) { options->tolerance = share; }, {1e-15, 1}, "SHARE",
-        "How far numbers may be off, as a share of them (default: 1e-6)");
+        "How far numbers may be off, as a share of them, or of 1000 if they are larger (default: 1e-6)");
     set_examples(*command, {"waybreaker check data/berlin-mitte.tif plan.json",
                             "waybreaker check Berlin_0_512.map plan.json --json - | jq '.violations[0]'"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });

@@ -61,10 +61,11 @@ struct Violation {
 
 // Everything that is wrong with the plan (after some thousand violations a path is not followed any further), in order
 // of time, what has no time last; nothing if it is valid. Whether there is a better plan, or a plan at all, is not
-// asked. Numbers may be off by `tolerance`, a share of themselves, or below 1 by that much. A ground agent of radius 0
-// may bend at cell corners. Throws InputError if the mission's body or breach times, or the tolerance, are out of
-// range; ids of obstacles that the map has not are judged. Time O(length of the ground path * radius) plus
-// O(obstacles); any plan can be judged, however broken.
+// asked. Numbers may be off by `tolerance`, a share of themselves, of 1 if they are smaller, of 1000 if they are
+// larger; places where the air agent breaches by `tolerance` cells, however fast it is. A ground agent of radius 0 may
+// bend at cell corners. Throws InputError if the mission's body or breach times, or the tolerance, are out of range;
+// ids of obstacles that the map has not are judged. Time O(length of the ground path * radius) plus O(obstacles); any
+// plan can be judged, however broken.
 std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan, double tolerance = 1e-6);
 
 }  // namespace waybreaker

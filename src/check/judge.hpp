@@ -27,9 +27,11 @@ inline void append(Violations& all, Violations more) {
     std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-// How far a number may be off.
+// How far a number may be off: by a share of itself, but no more than that of a thousand; and by what sums of doubles
+// lose.
 inline double slack(const Terms& terms, double value) {
-    return terms.tolerance * std::max(1.0, std::abs(value));
+    constexpr double rounding = 1e-12;
+    return terms.tolerance * std::clamp(std::abs(value), 1.0, 1000.0) + rounding * std::abs(value);
 }
 inline bool agree(const Terms& terms, double a, double b) {
     return std::abs(a - b) <= slack(terms, std::max(std::abs(a), std::abs(b)));

@@ -78,13 +78,13 @@ Violations judge_amount(const Map& map, const Plan& plan, const Terms& terms) {
     return found;
 }
 
-// How far from where it should be an agent may be at a time.
-double room(const Itinerary& agent, const Terms& terms, double time) {
-    return (1 + agent.speed) * slack(terms, time);
-}
-
-bool is_near(const Waypoint& point, Cell at, double room) {
-    return std::hypot(point.x - at.x, point.y - at.y) <= room;
+// Whether the way from one point to another leads past a cell's centre, give or take the tolerance.
+bool leads_past(const Waypoint& a, const Waypoint& b, Cell at, const Terms& terms) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double square = dx * dx + dy * dy;
+    const double share = square > 0 ? std::clamp(((at.x - a.x) * dx + (at.y - a.y) * dy) / square, 0.0, 1.0) : 0;
+    return std::hypot(a.x + share * dx - at.x, a.y + share * dy - at.y) <= terms.tolerance;
 }
 
 // The first point of the path at or after a time.
@@ -93,15 +93,20 @@ auto first_point_from(const Itinerary& agent, double time) {
                                 [time](const Waypoint& point) { return point.t < time; });
 }
 
-// Whether the agent is at a cell at that time, give or take the tolerance.
+// Whether the agent is at a cell at that time, give or take the tolerance: of the time and, for itself, of the place,
+// so that speed excuses nothing.
 bool is_there(const Itinerary& agent, Cell at, double time, const Terms& terms) {
     const double hair = slack(terms, time);
-    const double allowed = room(agent, terms, time);
+    const auto place_at = [](const Waypoint& a, const Waypoint& b, double t) {
+        const double share = b.t > a.t ? std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0) : 1;
+        return Waypoint{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), t};
+    };
     for (auto b = first_point_from(agent, time - hair); b != agent.path.end(); ++b) {
         const auto a = b == agent.path.begin() ? b : b - 1;
         if (a->t > time + hair) break;
-        const double share = b->t > a->t ? std::clamp((time - a->t) / (b->t - a->t), 0.0, 1.0) : 1;
-        if (is_near({a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), time}, at, allowed)) return true;
+        const bool moves_at_once = b->t <= a->t;
+        const Waypoint first = moves_at_once ? *a : place_at(*a, *b, time - hair);
+        if (leads_past(first, place_at(*a, *b, time + hair), at, terms)) return true;
     }
     return false;
 }
@@ -111,7 +116,7 @@ bool stays_there(const Itinerary& agent, Cell at, double from, double to, const 
     const double hair = slack(terms, to);
     for (auto point = first_point_from(agent, from + hair); point != agent.path.end(); ++point) {
         if (point->t > to - hair) break;
-        if (!is_near(*point, at, room(agent, terms, to))) return false;
+        if (!leads_past(*point, *point, at, terms)) return false;
     }
     return true;
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace waybreaker::io {
 namespace {
@@ -21,25 +23,44 @@ Violations judge_digest(const PlanFile& plan, const MapFile& map) {
     return {{Rule::map, "the plan was made for another map file: the digests differ (see --ignore-digest)"}};
 }
 
+// What obstacles weigh: as the map says or, where the plan says that of all it removes, their number of cells.
+std::vector<double> weights_of(const PlanFile& plan, const Map& map) {
+    const auto counts_cells = [&](const PlanFile::Weight& stated) {
+        return stated.obstacle.value >= 1 && stated.obstacle.value <= map.obstacles().size() &&
+               stated.weight == map.obstacle(stated.obstacle).cells;
+    };
+    const bool by_cells = !plan.weights.empty() && std::ranges::all_of(plan.weights, counts_cells);
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(by_cells ? obstacle.cells : obstacle.weight);
+    return weights;
+}
+
+Violations judge_weights(const PlanFile& plan, std::span<const double> weights) {
+    Violations found;
+    for (const auto& [obstacle, weight] : plan.weights) {
+        if (obstacle.value >= weights.size() || weight == weights[obstacle.value]) continue;
+        found.push_back({Rule::budget,
+                         fmt::format("obstacle {} weighs {:.9g}, not {:.9g} as the plan says; --weights gives others",
+                                     obstacle.value, weights[obstacle.value], weight),
+                         "", obstacle});
+    }
+    return found;
+}
+
+void append(Violations& all, const Violations& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
 }  // namespace
 
 Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options) {
     Violations violations = judge_size(plan, map.map);
     if (!violations.empty()) return violations;
     if (!options.ignore_digest) violations = judge_digest(plan, map);
-    const auto judge_on = [&](const Map& on) {
-        const Violations of_plan = check(on, plan.mission, plan.plan, options.tolerance);
-        violations.insert(violations.end(), of_plan.begin(), of_plan.end());
-        return violations;
-    };
-    if (plan.weights.empty()) return judge_on(map.map);
-    // Removed obstacles weigh what the plan file says: its weights may have been chosen for the mission.
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(obstacle.weight);
-    for (const auto& [obstacle, weight] : plan.weights) {
-        if (obstacle.value < weights.size()) weights[obstacle.value] = weight;
-    }
-    return judge_on(map.map.with_weights(weights));
+    const std::vector<double> weights = options.weights ? *options.weights : weights_of(plan, map.map);
+    append(violations, judge_weights(plan, weights));
+    append(violations, check(map.map.with_weights(weights), plan.mission, plan.plan, options.tolerance));
+    return violations;
 }
 
 std::string check_json(const Violations& violations) {

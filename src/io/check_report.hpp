@@ -1,6 +1,7 @@
 // Whether a plan file is valid for a map file, and the report of that check.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace waybreaker::io {
 struct JudgeOptions {
     double tolerance = 1e-6;
     bool ignore_digest = false;  // another map file will do, if only the plan holds on it
+    // What the mission gave obstacles to weigh, in place of the map: weights[id]; entry 0 is not used.
+    std::optional<std::vector<double>> weights = {};
 };
 
 // What is wrong with the plan, that it was made for another map included.

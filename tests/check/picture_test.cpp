@@ -134,6 +134,14 @@ TEST(Check, LetsNoErrorsAddUp) {
     EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}})), {}).count(Rule::speed), 1U);
 }
 
+TEST(Check, GrantsNoMoreToWhoWaitsLonger) {
+    const Map map(Grid(1100, 1));
+    std::vector<Waypoint> ground{{0, 0, 0}, {0, 0, 1e9}, {100, 0, 1e9 + 100}};
+    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}})), {}), none);
+    ground[2].t -= 0.01;
+    EXPECT_EQ(broken_rules(map, hand_made(ground, driven({{0, 0}})), {}).count(Rule::speed), 1U);
+}
+
 TEST(Check, BendsAtCellCentresOfTheMap) {
     const Map map(Grid(9, 5));
     EXPECT_EQ(drive(map, {{1, 1}, {2.5, 1.5}, {4, 1}}), Broken{Rule::vertex});
