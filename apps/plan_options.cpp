@@ -115,7 +115,7 @@ void add_search_options(CLI::App& command, PlanOptions& options) {
     add_choice(command, "--corners", io::corner_words, options.corners,
                "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
     add_length(command, "--radius", options.radius, largest_radius,
-               "Radius of the ground agent; 0 for a point, which --planner optimal drives (default: 0.5)");
+               "Radius of the ground agent; 0 for a point (default: 0.5)");
     add_choice(command, "--moves", move_counts, options.diagonal, "Steps from a cell (default: 8)");
     add_count(
         command, "--expansion-limit", [&options](std::int64_t n) { options.expansion_limit = std::uint64_t(n); }, 1,
@@ -167,8 +167,10 @@ void validate(const PlanOptions& options) {
             fmt::format("--paper stands for --planner theta, which --planner {} contradicts; drop one of them",
                         io::word_of(io::planner_words, *options.planner)));
     }
-    if (options.paper && options.select == Selection::exact) {
-        throw InputError("--paper stands for --select hits, which --select exact contradicts; drop one of them");
+    if (options.paper && options.select && *options.select != Selection::hits) {
+        throw InputError(
+            fmt::format("--paper stands for --select hits, which --select {} contradicts; drop one of them",
+                        io::word_of(io::selection_words, *options.select)));
     }
     if (options.paper && options.flight == FlightRule::optimal && options.removals.value_or(3) > 1) {
         throw InputError("--paper stands for --flight nearest, which --flight optimal contradicts; drop one of them");
@@ -280,7 +282,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     const Planner planner = planner_of(method, mission.ground_body());
     if (options.planner == Planner::optimal && planner != Planner::optimal) {
         throw InputError(
-            "--planner optimal drives an agent of radius 0.5 or 0 that passes no blocked corner, and counts no hits; "
+            "--planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits; "
             "drop it, or the option that contradicts it");
     }
     method.planner = planner;

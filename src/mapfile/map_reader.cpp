@@ -67,6 +67,9 @@ void release(std::string& bytes) {
 io::MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity connectivity,
                       const MapLimits& limits) {
     geo::LabelTiff tiff = geo::read_label_tiff(bytes, path, connectivity, limits);
+    std::vector<std::string> notes;
+    if (tiff.mask)
+        notes.emplace_back("it has one value beside 0 and no list of obstacles: all cells but those of 0 are blocked");
     return {.map = std::move(tiff.map),
             .format = tiff.mask ? "GeoTIFF occupancy map" : "GeoTIFF label map",
             .cell_size = tiff.cell_size,
@@ -75,7 +78,8 @@ io::MapFile read_tiff(std::string_view bytes, const std::string& path, Connectiv
             .attribution = std::move(tiff.attribution),
             .title = std::move(tiff.title),
             .names = std::move(tiff.names),
-            .background = std::move(tiff.background)};
+            .background = std::move(tiff.background),
+            .notes = std::move(notes)};
 }
 
 io::MapFile read_xml(std::string& bytes, const std::string& path, Connectivity connectivity, const MapLimits& limits) {

@@ -63,6 +63,7 @@ TEST_F(MapFiles, ThatAreMasks) {
     mask.replace(mask.find("WAYBREAKER_OBSTACLES"), 10, "SOMETHING_");
     const io::MapFile file = read_map_file(put("mask.tif", mask));
     EXPECT_EQ(file.format, "GeoTIFF occupancy map");
+    EXPECT_EQ(file.notes.size(), 1U);  // of what is blocked
     EXPECT_EQ(file.map.obstacles().size(), 2U);
 }
 

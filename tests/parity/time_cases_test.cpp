@@ -80,6 +80,19 @@ TEST_F(TimeCases, MoreRemovalsCostNoMore) {
     }
 }
 
+// It comes to the border just when the obstacle opens, and bends there though nothing is in its way.
+TEST_F(TimeCases, TheGroundAgentComesJustInTime) {
+    Mission mission = ground_and_air({1, 3}, {3, 2});
+    mission.agents[1] = {"air", AgentKind::air, {4, 2}, {4, 3}, 1};
+    mission.rules.removals = 1;
+    EXPECT_LE(makespan(map(folder() + "general_704789.map"), mission), 2.4143);
+    mission = ground_and_air({1, 9}, {6, 1});
+    mission.agents[1] = {"air", AgentKind::air, {5, 4}, {2, 8}, 1};
+    mission.rules.removals = 1;
+    mission.rules.breach_time.per_obstacle = 2.5;
+    EXPECT_LE(makespan(map(folder() + "general_100061.map"), mission), 11.6056);
+}
+
 TEST_F(TimeCases, NothingIsRemovedWhereThatIsBestThoughTimingIsIgnored) {
     const Map ignore = map(folder() + "ignore_2129.map");
     Mission mission = ground_and_air({1, 3}, {3, 0});
