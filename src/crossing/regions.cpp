@@ -66,17 +66,16 @@ struct Event {
 }  // namespace
 
 Regions::Regions(const Map& map, const CrossingOptions& options)
-    : identity_(map.identity()), half_widths_(growth_of(options)) {
+    : identity_(map.identity()),
+      body_(options.body),
+      relaxed_(options.relaxed),
+      half_widths_(growth_of(options)) {
     if (half_widths_.empty()) {
         original_ = &map;
     } else {
         margin_ = half_widths_.front();
         grow(map);
     }
-}
-
-bool Regions::serve(const Map& map, const CrossingOptions& options) const {
-    return identity_ == map.identity() && (grown_ || original_ == &map) && half_widths_ == growth_of(options);
 }
 
 // Row by row: the growths that reach into it begin and end one after the other.

@@ -23,7 +23,10 @@ class Regions {
     Regions(const Map& map, const CrossingOptions& options);
     Regions(const Regions&) = delete;
     Regions& operator=(const Regions&) = delete;
-    bool serve(const Map& map, const CrossingOptions& options) const;
+    bool serve(const Map& map, const CrossingOptions& options) const {
+        return identity_ == map.identity() && (grown_ || original_ == &map) && body_ == options.body &&
+               relaxed_ == options.relaxed;
+    }
 
     // Whose obstacles are the regions.
     const Map& map() const { return grown_ ? *grown_ : *original_; }
@@ -85,6 +88,8 @@ class Regions {
     std::span<const Obstacle> obstacles() const { return grown_ ? std::span(grown_from_) : original_->obstacles(); }
 
     std::shared_ptr<const void> identity_;  // of the map
+    Body body_;
+    bool relaxed_;
     std::vector<int> half_widths_;          // of the growth's rows, by distance from its middle row; empty: none
     int margin_ = 0;                        // cells by which it reaches beyond an obstacle
     const Map* original_ = nullptr;         // if it is not grown

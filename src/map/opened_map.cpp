@@ -17,6 +17,8 @@ OpenedMap::OpenedMap(const Map& map, std::span<const ObstacleId> removed)
     : map_(&map), removed_(removed.begin(), removed.end()) {
     std::sort(removed_.begin(), removed_.end());
     removed_.erase(std::unique(removed_.begin(), removed_.end()), removed_.end());
+    rows_.reserve(std::size_t(height()) + 2);
+    columns_.reserve(std::size_t(width()) + 2);
     for (int y = -1; y <= height(); ++y) rows_.push_back(map.grid().row(y));
     for (int x = -1; x <= width(); ++x) columns_.push_back(map.transposed().row(x));
     if (removed_.empty()) return;
@@ -56,8 +58,9 @@ OpenedMap::OpenedMap(const Map& map, std::span<const ObstacleId> removed)
     for (const ObstacleId id : removed_) {
         const Box& bounds = map.obstacle(id).bounds;
         for (Cell c = bounds.min; c.y <= bounds.max.y; ++c.y) {
+            const auto labels = map.labels().subspan(std::size_t(c.y) * std::size_t(width()), std::size_t(width()));
             for (c.x = bounds.min.x; c.x <= bounds.max.x; ++c.x) {
-                if (map.obstacle_at(c) != id) continue;
+                if (labels[std::size_t(c.x)] != id.value) continue;
                 clear(row(c.y), c.x);
                 clear(column(c.x), c.y);
             }

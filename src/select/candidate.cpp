@@ -36,7 +36,7 @@ Opening opening_of(const Task& task, std::vector<ObstacleId> removed, const Cros
     opening.status = SearchStatus::found;  // even where a limit ended the search
     ground.length = search.best.length;
     ground.path = search.best.path;
-    if (task.driver.body.is_point()) return opening;
+    if (task.driver.body.is_point() || ground.path.size() < 3) return opening;
     ground.path = shortened(OpenedMap(task.map, opening.removed), task.driver.body, std::move(ground.path));
     if (ground.path == search.best.path) return opening;
     ground.length = 0;
