@@ -57,7 +57,8 @@ std::string enumeration_fault(const CrossingCase& problem) {
         const std::string fault = path_fault(problem, front.oracle, path);
         if (!fault.empty()) return fault + which;
         if (++times[set] > 1) return "told twice" + which;
-        if (!same_length(path.length, front.length.at(set))) return "another length" + which;
+        // Where what it waits for decides the cost, a longer path will do.
+        if (!same_length(path.cost, front.cost.at(set))) return "another cost" + which;
         if (!front.may_be_told(set)) return "beaten by one within it" + which;
         if (path.cost < last * (1 - 1e-12)) return "out of order" + which;
         last = path.cost;
