@@ -84,8 +84,8 @@ class CrossingSearcher {
     // options out of range. Not for use by two threads at once.
     CrossingResult find(const Map& map, Cell start, Cell goal, const CrossingOptions& options = {});
 
-    // For each set of at most `crossings` obstacles that no set within it beats: a path of least cost, in order of cost,
-    // to `accept` until that says false. The result's lower_bound is what all paths not told of cost at least.
+    // For each set of at most `crossings` obstacles that no set within it beats: a path of least cost, in order of
+    // cost, to `accept` until that says false. The result's lower_bound is what all paths not told of cost at least.
     CrossingResult enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                              const std::function<bool(const CrossingPath&)>& accept);
 

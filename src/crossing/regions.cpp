@@ -66,10 +66,7 @@ struct Event {
 }  // namespace
 
 Regions::Regions(const Map& map, const CrossingOptions& options)
-    : identity_(map.identity()),
-      body_(options.body),
-      relaxed_(options.relaxed),
-      half_widths_(growth_of(options)) {
+    : identity_(map.identity()), body_(options.body), relaxed_(options.relaxed), half_widths_(growth_of(options)) {
     if (half_widths_.empty()) {
         original_ = &map;
     } else {

@@ -90,9 +90,9 @@ class Regions {
     std::shared_ptr<const void> identity_;  // of the map
     Body body_;
     bool relaxed_;
-    std::vector<int> half_widths_;          // of the growth's rows, by distance from its middle row; empty: none
-    int margin_ = 0;                        // cells by which it reaches beyond an obstacle
-    const Map* original_ = nullptr;         // if it is not grown
+    std::vector<int> half_widths_;   // of the growth's rows, by distance from its middle row; empty: none
+    int margin_ = 0;                 // cells by which it reaches beyond an obstacle
+    const Map* original_ = nullptr;  // if it is not grown
     std::optional<Map> grown_;
     std::vector<Obstacle> grown_from_;
     Lists members_;  // obstacles, by region

@@ -31,8 +31,21 @@ constexpr double close = 5e-4;
 // Of the time that is left when selecting begins; the rest is for sets that are likely to be good, if the proof is not
 // done by then.
 constexpr double share_of_proof = 0.8;
+// Of the proof's time: for the bound of the relaxed body. The square's comes after it.
+constexpr double share_of_relaxed = 0.5;
 // Seconds: a search among few obstacles is short, so that it may be a little late.
 constexpr double grace = 0.01;
+
+// No path of the unit square that crosses as much is longer than this times a path of the disc (docs/exact.md, Theorem
+// 2): a step to one of eight neighbours after the other is never longer.
+constexpr double most_of_square = 1.0823922002923940;  // sqrt(4 - 2 sqrt(2))
+constexpr double least_radius_of_square = 0.36;
+
+bool square_bounds(const Task& task, const OpeningTimes& opening_times) {
+    const Body& body = task.driver.body;
+    return drives_by_crossing(task) && !body.is_point() && body.radius >= least_radius_of_square &&
+           body.radius <= 0.5 && !opening_times.matter();
+}
 
 // What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the
 // whole objective.
@@ -98,7 +111,12 @@ class ExactSelection {
           best_(cost(task, start)) {}
 
     Selected run() && {
-        if (task_.spare_removals() == 0) return std::move(selected_);
+        selected_.bound = bound_.objective;
+        if (task_.spare_removals() == 0) {
+            if (best_ > bound_.objective * most_of_square && square_bounds(task_, opening_times_))
+                raise_bound(find_first());
+            return std::move(selected_);
+        }
         try_sets();
         if (opening_times_.matter()) try_as_if_forced();
         return std::move(selected_);
@@ -111,6 +129,7 @@ class ExactSelection {
         try_within(bound_.removed);
         if (opening_times_.matter() && best_ <= bound_.objective * (1 + close)) return;
         const CrossingResult first = find_first();
+        raise_bound(first);
         if (first.status == SearchStatus::limit_reached) {
             const bool own_patience = opening_times_.matter() && first.expanded >= patience_of_search() &&
                                       task_.limits.expansions >= patience_of_search();
@@ -125,7 +144,15 @@ class ExactSelection {
     void try_as_if_forced() {
         if (selected_.candidates.empty()) return;
         add_candidate(open(task_, searchers_, best_of(task_, start_, selected_.candidates).opening.removed));
-        task_.report(best_, bound_.objective);
+        task_.report(best_, *selected_.bound);
+    }
+
+    // Where the relaxed body slips through what stops the disc, the square's shortest path tells more.
+    void raise_bound(const CrossingResult& of_square) {
+        if (!square_bounds(task_, opening_times_)) return;
+        const double least = least_objective(task_, of_square.lower_bound / most_of_square, opening_times_);
+        selected_.bound = std::max(bound_.objective, std::min(least, best_));
+        task_.report(best_, *selected_.bound);
     }
 
     bool beats_best(const CrossingPath& path) const {
@@ -153,7 +180,7 @@ class ExactSelection {
             }
             if (beats_best(path)) add_candidate(open(task_, searchers_, removed));
         }
-        task_.report(best_, bound_.objective);
+        task_.report(best_, *selected_.bound);
         since_last_ = {};
     }
 
@@ -259,10 +286,11 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     const Deadline deadline = task.deadline.share(share_of_proof);
     task.report(cost(task, start), 0);
     OpeningTimes opening_times(task);
-    const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), deadline, opening_times);
+    const Bound bound =
+        prove_bound(task, searchers_.crossing, cost(task, start), deadline.share(share_of_relaxed), opening_times);
     task.report(cost(task, start), bound.objective);
     Selected selected = ExactSelection(task, searchers_, start, bound, deadline, opening_times).run();
-    selected.bound = bound.objective;
+    selected.bound = selected.bound.value_or(bound.objective);
     selected.limited = selected.limited || bound.limited;
     return selected;
 }

@@ -14,7 +14,7 @@ namespace waybreaker {
 namespace {
 
 double any_radius() {
-    return *rc::gen::element(0.001, 0.2, 0.5, 0.501, 0.6, 0.707, 0.75, 1.0, 1.118, 1.5, 2.0, 2.25);
+    return *rc::gen::element(0.001, 0.2, 0.36, 0.5, 0.501, 0.6, 0.707, 0.75, 1.0, 1.118, 1.5, 2.0, 2.25);
 }
 
 // Few cells are blocked, so that a wide disc has some room.
@@ -120,8 +120,10 @@ RC_GTEST_PROP(WideCrossing, IsLegalForTheDiscAndTheRelaxedIsALimit, ()) {
     const double limit = searcher.find(problem.map, problem.start, problem.goal, problem.options()).lower_bound;
     RC_LOG() << problem << "found " << found.best.length << ", disc " << disc << ", limit " << limit << '\n';
     RC_ASSERT(limit <= disc * (1 + 1e-9));
+    if (problem.body.radius <= 0.5) RC_ASSERT((found.status == SearchStatus::found) == std::isfinite(disc));
     if (found.status != SearchStatus::found) return;
     RC_ASSERT(found.best.length >= disc * (1 - 1e-9));
+    if (problem.body.radius >= 0.36 && problem.body.radius <= 0.5) RC_ASSERT(found.best.length <= 1.0824 * disc);
     std::vector<ObstacleId> gone = problem.removed;
     gone.insert(gone.end(), found.best.crossed.begin(), found.best.crossed.end());
     const PlainMap opened = plain(problem.map, gone);
