@@ -42,19 +42,38 @@ std::string kept(const geo::LabelTiff& tiff) {
     return counts.empty() ? "" : fmt::format("; {}", fmt::join(counts, ", "));
 }
 
+// What a profile adds: ", 3.1 % water, 0.8 % forbidden; 4 protected (hospitals, ...)".
+std::string ground_of(const geo::ImportReport& report) {
+    if (report.profile == geo::Profile::paper) return "";
+    const Map& map = report.tiff.map;
+    const auto cells = site::cells_by_kind(map, report.tiff.kinds);
+    std::string text;
+    for (const auto kind : {site::ObstacleKind::water, site::ObstacleKind::cliff, site::ObstacleKind::forbidden}) {
+        const std::uint64_t count = cells[std::size_t(kind)];
+        if (count == 0) continue;
+        text += fmt::format(", {:.1f} % {}", 100 * double(count) / double(map.grid().cell_count()),
+                            site::obstacle_kind_words[std::size_t(kind)]);
+    }
+    if (report.sheltered == 0) return text;
+    return text + fmt::format("; {} protected ({})", report.sheltered, geo::protection(report.profile).text);
+}
+
 std::string summary_line(const std::string& file, const geo::ImportReport& report, const char* things) {
     const Map& map = report.tiff.map;
-    return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}, {} obstacles, {:.1f} % blocked{}\n", file, map.width(),
+    return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}, {} obstacles, {:.1f} % blocked{}{}\n", file, map.width(),
                        map.height(), report.tiff.cell_size, report.buildings, things, map.obstacles().size(),
-                       100 * mapfile::summarise(map).density, kept(report.tiff));
+                       100 * mapfile::summarise(map).density, ground_of(report), kept(report.tiff));
 }
 
 const char* things_of(const ImportOptions& options) {
     return options.window.choice.obstacles.empty() ? "buildings" : "features";
 }
 
-// Warns that cells outside the source's data count as free.
-void warn_of_gaps(const ImportOptions& options, double covered) {
+// Warns that cells outside the source's data count as free, and of what the import noticed.
+void warn_of_gaps(const ImportOptions& options, double covered, const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+        std::fputs(fmt::format("waybreaker: note: {}: {}\n", options.source, note).c_str(), stderr);
+    }
     const double percent = 100 * covered;
     if (percent >= 99.5) return;
     std::fputs(fmt::format("waybreaker: warning: {} covers only {:.2g} % of the window; the rest is free on the map\n",
@@ -65,7 +84,7 @@ void warn_of_gaps(const ImportOptions& options, double covered) {
 
 void import_one(const ImportOptions& options) {
     const geo::ImportReport report = import_with_progress(options);
-    warn_of_gaps(options, report.covered);
+    warn_of_gaps(options, report.covered, report.notes);
     io::write_whole(options.output, geo::label_tiff_bytes(report.tiff));
     if (options.output != "-") io::write_whole("-", summary_line(options.output, report, things_of(options)));
 }
@@ -81,11 +100,13 @@ void import_folder(const ImportOptions& options) {
     std::string lines;
     std::size_t count = 0;
     double covered = 1;
+    std::vector<std::string> notes;
     const auto write = [&](const geo::ImportTile& tile) {
         const std::string name = fmt::format("{:02}_{:02}.tif", tile.row, tile.column);
         io::write_whole((fs::path(options.output) / name).string(), geo::label_tiff_bytes(tile.report.tiff));
         lines += summary_line(name, tile.report, things_of(options));
         covered = tile.report.covered;
+        notes = tile.report.notes;
         ++count;
     };
     std::size_t all = 0;
@@ -93,7 +114,7 @@ void import_folder(const ImportOptions& options) {
         const Progress progress("reading " + options.source);
         all = geo::import_tiles(options.source, options.window, *options.tile, write);
     }
-    warn_of_gaps(options, covered);
+    warn_of_gaps(options, covered, notes);
     io::write_whole("-", lines + fmt::format("{}: {} maps; {} of {} tiles have no obstacle\n", options.output, count,
                                              all - count, all));
 }
@@ -156,11 +177,20 @@ void add_window_options(CLI::App& command, const std::shared_ptr<ImportOptions>&
         "Cut the window into squares of that side, and write a folder with a map of each, ROW_COLUMN.tif");
 }
 
+void add_profile(CLI::App& command, std::optional<geo::Profile>& profile) {
+    using enum geo::Profile;
+    add_choice<geo::Profile>(
+        command, "--profile", {{"rover", rover}, {"truck", truck}, {"walker", walker}, {"paper", paper}}, profile,
+        "Who drives: for rover, truck and walker water, forbidden ground and barriers bar the way as well, for paper "
+        "only buildings do; with a profile, --obstacles takes the place of its buildings and barriers (default: rover; "
+        "with --obstacles paper)");
+}
+
 void add_choice_options(CLI::App& command, geo::ObstacleChoice& choice) {
     add_filters(
         command, "--obstacles", choice.obstacles,
         "What is an obstacle: tags such as building, natural=water and barrier=wall,fence, with commas between, "
-        "or * for everything; can be given several times (default: building)");
+        "or * for everything; can be given several times (default: what bars the way of the profile)");
     add_file(command, "--layer", choice.layer,
              "The layer with the obstacles, of a source that has several, such as a folder of shapefiles")
         ->type_name("NAME");
@@ -193,6 +223,7 @@ void setup_import(CLI::App& root, Run& run_chosen) {
                             "railways, water and green around them, if the source has them.");
     add_file(*command, "SOURCE", options->source, "File with building footprints")->required();
     add_window_options(*command, options);
+    add_profile(*command, options->window.profile);
     add_choice_options(*command, options->window.choice);
     command->add_flag("--merge-touching", options->window.merge_touching,
                       "Buildings that touch are one obstacle, as in the paper");

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+#include <utility>
+
 #include "background_summary.hpp"
 #include "commands.hpp"
 #include "geo/georeference.hpp"
@@ -32,6 +35,23 @@ std::string identity(const io::MapFile& file, const Obstacle& obstacle) {
     return words.empty() ? "" : fmt::format(" ({})", fmt::join(words, ", "));
 }
 
+// "61.2 % open, 25.5 % destructible, 3.1 % water": what there is of, in cells of the map.
+std::string ground_text(const mapfile::GroundSummary& ground) {
+    const std::array<std::pair<const char*, std::uint64_t>, 6> parts{{{"open", ground.open},
+                                                                      {"destructible", ground.destructible},
+                                                                      {"protected", ground.protected_},
+                                                                      {"water", ground.water},
+                                                                      {"cliff", ground.cliff},
+                                                                      {"forbidden", ground.forbidden}}};
+    std::uint64_t all = 0;
+    for (const auto& part : parts) all += part.second;
+    std::vector<std::string> words;
+    for (const auto& [name, cells] : parts) {
+        if (cells > 0) words.push_back(fmt::format("{:.1f} % {}", 100.0 * double(cells) / double(all), name));
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
 std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary) {
     const Map& map = file.map;
     const auto line = [](const std::string& name, const std::string& value) {
@@ -44,6 +64,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
                                               map.width() * file.cell_size, map.height() * file.cell_size));
     }
     text += line("blocked", fmt::format("{} cells, {:.1f} %", summary.blocked, 100 * summary.density));
+    if (const auto ground = mapfile::summarise_ground(file)) text += line("ground", ground_text(*ground));
     if (file.unknown > 0) text += line("unknown", fmt::format("{} cells", file.unknown));
     text += line("obstacles", std::to_string(map.obstacles().size()));
     if (const Obstacle* largest = summary.largest) {

@@ -12,6 +12,7 @@
 #include "geo/gdal_scope.hpp"
 #include "geo/line_work.hpp"
 #include "geo/scenery.hpp"
+#include "geo/vector_source.hpp"
 
 namespace waybreaker::geo {
 namespace {

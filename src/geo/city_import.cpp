@@ -1,9 +1,6 @@
 #include "geo/city_import.hpp"
 
 #include <fmt/format.h>
-#include <gdal_alg.h>
-#include <gdal_frmts.h>
-#include <gdal_priv.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +10,17 @@
 
 #include "geo/footprints.hpp"
 #include "geo/gdal_scope.hpp"
+#include "geo/ground_map.hpp"
 #include "geo/import_window.hpp"
-#include "geo/scenery.hpp"
+#include "geo/label_raster.hpp"
+#include "geo/survey.hpp"
 #include "map/label.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
 namespace {
+
+using Kind = site::ObstacleKind;
 
 // A footprint as a window sees it.
 struct Seen {
@@ -27,31 +28,20 @@ struct Seen {
     double area;  // inside the window
 };
 
-// For each cell the number, from 1, of the footprint that covers its centre, 0 for none.
+// For each cell the number, from 1, of the footprint that covers its centre, 0 for none; barriers before buildings,
+// else the first in the source's order.
 std::vector<std::uint32_t> rasterise(const std::vector<Seen>& seen, const CellWindow& window) {
-    const GdalScope gdal;
-    GDALRegister_MEM();
     std::vector<std::uint32_t> labels(std::size_t(window.width) * std::size_t(window.height), 0);
-    CPLStringList band;
-    band.SetNameValue("DATAPOINTER", fmt::format("{}", fmt::ptr(labels.data())).c_str());
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
-    const GDALDatasetUniquePtr raster(driver->Create("", window.width, window.height, 0, GDT_UInt32, nullptr));
-    raster->AddBand(GDT_UInt32, band.List());
-    std::array<double, 6> transform = window.georeference.transform;
-    raster->SetGeoTransform(transform.data());
-
-    // With GDAL the last one wins.
-    std::vector<OGRGeometryH> shapes;
-    std::vector<double> numbers;
-    for (std::size_t i = seen.size(); i-- > 0;) {
-        shapes.push_back(OGRGeometry::ToHandle(seen[i].footprint->shape.get()));
-        numbers.push_back(double(i + 1));
+    std::vector<Paint> paints;
+    for (const bool barriers : {false, true}) {
+        for (std::size_t i = seen.size(); i-- > 0;) {
+            const Footprint& footprint = *seen[i].footprint;
+            if ((footprint.kind == Kind::barrier) == barriers) {
+                paints.push_back({footprint.shape.get(), std::uint32_t(i + 1)});
+            }
+        }
     }
-    const int only_band = 1;
-    const CPLErr outcome =
-        GDALRasterizeGeometries(GDALDataset::ToHandle(raster.get()), 1, &only_band, int(shapes.size()), shapes.data(),
-                                nullptr, nullptr, numbers.data(), nullptr, nullptr, nullptr);
-    if (outcome != CE_None) throw InputError("the buildings cannot be rasterised: " + gdal.failure());
+    paint(paints, Cover::centre, window, labels);
     return labels;
 }
 
@@ -67,14 +57,18 @@ struct Labelled {
     std::vector<std::uint32_t> labels;
     std::vector<ObstacleAttributes> attributes;  // by label, entry 0 unused
     site::LabelNames names;
+    site::LabelKinds kinds;
 };
 
 // One label for each footprint.
 Labelled labelled(std::vector<std::uint32_t> labels, const std::vector<Seen>& seen, const ObstacleChoice& choice) {
-    Labelled result{.labels = std::move(labels), .attributes = std::vector<ObstacleAttributes>(1), .names = {}};
+    Labelled result{
+        .labels = std::move(labels), .attributes = std::vector<ObstacleAttributes>(1), .names = {}, .kinds = {}};
     for (const Seen& one : seen) {
+        const auto label = std::uint32_t(result.attributes.size());
         const std::string& name = one.footprint->name;
-        if (!name.empty()) result.names.emplace(std::uint32_t(result.attributes.size()), name);
+        if (!name.empty()) result.names.emplace(label, name);
+        result.kinds.emplace(label, one.footprint->kind);
         result.attributes.push_back(attributes_of(one, choice));
     }
     return result;
@@ -89,7 +83,7 @@ Labelled merged(const Labelled& footprints, int width, int height, bool weighed)
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (labels[i] != 0) grid.set_blocked({int(i % std::size_t(width)), int(i / std::size_t(width))}, true);
     }
-    Labelled result{label_components(grid, Connectivity::four), std::vector<ObstacleAttributes>(1), {}};
+    Labelled result{label_components(grid, Connectivity::four), std::vector<ObstacleAttributes>(1), {}, {}};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shares;  // cells by component and footprint
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (labels[i] != 0) ++shares[{result.labels[i], labels[i]}];
@@ -101,6 +95,7 @@ Labelled merged(const Labelled& footprints, int width, int height, bool weighed)
         const ObstacleAttributes& part = footprints.attributes[label];
         if (component == result.attributes.size()) {
             result.attributes.push_back(part);
+            result.kinds[component] = footprints.kinds.at(label);
             most = cells;
             most_named = 0;
         } else {
@@ -111,6 +106,7 @@ Labelled merged(const Labelled& footprints, int width, int height, bool weighed)
             if (cells > most) {
                 most = cells;
                 whole.source_id = part.source_id;
+                result.kinds[component] = footprints.kinds.at(label);
             }
         }
         const auto name = footprints.names.find(label);
@@ -120,6 +116,33 @@ Labelled merged(const Labelled& footprints, int width, int height, bool weighed)
         }
     }
     return result;
+}
+
+// Frees the cells that ways open, and those that the ground blocks for ever: these belong to the ground whatever stands
+// on them.
+void clear_for(const GroundMap& ground, const std::vector<Seen>& seen, std::vector<std::uint32_t>& labels) {
+    for (std::size_t i = 0; i < ground.blocked.size(); ++i) {
+        if (labels[i] == 0) continue;
+        const bool barrier = seen[labels[i] - 1].footprint->kind == Kind::barrier;
+        const bool open =
+            ground.opened[i] == GroundMap::everything || (ground.opened[i] == GroundMap::barriers && barrier);
+        if (open || ground.blocked[i] != 0) labels[i] = 0;
+    }
+}
+
+// Puts what the ground blocks on cells that are free for it.
+void append_ground(const GroundMap& ground, const std::vector<GroundPiece>& pieces, Labelled& cells) {
+    if (ground.blocked.empty()) return;
+    const auto first = std::uint32_t(cells.attributes.size());
+    for (const GroundPiece& piece : pieces) {
+        const auto label = std::uint32_t(cells.attributes.size());
+        if (!piece.name.empty()) cells.names.emplace(label, piece.name);
+        cells.kinds.emplace(label, piece.use.kind);
+        cells.attributes.push_back({.destructible = false, .source_id = piece.source_id});
+    }
+    for (std::size_t i = 0; i < ground.blocked.size(); ++i) {
+        if (ground.blocked[i] != 0) cells.labels[i] = first + ground.blocked[i] - 1;
+    }
 }
 
 std::string title_of(const std::string& source, const CellWindow& window, double cell) {
@@ -134,7 +157,7 @@ std::string title_of(const std::string& source, const CellWindow& window, double
 // A source, read.
 struct Material {
     Footprints footprints;
-    std::vector<Sight> scenery;
+    Survey survey;
     double covered = 1;
 };
 
@@ -148,7 +171,7 @@ double covered_share(const Material& material, const OGREnvelope& window) {
     };
     if (!data.IsInit()) {
         for (const Footprint& footprint : material.footprints.list) merge(*footprint.shape);
-        for (const Sight& sight : material.scenery) merge(*sight.shape);
+        for (const Sight& sight : material.survey.scenery) merge(*sight.shape);
     }
     if (!data.Intersects(window)) return 0;
     data.Intersect(window);
@@ -156,10 +179,42 @@ double covered_share(const Material& material, const OGREnvelope& window) {
            ((window.MaxX - window.MinX) * (window.MaxY - window.MinY));
 }
 
+// Barriers are obstacles like buildings.
+void move_barriers(Ground& ground, const Window& window, std::vector<Footprint>& footprints) {
+    std::erase_if(ground.pieces, [&](GroundPiece& piece) {
+        if (piece.use.layer != GroundLayer::barrier) return false;
+        const double area = area_inside(*piece.shape, window.bounds);
+        if (area > 0) {
+            footprints.push_back(
+                {std::move(piece.shape), area, {.source_id = piece.source_id}, piece.name, piece.use.kind});
+        }
+        return true;
+    });
+}
+
+// What the profile, which is given, says about the choice of obstacles.
+ImportOptions with_profile(ImportOptions options) {
+    ObstacleChoice& choice = options.choice;
+    if (!options.profile) options.profile = choice.obstacles.empty() ? Profile::rover : Profile::paper;
+    choice.only_in_the_way = options.profile != Profile::paper;
+    if (choice.destructible.empty() && choice.protect.empty()) choice.shelter = protection(*options.profile).filters;
+    return options;
+}
+
 Material read_in_order(const std::string& source, const Window& window, const ImportOptions& options) {
-    Material material{.footprints = read_footprints(source, window, options.choice, options.cell), .scenery = {}};
-    if (options.background) material.scenery = read_scenery(source, window);
+    Material material{.footprints = read_footprints(source, window, options.choice, options.cell), .survey = {}};
+    if (options.background || options.profile != Profile::paper) {
+        material.survey = read_survey(source, window,
+                                      {.scenery = options.background,
+                                       .profile = *options.profile,
+                                       .cell = options.cell,
+                                       .data = material.footprints.extent});
+    }
     material.covered = covered_share(material, window.bounds);
+    const bool chosen = !options.choice.obstacles.empty();
+    Ground& ground = material.survey.ground;
+    if (chosen) std::erase_if(ground.pieces, [](const auto& piece) { return piece.use.layer == GroundLayer::barrier; });
+    move_barriers(ground, window, material.footprints.list);
     return material;
 }
 
@@ -174,22 +229,38 @@ Material read(const std::string& source, const Window& window, const ImportOptio
 
 ImportReport report_of(const Material& material, const std::vector<Seen>& seen, const CellWindow& window,
                        const std::string& source, const ImportOptions& options) {
-    double area = 0;
-    for (const Seen& one : seen) area += one.area;
-    Labelled cells = labelled(rasterise(seen, window), seen, options.choice);
+    const std::vector<GroundPiece>& pieces = material.survey.ground.pieces;
+    const GroundMap ground = ground_map(pieces, window);
+    std::vector<std::uint32_t> labels = rasterise(seen, window);
+    clear_for(ground, seen, labels);
+    Labelled cells = labelled(std::move(labels), seen, options.choice);
     if (options.merge_touching) {
         cells = merged(cells, window.width, window.height, !options.choice.weight.of.empty());
     }
+    append_ground(ground, pieces, cells);
     if (!options.names) cells.names.clear();
+    if (options.profile == Profile::paper) cells.kinds.clear();
     std::vector<site::NamedCell> named = site::named_cells(std::move(cells.names), cells.labels);
+    const std::vector<site::KindOfCell> kinds = site::kinds_of_cells(std::move(cells.kinds), cells.labels);
     LabelTiff tiff{.map = Map::from_labels(window.width, window.height, std::move(cells.labels), cells.attributes),
                    .cell_size = options.cell,
                    .georeference = window.georeference,
                    .attribution = material.footprints.from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
                    .title = title_of(source, window, options.cell),
-                   .background = background_within(material.scenery, window.window.bounds, options.cell)};
+                   .background = background_within(material.survey.scenery, window.window.bounds, options.cell)};
     tiff.names = site::obstacle_names(tiff.map, std::move(named));
-    return {.tiff = std::move(tiff), .buildings = seen.size(), .area = area, .covered = material.covered};
+    tiff.kinds = site::obstacle_kinds(tiff.map, kinds);
+    ImportReport report{.tiff = std::move(tiff),
+                        .covered = material.covered,
+                        .profile = *options.profile,
+                        .notes = material.survey.ground.notes};
+    for (const Seen& one : seen) {
+        if (one.footprint->kind == Kind::barrier) continue;
+        ++report.buildings;
+        report.area += one.area;
+        if (one.footprint->sheltered) ++report.sheltered;
+    }
+    return report;
 }
 
 std::vector<Seen> seen_in(const Footprints& footprints, const OGREnvelope& bounds) {
@@ -204,7 +275,8 @@ std::vector<Seen> seen_in(const Footprints& footprints, const OGREnvelope& bound
 
 }  // namespace
 
-ImportReport import_city(const std::string& source, const ImportOptions& options) {
+ImportReport import_city(const std::string& source, const ImportOptions& given) {
+    const ImportOptions options = with_profile(given);
     const CellWindow window = import_window(options);
     const Material material = read(source, window.window, options);
     std::vector<Seen> seen;
@@ -212,8 +284,9 @@ ImportReport import_city(const std::string& source, const ImportOptions& options
     return report_of(material, seen, window, source, options);
 }
 
-std::size_t import_tiles(const std::string& source, const ImportOptions& options, double side,
+std::size_t import_tiles(const std::string& source, const ImportOptions& given, double side,
                          const std::function<void(const ImportTile&)>& visit) {
+    const ImportOptions options = with_profile(given);
     const CellWindow window = import_window(options);
     const double cells = std::round(side / options.cell);
     const int least = std::min(window.width, window.height);
@@ -227,7 +300,7 @@ std::size_t import_tiles(const std::string& source, const ImportOptions& options
         for (int column = 0; column < window.width / tile; ++column) {
             const CellWindow part = part_of(window, column * tile, row * tile, tile, tile);
             const std::vector<Seen> seen = seen_in(material.footprints, part.window.bounds);
-            if (seen.empty()) continue;
+            if (seen.empty() && material.survey.ground.pieces.empty()) continue;
             const ImportReport report = report_of(material, seen, part, source, options);
             if (!report.tiff.map.obstacles().empty()) visit({column, row, report});
         }

@@ -6,7 +6,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "geo/ground_rules.hpp"
 #include "geo/label_tiff.hpp"
 #include "geo/obstacle_choice.hpp"
 
@@ -20,6 +22,10 @@ struct ImportOptions {
     bool merge_touching = false;  // obstacles are 4-connected components (the paper) instead of one per building
     // West, south, east, north in degrees: then the window is what holds these, in place of centre and size.
     std::optional<std::array<double, 4>> box = {};
+    // Who drives, and so what bars the way beside buildings. Empty: a rover; or, where obstacles are chosen, nobody
+    // (`paper`), so that they are all there is. Obstacles that are chosen beside a profile take the place of its
+    // buildings and barriers.
+    std::optional<Profile> profile = {};
     ObstacleChoice choice = {};
     bool names = true;       // keep what people call the obstacles
     bool background = true;  // keep streets, water, green and places
@@ -30,12 +36,16 @@ struct ImportReport {
     std::size_t buildings = 0;  // that have some area inside the window; those that own no cell are no obstacle
     double area = 0;            // of their parts inside the window, in square metres; overlaps count twice
     double covered = 1;         // the share of the window that the source has data of, by its extent
+    Profile profile = Profile::paper;
+    std::size_t sheltered = 0;            // obstacles that the profile protects
+    std::vector<std::string> notes = {};  // what the user should know of the source, a line each
 };
 
 // Buildings, or what else is chosen, become obstacles, one each unless merged, with their source ids (OSM ways
 // positive, relations negative) and names; projected to the local UTM zone. A cell belongs to the building that covers
-// its centre; the first in the source's order where several do. Throws InputError (source and remedy) if there is
-// nothing to import, or a filter matches nothing in all of the source.
+// its centre; the first in the source's order where several do. What bars the profile's way for ever (water, forbidden
+// ground) becomes obstacles that cannot be destroyed, under buildings too: see ground_map.hpp. Throws InputError
+// (source and remedy) if there is nothing to import, or a filter matches nothing in all of the source.
 ImportReport import_city(const std::string& source, const ImportOptions& options);
 
 struct ImportTile {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace waybreaker::geo {
 
@@ -21,6 +19,22 @@ std::optional<std::string> hstore_value(std::string_view pairs, std::string_view
     }
     return std::nullopt;
 }
+
+namespace {
+
+// The text in quotes at a position, which moves past them; empty if there is none.
+std::optional<std::string> take_quoted(std::string_view text, std::size_t& at) {
+    if (at >= text.size() || text[at] != '"') return std::nullopt;
+    std::string value;
+    for (++at; at < text.size() && text[at] != '"'; ++at) {
+        if (text[at] == '\\' && at + 1 < text.size()) ++at;
+        value += text[at];
+    }
+    ++at;
+    return value;
+}
+
+}  // namespace
 
 FeatureTags::FeatureTags(OGRLayer& layer)
     : definition_(*layer.GetLayerDefn()),
@@ -62,10 +76,25 @@ bool FeatureTags::matches_any(const OGRFeature& feature, const std::vector<TagFi
 
 std::optional<double> FeatureTags::number(const OGRFeature& feature, const std::string& key) const {
     const std::optional<std::string> text = value(feature, key);
-    if (!text) return std::nullopt;
-    double result = 0;
-    const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), result);
-    return error == std::errc() && std::isfinite(result) ? std::optional(result) : std::nullopt;
+    return text ? leading_number(*text) : std::nullopt;
+}
+
+TagSet FeatureTags::all(const OGRFeature& feature) const {
+    std::vector<std::pair<std::string, std::string>> tags;
+    for (int i = 0; i < definition_.GetFieldCount(); ++i) {
+        if (i == other_ || !feature.IsFieldSetAndNotNull(i)) continue;
+        tags.emplace_back(definition_.GetFieldDefn(i)->GetNameRef(), feature.GetFieldAsString(i));
+    }
+    const std::string_view pairs =
+        other_ >= 0 && feature.IsFieldSetAndNotNull(other_) ? feature.GetFieldAsString(other_) : "";
+    for (std::size_t at = 0; at < pairs.size(); ++at) {  // past the comma
+        std::optional<std::string> key = take_quoted(pairs, at);
+        at += 2;  // =>
+        std::optional<std::string> value = take_quoted(pairs, at);
+        if (!key || !value) break;
+        tags.emplace_back(std::move(*key), std::move(*value));
+    }
+    return TagSet(std::move(tags));
 }
 
 // GDAL's OSM driver gives ways and relations a field each; elsewhere osm_id is what it is. Lines have ways alone.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geo/obstacle_choice.hpp"
+#include "geo/tag_set.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geo {
@@ -30,6 +31,7 @@ class FeatureTags {
 
     std::optional<std::string> value(const OGRFeature& feature, const std::string& key) const;
     bool matches_any(const OGRFeature& feature, const std::vector<TagFilter>& filters) const;
+    TagSet all(const OGRFeature& feature) const;
     // The number a tag begins with ("12 m").
     std::optional<double> number(const OGRFeature& feature, const std::string& key) const;
 

@@ -9,6 +9,7 @@
 #include "geo/feature_tags.hpp"
 #include "geo/filter_use.hpp"
 #include "geo/gdal_scope.hpp"
+#include "geo/ground_rules.hpp"
 #include "geo/obstacle_names.hpp"
 #include "geo/vector_source.hpp"
 #include "waybreaker/error.hpp"
@@ -83,7 +84,10 @@ const std::vector<TagFilter>& buildings() {
 class Selection {
   public:
     Selection(const FeatureTags& tags, const ObstacleChoice& choice, Kind kind)
-        : tags_(tags), kind_(kind), filters_(choice.obstacles.empty() ? buildings() : choice.obstacles) {
+        : tags_(tags),
+          kind_(kind),
+          filters_(choice.obstacles.empty() ? buildings() : choice.obstacles),
+          only_in_the_way_(choice.only_in_the_way && choice.obstacles.empty()) {
         all_ = choice.obstacles.empty() && !tags.can_have("building");
         // A building that is a line is an unclosed outline.
         if (kind == Kind::lines)
@@ -94,7 +98,9 @@ class Selection {
 
     bool takes(const OGRFeature& feature) const {
         const OGRGeometry* shape = feature.GetGeometryRef();
-        return shape && is_of(kind_, shape->getGeometryType()) && (all_ || tags_.matches_any(feature, filters_));
+        if (!shape || !is_of(kind_, shape->getGeometryType())) return false;
+        if (all_) return true;
+        return tags_.matches_any(feature, filters_) && (!only_in_the_way_ || stands_in_the_way(tags_.all(feature)));
     }
 
   private:
@@ -102,6 +108,7 @@ class Selection {
     Kind kind_;
     std::vector<TagFilter> filters_;
     bool all_;
+    bool only_in_the_way_;
 };
 
 // Calls visit(feature, tags) for the obstacles of a layer.
@@ -158,6 +165,9 @@ std::vector<Footprint> scan(OGRLayer& layer, Kind kind, const ObstacleChoice& ch
         Footprint& footprint = found.emplace_back();
         footprint.attributes = attributes_of(feature, tags, choice);
         footprint.name = name_of(feature, tags);
+        footprint.kind = choice.obstacles.empty() ? site::ObstacleKind::building : site::ObstacleKind::unknown;
+        footprint.sheltered = tags.matches_any(feature, choice.shelter);
+        if (footprint.sheltered) footprint.attributes.destructible = false;
         footprint.shape.reset(feature.StealGeometry());
     });
     return found;

@@ -9,6 +9,7 @@
 
 #include "geo/obstacle_choice.hpp"
 #include "geo/vector_source.hpp"
+#include "site/obstacle_kinds.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geo {
@@ -18,6 +19,8 @@ struct Footprint {
     double area = 0;                     // of its part inside the window, in square metres, > 0
     ObstacleAttributes attributes = {};  // of its source; quantities that go by area are not in here
     std::string name = {};               // what people call it, or its address; empty where unknown
+    site::ObstacleKind kind = site::ObstacleKind::unknown;
+    bool sheltered = false;  // not destructible because of what it is, though nobody said so
 };
 
 struct Footprints {

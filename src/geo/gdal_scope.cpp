@@ -6,35 +6,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace waybreaker::geo {
 namespace {
 
-constexpr std::array<const char*, 2> side_file_options{"GDAL_PAM_ENABLED", "CPL_VSIL_GZIP_WRITE_PROPERTIES"};
-
 void CPL_STDCALL on_error(CPLErr severity, CPLErrorNum, const char* message) {
-    if (severity >= CE_Failure) static_cast<GdalScope*>(CPLGetErrorHandlerUserData())->remember(message);
+    auto* scope = static_cast<GdalScope*>(CPLGetErrorHandlerUserData());
+    if (severity >= CE_Failure) scope->remember(message);
+    if (severity == CE_Debug) scope->hear(message);
 }
 
 }  // namespace
 
 GdalScope::GdalScope() {
     CPLPushErrorHandlerEx(on_error, this);
-    for (std::size_t i = 0; i < side_file_options.size(); ++i) {
-        if (const char* former = CPLGetThreadLocalConfigOption(side_file_options[i], nullptr)) {
-            former_options_[i] = former;
-        }
-        CPLSetThreadLocalConfigOption(side_file_options[i], "NO");
-    }
+    set_option("GDAL_PAM_ENABLED", "NO");
+    set_option("CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO");
+}
+
+GdalScope::GdalScope(std::function<void(std::string_view)> hear) : GdalScope() {
+    hear_ = std::move(hear);
+    set_option("CPL_DEBUG", "OSM");
 }
 
 GdalScope::~GdalScope() {
-    for (std::size_t i = 0; i < side_file_options.size(); ++i) {
-        const std::optional<std::string>& former = former_options_[i];
-        CPLSetThreadLocalConfigOption(side_file_options[i], former ? former->c_str() : nullptr);
+    for (const auto& [name, former] : former_options_) {
+        CPLSetThreadLocalConfigOption(name, former ? former->c_str() : nullptr);
     }
     CPLPopErrorHandler();
+}
+
+void GdalScope::set_option(const char* name, const char* value) {
+    const char* former = CPLGetThreadLocalConfigOption(name, nullptr);
+    former_options_.emplace_back(name, former ? std::optional<std::string>(former) : std::nullopt);
+    CPLSetThreadLocalConfigOption(name, value);
+}
+
+void GdalScope::hear(const char* message) const {
+    if (hear_) hear_(message);
 }
 
 void GdalScope::remember(const char* message) {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace waybreaker::geo {
 
@@ -14,6 +17,8 @@ namespace waybreaker::geo {
 class GdalScope {
   public:
     GdalScope();
+    // What GDAL's driver for OpenStreetMap says beside failures, it says to `hear`, a line each.
+    explicit GdalScope(std::function<void(std::string_view)> hear);
     ~GdalScope();
     GdalScope(const GdalScope&) = delete;
     GdalScope& operator=(const GdalScope&) = delete;
@@ -24,10 +29,14 @@ class GdalScope {
 
     // For GDAL's error handler.
     void remember(const char* message);
+    void hear(const char* message) const;
 
   private:
+    void set_option(const char* name, const char* value);
+
     std::string failure_;
-    std::array<std::optional<std::string>, 2> former_options_;
+    std::function<void(std::string_view)> hear_;
+    std::vector<std::pair<const char*, std::optional<std::string>>> former_options_;
 };
 
 // A file in GDAL's memory, unknown to others and gone with this object.

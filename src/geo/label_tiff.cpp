@@ -10,6 +10,7 @@
 
 #include "geo/background_item.hpp"
 #include "geo/gdal_scope.hpp"
+#include "geo/kinds_item.hpp"
 #include "geo/obstacle_metadata.hpp"
 #include "waybreaker/error.hpp"
 
@@ -208,18 +209,23 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     Place place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);
     site::LabelNames label_names = read_names(*file, name);
+    site::LabelKinds label_kinds = read_kinds(*file, name);
     const int width = file->GetRasterXSize();
     const int height = file->GetRasterYSize();
     site::Background background = read_background(*file, place, width, height, name);
     std::vector<std::uint32_t> labels = read_labels(*file, memory, name);
     const bool mask = attributes.size() == 1 && has_one_value(labels);
-    if (mask) label_names.clear();
+    if (mask) {
+        label_names.clear();
+        label_kinds.clear();
+    }
     if (limits.admit) {
         limits.admit(
             map_bytes(width, height,
                       mask ? count_obstacles(grid_of(width, height, labels), connectivity) : count_labels(labels)));
     }
     std::vector<site::NamedCell> named = site::named_cells(std::move(label_names), labels);
+    const std::vector<site::KindOfCell> kinds = site::kinds_of_cells(std::move(label_kinds), labels);
     LabelTiff tiff{.map = mask ? Map(grid_of(width, height, labels), connectivity)
                                : Map::from_labels(width, height, std::move(labels), attributes),
                    .cell_size = place.cell_size,
@@ -230,6 +236,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
                    .background = std::move(background),
                    .mask = mask};
     tiff.names = site::obstacle_names(tiff.map, std::move(named));
+    tiff.kinds = site::obstacle_kinds(tiff.map, kinds);
     return tiff;
 }
 
@@ -268,6 +275,7 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     set(attribution_item, tiff.attribution);
     for (const auto& [item, text] : obstacle_metadata(tiff.map)) set(item, text);
     set(names_item, names_text(tiff.names));
+    set(kinds_item, kinds_text(tiff.kinds));
     if (tiff.georeference) set(background_item, background_text(tiff.background, *tiff.georeference));
 
     auto* labels = const_cast<std::uint32_t*>(tiff.map.labels().data());  // GDAL only reads it

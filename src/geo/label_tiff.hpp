@@ -2,8 +2,8 @@
 //
 // What GDAL's tools keep is kept in its own places: coordinate system and cell size, the title as TIFF image
 // description, the attribution as TIFF copyright. What they have no place for, who each obstacle is
-// (obstacle_metadata.hpp, obstacle_names.hpp) and what lies around them (background_item.hpp), stands in metadata
-// items, which gdal_translate copies too: see docs/data.md.
+// (obstacle_metadata.hpp, obstacle_names.hpp, kinds_item.hpp) and what lies around them (background_item.hpp), stands
+// in metadata items, which gdal_translate copies too: see docs/data.md.
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 #include "geo/obstacle_names.hpp"
 #include "map/map_size.hpp"
 #include "site/background.hpp"
+#include "site/obstacle_kinds.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geo {
@@ -29,7 +30,8 @@ struct LabelTiff {
     std::string title = {};          // place and window, for captions; may be empty
     site::ObstacleNames names = {};  // what people call the obstacles
     site::Background background = {};
-    bool mask = false;  // the file says which cells are blocked, but not by which obstacle
+    site::ObstacleKinds kinds = {};  // what the obstacles are
+    bool mask = false;               // the file says which cells are blocked, but not by which obstacle
 };
 
 // The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. Where all that

@@ -1,13 +1,8 @@
 #include "geo/scenery.hpp"
 
 #include <algorithm>
-#include <map>
-#include <optional>
-#include <tuple>
 #include <utility>
 
-#include "geo/feature_tags.hpp"
-#include "geo/gdal_scope.hpp"
 #include "geo/obstacle_names.hpp"
 
 namespace waybreaker::geo {
@@ -66,114 +61,32 @@ const std::vector<Rule>& rules() {
     return all;
 }
 
-std::vector<TagFilter> all_filters() {
-    std::vector<TagFilter> filters;
-    for (const Rule& rule : rules()) {
-        const bool known = std::any_of(filters.begin(), filters.end(),
-                                       [&](const TagFilter& filter) { return filter.key == rule.filter.key; });
-        if (!known) filters.push_back({.key = rule.filter.key});
-    }
-    return filters;
-}
-
-std::optional<Shape> shape_of(const OGRFeature& feature) {
-    const OGRGeometry* geometry = feature.GetGeometryRef();
-    if (geometry == nullptr) return std::nullopt;
-    const OGRwkbGeometryType type = geometry->getGeometryType();
-    if (is_area(type)) return Shape::area;
-    if (is_line(type)) return Shape::line;
-    return wkbFlatten(type) == wkbPoint ? std::optional(Shape::point) : std::nullopt;
-}
-
-// One layer of the source.
-class SceneryLayer {
-  public:
-    SceneryLayer(OGRLayer& layer, const Window& window, const std::string& source)
-        : tags_(layer), window_(window), to_window_(transformation(system_of(layer, source), window.system)) {
-        // If GDAL's OSM driver skips points, ways lose them too.
-        if (wkbFlatten(layer.GetGeomType()) != wkbPoint) {
-            const OGREnvelope bounds = bounds_in(system_of(layer, source), window, source);
-            layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);
-        }
-        layer.SetAttributeFilter(tags_.condition(all_filters()).c_str());
-    }
-
-    std::optional<Sight> sight(OGRFeature& feature) const {
-        const std::optional<Shape> shape = shape_of(feature);
-        if (!shape || says(feature, "tunnel")) return std::nullopt;
-        for (const Rule& rule : rules()) {
-            if (std::find(rule.shapes.begin(), rule.shapes.end(), *shape) == rule.shapes.end()) continue;
-            const std::optional<std::string> type = tags_.value(feature, rule.filter.key);
-            if (type && rule.filter.accepts(*type)) return sight(feature, rule, *type);
-        }
-        return std::nullopt;
-    }
-
-  private:
-    bool says(const OGRFeature& feature, const char* key) const {
-        return tags_.value(feature, key).value_or("no") != "no";
-    }
-
-    std::optional<Sight> sight(OGRFeature& feature, const Rule& rule, const std::string& type) const {
-        const std::string name = clean_name(tags_.value(feature, "name").value_or(""));
-        const bool siding = rule.kind == Kind::rail && says(feature, "service");
-        if ((rule.only_named && name.empty()) || siding) return std::nullopt;
-        const GdalScope gdal;
-        std::unique_ptr<OGRGeometry> shape(feature.StealGeometry());
-        if (shape->transform(to_window_.get()) != OGRERR_NONE) return std::nullopt;
-        shape.reset(shape->getLinearGeometry());
-        OGREnvelope box;
-        shape->getEnvelope(&box);
-        if (!window_.bounds.Intersects(box)) return std::nullopt;
-        return Sight{rule.kind, rule.rank, type, name, std::move(shape)};
-    }
-
-    FeatureTags tags_;
-    const Window& window_;
-    Transformation to_window_;
-};
-
-bool can_have_scenery(OGRLayer& layer) {
-    const FeatureTags tags(layer);
-    const std::vector<TagFilter> filters = all_filters();
-    return std::any_of(filters.begin(), filters.end(),
-                       [&](const TagFilter& filter) { return tags.can_have(filter.key); });
-}
-
-// By layer, of those that say where they lie. In OpenStreetMap's files without the layers of relations that are not
-// areas.
-std::map<const OGRLayer*, SceneryLayer> layers_of(GDALDataset& file, const Window& window, const std::string& source) {
-    const bool osm = EQUAL(file.GetDriverName(), "OSM");
-    if (osm) {
-        file.ReleaseResultSet(file.ExecuteSQL("SET interest_layers = points,lines,multipolygons", nullptr, nullptr));
-    }
-    std::map<const OGRLayer*, SceneryLayer> layers;
-    for (OGRLayer* layer : file.GetLayers()) {
-        const std::string name = layer->GetName();
-        const bool wanted = !osm || name == "points" || name == "lines" || name == "multipolygons";
-        if (wanted && layer->GetSpatialRef() != nullptr && can_have_scenery(*layer)) {
-            layers.emplace(std::piecewise_construct, std::forward_as_tuple(layer),
-                           std::forward_as_tuple(*layer, window, source));
-        }
-    }
-    return layers;
-}
-
 }  // namespace
 
-std::vector<Sight> read_scenery(const std::string& source, const Window& window) {
-    const GDALDatasetUniquePtr file = open_source(source);
-    const GdalScope gdal;
-    const std::map<const OGRLayer*, SceneryLayer> layers = layers_of(*file, window, source);
-    std::vector<Sight> scenery;
-    if (layers.empty()) return scenery;
-    for (const GDALDataset::FeatureLayerPair& read : file->GetFeatures()) {
-        const auto layer = layers.find(read.layer);
-        if (layer == layers.end()) continue;
-        if (std::optional<Sight> sight = layer->second.sight(*read.feature)) scenery.push_back(std::move(*sight));
-    }
-    require_read(gdal, source);
-    return scenery;
+const std::vector<TagFilter>& scenery_keys() {
+    static const std::vector<TagFilter> keys = [] {
+        std::vector<TagFilter> all;
+        for (const Rule& rule : rules()) {
+            const bool known = std::any_of(all.begin(), all.end(),
+                                           [&](const TagFilter& filter) { return filter.key == rule.filter.key; });
+            if (!known) all.push_back({.key = rule.filter.key});
+        }
+        return all;
+    }();
+    return keys;
+}
+
+std::optional<Sight> sight_of(const TagSet& tags, Shape shape) {
+    if (tags.says("tunnel")) return std::nullopt;
+    const auto rule = std::find_if(rules().begin(), rules().end(), [&](const Rule& one) {
+        return std::find(one.shapes.begin(), one.shapes.end(), shape) != one.shapes.end() && tags.matches(one.filter);
+    });
+    if (rule == rules().end()) return std::nullopt;
+    const std::string* said = tags.find("name");
+    std::string name = clean_name(said ? *said : "");
+    const bool siding = rule->kind == Kind::rail && tags.says("service");
+    if ((rule->only_named && name.empty()) || siding) return std::nullopt;
+    return Sight{rule->kind, rule->rank, *tags.find(rule->filter.key), std::move(name), nullptr};
 }
 
 }  // namespace waybreaker::geo

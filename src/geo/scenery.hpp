@@ -1,12 +1,15 @@
-// Scenery: what a vector source knows of a window beside its obstacles, by OpenStreetMap's tags: streets, railways,
-// water, green, places.
+// Scenery: what a reader of a map recognises a place by, by OpenStreetMap's tags: streets, railways, water, green,
+// places.
 #pragma once
 
+#include <ogr_geometry.h>
+
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "geo/vector_source.hpp"
+#include "geo/tag_set.hpp"
 #include "site/background.hpp"
 
 namespace waybreaker::geo {
@@ -19,9 +22,11 @@ struct Sight {
     std::unique_ptr<OGRGeometry> shape;  // in the window's system, not clipped
 };
 
-// In the source's order; one scan of it, none if nothing in it can have such tags. Nothing in tunnels. Throws
-// InputError if the source cannot be read.
-std::vector<Sight> read_scenery(const std::string& source, const Window& window);
+// What a feature of that shape shows, without its shape; most features are no scenery.
+std::optional<Sight> sight_of(const TagSet& tags, site::Background::Shape shape);
+
+// Every key by which a feature can be scenery.
+const std::vector<TagFilter>& scenery_keys();
 
 // What of it lies within bounds, in the cells of a map there: joined, clipped, simplified to half a cell (areas: a
 // cell), without what is too small to see. The least ranks are left out where it would be too long for the file.

@@ -11,6 +11,7 @@
 #include "io/ros_yaml.hpp"
 #include "site/background.hpp"
 #include "site/georeference.hpp"
+#include "site/obstacle_kinds.hpp"
 #include "site/obstacle_names.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/search.hpp"
@@ -52,6 +53,7 @@ struct MapFile {
     std::string title = {};
     site::ObstacleNames names = {};    // what people call the obstacles
     site::Background background = {};  // streets, water, ...
+    site::ObstacleKinds kinds = {};    // what the obstacles are: buildings, water, ...
     std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};
     std::uint64_t unknown = 0;            // cells of unknown occupancy

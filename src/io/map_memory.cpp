@@ -28,7 +28,7 @@ std::size_t memory_of(const MapFile& file) {
     const Map& map = file.map;
     std::size_t bytes = map_bytes(map.width(), map.height(), map.obstacles().size());
     for (const std::string& name : file.names) bytes += memory_of(name);
-    bytes += memory_of(file.background);
+    bytes += memory_of(file.background) + file.kinds.capacity();
     if (file.ros) bytes += memory_of(file.ros->text) + memory_of(file.ros->image);
     return bytes;
 }

@@ -16,6 +16,28 @@ MapSummary summarise(const Map& map) {
     return summary;
 }
 
+std::optional<GroundSummary> summarise_ground(const io::MapFile& file) {
+    if (file.kinds.empty()) return std::nullopt;
+    GroundSummary summary{.open = file.map.grid().cell_count()};
+    for (const Obstacle& obstacle : file.map.obstacles()) {
+        summary.open -= obstacle.cells;
+        switch (file.kinds[obstacle.id.value]) {
+            case site::ObstacleKind::water:
+                summary.water += obstacle.cells;
+                break;
+            case site::ObstacleKind::cliff:
+                summary.cliff += obstacle.cells;
+                break;
+            case site::ObstacleKind::forbidden:
+                summary.forbidden += obstacle.cells;
+                break;
+            default:
+                (obstacle.destructible ? summary.destructible : summary.protected_) += obstacle.cells;
+        }
+    }
+    return summary;
+}
+
 std::array<double, 2> center(const io::MapFile& file) {
     return geo::lon_lat_of(file.georeference)({(file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0});
 }
@@ -34,6 +56,15 @@ std::string map_info_json(const io::MapFile& file) {
                                         {"source_id", largest->source_id},
                                         {"name", file.name_of(largest->id)},
                                         {"cells", largest->cells}};
+    }
+    json["ground"] = nullptr;
+    if (const std::optional<GroundSummary> ground = summarise_ground(file)) {
+        json["ground"] = {{"open", ground->open},
+                          {"destructible", ground->destructible},
+                          {"protected", ground->protected_},
+                          {"water", ground->water},
+                          {"cliff", ground->cliff},
+                          {"forbidden", ground->forbidden}};
     }
     for (const std::string_view kind : site::background_kinds) json["background"][std::string(kind)] = 0;
     for (const site::Background::Feature& feature : file.background.features) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "io/map_file.hpp"
@@ -16,6 +17,19 @@ struct MapSummary {
 };
 
 MapSummary summarise(const Map& map);
+
+// How much of a map is what, in cells.
+struct GroundSummary {
+    std::uint64_t open = 0;
+    std::uint64_t destructible = 0;
+    std::uint64_t protected_ = 0;  // neither destructible nor one of the next
+    std::uint64_t water = 0;
+    std::uint64_t cliff = 0;
+    std::uint64_t forbidden = 0;
+};
+
+// Empty if the file does not say what its obstacles are.
+std::optional<GroundSummary> summarise_ground(const io::MapFile& file);
 
 // Longitude and latitude of the middle of the map. Precondition: it has a georeference.
 std::array<double, 2> center(const io::MapFile& file);

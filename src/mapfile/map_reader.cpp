@@ -79,6 +79,7 @@ io::MapFile read_tiff(std::string_view bytes, const std::string& path, Connectiv
             .title = std::move(tiff.title),
             .names = std::move(tiff.names),
             .background = std::move(tiff.background),
+            .kinds = std::move(tiff.kinds),
             .notes = std::move(notes)};
 }
 

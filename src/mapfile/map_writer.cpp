@@ -71,6 +71,7 @@ std::string lost_obstacles(const io::MapFile& file) {
     if (any([](const Obstacle& o) { return o.source_id != 0; }))
         loss += (loss.empty() ? "" : ", ") + std::string("source ids");
     if (!file.names.empty()) loss += (loss.empty() ? "" : ", ") + std::string("names");
+    if (!file.kinds.empty()) loss += (loss.empty() ? "" : ", ") + std::string("kinds");
     if (any([](const Obstacle& o) { return o.weight != 1 || o.breach_time != 0; })) {
         loss += (loss.empty() ? "" : ", ") + std::string("what their removal costs");
     }
@@ -154,7 +155,8 @@ std::string bytes_of(const io::MapFile& map, std::string_view extension) {
                                   .attribution = map.attribution,
                                   .title = map.title,
                                   .names = map.names,
-                                  .background = map.background});
+                                  .background = map.background,
+                                  .kinds = map.kinds});
 }
 
 }  // namespace

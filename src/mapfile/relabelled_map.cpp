@@ -55,13 +55,17 @@ io::RosFiles opened(const io::RosFiles& files, const std::string& name, const Ma
 void relabel(io::MapFile& file, std::vector<std::uint32_t> labels) {
     std::vector<ObstacleAttributes> attributes(1);
     site::LabelNames names;
+    site::LabelKinds kinds;
     for (const Obstacle& o : file.map.obstacles()) {
         attributes.push_back({o.destructible, o.source_id, o.weight, o.breach_time});
         if (const auto name = file.name_of(o.id); !name.empty()) names.emplace(o.id.value, name);
+        if (!file.kinds.empty()) kinds.emplace(o.id.value, file.kinds[o.id.value]);
     }
     std::vector<site::NamedCell> named = site::named_cells(std::move(names), labels);
+    const std::vector<site::KindOfCell> kinds_there = site::kinds_of_cells(std::move(kinds), labels);
     file.map = Map::from_labels(file.map.width(), file.map.height(), std::move(labels), attributes);
     file.names = site::obstacle_names(file.map, std::move(named));
+    file.kinds = site::obstacle_kinds(file.map, kinds_there);
 }
 
 io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleId> removed) {

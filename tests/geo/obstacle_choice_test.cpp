@@ -103,8 +103,11 @@ const Obstacle& by_source(const Map& map, std::int64_t source_id) {
 }
 
 TEST_F(ObstacleChoices, AreBuildingsByDefault) {
-    EXPECT_EQ(import({}).buildings, 2U);
-    EXPECT_EQ(picture(import({}).tiff.map), picture(import({.obstacles = {{.key = "building"}}}).tiff.map));
+    ImportOptions options = window;
+    options.profile = Profile::paper;
+    const ImportReport paper = import_city(source_, options);
+    EXPECT_EQ(paper.buildings, 2U);
+    EXPECT_EQ(picture(paper.tiff.map), picture(import({.obstacles = {{.key = "building"}}}).tiff.map));
 }
 
 TEST_F(ObstacleChoices, CanBeWallsAndWaters) {

@@ -104,7 +104,8 @@ TEST_P(RealSources, agree_with_gdal) {
     const Extract& extract = GetParam();
     const std::string path = shared_file(extract.file);
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
-    const ImportReport report = import_city(path, {.longitude = extract.longitude, .latitude = extract.latitude});
+    const ImportReport report =
+        import_city(path, {.longitude = extract.longitude, .latitude = extract.latitude, .profile = Profile::paper});
     const bool gzip = path.ends_with(".gz");
     const GdalFigures gdal = ask_gdal((gzip ? "/vsigzip/" : "") + path, !path.ends_with(".shp"), report.tiff);
     EXPECT_EQ(report.buildings, gdal.buildings);
@@ -138,7 +139,7 @@ TEST_P(WholeSources, agree_with_osmium) {
     const OsmiumFigures& osmium = GetParam();
     const std::string path = shared_file(osmium.file);
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
-    ImportOptions options{.cell = 100};
+    ImportOptions options{.cell = 100, .profile = Profile::paper};
     options.box = osmium.box;
     const ImportReport report = import_city(path, options);
     EXPECT_EQ(report.buildings, osmium.buildings);
@@ -206,28 +207,28 @@ TEST_P(CommittedMaps, can_be_made_again) {
 INSTANTIATE_TEST_SUITE_P(Data, CommittedMaps,
                          testing::Values(CommittedMap{"berlin-adlershof.tif",
                                                       "berlin-adlershof.osm.gz",
-                                                      {13.5378, 52.4325, 1202.4, 2.4, false},
+                                                      {13.5378, 52.4325, 1202.4, 2.4, false, {}, Profile::paper},
                                                       388,
                                                       0.2546,
                                                       {56, 72},
                                                       {279, 217}},
                                          CommittedMap{"berlin-mitte.tif",
                                                       "berlin-mitte.osm.gz",
-                                                      {13.383, 52.5213, 1202.4, 2.4, true},
+                                                      {13.383, 52.5213, 1202.4, 2.4, true, {}, Profile::paper},
                                                       159,
                                                       0.2748,
                                                       {256, 434},
                                                       {118, 55}},
                                          CommittedMap{"manhattan.tif",
                                                       "manhattan.osm.pbf",
-                                                      {-73.9855, 40.748, 1202.4, 2.4, false},
+                                                      {-73.9855, 40.748, 1202.4, 2.4, false, {}, Profile::paper},
                                                       1583,
                                                       0.5615,
                                                       {440, 432},
                                                       {139, 155}},
                                          CommittedMap{"turin.tif",
                                                       "turin_buildings.shp",
-                                                      {7.674, 45.069, 1202.4, 2.4, true},
+                                                      {7.674, 45.069, 1202.4, 2.4, true, {}, Profile::paper},
                                                       259,
                                                       0.3571,
                                                       {48, 136},

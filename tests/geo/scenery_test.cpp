@@ -8,7 +8,7 @@
 #include <string>
 
 #include "geo/city_import.hpp"
-#include "geo/import_window.hpp"
+#include "osm_drawing.hpp"
 
 namespace waybreaker::geo {
 namespace {
@@ -20,63 +20,12 @@ using Parts = std::vector<std::vector<Point>>;
 // 40 x 40 cells of 2 m.
 const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 80, .cell = 2};
 
-// OpenStreetMap's XML, drawn in the cells of the window.
-class Drawing {
-  public:
-    Drawing() : place_(import_window(window).georeference) {}
-
-    // Shared points of ways are one node each.
-    Drawing& way(const std::string& tags, const std::vector<Point>& points) {
-        std::string refs;
-        for (const Point& point : points) refs += fmt::format("<nd ref='{}'/>", node(point));
-        ways_ += fmt::format("<way id='{}' version='1'>{}{}</way>\n", ++ids_, refs, tags_xml(tags));
-        return *this;
-    }
-    Drawing& area(const std::string& tags, std::vector<Point> ring) {
-        ring.push_back(ring.front());
-        return way(tags, ring);
-    }
-    Drawing& point(const std::string& tags, const Point& point) {
-        const auto [longitude, latitude] = ToLonLat(place_)(point.x, point.y);
-        nodes_ += fmt::format("<node id='{}' version='1' lon='{:.7f}' lat='{:.7f}'>{}</node>\n", ++ids_, longitude,
-                              latitude, tags_xml(tags));
-        return *this;
-    }
-
-    std::string xml() const { return "<osm version='0.6'>\n" + nodes_ + ways_ + "</osm>\n"; }
-
-  private:
-    std::int64_t node(const Point& at) {
-        const auto known = known_.try_emplace({at.x, at.y}, ids_ + 1);
-        if (known.second) point("", at);
-        return known.first->second;
-    }
-    // "key=value|key=value"
-    static std::string tags_xml(const std::string& tags) {
-        std::string xml;
-        for (std::size_t begin = 0; begin < tags.size();) {
-            const std::size_t equals = tags.find('=', begin);
-            const std::size_t end = std::min(tags.find('|', begin), tags.size());
-            xml += fmt::format("<tag k='{}' v='{}'/>", tags.substr(begin, equals - begin),
-                               tags.substr(equals + 1, end - equals - 1));
-            begin = end + 1;
-        }
-        return xml;
-    }
-
-    site::Georeference place_;
-    std::int64_t ids_ = 0;
-    std::map<std::pair<double, double>, std::int64_t> known_;
-    std::string nodes_;
-    std::string ways_;
-};
-
 class SceneryOf : public testing::Test {
   protected:
     ~SceneryOf() override { VSIRmdirRecursive("/vsimem/scenery_test"); }
 
     // A building is there so that there is something to import.
-    static ImportReport import(Drawing drawing, const ImportOptions& options = window) {
+    static ImportReport import(OsmDrawing drawing, const ImportOptions& options = window) {
         drawing.area("building=yes", {{30, 30}, {36, 30}, {36, 36}, {30, 36}});
         return import_city(write("town.osm", drawing.xml()), options);
     }
@@ -117,7 +66,7 @@ void expect_background(const site::Background& background, const std::vector<sit
 }
 
 TEST_F(SceneryOf, a_town_comes_back_as_it_was_drawn) {
-    Drawing town;
+    OsmDrawing town(window);
     town.way("highway=primary|name=High Street", {{2, 5}, {12, 5}})
         .way("highway=primary|name=High Street|lanes=3", {{12, 5}, {20, 9}, {60, 9}})
         .way("highway=residential", {{12, 5}, {12, 25}})
@@ -143,7 +92,7 @@ TEST_F(SceneryOf, a_town_comes_back_as_it_was_drawn) {
 }
 
 TEST_F(SceneryOf, what_cannot_be_seen_is_left_out) {
-    Drawing town;
+    OsmDrawing town(window);
     town.way("highway=primary|tunnel=yes", {{2, 5}, {12, 5}})
         .way("highway=residential|tunnel=building_passage", {{2, 6}, {12, 6}})
         .way("railway=subway|tunnel=yes", {{2, 7}, {12, 7}})
@@ -163,7 +112,7 @@ TEST_F(SceneryOf, what_cannot_be_seen_is_left_out) {
 }
 
 TEST_F(SceneryOf, areas_of_one_name_are_one_where_they_overlap) {
-    Drawing town;
+    OsmDrawing town(window);
     town.area("leisure=park", {{2, 2}, {12, 2}, {12, 12}, {2, 12}})
         .area("leisure=park", {{7, 2}, {22, 2}, {22, 12}, {7, 12}});
     expect_background(import(town).tiff.background,
@@ -171,14 +120,14 @@ TEST_F(SceneryOf, areas_of_one_name_are_one_where_they_overlap) {
 }
 
 TEST_F(SceneryOf, bends_below_half_a_cell_go) {
-    Drawing town;
+    OsmDrawing town(window);
     town.way("highway=primary", {{2, 5}, {6, 5.3}, {12, 5}, {15, 5.8}, {20, 5}});
     expect_background(import(town).tiff.background,
                       {{Kind::street, "primary", "", Shape::line, {{{2, 5}, {12, 5}, {15, 5.8}, {20, 5}}}}});
 }
 
 TEST_F(SceneryOf, a_place_is_named_once_where_it_can_be_seen) {
-    Drawing town;
+    OsmDrawing town(window);
     town.area("place=square|name=Market", {{14, 12}, {22, 12}, {22, 20}, {14, 20}})
         .point("place=square|name=Market", {17, 15})
         .area("place=square|name=Green", {{-40, 12}, {2, 12}, {2, 20}, {-40, 20}});
@@ -188,7 +137,7 @@ TEST_F(SceneryOf, a_place_is_named_once_where_it_can_be_seen) {
 }
 
 TEST_F(SceneryOf, tiles_is_for_each_its_own) {
-    Drawing town;
+    OsmDrawing town(window);
     town.way("highway=primary", {{2, 5}, {38, 5}})
         .area("building=yes", {{2, 8}, {6, 8}, {6, 12}, {2, 12}})
         .area("building=yes", {{22, 8}, {26, 8}, {26, 12}, {22, 12}});
@@ -223,7 +172,7 @@ TEST_F(SceneryOf, nothing_is_kept_of_it_if_it_is_not_wanted) {
     ImportOptions options = window;
     options.background = false;
     options.names = false;
-    const LabelTiff tiff = import(Drawing()
+    const LabelTiff tiff = import(OsmDrawing(window)
                                       .way("highway=primary", {{2, 5}, {12, 5}})
                                       .area("building=yes|name=Hall", {{2, 8}, {6, 8}, {6, 12}}),
                                   options)
@@ -235,7 +184,7 @@ TEST_F(SceneryOf, nothing_is_kept_of_it_if_it_is_not_wanted) {
 using NamesOf = SceneryOf;
 
 TEST_F(NamesOf, buildings_are_their_own_or_their_address) {
-    Drawing town;
+    OsmDrawing town(window);
     town.area("building=yes|name=Town Hall|addr:street=High Street|addr:housenumber=1",
               {{2, 2}, {6, 2}, {6, 6}, {2, 6}})
         .area("building=yes|addr:housename=The Cottage|addr:housenumber=2", {{12, 2}, {16, 2}, {16, 6}, {12, 6}})
@@ -245,7 +194,7 @@ TEST_F(NamesOf, buildings_are_their_own_or_their_address) {
 }
 
 TEST_F(NamesOf, blocks_are_that_of_the_largest_part_that_has_one) {
-    Drawing town;
+    OsmDrawing town(window);
     town.area("building=yes", {{2, 2}, {12, 2}, {12, 12}, {2, 12}})
         .area("building=yes|name=Small", {{12, 2}, {14, 2}, {14, 12}, {12, 12}})
         .area("building=yes|name=Large", {{14, 2}, {18, 2}, {18, 12}, {14, 12}})

@@ -1,0 +1,68 @@
+#include "geo/kinds_item.hpp"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::geo {
+namespace {
+
+using Kind = site::ObstacleKind;
+
+Kind kind_called(std::string_view word) {
+    const auto& words = site::obstacle_kind_words;
+    const auto found = std::find(words.begin(), words.end(), word);
+    return found == words.end() ? Kind::unknown : Kind(found - words.begin());
+}
+
+// Up to the next of these characters, which goes as well.
+std::string_view take_until(char end, std::string_view& text) {
+    const std::size_t at = std::min(text.find(end), text.size());
+    const std::string_view taken = text.substr(0, at);
+    text.remove_prefix(std::min(at + 1, text.size()));
+    return taken;
+}
+
+}  // namespace
+
+std::string kinds_text(const site::ObstacleKinds& kinds) {
+    std::string text;
+    for (std::size_t kind = 1; kind < site::obstacle_kind_words.size(); ++kind) {
+        std::string numbers;
+        for (std::size_t id = 1; id < kinds.size(); ++id) {
+            if (kinds[id] == Kind(kind)) numbers += fmt::format(" {}", id);
+        }
+        if (numbers.empty()) continue;
+        text += fmt::format("{}{}{}", text.empty() ? "" : "\n", site::obstacle_kind_words[kind], numbers);
+    }
+    return text;
+}
+
+site::LabelKinds read_kinds(GDALDataset& file, const std::string& name) {
+    const char* const item = file.GetMetadataItem(kinds_item);
+    std::string_view text = item ? item : "";
+    site::LabelKinds kinds;
+    for (std::size_t line = 1; !text.empty(); ++line) {
+        std::string_view rest = take_until('\n', text);
+        const Kind kind = kind_called(take_until(' ', rest));
+        while (!rest.empty()) {
+            const std::string_view word = take_until(' ', rest);
+            std::uint32_t label = 0;
+            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), label);
+            if (error != std::errc() || end != word.data() + word.size() || label == 0) {
+                throw InputError(
+                    fmt::format("{}: line {} of its metadata item {} is no kind and the numbers of its obstacles; drop "
+                                "the item with 'gdal_edit.py -mo {}=' or import the map anew",
+                                name, line, kinds_item, kinds_item));
+            }
+            if (kind != Kind::unknown) kinds.insert_or_assign(label, kind);
+        }
+    }
+    return kinds;
+}
+
+}  // namespace waybreaker::geo

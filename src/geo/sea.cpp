@@ -1,0 +1,96 @@
+#include "geo/sea.hpp"
+
+#include <cmath>
+
+#include "geo/feature_parts.hpp"
+#include "geo/gdal_scope.hpp"
+#include "geo/line_work.hpp"
+#include "geo/vector_source.hpp"
+
+namespace waybreaker::geo {
+namespace {
+
+// Metres beside a coastline where one looks what lies there.
+constexpr double step_aside = 0.01;
+
+// Metres of it that may have one face on both sides.
+constexpr double tolerance = 1;
+
+std::vector<Line> pieces_within(const std::vector<const OGRGeometry*>& coasts, const OGREnvelope& bounds) {
+    std::vector<Line> pieces;
+    for (const OGRGeometry* coast : coasts) {
+        const std::optional<FeatureParts> parts = parts_of(*coast);
+        if (!parts) continue;
+        for (const Line& line : parts->parts) {
+            for (Line& piece : clipped(line, bounds)) pieces.push_back(std::move(piece));
+        }
+    }
+    return pieces;
+}
+
+// The faces that the pieces cut the bounds into.
+std::unique_ptr<OGRGeometry> faces_of(const std::vector<Line>& pieces, const OGREnvelope& bounds) {
+    OGRMultiLineString cuts;
+    for (const Line& piece : pieces) {
+        OGRLineString line;
+        for (const Point& point : piece) line.addPoint(point.x, point.y);
+        cuts.addGeometry(&line);
+    }
+    OGRLineString edge;
+    edge.addSubLineString(rectangle(bounds).getExteriorRing());
+    const std::unique_ptr<OGRGeometry> noded(cuts.Union(&edge));
+    return std::unique_ptr<OGRGeometry>(noded ? noded->Polygonize() : nullptr);
+}
+
+// How many metres of coastline have the face on their right, and on their left.
+struct Sides {
+    double right = 0;
+    double left = 0;
+};
+
+Sides sides_of(const OGRGeometry& face, const std::vector<Line>& pieces) {
+    OGREnvelope box;
+    face.getEnvelope(&box);
+    Sides sides;
+    const OGRPreparedGeometryUniquePtr prepared(
+        OGRCreatePreparedGeometry(OGRGeometry::ToHandle(const_cast<OGRGeometry*>(&face))));
+    const auto holds = [&](double x, double y) {
+        OGRPoint point(x, y);
+        return x >= box.MinX && x <= box.MaxX && y >= box.MinY && y <= box.MaxY &&
+               OGRPreparedGeometryContains(prepared.get(), OGRGeometry::ToHandle(&point));
+    };
+    for (const Line& piece : pieces) {
+        for (std::size_t i = 1; i < piece.size(); ++i) {
+            const Point& a = piece[i - 1];
+            const Point& b = piece[i];
+            const double length = distance(a, b);
+            if (!(length > 0)) continue;
+            const double x = (a.x + b.x) / 2;
+            const double y = (a.y + b.y) / 2;
+            const double east = (b.y - a.y) / length * step_aside;  // of the right-hand side
+            const double north = (a.x - b.x) / length * step_aside;
+            if (holds(x + east, y + north)) sides.right += length;
+            if (holds(x - east, y - north)) sides.left += length;
+        }
+    }
+    return sides;
+}
+
+}  // namespace
+
+Sea sea_beside(const std::vector<const OGRGeometry*>& coasts, const OGREnvelope& bounds) {
+    const GdalScope gdal;
+    Sea sea;
+    const std::vector<Line> pieces = pieces_within(coasts, bounds);
+    if (pieces.empty()) return sea;
+    const std::unique_ptr<OGRGeometry> faces = faces_of(pieces, bounds);
+    if (!faces) return sea;
+    for (const OGRGeometry* face : *faces->toGeometryCollection()) {
+        const Sides sides = sides_of(*face, pieces);
+        if (sides.right > tolerance && sides.left > tolerance) sea.leaks = true;
+        if (sides.right > sides.left) sea.areas.emplace_back(face->clone());
+    }
+    return sea;
+}
+
+}  // namespace waybreaker::geo

@@ -1,0 +1,43 @@
+// What the obstacles of a map are.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "waybreaker/map.hpp"
+
+namespace waybreaker::site {
+
+// cliff: steps of the ground: cliffs, retaining walls, ditches. forbidden: ground that the rules of a profile close.
+enum class ObstacleKind : std::uint8_t { unknown, building, barrier, water, cliff, forbidden };
+
+// What files call the kinds, in their order.
+inline constexpr std::array<std::string_view, 6> obstacle_kind_words{"unknown", "building", "barrier",
+                                                                     "water",   "cliff",    "forbidden"};
+
+// By obstacle id, entry 0 unused. No entries at all if nothing is known of any.
+using ObstacleKinds = std::vector<ObstacleKind>;
+
+// By the number in a label layer, before the map renumbers its obstacles.
+using LabelKinds = std::unordered_map<std::uint32_t, ObstacleKind>;
+
+struct KindOfCell {
+    std::size_t cell;  // row by row
+    ObstacleKind kind;
+};
+
+// The first cell of each label whose kind is known.
+std::vector<KindOfCell> kinds_of_cells(LabelKinds kinds, std::span<const std::uint32_t> labels);
+
+// The kinds of the obstacles at these cells.
+ObstacleKinds obstacle_kinds(const Map& map, const std::vector<KindOfCell>& cells);
+
+// Cells of the map by kind, in the order of the words.
+std::array<std::uint64_t, obstacle_kind_words.size()> cells_by_kind(const Map& map, const ObstacleKinds& kinds);
+
+}  // namespace waybreaker::site

@@ -1,0 +1,320 @@
+// Rivers, coasts, motorways, walls and passages drawn in cells: what bars the way, for whom, and what lies beneath.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "geo/city_import.hpp"
+#include "osm_drawing.hpp"
+#include "temporary_folder.hpp"
+
+namespace waybreaker::geo {
+namespace {
+
+constexpr int side = 14;
+// 14 x 14 cells of 2 m.
+const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 2 * side, .cell = 2};
+
+std::vector<Point> rectangle(double west, double north, double east, double south) {
+    return {{west, north}, {east, north}, {east, south}, {west, south}};
+}
+
+// A letter for each cell: water, cliff, x for forbidden, Building (Protected), barrier.
+std::string picture(const LabelTiff& tiff) {
+    constexpr std::string_view letters = "?Bbwcx";
+    std::string text;
+    for (Cell c; c.y < tiff.map.height(); ++c.y) {
+        for (c.x = 0; c.x < tiff.map.width(); ++c.x) {
+            const ObstacleId id = tiff.map.obstacle_at(c);
+            const char letter = id ? letters[std::size_t(tiff.kinds.at(id.value))] : '.';
+            text += letter == 'B' && !tiff.map.obstacle(id).destructible ? 'P' : letter;
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+class Ground : public TemporaryFolder {
+  protected:
+    // A small building in the corner, so that there is something to import.
+    OsmDrawing drawing_ = OsmDrawing(window).area("building=yes", rectangle(-0.2, -0.2, 0.2, 0.2));
+
+    ImportReport import(const OsmDrawing& drawing, ImportOptions options = window) const {
+        return import_city(put("town.osm", drawing.xml()), options);
+    }
+    std::string drawn(std::optional<Profile> profile = {}) const {
+        ImportOptions options = window;
+        options.profile = profile;
+        return picture(import(drawing_, options).tiff);
+    }
+};
+
+TEST_F(Ground, of_a_river_is_crossed_on_its_bridge) {
+    drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
+    drawing_.way("highway=residential|bridge=yes|width=6", {{6, 2}, {6, 11}});
+    drawing_.way("highway=residential|bridge=yes|access=private", {{11, 2}, {11, 11}});
+    EXPECT_EQ(drawn(),
+              "B.............\n"
+              "..........xxx.\n"
+              "..........xxx.\n"
+              "..........xxx.\n"
+              "..........xxx.\n"
+              "wwwww...wwxxxw\n"
+              "wwwww...wwxxxw\n"
+              "wwwww...wwxxxw\n"
+              "wwwww...wwxxxw\n"
+              "..........xxx.\n"
+              "..........xxx.\n"
+              "..........xxx.\n"
+              "..........xxx.\n"
+              "..............\n");
+}
+
+TEST_F(Ground, of_a_river_that_is_a_line_is_a_strip) {
+    drawing_.way("waterway=river|width=6", {{-1, 6}, {14, 6}});
+    drawing_.way("waterway=canal|tunnel=culvert", {{-1, 11}, {14, 11}});
+    drawing_.way("waterway=stream", {{-1, 12}, {14, 12}});
+    drawing_.way("highway=footway", {{3, 0}, {3, 13}});  // a bridge that nobody says is one
+    drawing_.way("highway=footway|tunnel=yes", {{9, 0}, {9, 13}});
+    const std::string dry = "..............\n";
+    const std::string river = "www.wwwwwwwwww\n";
+    EXPECT_EQ(drawn(),
+              "B.............\n" + dry + dry + dry + dry + river + river + river + dry + dry + dry + dry + dry + dry);
+}
+
+TEST_F(Ground, leaves_the_line_of_a_river_to_its_area) {
+    drawing_.area("natural=water", rectangle(-1, 4.6, 8.4, 6.4));
+    drawing_.way("waterway=river", {{-1, 5.5}, {7.5, 5.5}});
+    const std::string text = drawn();
+    EXPECT_EQ(std::count(text.begin(), text.end(), 'w'), 2 * 9) << text;
+}
+
+TEST_F(Ground, has_the_sea_on_the_right_of_its_coast) {
+    drawing_.way("natural=coastline", {{-3, 5.5}, {8.5, 5.5}, {8.5, -3}});  // eastwards: the south is sea
+    drawing_.way("natural=coastline", {{3.5, 8.5}, {3.5, 10.5}, {5.5, 10.5}, {5.5, 8.5}, {3.5, 8.5}});  // an island
+    drawing_.way("man_made=pier|width=2", {{10, 5}, {13.5, 5}});
+    EXPECT_EQ(drawn(),
+              "B........wwwww\n"
+              ".........wwwww\n"
+              ".........wwwww\n"
+              ".........wwwww\n"
+              ".........wwwww\n"
+              ".........w....\n"
+              "wwwwwwwwwwwwww\n"
+              "wwwwwwwwwwwwww\n"
+              "wwwwwwwwwwwwww\n"
+              "wwww..wwwwwwww\n"
+              "wwww..wwwwwwww\n"
+              "wwwwwwwwwwwwww\n"
+              "wwwwwwwwwwwwww\n"
+              "wwwwwwwwwwwwww\n");
+    EXPECT_TRUE(import(drawing_).notes.empty());
+}
+
+TEST_F(Ground, reports_a_coast_that_ends_within) {
+    drawing_.way("natural=coastline", {{-3, 5.5}, {8.5, 5.5}});
+    const std::vector<std::string> notes = import(drawing_).notes;
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes.front().find("a coastline ends within the window"), std::string::npos);
+    EXPECT_NE(drawn().find("wwwwwwwww.....\n"), std::string::npos) << drawn();
+}
+
+TEST_F(Ground, of_a_motorway_is_crossed_below_and_above) {
+    drawing_.way("highway=motorway|width=6", {{-1, 6}, {14, 6}});
+    drawing_.way("highway=footway|tunnel=yes|layer=-1", {{2, 3}, {2, 9}});
+    drawing_.way("highway=service|bridge=yes|layer=1", {{6, 3}, {6, 9}});
+    drawing_.way("highway=service|access=private|width=2", {{10, 3}, {10, 5}});
+    drawing_.way("highway=steps", {{12, 3}, {12, 9}});
+    const std::string free = "..............\n";
+    const std::string north = "B.............\n" + free + free;
+    const std::string drive = "..........x...\n";
+    const std::string south = free + free + free + free + free + free;
+    const std::string road = "xx.xxx.xxxxxxx\n";
+    EXPECT_EQ(drawn(), north + drive + drive + road + road + road + south);
+    const std::string walked = "xx.xxx.xxxxx.x\n";
+    EXPECT_EQ(drawn(Profile::walker), north + drive + drive + walked + walked + walked + south);
+    EXPECT_EQ(drawn(Profile::truck), north + drive + drive + drive + free + free + south);
+    EXPECT_EQ(import(drawing_, {.longitude = 13.4, .latitude = 52.52, .size = 28, .cell = 2, .profile = Profile::paper})
+                  .tiff.kinds.size(),
+              0U);
+}
+
+TEST_F(Ground, of_tracks_is_crossed_where_a_way_does) {
+    drawing_.way("railway=rail", {{-1, 6}, {14, 6}});
+    drawing_.way("railway=tram", {{-1, 9}, {14, 9}});
+    drawing_.way("railway=disused", {{-1, 10}, {14, 10}});
+    drawing_.way("railway=subway|tunnel=yes", {{-1, 11}, {14, 11}});
+    drawing_.way("highway=path", {{4, 0}, {4, 13}});
+    const std::string text = drawn();
+    EXPECT_NE(text.find("\nxxxx.xxxxxxxxx\n"), std::string::npos) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), 'x') % 13, 0) << text;
+}
+
+TEST_F(Ground, of_a_barracks_has_no_public_ways) {
+    drawing_.area("landuse=military", rectangle(2.5, 2.5, 6.5, 6.5));
+    drawing_.area("leisure=park|access=private", rectangle(8.5, 2.5, 12.5, 6.5));
+    drawing_.way("highway=residential", {{0, 4}, {13, 4}});
+    const std::string shut = "...xxxx..xxxx.\n";
+    const std::string text = drawn();
+    EXPECT_NE(text.find(shut + "...xxxx.......\n" + shut + shut), std::string::npos) << text;
+}
+
+TEST_F(Ground, behind_a_wall_is_reached_by_gates_and_ways) {
+    drawing_.way("barrier=wall", {{-1, 4}, {5, 4}, {14, 4}}).point("barrier=gate", {2, 4});
+    drawing_.point("barrier=gate|access=private", {8, 4});
+    drawing_.way("highway=track", {{11, 0}, {11, 13}});
+    drawing_.way("barrier=city_wall|width=2", {{-1, 9}, {14, 9}}).point("barrier=gate", {2, 9});
+    drawing_.way("barrier=kerb", {{-1, 12}, {14, 12}});
+    const std::string text = drawn();
+    EXPECT_NE(text.find("\nbb..bbbbbbb.bb\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nccccccccccc.cc\n"), std::string::npos) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), 'b'), 11) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), 'c'), 13) << text;
+}
+
+TEST_F(Ground, of_a_fenced_pitch_is_open_inside) {
+    drawing_.area("leisure=pitch|barrier=fence", rectangle(3, 3, 7, 7));
+    drawing_.area("barrier=hedge|area=yes", rectangle(9.6, 2.6, 12.4, 5.4));
+    const std::string text = drawn();
+    EXPECT_NE(text.find("...bbbbb..bbb.\n...b...b..bbb.\n...b...b..bbb.\n...b...b......\n"), std::string::npos) << text;
+}
+
+TEST_F(Ground, of_a_passage_leads_through_the_building) {
+    drawing_.area("building=yes", rectangle(1.6, 1.6, 11.4, 4.4));
+    drawing_.way("highway=service|tunnel=building_passage", {{5, 0}, {5, 7}});
+    drawing_.way("highway=corridor|indoor=yes", {{9, 0}, {9, 7}});
+    drawing_.area("building=roof", rectangle(1.6, 7.6, 11.4, 9.4));
+    drawing_.area("building=garage|layer=-1|location=underground", rectangle(1.6, 10.6, 11.4, 12.4));
+    const std::string house = "..BBB.BBBBBB..\n";
+    const std::string free = "..............\n";
+    EXPECT_EQ(drawn(), "B.............\n" + free + house + house + house + free + free + free + free + free + free +
+                           free + free + free);
+}
+
+TEST_F(Ground, stays_under_a_house_that_is_destroyed) {
+    drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
+    drawing_.area("building=yes", rectangle(3.6, 2.6, 6.4, 6.4));
+    drawing_.way("barrier=fence", {{10, 2}, {10, 7}});
+    const ImportReport report = import(drawing_);
+    EXPECT_EQ(picture(report.tiff),
+              "B.............\n"
+              "..............\n"
+              "..........b...\n"
+              "....BBB...b...\n"
+              "....BBB...b...\n"
+              "wwwwwwwwwwwwww\n"
+              "wwwwwwwwwwwwww\n"
+              "wwwwwwwwwwwwww\n"
+              "wwwwwwwwwwwwww\n"
+              "..............\n"
+              "..............\n"
+              "..............\n"
+              "..............\n"
+              "..............\n");
+    for (const Obstacle& obstacle : report.tiff.map.obstacles()) {
+        const bool water = report.tiff.kinds[obstacle.id.value] == site::ObstacleKind::water;
+        EXPECT_EQ(obstacle.destructible, !water);
+    }
+}
+
+// With every destructible obstacle destroyed, a town is the same town built on nothing.
+RC_GTEST_PROP(GroundLaws, WhatIsDestroyedLeavesWhatLiesBeneath, ()) {
+    const auto corner = [] { return *rc::gen::inRange(0, side); };
+    const auto box = [&] {
+        const int x = corner();
+        const int y = corner();
+        return rectangle(x - 0.4, y - 0.4, x + *rc::gen::inRange(0, 6) + 0.4, y + *rc::gen::inRange(0, 6) + 0.4);
+    };
+    const auto line = [&] {
+        return std::vector<Point>{{double(corner()), double(corner())}, {double(corner()), corner() + 0.3}};
+    };
+    OsmDrawing bare = OsmDrawing(window).area("building=yes", rectangle(-0.2, -0.2, 0.2, 0.2));
+    const std::vector<std::string> areas{"natural=water", "landuse=military", "leisure=garden|access=private"};
+    const std::vector<std::string> lines{"waterway=river|width=4",    "natural=cliff", "railway=rail",
+                                         "highway=motorway",          "highway=path",  "highway=service|bridge=yes",
+                                         "highway=footway|tunnel=yes"};
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) bare.area(*rc::gen::elementOf(areas), box());
+    for (int i = *rc::gen::inRange(0, 5); i > 0; --i) bare.way(*rc::gen::elementOf(lines), line());
+    OsmDrawing built = bare;
+    for (int i = *rc::gen::inRange(1, 5); i > 0; --i) built.area("building=yes", box());
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) built.way("barrier=wall", line());
+
+    ImportOptions options = window;
+    options.merge_touching = *rc::gen::arbitrary<bool>();
+    const auto town = [&](const OsmDrawing& drawing) {
+        const std::string path = testing::TempDir() + "/ground_laws.osm";
+        std::ofstream(path, std::ios::binary) << drawing.xml();
+        return import_city(path, options).tiff;
+    };
+    const LabelTiff before = town(bare);
+    const LabelTiff after = town(built);
+    for (Cell c; c.y < side; ++c.y) {
+        for (c.x = 0; c.x < side; ++c.x) {
+            const ObstacleId ground = before.map.obstacle_at(c);
+            const ObstacleId left = after.map.obstacle_at(c);
+            const bool blocked = ground && !before.map.obstacle(ground).destructible;
+            RC_ASSERT(blocked == (left && !after.map.obstacle(left).destructible));
+            if (blocked) RC_ASSERT(before.kinds[ground.value] == after.kinds[left.value]);
+        }
+    }
+}
+
+TEST_F(Ground, of_an_incomplete_relation_is_reported_and_its_line_is_a_strip) {
+    drawing_.way("waterway=river", {{-1, 6}, {14, 6}});
+    drawing_.relation("natural=water|water=river", {drawing_.last(), 4711});
+    const ImportReport report = import(drawing_);
+    ASSERT_EQ(report.notes.size(), 1U);
+    EXPECT_NE(report.notes.front().find(
+                  fmt::format("1 area lacks ways in the file and is left out: relation {}", drawing_.last())),
+              std::string::npos)
+        << report.notes.front();
+    EXPECT_NE(picture(report.tiff).find("wwwwwwwwwwwwww"), std::string::npos);
+}
+
+TEST_F(Ground, that_is_unknown_is_reported) {
+    ASSERT_EQ(import(drawing_).notes.size(), 1U);
+    EXPECT_NE(import(drawing_).notes.front().find("only buildings bar the way"), std::string::npos);
+}
+
+TEST_F(Ground, protects_hospitals_from_a_rover_unless_somebody_says_what_can_be_destroyed) {
+    drawing_.area("building=yes|amenity=hospital", rectangle(3.6, 2.6, 6.4, 3.4));
+    EXPECT_NE(drawn().find("....PPP.......\n"), std::string::npos) << drawn();
+    EXPECT_EQ(import(drawing_).sheltered, 1U);
+    EXPECT_NE(drawn(Profile::truck).find("....BBB.......\n"), std::string::npos);
+    ImportOptions options = window;
+    options.choice.destructible = {{"building"}};
+    const ImportReport report = import(drawing_, options);
+    EXPECT_NE(picture(report.tiff).find("....BBB.......\n"), std::string::npos);
+    EXPECT_EQ(report.sheltered, 0U);
+}
+
+TEST_F(Ground, lies_in_tiles_as_in_the_whole) {
+    drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
+    drawing_.way("highway=residential|bridge=yes|width=6", {{6, 2}, {6, 11}});
+    std::vector<std::string> tiles;
+    import_tiles(put("town.osm", drawing_.xml()), window, 14,
+                 [&](const ImportTile& tile) { tiles.push_back(picture(tile.report.tiff)); });
+    ASSERT_EQ(tiles.size(), 4U);
+    EXPECT_EQ(tiles[1],
+              ".......\n"
+              ".......\n"
+              ".......\n"
+              ".......\n"
+              ".......\n"
+              ".wwwwww\n"
+              ".wwwwww\n");
+}
+
+TEST_F(Ground, bears_the_obstacles_that_are_chosen_in_place_of_buildings) {
+    drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
+    drawing_.area("leisure=park", rectangle(3.6, 2.6, 6.4, 6.4));
+    drawing_.way("barrier=wall", {{10, 2}, {10, 7}});
+    ImportOptions options = window;
+    options.choice.obstacles = {{"leisure", {"park"}}};
+    EXPECT_EQ(import(drawing_, options).tiff.map.obstacles().size(), 1U);  // as there is no profile
+    options.profile = Profile::rover;
+    const std::string text = picture(import(drawing_, options).tiff);
+    EXPECT_NE(text.find("....???.......\n....???.......\nwwwwwwwwwwwwww\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find('b'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace waybreaker::geo
