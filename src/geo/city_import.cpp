@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include "geo/footprints.hpp"
@@ -13,8 +12,8 @@
 #include "geo/ground_map.hpp"
 #include "geo/import_window.hpp"
 #include "geo/label_raster.hpp"
+#include "geo/labelled.hpp"
 #include "geo/survey.hpp"
-#include "map/label.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -52,14 +51,6 @@ ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice)
     return attributes;
 }
 
-// What label maps are made of.
-struct Labelled {
-    std::vector<std::uint32_t> labels;
-    std::vector<ObstacleAttributes> attributes;  // by label, entry 0 unused
-    site::LabelNames names;
-    site::LabelKinds kinds;
-};
-
 // One label for each footprint.
 Labelled labelled(std::vector<std::uint32_t> labels, const std::vector<Seen>& seen, const ObstacleChoice& choice) {
     Labelled result{
@@ -74,46 +65,11 @@ Labelled labelled(std::vector<std::uint32_t> labels, const std::vector<Seen>& se
     return result;
 }
 
-// Joins touching footprints (4-connected, as the paper does): each takes the source id of the one that owns most of its
-// cells, of the first one among equals, and likewise the name of one that has a name. What one of them forbids holds
-// for all; what they cost, where it is known, adds up.
-Labelled merged(const Labelled& footprints, int width, int height, bool weighed) {
-    const std::vector<std::uint32_t>& labels = footprints.labels;
-    Grid grid(width, height);
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        if (labels[i] != 0) grid.set_blocked({int(i % std::size_t(width)), int(i / std::size_t(width))}, true);
-    }
-    Labelled result{label_components(grid, Connectivity::four), std::vector<ObstacleAttributes>(1), {}, {}};
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shares;  // cells by component and footprint
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        if (labels[i] != 0) ++shares[{result.labels[i], labels[i]}];
-    }
-    std::uint32_t most = 0;
-    std::uint32_t most_named = 0;
-    for (const auto& [key, cells] : shares) {
-        const auto [component, label] = key;
-        const ObstacleAttributes& part = footprints.attributes[label];
-        if (component == result.attributes.size()) {
-            result.attributes.push_back(part);
-            result.kinds[component] = footprints.kinds.at(label);
-            most = cells;
-            most_named = 0;
-        } else {
-            ObstacleAttributes& whole = result.attributes.back();
-            whole.destructible = whole.destructible && part.destructible;
-            if (weighed) whole.weight += part.weight;
-            whole.breach_time += part.breach_time;
-            if (cells > most) {
-                most = cells;
-                whole.source_id = part.source_id;
-                result.kinds[component] = footprints.kinds.at(label);
-            }
-        }
-        const auto name = footprints.names.find(label);
-        if (name != footprints.names.end() && cells > most_named) {
-            most_named = cells;
-            result.names[component] = name->second;
-        }
+// Barriers would join all houses of a street, and what is sheltered would shelter its neighbours.
+std::vector<bool> joins(const std::vector<Seen>& seen) {
+    std::vector<bool> result(1, false);
+    for (const Seen& one : seen) {
+        result.push_back(one.footprint->kind != Kind::barrier && !one.footprint->sheltered);
     }
     return result;
 }
@@ -235,7 +191,7 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
     clear_for(ground, seen, labels);
     Labelled cells = labelled(std::move(labels), seen, options.choice);
     if (options.merge_touching) {
-        cells = merged(cells, window.width, window.height, !options.choice.weight.of.empty());
+        cells = merged(cells, joins(seen), window.width, window.height, !options.choice.weight.of.empty());
     }
     append_ground(ground, pieces, cells);
     if (!options.names) cells.names.clear();

@@ -16,30 +16,35 @@ std::unique_ptr<OGRGeometry> strip(const OGRGeometry& line, double width) {
     return std::unique_ptr<OGRGeometry>(line.Buffer(width / 2, quarter_circle));
 }
 
-bool is_water_area(const GroundPiece& piece) {
-    return piece.use.kind == site::ObstacleKind::water && is_area(piece.shape->getGeometryType());
-}
-
-// What areas of water leave of a river's line, without slivers shorter than the river is wide; null if nothing.
-std::unique_ptr<OGRGeometry> outside_water(const OGRGeometry& line, double width,
-                                           const std::vector<const OGRGeometry*>& waters) {
+// The parts of a line outside of areas, without those shorter than `least` metres; null if there are none.
+std::unique_ptr<OGRGeometry> outside(const OGRGeometry& line, const std::vector<const OGRGeometry*>& areas,
+                                     double least) {
     std::unique_ptr<OGRGeometry> rest(line.clone());
     OGREnvelope box;
     rest->getEnvelope(&box);
-    for (const OGRGeometry* water : waters) {
+    for (const OGRGeometry* area : areas) {
         OGREnvelope around;
-        water->getEnvelope(&around);
+        area->getEnvelope(&around);
         if (!around.Intersects(box)) continue;
-        std::unique_ptr<OGRGeometry> less(rest->Difference(water));
+        std::unique_ptr<OGRGeometry> less(rest->Difference(area));
         if (less) rest = std::move(less);
     }
     auto pieces = std::make_unique<OGRMultiLineString>();
     const std::unique_ptr<OGRGeometry> all(OGRGeometryFactory::forceToMultiLineString(rest.release()));
     if (wkbFlatten(all->getGeometryType()) != wkbMultiLineString) return nullptr;
     for (const OGRLineString* piece : *all->toMultiLineString()) {
-        if (piece->get_Length() >= width) pieces->addGeometry(piece);
+        if (piece->get_Length() >= least) pieces->addGeometry(piece);
     }
     return pieces->IsEmpty() ? nullptr : std::move(pieces);
+}
+
+template <typename Holds>
+std::vector<const OGRGeometry*> areas_that(const std::vector<GroundPiece>& pieces, Holds holds) {
+    std::vector<const OGRGeometry*> areas;
+    for (const GroundPiece& piece : pieces) {
+        if (is_area(piece.shape->getGeometryType()) && holds(piece.use)) areas.push_back(piece.shape.get());
+    }
+    return areas;
 }
 
 void append_sea(Ground& ground, std::vector<GroundPiece> coasts, const OGREnvelope& bounds, double cell) {
@@ -63,17 +68,18 @@ void append_sea(Ground& ground, std::vector<GroundPiece> coasts, const OGREnvelo
 Ground finished(Ground ground, std::vector<GroundPiece> coasts, const OGREnvelope& bounds, double cell) {
     const GdalScope gdal;
     append_sea(ground, std::move(coasts), bounds, cell);
-    std::vector<const OGRGeometry*> waters;
-    for (const GroundPiece& piece : ground.pieces) {
-        if (is_water_area(piece)) waters.push_back(piece.shape.get());
-    }
+    const auto waters =
+        areas_that(ground.pieces, [](const GroundUse& use) { return use.kind == site::ObstacleKind::water; });
+    const auto closed =
+        areas_that(ground.pieces, [](const GroundUse& use) { return use.layer == GroundLayer::closed; });
     std::vector<GroundPiece> strips;
     for (GroundPiece& piece : ground.pieces) {
         GroundUse& use = piece.use;
         const bool way = use.layer == GroundLayer::way || use.layer == GroundLayer::underpass;
         const bool line = is_line(piece.shape->getGeometryType());
         if (use.outline && !line) piece.shape.reset(piece.shape->Boundary());
-        if (use.drawn_as_area) piece.shape = outside_water(*piece.shape, use.width, waters);
+        if (use.drawn_as_area) piece.shape = outside(*piece.shape, waters, use.width);
+        if (way && !closed.empty()) piece.shape = outside(*piece.shape, closed, 0);
         if (!piece.shape) continue;
         if (way) {  // opens the cells that its line touches
             if (use.width > cell) strips.push_back({use, strip(*piece.shape, use.width)});

@@ -25,8 +25,8 @@ struct Ground {
 };
 
 // Makes strips of lines, the sea of coastlines (`coasts`, water to the right of them, within `bounds`), and leaves out
-// the lines of rivers where areas show them. Strips that block have at least the width of a cell, so that no disc slips
-// through them.
+// the lines of rivers where areas show them, and ways on closed ground. Strips that block have at least the width of a
+// cell, so that no disc slips through them.
 Ground finished(Ground ground, std::vector<GroundPiece> coasts, const OGREnvelope& bounds, double cell);
 
 }  // namespace waybreaker::geo

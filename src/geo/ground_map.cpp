@@ -39,15 +39,13 @@ GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& w
     if (pieces.empty()) return {};
     GroundMap map{.blocked = std::vector<std::uint32_t>(std::size_t(window.width) * std::size_t(window.height), 0),
                   .opened = ways(pieces, window)};
-    const auto block = [&](std::initializer_list<GroundLayer> layers) {
-        std::vector<Paint> paints;
-        for (const GroundLayer layer : layers) {
-            const bool opens = layer == GroundLayer::way_over;
-            append(pieces, layer, window, false, opens ? std::optional<std::uint32_t>(0) : std::nullopt, paints);
-        }
-        paint(paints, Cover::centre, window, map.blocked);
-    };
-    block({GroundLayer::water, GroundLayer::way_over, GroundLayer::forbidden});
+    std::vector<Paint> paints;
+    for (const GroundLayer layer :
+         {GroundLayer::water, GroundLayer::way_over, GroundLayer::forbidden, GroundLayer::closed}) {
+        const bool opens = layer == GroundLayer::way_over;
+        append(pieces, layer, window, false, opens ? std::optional<std::uint32_t>(0) : std::nullopt, paints);
+    }
+    paint(paints, Cover::centre, window, map.blocked);
     for (std::size_t i = 0; i < map.blocked.size(); ++i) {
         std::uint32_t& number = map.blocked[i];
         if (number == 0) continue;
@@ -57,7 +55,6 @@ GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& w
             number = 0;
         }
     }
-    block({GroundLayer::closed});
     return map;
 }
 

@@ -19,11 +19,11 @@ enum class GroundLayer {
     water,      // blocks, for ever; also steps of the ground
     way_over,   // opens water
     forbidden,  // blocks, for ever
+    closed,     // likewise, and no way leads across
     barrier,    // blocks, until it is destroyed
     gate,       // opens barriers
     underpass,  // opens forbidden lines
-    way,        // opens everything
-    closed      // blocks, for ever, ways too
+    way         // opens everything
 };
 
 struct GroundUse {

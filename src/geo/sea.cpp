@@ -1,6 +1,9 @@
 #include "geo/sea.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
 
 #include "geo/feature_parts.hpp"
 #include "geo/gdal_scope.hpp"
@@ -28,8 +31,36 @@ std::vector<Line> pieces_within(const std::vector<const OGRGeometry*>& coasts, c
     return pieces;
 }
 
+// At the edge of the data a way ends at its last point before it: up to so many metres short of the bounds, or such a
+// share of their sides.
+constexpr double cut_short = 200;
+constexpr double cut_short_share = 0.15;
+
+// From ends of coastlines near the bounds straight to them.
+std::vector<Line> extensions(const std::vector<Line>& pieces, const OGREnvelope& bounds) {
+    std::map<std::pair<double, double>, int> ends;
+    for (const Line& piece : pieces) {
+        for (const Point& end : {piece.front(), piece.back()}) ++ends[{end.x, end.y}];
+    }
+    const double reach =
+        std::min(cut_short, cut_short_share * std::min(bounds.MaxX - bounds.MinX, bounds.MaxY - bounds.MinY));
+    std::vector<Line> lines;
+    for (const auto& [end, count] : ends) {
+        const auto [x, y] = end;
+        const std::array<Point, 4> feet{{{bounds.MinX, y}, {bounds.MaxX, y}, {x, bounds.MinY}, {x, bounds.MaxY}}};
+        const Point from{x, y};
+        const Point& foot = *std::min_element(feet.begin(), feet.end(), [&](const Point& a, const Point& b) {
+            return distance(from, a) < distance(from, b);
+        });
+        const double gap = distance(from, foot);
+        if (count == 1 && gap > 0 && gap <= reach) lines.push_back({from, foot});
+    }
+    return lines;
+}
+
 // The faces that the pieces cut the bounds into.
-std::unique_ptr<OGRGeometry> faces_of(const std::vector<Line>& pieces, const OGREnvelope& bounds) {
+std::unique_ptr<OGRGeometry> faces_of(std::vector<Line> pieces, const OGREnvelope& bounds) {
+    for (Line& line : extensions(pieces, bounds)) pieces.push_back(std::move(line));
     OGRMultiLineString cuts;
     for (const Line& piece : pieces) {
         OGRLineString line;

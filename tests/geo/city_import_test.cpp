@@ -264,6 +264,7 @@ TEST(CityImport, draws_a_shapefile_in_another_coordinate_system) {
 TEST(CityImport, merges_touching_buildings) {
     ImportOptions merging = window;
     merging.merge_touching = true;
+    merging.profile = Profile::paper;
     const Source source("scene.osm", osm_xml(scene()));
     const ImportReport report = import_city(source.path(), merging);
     EXPECT_EQ(picture(report.tiff.map),

@@ -109,6 +109,14 @@ TEST_F(Ground, has_the_sea_on_the_right_of_its_coast) {
     EXPECT_TRUE(import(drawing_).notes.empty());
 }
 
+// As extracts have it whose ways end at the last point within.
+TEST_F(Ground, has_the_sea_beside_a_coast_that_ends_before_the_edge) {
+    drawing_.way("natural=coastline", {{0.8, 5.5}, {12.2, 5.5}});
+    const std::string text = drawn();
+    EXPECT_EQ(std::count(text.begin(), text.end(), 'w'), 8 * 14) << text;
+    EXPECT_TRUE(import(drawing_).notes.empty());
+}
+
 TEST_F(Ground, reports_a_coast_that_ends_within) {
     drawing_.way("natural=coastline", {{-3, 5.5}, {8.5, 5.5}});
     const std::vector<std::string> notes = import(drawing_).notes;
@@ -284,6 +292,19 @@ TEST_F(Ground, protects_hospitals_from_a_rover_unless_somebody_says_what_can_be_
     const ImportReport report = import(drawing_, options);
     EXPECT_NE(picture(report.tiff).find("....BBB.......\n"), std::string::npos);
     EXPECT_EQ(report.sheltered, 0U);
+}
+
+TEST_F(Ground, merges_neither_barriers_nor_what_is_protected_with_houses) {
+    drawing_.area("building=yes", rectangle(2.6, 2.6, 4.5, 4.4));
+    drawing_.area("building=yes", rectangle(4.5, 2.6, 6.5, 4.4));
+    drawing_.area("building=church", rectangle(6.5, 2.6, 8.5, 4.4));
+    drawing_.way("barrier=wall", {{3, 5}, {8, 5}});
+    ImportOptions options = window;
+    options.merge_touching = true;
+    const LabelTiff tiff = import(drawing_, options).tiff;
+    EXPECT_EQ(tiff.map.obstacles().size(), 4U);  // with the one in the corner
+    const std::string text = picture(tiff);
+    EXPECT_NE(text.find("...BBBBPP.....\n...BBBBPP.....\n...bbbbbb.....\n"), std::string::npos) << text;
 }
 
 TEST_F(Ground, lies_in_tiles_as_in_the_whole) {

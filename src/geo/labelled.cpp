@@ -1,0 +1,71 @@
+#include "geo/labelled.hpp"
+
+#include <map>
+#include <utility>
+
+#include "map/label.hpp"
+
+namespace waybreaker::geo {
+namespace {
+
+// The labels that do not join, with numbers after those of the components.
+void append_others(const Labelled& cells, const std::vector<bool>& joins, Labelled& result) {
+    std::vector<std::uint32_t> number(joins.size(), 0);
+    for (std::uint32_t label = 1; label < joins.size(); ++label) {
+        if (joins[label]) continue;
+        number[label] = std::uint32_t(result.attributes.size());
+        result.attributes.push_back(cells.attributes[label]);
+        result.kinds[number[label]] = cells.kinds.at(label);
+        const auto name = cells.names.find(label);
+        if (name != cells.names.end()) result.names[number[label]] = name->second;
+    }
+    for (std::size_t i = 0; i < cells.labels.size(); ++i) {
+        if (number[cells.labels[i]] != 0) result.labels[i] = number[cells.labels[i]];
+    }
+}
+
+}  // namespace
+
+Labelled merged(const Labelled& cells, const std::vector<bool>& joins, int width, int height, bool weighed) {
+    const std::vector<std::uint32_t>& labels = cells.labels;
+    Grid grid(width, height);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (joins[labels[i]]) grid.set_blocked({int(i % std::size_t(width)), int(i / std::size_t(width))}, true);
+    }
+    Labelled result{label_components(grid, Connectivity::four), std::vector<ObstacleAttributes>(1), {}, {}};
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shares;  // cells by component and label
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (joins[labels[i]]) ++shares[{result.labels[i], labels[i]}];
+    }
+    std::uint32_t most = 0;
+    std::uint32_t most_named = 0;
+    for (const auto& [key, count] : shares) {
+        const auto [component, label] = key;
+        const ObstacleAttributes& part = cells.attributes[label];
+        if (component == result.attributes.size()) {
+            result.attributes.push_back(part);
+            result.kinds[component] = cells.kinds.at(label);
+            most = count;
+            most_named = 0;
+        } else {
+            ObstacleAttributes& whole = result.attributes.back();
+            whole.destructible = whole.destructible && part.destructible;
+            if (weighed) whole.weight += part.weight;
+            whole.breach_time += part.breach_time;
+            if (count > most) {
+                most = count;
+                whole.source_id = part.source_id;
+                result.kinds[component] = cells.kinds.at(label);
+            }
+        }
+        const auto name = cells.names.find(label);
+        if (name != cells.names.end() && count > most_named) {
+            most_named = count;
+            result.names[component] = name->second;
+        }
+    }
+    append_others(cells, joins, result);
+    return result;
+}
+
+}  // namespace waybreaker::geo
