@@ -141,8 +141,11 @@ void move_barriers(Ground& ground, const Window& window, std::vector<Footprint>&
         if (piece.use.layer != GroundLayer::barrier) return false;
         const double area = area_inside(*piece.shape, window.bounds);
         if (area > 0) {
-            footprints.push_back(
-                {std::move(piece.shape), area, {.source_id = piece.source_id}, piece.name, piece.use.kind});
+            footprints.push_back({.shape = std::move(piece.shape),
+                                  .area = area,
+                                  .attributes = {.destructible = piece.destructible, .source_id = piece.source_id},
+                                  .name = piece.name,
+                                  .kind = piece.use.kind});
         }
         return true;
     });
@@ -164,6 +167,7 @@ Material read_in_order(const std::string& source, const Window& window, const Im
                                       {.scenery = options.background,
                                        .profile = *options.profile,
                                        .cell = options.cell,
+                                       .choice = options.choice,
                                        .data = material.footprints.extent});
     }
     material.covered = covered_share(material, window.bounds);

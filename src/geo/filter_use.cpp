@@ -9,8 +9,14 @@ namespace waybreaker::geo {
 
 FilterUse::FilterUse(const ObstacleChoice& choice) {
     for (const TagFilter& tag : choice.obstacles) unused_.push_back({"--obstacles", tag});
-    for (const TagFilter& tag : choice.destructible) unused_.push_back({"--destructible", tag});
-    for (const TagFilter& tag : choice.protect) unused_.push_back({"--protected", tag});
+    // A profile's barriers are obstacles as well, but not among those that are seen here.
+    const bool barriers = choice.only_in_the_way && choice.obstacles.empty();
+    for (const TagFilter& tag : choice.destructible) {
+        if (!barriers || tag.key != "barrier") unused_.push_back({"--destructible", tag});
+    }
+    for (const TagFilter& tag : choice.protect) {
+        if (!barriers || tag.key != "barrier") unused_.push_back({"--protected", tag});
+    }
     const auto add = [this](const char* option, const Quantity& quantity) {
         if (!quantity.of.empty() && quantity.of != "area") unused_.push_back({option, {.key = quantity.of}, true});
     };

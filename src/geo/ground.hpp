@@ -17,6 +17,7 @@ struct GroundPiece {
     std::unique_ptr<OGRGeometry> shape;  // in the window's system, not clipped; an area, or the middle line of a way
     std::int64_t source_id = 0;
     std::string name = {};
+    bool destructible = false;  // of a barrier, as the user wants it
 };
 
 struct Ground {

@@ -89,7 +89,8 @@ class SurveyedLayer {
         for (const GroundUse& use : uses) {
             if (!short_enough(use, *placed)) continue;
             findings.survey.ground.pieces.push_back({use, std::unique_ptr<OGRGeometry>(placed->clone()),
-                                                     tags_.source_id(feature), clean_name(name ? *name : "")});
+                                                     tags_.source_id(feature), clean_name(name ? *name : ""),
+                                                     is_destructible(tags)});
         }
         if (coast) {  // GDAL makes areas of islands
             OGRGeometry* line = *shape == Shape::area ? placed->Boundary() : placed->clone();
@@ -103,6 +104,14 @@ class SurveyedLayer {
     }
 
   private:
+    bool is_destructible(const TagSet& tags) const {
+        const auto among = [&tags](const std::vector<TagFilter>& filters) {
+            return std::any_of(filters.begin(), filters.end(), [&](const auto& one) { return tags.matches(one); });
+        };
+        const ObstacleChoice& choice = options_.choice;
+        return (choice.destructible.empty() || among(choice.destructible)) && !among(choice.protect);
+    }
+
     static bool short_enough(const GroundUse& use, const OGRGeometry& shape) {
         return use.layer != GroundLayer::underpass ||
                OGR_G_Length(OGRGeometry::ToHandle(const_cast<OGRGeometry*>(&shape))) <= longest_underpass;

@@ -14,6 +14,7 @@ struct SurveyOptions {
     bool scenery = true;
     Profile profile = Profile::rover;  // of the ground
     double cell = 1;                   // least width of a strip of ground, in metres
+    ObstacleChoice choice = {};        // which barriers can be destroyed
     OGREnvelope data = {};             // what the source has data of, in the window's system; empty: of everything
 };
 

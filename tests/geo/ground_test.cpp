@@ -294,6 +294,20 @@ TEST_F(Ground, protects_hospitals_from_a_rover_unless_somebody_says_what_can_be_
     EXPECT_EQ(report.sheltered, 0U);
 }
 
+TEST_F(Ground, has_the_barriers_destroyed_that_the_user_wants) {
+    drawing_.way("barrier=wall", {{2, 4}, {6, 4}}).way("barrier=hedge", {{8, 4}, {12, 4}});
+    const auto destructible = [&](const ObstacleChoice& choice) {
+        ImportOptions options = window;
+        options.choice = choice;
+        std::string text;
+        for (const Obstacle& o : import(drawing_, options).tiff.map.obstacles()) text += o.destructible ? 'd' : '-';
+        return text;  // house, wall, hedge
+    };
+    EXPECT_EQ(destructible({}), "ddd");
+    EXPECT_EQ(destructible({.destructible = {{"building"}}}), "d--");
+    EXPECT_EQ(destructible({.protect = {{"barrier", {"wall"}}}}), "d-d");
+}
+
 TEST_F(Ground, merges_neither_barriers_nor_what_is_protected_with_houses) {
     drawing_.area("building=yes", rectangle(2.6, 2.6, 4.5, 4.4));
     drawing_.area("building=yes", rectangle(4.5, 2.6, 6.5, 4.4));

@@ -59,6 +59,8 @@ std::string translated(const std::string& bytes, const std::vector<const char*>&
     return take_memory_file();
 }
 
+using Kind = site::ObstacleKind;
+
 // 5 x 3 cells, three obstacles in two touching pieces and one apart, in UTM zone 33N.
 LabelTiff small_map() {
     const std::vector<ObstacleAttributes> attributes{{}, {true, 4711}, {false, -12345678901}, {true, 0}};
@@ -76,7 +78,8 @@ LabelTiff small_map() {
                    .georeference = site::Georeference{text, {390000.25, 2.4, 0, 5820000.75, 0, -2.4}},
                    .attribution = "(c) somebody, some licence 1.0",
                    .title = "Place, 12 m around Zürich",
-                   .names = {"", "Grand \"Hôtel\" & <Café>", "", "7"}};
+                   .names = {"", "Grand \"Hôtel\" & <Café>", "", "7"},
+                   .kinds = {Kind::unknown, Kind::building, Kind::water, Kind::barrier}};
     CPLFree(text);
     return tiff;
 }
@@ -101,6 +104,7 @@ TEST(LabelTiff, comes_back_whole) {
     EXPECT_EQ(read.attribution, written.attribution);
     EXPECT_EQ(read.title, written.title);
     EXPECT_EQ(read.names, written.names);
+    EXPECT_EQ(read.kinds, written.kinds);
     ASSERT_TRUE(read.georeference);
     EXPECT_EQ(read.georeference->transform, written.georeference->transform);
     EXPECT_EQ(crs_name(*read.georeference), "WGS 84 / UTM zone 33N");
@@ -174,6 +178,7 @@ TEST(LabelTiff, survives_gdal_translate) {
         EXPECT_EQ(read.attribution, original.attribution);
         EXPECT_EQ(read.title, original.title);
         EXPECT_EQ(read.names, original.names);
+        EXPECT_EQ(read.kinds, original.kinds);
         EXPECT_EQ(read.georeference->transform, original.georeference->transform);
     }
 }
@@ -188,6 +193,7 @@ TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
     EXPECT_EQ(map.obstacle(map.obstacle_at({2, 2})).source_id, 0);
     EXPECT_TRUE(map.obstacle(map.obstacle_at({2, 2})).destructible);
     EXPECT_EQ(tiff.names, (site::ObstacleNames{"", "", "7"}));
+    EXPECT_EQ(tiff.kinds, (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
 }
 
 TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {
@@ -205,6 +211,23 @@ TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {
     EXPECT_EQ(named("5 First\n5 Second"), (site::ObstacleNames{"", "", "First"}));
     EXPECT_EQ(named("6 Nobody\n5  "), site::ObstacleNames{});
     EXPECT_EQ(named(""), site::ObstacleNames{});
+}
+
+TEST(LabelTiff, says_of_some_obstacles_what_they_are) {
+    const auto kinds = [](const char* text) {
+        const std::string bytes = foreign_tiff(GDT_UInt32, 1, [text](GDALDataset& f) {
+            std::vector<std::int32_t> labels(32, 0);
+            labels[3] = 70000;
+            labels[4] = labels[9] = 5;
+            write_cells(f, labels);
+            f.SetMetadataItem("WAYBREAKER_KINDS", text);
+        });
+        return read_label_tiff(bytes, "city.tif").kinds;
+    };
+    EXPECT_EQ(kinds("water 6 70000\nbarrier 5"), (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
+    EXPECT_EQ(kinds("swamp 70000\ncliff 5\n"), (site::ObstacleKinds{Kind::unknown, Kind::unknown, Kind::cliff}));
+    EXPECT_EQ(kinds("swamp 70000"), site::ObstacleKinds{});
+    EXPECT_EQ(kinds(""), site::ObstacleKinds{});
 }
 
 TEST(CleanName, is_one_line_of_whole_characters) {
@@ -319,6 +342,10 @@ TEST(LabelTiff, refuses_what_is_no_label_map_and_says_why) {
         {"a name of free cells",
          foreign_tiff(GDT_Byte, 1, [](GDALDataset& f) { f.SetMetadataItem("WAYBREAKER_NAMES", "0 Town"); }),
          "line 1 of its metadata item WAYBREAKER_NAMES"},
+        {"a kind of no number",
+         foreign_tiff(GDT_Byte, 1,
+                      [](GDALDataset& f) { f.SetMetadataItem("WAYBREAKER_KINDS", "water 1\nbarrier 2x"); }),
+         "line 2 of its metadata item WAYBREAKER_KINDS is no kind and the numbers of its obstacles"},
         {"a background that is none",
          foreign_tiff(GDT_Byte, 1,
                       [](GDALDataset& f) {

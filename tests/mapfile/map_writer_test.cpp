@@ -218,11 +218,14 @@ TEST_F(WrittenMaps, OfRosWithoutObstacles) {
 TEST_F(WrittenMaps, WithoutObstaclesKeepTheOthers) {
     io::MapFile map = labelled_yard();
     map.names = {"", "Shed", "Barn", "", "Wall"};
+    using Kind = site::ObstacleKind;
+    map.kinds = {Kind::unknown, Kind::building, Kind::building, Kind::water, Kind::barrier};
     const io::MapFile opened = without_obstacles(map, std::array{ObstacleId{1}});
     EXPECT_EQ(opened.map.grid(), map_from_ascii("...#. ...## ..#.#").grid());
     ASSERT_EQ(opened.map.obstacles().size(), 3U);
     EXPECT_EQ(opened.map.obstacles()[0].source_id, -4711);
     EXPECT_EQ(opened.names, (site::ObstacleNames{"", "Barn", "", "Wall"}));
+    EXPECT_EQ(opened.kinds, (site::ObstacleKinds{Kind::unknown, Kind::building, Kind::water, Kind::barrier}));
     EXPECT_EQ(input_error([&] { without_obstacles(map, std::array{ObstacleId{5}}); }),
               "there is no obstacle 5: the map has 4 obstacles");
     EXPECT_EQ(input_error([&] { without_obstacles(map, std::array{ObstacleId{2}}); }),
