@@ -214,14 +214,15 @@ void setup_import(CLI::App& root, Run& run_chosen) {
     auto options = std::make_shared<ImportOptions>();
     CLI::App* command =
         root.add_subcommand("import",
-                            "Make a map from the buildings of a city\n\n"
-                            "Reads building footprints from any vector source GDAL knows "
+                            "Make a map from map data of a city\n\n"
+                            "Reads buildings and the ground around them from any vector source GDAL knows "
                             "(OpenStreetMap .osm.pbf, .osm, .osm.gz, shapefile, "
                             "GeoJSON), projects them to the local UTM zone and writes a window "
-                            "as a GeoTIFF label map. Every building "
-                            "is an obstacle and keeps its OpenStreetMap id and its name, the map the streets, "
-                            "railways, water and green around them, if the source has them.");
-    add_file(*command, "SOURCE", options->source, "File with building footprints")->required();
+                            "as a GeoTIFF label map. Every building, wall and fence "
+                            "is an obstacle and keeps its OpenStreetMap id and its name; water and forbidden ground "
+                            "are obstacles that cannot be destroyed, and ways are open. The map keeps the streets, "
+                            "railways, water and green, if the source has them.");
+    add_file(*command, "SOURCE", options->source, "File with map data")->required();
     add_window_options(*command, options);
     add_profile(*command, options->window.profile);
     add_choice_options(*command, options->window.choice);
@@ -236,7 +237,9 @@ void setup_import(CLI::App& root, Run& run_chosen) {
     set_examples(*command,
                  {"waybreaker import turin_buildings.shp --center 7.674,45.069 -o turin.tif",
                   "waybreaker import berlin-mitte.osm.gz --center 13.383,52.5213 --size 600 --cell 1.2 "
-                  "--merge-touching -o berlin.tif",
+                  "--profile truck -o berlin.tif",
+                  "waybreaker import berlin-mitte.osm.gz --center 13.383,52.5213 --profile paper --merge-touching "
+                  "-o paper.tif",
                   "waybreaker import monaco.osm.pbf --bbox 7.41,43.725,7.43,43.74 --obstacles building "
                   "--obstacles barrier=wall --obstacles natural=water --protected natural=water "
                   "--obstacle-weight area -o monaco.tif",
