@@ -9,11 +9,13 @@
 #include "background_summary.hpp"
 #include "commands.hpp"
 #include "geo/city_import.hpp"
+#include "geo/ground_rules.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_info.hpp"
 #include "option.hpp"
 #include "progress.hpp"
+#include "site/obstacle_kinds.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {

@@ -1,5 +1,7 @@
 #include "geo/ground_map.hpp"
 
+#include <optional>
+
 #include "geo/label_raster.hpp"
 #include "geo/vector_source.hpp"
 

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <initializer_list>
+#include <string>
 
 namespace waybreaker::geo {
 namespace {
@@ -71,7 +72,7 @@ const Vehicle& vehicle(Profile profile) {
 }
 
 // Features of these shapes with that tag block.
-struct Ground {
+struct Blocking {
     GroundLayer layer;
     Kind kind;
     std::vector<Shape> shapes;
@@ -80,11 +81,11 @@ struct Ground {
 };
 
 // The first row that matches applies.
-const std::vector<Ground>& grounds() {
+const std::vector<Blocking>& grounds() {
     constexpr Shape area = Shape::area;
     constexpr Shape line = Shape::line;
     using enum GroundLayer;
-    static const std::vector<Ground> rows{
+    static const std::vector<Blocking> rows{
         // [K:military], [Tag:landuse=military]
         {closed, Kind::forbidden, {area}, {"landuse", {"military"}}},
         {closed, Kind::forbidden, {area}, {"military"}},
@@ -202,7 +203,7 @@ void add_way(const TagSet& tags, const WayClass& way, Shape shape, Profile profi
 void add_blocked(const TagSet& tags, Shape shape, std::vector<GroundUse>& uses) {
     if (in_tunnel(tags) || is_elsewhere(tags)) return;
     const bool roofed = tags.says("covered");
-    for (const Ground& row : grounds()) {
+    for (const Blocking& row : grounds()) {
         const bool fits = std::find(row.shapes.begin(), row.shapes.end(), shape) != row.shapes.end();
         const std::string* value = tags.find(row.filter.key);
         // `access=no` is a value here like any other.

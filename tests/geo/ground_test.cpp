@@ -1,7 +1,12 @@
 // Rivers, coasts, motorways, walls and passages drawn in cells: what bars the way, for whom, and what lies beneath.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <random>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "geo/city_import.hpp"
 #include "osm_drawing.hpp"
