@@ -203,6 +203,21 @@ TEST_F(Ground, of_a_passage_leads_through_the_building) {
                            free + free + free);
 }
 
+TEST_F(Ground, of_a_passage_is_as_wide_as_the_vehicle) {
+    drawing_.area("building=yes", rectangle(1.6, 1.6, 11.4, 4.4));
+    drawing_.way("highway=service|tunnel=building_passage", {{5.25, 0}, {5.25, 7}});
+    const auto gap = [&](Profile profile) {
+        ImportOptions fine = window;
+        fine.cell = 1;
+        fine.profile = profile;
+        const std::string text = picture(import(drawing_, fine).tiff);
+        const std::string row = text.substr(std::size_t(6 * (2 * side + 1)), 2 * side);
+        return std::count(row.begin() + 5, row.begin() + 20, '.');
+    };
+    EXPECT_EQ(gap(Profile::rover), 1);
+    EXPECT_EQ(gap(Profile::truck), 3);
+}
+
 TEST_F(Ground, stays_under_a_house_that_is_destroyed) {
     drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
     drawing_.area("building=yes", rectangle(3.6, 2.6, 6.4, 6.4));
