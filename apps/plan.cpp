@@ -64,7 +64,8 @@ render::PictureOptions picture_options(const io::MapFile& map, bool metres, Obje
             .title = map.title.empty() ? map.source : map.title,
             .attribution = map.attribution,
             .objective = objective,
-            .background = map.background};
+            .background = map.background,
+            .kinds = map.kinds};
 }
 
 // The plan, and what there is to compare it with: no removal, the paper's plan, more and fewer removals.

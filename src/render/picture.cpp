@@ -62,11 +62,11 @@ std::string rectangle(Rectangle r, std::string_view more) {
 
 std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
-    const Sample sample(scene.map, scene.plan.breaches, layout.sample_step);
+    const Sample sample(scene.map, scene.plan.breaches, layout.sample_step, scene.options.kinds);
     const auto paths = outlines(sample.raster(), sample.styles());
     std::string out =
         rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) + ground(scene.options.background, layout);
-    for (const Style style : {Style::obstacle, Style::fixed_obstacle, Style::removed}) {
+    for (const Style style : {Style::water, Style::obstacle, Style::fixed_obstacle, Style::removed}) {
         out += obstacle_sign(style, paths[std::size_t(style)], {layout.map.x, layout.map.y}, scene.raster_scale(),
                              scene.unit());
     }
@@ -164,7 +164,12 @@ std::vector<LegendEntry> legend(const Scene& scene) {
         return obstacle_sign(style, fmt::format("M0 0h{0:.4g}v{1:.4g}h-{0:.4g}z", width, height), {6 * unit, -8 * unit},
                              scale, unit);
     };
-    const auto is_fixed = [](const Obstacle& obstacle) { return !obstacle.destructible; };
+    const auto is_water = [&](const Obstacle& obstacle) {
+        const site::ObstacleKinds& kinds = scene.options.kinds;
+        return !obstacle.destructible && !kinds.empty() && kinds[obstacle.id.value] == site::ObstacleKind::water;
+    };
+    const auto is_removable = [](const Obstacle& obstacle) { return obstacle.destructible; };
+    const auto is_fixed = [&](const Obstacle& obstacle) { return !obstacle.destructible && !is_water(obstacle); };
     const auto all = scene.map.obstacles();
     const Outcome& before = scene.plan.before;
     const Outcome& after = scene.plan.after;
@@ -176,9 +181,9 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     }
     entries.push_back({path(PathSign::air), "air path"});
     if (before.air().path != after.air().path) entries.push_back({path(PathSign::air_before), "air path before"});
-    if (!std::all_of(all.begin(), all.end(), is_fixed)) entries.push_back({swatch(Style::obstacle), "obstacle"});
-    if (std::any_of(all.begin(), all.end(), is_fixed))
-        entries.push_back({swatch(Style::fixed_obstacle), "not removable"});
+    if (std::ranges::any_of(all, is_removable)) entries.push_back({swatch(Style::obstacle), "obstacle"});
+    if (std::ranges::any_of(all, is_fixed)) entries.push_back({swatch(Style::fixed_obstacle), "not removable"});
+    if (std::ranges::any_of(all, is_water)) entries.push_back({swatch(Style::water), "water"});
     if (!scene.plan.breaches.empty()) {
         entries.push_back({swatch(Style::removed), "removed obstacle"});
         entries.push_back({breach_label(middle, "1", unit), "breach, when"});

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "site/background.hpp"
+#include "site/obstacle_kinds.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
@@ -23,6 +24,7 @@ struct PictureOptions {
     std::string attribution = {};  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
     Objective objective = Objective::makespan;  // what the plan's bound is one of
     site::Background background = {};           // drawn beneath the obstacles
+    site::ObstacleKinds kinds = {};             // water is drawn as such
 };
 
 // An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so

@@ -10,10 +10,12 @@ constexpr int coarse_side(int side, int step) {
     return (side + step - 1) / step;
 }
 
-std::vector<Style> styles_of(const Map& map, std::span<const Breach> removed) {
+std::vector<Style> styles_of(const Map& map, std::span<const Breach> removed, const site::ObstacleKinds& kinds) {
     std::vector<Style> styles(map.obstacles().size() + 1, Style::obstacle);
     for (const Obstacle& obstacle : map.obstacles()) {
-        if (!obstacle.destructible) styles[obstacle.id.value] = Style::fixed_obstacle;
+        if (obstacle.destructible) continue;
+        const bool water = !kinds.empty() && kinds[obstacle.id.value] == site::ObstacleKind::water;
+        styles[obstacle.id.value] = water ? Style::water : Style::fixed_obstacle;
     }
     for (const Breach& breach : removed) styles[breach.obstacle.value] = Style::removed;
     return styles;
@@ -25,9 +27,12 @@ using StyleCounts = std::array<int, style_count>;
 std::uint32_t coarse_label(const StyleCounts& counts, int cells) {
     const auto count = [&](Style style) { return counts[std::size_t(style)]; };
     if (count(Style::removed) > 0) return std::uint32_t(Style::removed) + 1;
-    if (2 * (count(Style::obstacle) + count(Style::fixed_obstacle)) < cells) return 0;
-    const bool fixed = count(Style::fixed_obstacle) > count(Style::obstacle);
-    return std::uint32_t(fixed ? Style::fixed_obstacle : Style::obstacle) + 1;
+    if (2 * (count(Style::obstacle) + count(Style::fixed_obstacle) + count(Style::water)) < cells) return 0;
+    Style most = Style::obstacle;
+    for (const Style style : {Style::fixed_obstacle, Style::water}) {
+        if (count(style) > count(most)) most = style;
+    }
+    return std::uint32_t(most) + 1;
 }
 
 std::vector<std::uint32_t> coarse_labels(const Map& map, std::span<const Style> styles, int step) {
@@ -51,11 +56,12 @@ std::vector<std::uint32_t> coarse_labels(const Map& map, std::span<const Style> 
 
 }  // namespace
 
-Sample::Sample(const Map& map, std::span<const Breach> removed, int step)
-    : map_(&map), step_(step), styles_(styles_of(map, removed)) {
+Sample::Sample(const Map& map, std::span<const Breach> removed, int step, const site::ObstacleKinds& kinds)
+    : map_(&map), step_(step), styles_(styles_of(map, removed, kinds)) {
     if (step == 1) return;
     coarse_labels_ = coarse_labels(map, styles_, step);
-    styles_ = {Style::obstacle, Style::obstacle, Style::fixed_obstacle, Style::removed};  // by label; 0 is not used
+    // By label; 0 is not used.
+    styles_ = {Style::obstacle, Style::obstacle, Style::fixed_obstacle, Style::water, Style::removed};
 }
 
 site::LabelRaster Sample::raster() const {

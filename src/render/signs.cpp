@@ -130,6 +130,7 @@ std::string obstacle_sign(Style style, std::string_view data, Point origin, doub
     };
     constexpr Paint paints[style_count] = {{colour::obstacle, colour::obstacle_edge, size::edge},
                                            {colour::fixed_obstacle, colour::fixed_obstacle_edge, size::edge},
+                                           {colour::deep_water, colour::shore, size::edge},
                                            {"url(#hatching)", colour::removed, size::removed_edge}};
     const Paint& paint = paints[std::size_t(style)];
     // Obstacles hardly a pixel wide would show only their edges, which take most of the drawing time.

@@ -125,7 +125,8 @@ std::string picture(const io::MapFile& file, const io::PlanFile& plan, bool as_s
                                          .title = file.title.empty() ? file.source : file.title,
                                          .attribution = file.attribution,
                                          .objective = plan.mission.rules.objective,
-                                         .background = file.background};
+                                         .background = file.background,
+                                         .kinds = file.kinds};
     return as_svg ? render::svg(file.map, plan.mission, plan.plan, options)
                   : raster::png_of(render::svg(file.map, plan.mission, plan.plan, options));
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -178,7 +179,11 @@ TEST_P(CommittedMaps, hold_what_they_should) {
     EXPECT_EQ(tiff.map.obstacles().size(), expected.obstacles);
     EXPECT_NEAR(density(tiff.map), expected.density, 5e-4);
     EXPECT_EQ(tiff.attribution, "(c) OpenStreetMap contributors, ODbL 1.0");
-    for (const Obstacle& obstacle : tiff.map.obstacles()) EXPECT_NE(obstacle.source_id, 0);
+    for (const Obstacle& obstacle : tiff.map.obstacles()) {
+        // Only the sea has no id.
+        const bool sea = !tiff.kinds.empty() && tiff.kinds[obstacle.id.value] == site::ObstacleKind::water;
+        EXPECT_TRUE(obstacle.source_id != 0 || sea);
+    }
     const auto [lon, lat] = ToLonLat(*tiff.georeference)(250, 250);
     EXPECT_NEAR(lon, expected.options.longitude, 1e-7);
     EXPECT_NEAR(lat, expected.options.latitude, 1e-7);
@@ -226,6 +231,13 @@ INSTANTIATE_TEST_SUITE_P(Data, CommittedMaps,
                                                       0.5615,
                                                       {440, 432},
                                                       {139, 155}},
+                                         CommittedMap{"monaco.tif",
+                                                      "monaco.osm.pbf",
+                                                      {7.4215, 43.7345, 1202.4, 2.4, false, {}, Profile::rover},
+                                                      820,
+                                                      0.4630,
+                                                      {301, 63},
+                                                      {375, 345}},
                                          CommittedMap{"turin.tif",
                                                       "turin_buildings.shp",
                                                       {7.674, 45.069, 1202.4, 2.4, true, {}, Profile::paper},

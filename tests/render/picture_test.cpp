@@ -131,6 +131,17 @@ TEST(Picture, DistinguishesFixedObstacles) {
     EXPECT_FALSE(says(picture, "obstacle"));
 }
 
+TEST(Picture, TellsWaterFromTheRest) {
+    std::vector<ObstacleAttributes> attributes(3);
+    attributes[1].destructible = false;
+    const World world = unsolved(Map::from_labels(5, 1, {0, 1, 2, 2, 0}, attributes), {0, 0}, {4, 0});
+    using enum site::ObstacleKind;
+    const auto picture = parsed(svg_of(world, {.kinds = {unknown, water, building}}));
+    EXPECT_TRUE(says(picture, "water"));
+    EXPECT_TRUE(says(picture, "obstacle"));
+    EXPECT_FALSE(says(picture, "not removable"));
+}
+
 TEST(Picture, SaysThatThereIsNoPlan) {
     World world = unsolved(map_from_ascii("S#G"), {0, 0}, {2, 0});
     const auto picture = parsed(svg_of(world));
