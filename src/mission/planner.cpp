@@ -16,6 +16,8 @@
 namespace waybreaker {
 namespace {
 
+constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
+
 Outcome outcome(const Task& task, const Candidate& candidate) {
     Outcome result;
     result.ground() = candidate.opening.ground;
@@ -113,6 +115,9 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
         plan.seconds.search += candidate.opening.ground.seconds;
         plan.seconds.flight += candidate.flight_seconds;
     }
+    // The map grown for a wide body takes as much memory as the map itself.
+    const bool grown = mission.ground_body().radius > 0.5;
+    if (grown && map.grid().cell_count() > most_grown_cells_kept) crossing_ = CrossingSearcher();
     plan.seconds.select = selecting_seconds;
     plan.seconds.total = total.seconds();
     return plan;
