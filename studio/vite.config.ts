@@ -15,5 +15,9 @@ export default defineConfig({
     },
   },
   server: { host: "127.0.0.1", proxy: { "/api": service } },
-  test: { include: ["tests/**/*.test.ts", "tests/**/*.test.tsx"], setupFiles: "tests/browser_globals.ts" },
+  test: {
+    include: ["tests/**/*.test.ts", "tests/**/*.test.tsx"],
+    setupFiles: "tests/browser_globals.ts",
+    testTimeout: 60_000, // ms: on a busy machine no test is to fail
+  },
 });

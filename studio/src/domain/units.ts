@@ -7,13 +7,17 @@ export type TimeUnit = "seconds" | "steps";
 export interface Units {
   metric: boolean;
   cell: number; // metres, or 1
-  // What a unit of plans' time is.
+  // What a unit of plans' time is, and how many seconds.
   time: TimeUnit;
+  seconds: number;
 }
 
-export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">): Units {
+// `speeds` of a plan that was not asked for in metres: if all are 1, they stand for 1 m/s, as in tables and pictures.
+export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">, speeds: number[] = []): Units {
   const metric = map.georeference !== null || map.cell_size !== 1;
-  return { metric, cell: metric ? map.cell_size : 1, time: metric ? "seconds" : "steps" };
+  const cell = metric ? map.cell_size : 1;
+  const inCells = speeds.length > 0 && speeds.every((speed) => speed === 1);
+  return { metric, cell, time: metric ? "seconds" : "steps", seconds: inCells ? cell : 1 };
 }
 
 export function cellsPerUnit(speed: number, units: Units): number {
@@ -26,8 +30,9 @@ const space = "\u00a0"; // between a number and its unit, where no line may brea
 export function duration(time: number, units: Units): string {
   if (time < 0) return `−${duration(-time, units)}`;
   if (units.time === "steps") return `${decimals(time)}${space}steps`;
-  if (time < 59.95) return `${time < 9.995 ? trimmed(time, 2) : trimmed(time, 1)}${space}s`;
-  const whole = Math.round(time);
+  const exact = time * units.seconds;
+  if (exact < 59.95) return `${exact < 9.995 ? trimmed(exact, 2) : trimmed(exact, 1)}${space}s`;
+  const whole = Math.round(exact);
   const [hours, minutes, seconds] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
   if (hours > 0) return `${hours}${space}h ${minutes}${space}min`;
   return seconds === 0 ? `${minutes}${space}min` : `${minutes}${space}min ${seconds}${space}s`;
@@ -37,8 +42,9 @@ export function duration(time: number, units: Units): string {
 export function clockTime(time: number, units: Units): string {
   if (time < 0) return `−${clockTime(-time, units)}`;
   if (units.time === "steps") return decimals(time);
-  if (time < 59.5) return `${trimmed(time, time < 9.95 ? 1 : 0)}${space}s`;
-  const whole = Math.round(time);
+  const exact = time * units.seconds;
+  if (exact < 59.5) return `${trimmed(exact, exact < 9.95 ? 1 : 0)}${space}s`;
+  const whole = Math.round(exact);
   const [hours, minutes, seconds] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
   const two = (n: number) => String(n).padStart(2, "0");
   return hours > 0 ? `${hours}:${two(minutes)}:${two(seconds)}` : `${minutes}:${two(seconds)}`;

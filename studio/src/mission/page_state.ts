@@ -26,7 +26,9 @@ export class PageState {
     return mission && shown ? drawnObstacles(mission, shown) : new Set();
   });
   readonly units: Signal<Units> = computed(() =>
-    this.shown.value ? unitsOf(this.shown.value.base.description) : { metric: true, cell: 1, time: "seconds" },
+    this.shown.value
+      ? unitsOf(this.shown.value.base.description, this.speeds)
+      : { metric: true, cell: 1, time: "seconds", seconds: 1 },
   );
   readonly loading = signal(true); // a map is on its way
   readonly selected = signal<number | null>(null);
@@ -37,7 +39,11 @@ export class PageState {
   // Whether what is shown answers an older question, and has for a moment: what follows the mouse does so within it.
   readonly old = signal(false);
 
-  constructor(readonly results: Results) {
+  // `speeds`: of a plan that was made in cells (unitsOf).
+  constructor(
+    readonly results: Results,
+    private readonly speeds: number[] = [],
+  ) {
     const isOld = computed(() => {
       const answered = results.answered.value?.of;
       const mission = this.mission.value;

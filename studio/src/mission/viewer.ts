@@ -33,7 +33,8 @@ export function viewerOf(document: PlanDocument): PageState {
     progress: signal(null),
     failure: signal(null),
   };
-  const page = new PageState(results);
+  const speeds = plan?.agents.map((agent) => agent.speed);
+  const page = new PageState(results, speeds);
   const cells = new CellMap(document.obstacles);
   const map = { description: document.map, cells, background: document.background };
   page.shown.value = { base: map, map, ids: new Translation(cells, cells, []) };

@@ -11,8 +11,8 @@ import {
   unitsOf,
 } from "../../src/domain/units";
 
-const city: Units = { metric: true, cell: 2.4, time: "seconds" };
-const grid: Units = { metric: false, cell: 1, time: "steps" };
+const city: Units = { metric: true, cell: 2.4, time: "seconds", seconds: 1 };
+const grid: Units = { metric: false, cell: 1, time: "steps", seconds: 1 };
 const plain = (text: string) => text.replaceAll(/[\u00a0\u202f]/g, " ");
 
 describe("units", () => {
@@ -21,6 +21,14 @@ describe("units", () => {
     expect(unitsOf({ cell_size: 1, georeference: null })).toEqual(grid);
     const place = { crs: "", center: [13, 52] as [number, number], to_lon_lat: [] };
     expect(unitsOf({ cell_size: 1, georeference: place }).metric).toBe(true);
+  });
+
+  it("take a plan in cells for one at 1 m/s", () => {
+    const units = unitsOf({ cell_size: 2.4, georeference: null }, [1, 1]);
+    expect(plain(duration(100, units))).toBe("4 min");
+    expect(plain(clockTime(100, units))).toBe("4:00");
+    expect(unitsOf({ cell_size: 2.4, georeference: null }, [1, 2]).seconds).toBe(1);
+    expect(unitsOf({ cell_size: 1, georeference: null }, [1, 1])).toEqual(grid);
   });
 
   it("turn speeds into the service's", () => {

@@ -3,7 +3,7 @@ import type { Units } from "../../src/domain/units";
 import { arrivals, counted, figuresText, headline, proof, tooEarly } from "../../src/mission/words";
 import { planOf } from "../domain/plans";
 
-const city: Units = { metric: true, cell: 2.4, time: "seconds" };
+const city: Units = { metric: true, cell: 2.4, time: "seconds", seconds: 1 };
 const plain = (text: string) => text.replaceAll(/[\u00a0\u202f]/g, " ");
 const title = (wanted: Parameters<typeof planOf>[0]) => plain(headline(planOf(wanted), true).title);
 
