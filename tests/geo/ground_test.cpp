@@ -336,8 +336,9 @@ TEST_F(Ground, has_the_barriers_destroyed_that_the_user_wants) {
     const auto destructible = [&](const ObstacleChoice& choice) {
         ImportOptions options = window;
         options.choice = choice;
+        const ImportReport report = import(drawing_, options);
         std::string text;
-        for (const Obstacle& o : import(drawing_, options).tiff.map.obstacles()) text += o.destructible ? 'd' : '-';
+        for (const Obstacle& o : report.tiff.map.obstacles()) text += o.destructible ? 'd' : '-';
         return text;  // house, wall, hedge
     };
     EXPECT_EQ(destructible({}), "ddd");
