@@ -115,10 +115,13 @@ void Regions::grow(const Map& map) {
             const Event& event = events[i];
             const auto at = std::ranges::lower_bound(around, event.obstacle, {}, &std::pair<std::uint32_t, int>::first);
             const bool known = at != around.end() && at->first == event.obstacle;
+            const int step = event.begins ? 1 : -1;
             if (!known) {
-                around.insert(at, {event.obstacle, event.begins ? 1 : -1});
-            } else if ((at->second += event.begins ? 1 : -1) == 0) {
+                around.insert(at, {event.obstacle, step});
+            } else if (at->second + step == 0) {
                 around.erase(at);
+            } else {
+                at->second += step;
             }
             if (i + 1 == events.size() || events[i + 1].x == event.x || around.empty()) continue;
             obstacles.clear();

@@ -63,7 +63,7 @@ class CrossingSearcher::Search {
     void push_gates(std::uint32_t parent);
     std::uint32_t push_group(crossing::GateGroup::Terms terms, const std::vector<std::uint32_t>& set);
     void expand_group(std::uint32_t index);
-    void push_gate(std::uint32_t group, std::uint32_t set);
+    void push_gate(std::uint32_t number, std::uint32_t set);
     double arrival_at_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
     double way_to_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
     std::uint32_t since_of(std::uint32_t label) const;

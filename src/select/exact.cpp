@@ -108,17 +108,18 @@ class ExactSelection {
           bound_(bound),
           deadline_(deadline),
           opening_times_(opening_times),
-          best_(cost(task, start)) {}
+          best_(cost(task, start)),
+          proven_(bound.objective) {}
 
     Selected run() && {
-        selected_.bound = bound_.objective;
         if (task_.spare_removals() == 0) {
             if (best_ > bound_.objective * most_of_square && square_bounds(task_, opening_times_))
                 raise_bound(find_first());
-            return std::move(selected_);
+        } else {
+            try_sets();
+            if (opening_times_.matter()) try_as_if_forced();
         }
-        try_sets();
-        if (opening_times_.matter()) try_as_if_forced();
+        selected_.bound = proven_;
         return std::move(selected_);
     }
 
@@ -144,15 +145,15 @@ class ExactSelection {
     void try_as_if_forced() {
         if (selected_.candidates.empty()) return;
         add_candidate(open(task_, searchers_, best_of(task_, start_, selected_.candidates).opening.removed));
-        task_.report(best_, *selected_.bound);
+        task_.report(best_, proven_);
     }
 
     // Where the relaxed body slips through what stops the disc, the square's shortest path tells more.
     void raise_bound(const CrossingResult& of_square) {
         if (!square_bounds(task_, opening_times_)) return;
         const double least = least_objective(task_, of_square.lower_bound / most_of_square, opening_times_);
-        selected_.bound = std::max(bound_.objective, std::min(least, best_));
-        task_.report(best_, *selected_.bound);
+        proven_ = std::max(bound_.objective, std::min(least, best_));
+        task_.report(best_, proven_);
     }
 
     bool beats_best(const CrossingPath& path) const {
@@ -180,7 +181,7 @@ class ExactSelection {
             }
             if (beats_best(path)) add_candidate(open(task_, searchers_, removed));
         }
-        task_.report(best_, *selected_.bound);
+        task_.report(best_, proven_);
         since_last_ = {};
     }
 
@@ -277,6 +278,7 @@ class ExactSelection {
     CrossingOptions options_;
     Stopwatch since_last_;  // candidate
     double best_;
+    double proven_;  // no plan costs less
     Selected selected_;
 };
 
@@ -290,7 +292,6 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
         prove_bound(task, searchers_.crossing, cost(task, start), deadline.share(share_of_relaxed), opening_times);
     task.report(cost(task, start), bound.objective);
     Selected selected = ExactSelection(task, searchers_, start, bound, deadline, opening_times).run();
-    selected.bound = selected.bound.value_or(bound.objective);
     selected.limited = selected.limited || bound.limited;
     return selected;
 }
