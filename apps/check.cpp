@@ -84,8 +84,8 @@ void run(const CheckOptions& options) {
     if (!options.weights.empty()) judging.weights = io::read_weights(options.weights, map.map);
     std::vector<Violation> violations = io::judge(plan, map, judging);
     if (options.replan && violations.empty()) {
-        const Map& weighed = judging.weights ? map.map.with_weights(*judging.weights) : map.map;
-        judge_by_planning(plan, weighed, options.tolerance, violations);
+        const std::optional<Map> other = io::reweighed(plan, map.map, judging);
+        judge_by_planning(plan, other ? *other : map.map, options.tolerance, violations);
     }
     if (!options.json.empty()) io::write_whole(options.json, io::check_json(violations));
     if (options.json != "-") io::write_whole("-", as_text(violations, io::input_name(options.plan)));

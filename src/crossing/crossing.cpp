@@ -217,8 +217,16 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
 
 CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                                              const std::function<bool(const CrossingPath&)>* accept) {
+    interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
     const std::shared_ptr<const Regions> regions = regions_for(map, options);
     const std::vector<std::uint32_t> removed = sorted(options.removed);
+    if (!regions->complete()) {
+        CrossingResult unknown;
+        unknown.status =
+            interrupt_.cause() == Interrupt::Cause::stop ? SearchStatus::stopped : SearchStatus::limit_reached;
+        unknown.lower_bound = distance(start, goal);
+        return unknown;
+    }
     if (stands(*regions, start, removed) && stands(*regions, goal, removed)) {
         return run_between(map, centre(start), centre(goal), options, accept);
     }
@@ -234,7 +242,9 @@ bool CrossingSearcher::Search::stands(const Regions& regions, Cell c, std::span<
 }
 
 bool CrossingSearcher::Search::has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
+    interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
     const std::shared_ptr<const Regions> regions = regions_for(map, options);
+    if (!regions->complete()) return true;
     const std::vector<std::uint32_t> removed = sorted(options.removed);
     const OpenedMap opened(map, options.removed);
     const LineOfSight sight(opened, options.body);
@@ -246,7 +256,7 @@ bool CrossingSearcher::Search::has_steps(const Map& map, Cell start, Cell goal, 
     while (!open.empty()) {
         const Cell at = open.back();
         open.pop_back();
-        if (at == goal) return true;
+        if (at == goal || interrupt_.due()) return true;
         for (const Step step : {Step{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
             const Cell next = at + step;
             if (!free(next) || seen[std::size_t(next.y) * width + std::size_t(next.x)]) continue;
@@ -261,8 +271,11 @@ bool CrossingSearcher::Search::has_steps(const Map& map, Cell start, Cell goal, 
 // Grown once for all queries that move the same body on the same map.
 std::shared_ptr<const Regions> CrossingSearcher::Search::regions_for(const Map& map, const CrossingOptions& options) {
     std::shared_ptr<const Regions>& known = regions_of_[std::size_t(reach_of(options) - 1)];
-    if (!known || !known->serve(map, options)) known = std::make_shared<const Regions>(map, options);
-    return known;
+    if (known && known->serve(map, options)) return known;
+    auto regions = std::make_shared<const Regions>(map, options, interrupt_);
+    // What was interrupted may be done with more time.
+    if (interrupt_.cause() == Interrupt::Cause::none) known = regions;
+    return regions;
 }
 
 std::unique_ptr<CrossingSearcher::Search> CrossingSearcher::Search::another() const {
@@ -275,13 +288,13 @@ CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex star
                                                      const CrossingOptions& options,
                                                      const std::function<bool(const CrossingPath&)>* accept) {
     map_ = &map;
-    regions_ = regions_for(map, options);
     options_ = &options;
     accept_ = accept;
     start_ = start;
     goal_ = goal;
     told_ = -1;
     interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
+    regions_ = regions_for(map, options);
     result_ = {};
     result_.lower_bound = infinity;
     removed_ = sorted(options.removed);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "crossing/lattice.hpp"
+#include "map/line_of_sight.hpp"
 
 namespace waybreaker::crossing {
 namespace {
@@ -15,18 +16,16 @@ constexpr std::int64_t unit = 1000;  // a radius is exact to thousandths of a ce
 // a cell's centre meets the blocked cell. Relaxed: cells that lie in the disc's way as a whole.
 std::vector<int> growth_of(const CrossingOptions& options) {
     const std::int64_t radius = std::llround(options.body.reach() * double(unit));
-    const bool whole = reach_of(options) == 1;
-    const auto holds = [&](std::int64_t x, std::int64_t y) {
-        if (whole) return (x * x + y * y) * unit * unit <= radius * radius;
-        const std::int64_t gap_x = std::max<std::int64_t>(2 * x - 1, 0);
-        const std::int64_t gap_y = std::max<std::int64_t>(2 * y - 1, 0);
-        return (gap_x * gap_x + gap_y * gap_y) * unit * unit < 4 * radius * radius;
+    const auto relaxed_row = [radius](std::int64_t y) {
+        int x = -1;
+        while ((std::int64_t(x + 1) * (x + 1) + y * y) * unit * unit <= radius * radius) ++x;
+        return x;
     };
     std::vector<int> half_widths;
-    for (int y = 0; y == 0 || holds(0, y); ++y) {
-        int x = 0;
-        while (holds(x + 1, y)) ++x;
-        half_widths.push_back(x);
+    for (int y = 0;; ++y) {
+        const int half_width = reach_of(options) == 1 ? relaxed_row(y) : disc_row(radius, y);
+        if (half_width < 0) break;
+        half_widths.push_back(half_width);
     }
     if (half_widths.size() == 1 && half_widths.front() == 0) half_widths.clear();  // the cell itself
     return half_widths;
@@ -63,77 +62,123 @@ struct Event {
     std::uint32_t obstacle;
 };
 
-}  // namespace
+// Grows a map row by row: the growths that reach into a row begin and end one after the other.
+class Growing {
+  public:
+    Growing(const Map& map, const std::vector<int>& half_widths)
+        : map_(map),
+          half_widths_(half_widths),
+          rows_(runs_of(map)),
+          edge_(std::uint32_t(map.obstacles().size() + 1)),
+          labels_(map.grid().cell_count(), 0) {}
 
-Regions::Regions(const Map& map, const CrossingOptions& options)
-    : identity_(map.identity()), body_(options.body), relaxed_(options.relaxed), half_widths_(growth_of(options)) {
-    if (half_widths_.empty()) {
-        original_ = &map;
-    } else {
-        margin_ = half_widths_.front();
-        grow(map);
+    // False if it is interrupted, or the regions have too many members.
+    bool grow(Interrupt& interrupt) {
+        for (int y = 0; y < map_.height(); ++y) {
+            find_events(y);
+            around_.clear();
+            for (std::size_t i = 0; i < events_.size(); ++i) {
+                if (interrupt.due() || member_count_ > most_members) return false;
+                count(events_[i]);
+                if (i + 1 < events_.size() && events_[i + 1].x > events_[i].x && !around_.empty()) {
+                    const auto row = labels_.begin() + std::ptrdiff_t(y) * map_.width();
+                    std::fill(row + events_[i].x, row + events_[i + 1].x, region_here());
+                }
+            }
+        }
+        return true;
     }
-}
 
-// Row by row: the growths that reach into it begin and end one after the other.
-void Regions::grow(const Map& map) {
-    const int width = map.width();
-    const int height = map.height();
-    const auto edge = std::uint32_t(map.obstacles().size() + 1);
-    const int reach = int(half_widths_.size()) - 1;
-    const std::vector<std::vector<Run>> rows = runs_of(map);
+    // By region, in the order of their numbers.
+    const std::vector<std::vector<std::uint32_t>>& members() const { return members_; }
+    std::vector<std::uint32_t> take_labels() { return std::move(labels_); }
 
-    std::vector<std::vector<std::uint32_t>> regions_of(edge + 1);
-    std::map<std::vector<std::uint32_t>, std::uint32_t> numbers;
-    const auto number_of = [&](const std::vector<std::uint32_t>& obstacles) {
-        const auto [known, added] = numbers.try_emplace(obstacles, std::uint32_t(numbers.size() + 1));
-        if (!added) return known->second;
-        members_.add(obstacles);
-        for (const std::uint32_t obstacle : obstacles) regions_of[obstacle].push_back(known->second);
+  private:
+    void find_events(int y) {
+        events_.clear();
+        const int last_column = map_.width() - 1;
+        const auto add = [&](int first, int last, std::uint32_t obstacle) {
+            events_.push_back({std::max(first, 0), true, obstacle});
+            events_.push_back({std::min(last, last_column) + 1, false, obstacle});
+        };
+        const int reach = int(half_widths_.size()) - 1;
+        for (int row = std::max(y - reach, 0); row <= std::min(y + reach, map_.height() - 1); ++row) {
+            const int beside = half_widths_[std::size_t(std::abs(row - y))];
+            for (const Run& run : rows_[std::size_t(row)]) add(run.first - beside, run.last + beside, run.obstacle);
+        }
+        if (std::min(y, map_.height() - 1 - y) < reach) add(0, last_column, edge_);
+        add(0, half_widths_.front() - 1, edge_);
+        add(map_.width() - half_widths_.front(), last_column, edge_);
+        std::ranges::sort(events_, {}, &Event::x);
+    }
+
+    void count(const Event& event) {
+        const auto at = std::ranges::lower_bound(around_, event.obstacle, {}, &Around::obstacle);
+        const int step = event.begins ? 1 : -1;
+        if (at == around_.end() || at->obstacle != event.obstacle) {
+            around_.insert(at, {event.obstacle, step});
+        } else if (at->times + step == 0) {
+            around_.erase(at);
+        } else {
+            at->times += step;
+        }
+    }
+
+    std::uint32_t region_here() {
+        std::vector<std::uint32_t> obstacles;
+        for (const Around& one : around_) obstacles.push_back(one.obstacle);
+        const auto [known, added] = numbers_.try_emplace(obstacles, std::uint32_t(numbers_.size() + 1));
+        if (added) {
+            member_count_ += obstacles.size();
+            members_.push_back(std::move(obstacles));
+        }
         return known->second;
+    }
+
+    // An obstacle whose growth has begun, and how often.
+    struct Around {
+        std::uint32_t obstacle;
+        int times;
     };
 
-    std::vector<std::uint32_t> labels(std::size_t(width) * std::size_t(height), 0);
-    std::vector<Event> events;
-    std::vector<std::pair<std::uint32_t, int>> around;  // obstacles whose growth has begun, sorted, and how often
-    std::vector<std::uint32_t> obstacles;
-    for (int y = 0; y < height; ++y) {
-        events.clear();
-        const auto add = [&](int first, int last, std::uint32_t obstacle) {
-            events.push_back({std::max(first, 0), true, obstacle});
-            events.push_back({std::min(last + 1, width), false, obstacle});
-        };
-        for (int row = std::max(y - reach, 0); row <= std::min(y + reach, height - 1); ++row) {
-            const int beside = half_widths_[std::size_t(std::abs(row - y))];
-            for (const Run& run : rows[std::size_t(row)]) add(run.first - beside, run.last + beside, run.obstacle);
-        }
-        if (std::min(y, height - 1 - y) < reach) add(0, width - 1, edge);
-        add(0, margin_ - 1, edge);
-        add(width - margin_, width - 1, edge);
-        std::ranges::sort(events, {}, &Event::x);
-        for (std::size_t i = 0; i < events.size(); ++i) {
-            const Event& event = events[i];
-            const auto at = std::ranges::lower_bound(around, event.obstacle, {}, &std::pair<std::uint32_t, int>::first);
-            const bool known = at != around.end() && at->first == event.obstacle;
-            const int step = event.begins ? 1 : -1;
-            if (!known) {
-                around.insert(at, {event.obstacle, step});
-            } else if (at->second + step == 0) {
-                around.erase(at);
-            } else {
-                at->second += step;
-            }
-            if (i + 1 == events.size() || events[i + 1].x == event.x || around.empty()) continue;
-            obstacles.clear();
-            for (const auto& [obstacle, times] : around) obstacles.push_back(obstacle);
-            const auto row = labels.begin() + std::ptrdiff_t(y) * width;
-            std::fill(row + event.x, row + events[i + 1].x, number_of(obstacles));
-        }
+    static constexpr std::size_t most_members = std::size_t{1} << 23U;  // about as much memory as a map of 4096 x 4096
+
+    const Map& map_;
+    const std::vector<int>& half_widths_;
+    std::vector<std::vector<Run>> rows_;
+    std::uint32_t edge_;  // of the map, as an obstacle
+    std::vector<std::uint32_t> labels_;
+    std::vector<Event> events_;
+    std::vector<Around> around_;  // sorted
+    std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;
+    std::vector<std::vector<std::uint32_t>> members_;
+    std::size_t member_count_ = 0;
+};
+
+}  // namespace
+
+Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& interrupt)
+    : identity_(map.identity()),
+      body_(options.body),
+      relaxed_(options.relaxed),
+      half_widths_(growth_of(options)),
+      original_(&map) {
+    if (half_widths_.empty()) return;
+    margin_ = half_widths_.front();
+    Growing growing(map, half_widths_);
+    complete_ = growing.grow(interrupt);
+    if (!complete_) return;
+    std::vector<std::vector<std::uint32_t>> regions_of(obstacle_limit());
+    std::uint32_t region = 0;
+    for (const std::vector<std::uint32_t>& members : growing.members()) {
+        members_.add(members);
+        ++region;
+        for (const std::uint32_t obstacle : members) regions_of[obstacle].push_back(region);
     }
-    for (std::uint32_t obstacle = 1; obstacle <= edge; ++obstacle) regions_.add(regions_of[obstacle]);
-    // Both number what they find row by row.
+    for (std::size_t obstacle = 1; obstacle < regions_of.size(); ++obstacle) regions_.add(regions_of[obstacle]);
     grown_from_.assign(map.obstacles().begin(), map.obstacles().end());
-    grown_ = Map::from_labels(width, height, std::move(labels));
+    // It numbers what it finds row by row, as growing does.
+    grown_ = Map::from_labels(map.width(), map.height(), growing.take_labels());
 }
 
 }  // namespace waybreaker::crossing

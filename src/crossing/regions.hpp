@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "crossing/interrupt.hpp"
 #include "waybreaker/crossing.hpp"
 
 namespace waybreaker::crossing {
@@ -20,12 +21,15 @@ class Regions {
   public:
     // For the body that the options move. Time O(runs of blocked cells * radius) to grow the map, else O(1). The map
     // must outlive it unless it is grown.
-    Regions(const Map& map, const CrossingOptions& options);
+    Regions(const Map& map, const CrossingOptions& options, Interrupt& interrupt);
     Regions(const Regions&) = delete;
     Regions& operator=(const Regions&) = delete;
+    // False: growing was interrupted, or the growths of so many obstacles overlap that the regions would take much more
+    // memory than the map. Then nothing else may be asked.
+    bool complete() const { return complete_; }
     bool serve(const Map& map, const CrossingOptions& options) const {
-        return identity_ == map.identity() && (grown_ || original_ == &map) && body_ == options.body &&
-               relaxed_ == options.relaxed;
+        const bool same_map = identity_ == map.identity() && (!half_widths_.empty() || original_ == &map);
+        return same_map && body_ == options.body && relaxed_ == options.relaxed;
     }
 
     // Whose obstacles are the regions.
@@ -84,15 +88,15 @@ class Regions {
         std::vector<std::size_t> begins_{0, 0};  // number 0 has none
     };
 
-    void grow(const Map& map);
     std::span<const Obstacle> obstacles() const { return grown_ ? std::span(grown_from_) : original_->obstacles(); }
 
     std::shared_ptr<const void> identity_;  // of the map
     Body body_;
     bool relaxed_;
-    std::vector<int> half_widths_;   // of the growth's rows, by distance from its middle row; empty: none
-    int margin_ = 0;                 // cells by which it reaches beyond an obstacle
-    const Map* original_ = nullptr;  // if it is not grown
+    std::vector<int> half_widths_;  // of the growth's rows, by distance from its middle row; empty: none
+    int margin_ = 0;                // cells by which it reaches beyond an obstacle
+    const Map* original_;           // to be used only while it is not grown
+    bool complete_ = true;
     std::optional<Map> grown_;
     std::vector<Obstacle> grown_from_;
     Lists members_;  // obstacles, by region

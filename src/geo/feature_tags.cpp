@@ -5,21 +5,6 @@
 #include <algorithm>
 
 namespace waybreaker::geo {
-
-std::optional<std::string> hstore_value(std::string_view pairs, std::string_view key) {
-    const std::string start = fmt::format(R"("{}"=>")", key);
-    for (std::size_t at = pairs.find(start); at != std::string_view::npos; at = pairs.find(start, at + 1)) {
-        if (at > 0 && pairs[at - 1] != ',') continue;  // within a value
-        std::string value;
-        for (std::size_t i = at + start.size(); i < pairs.size() && pairs[i] != '"'; ++i) {
-            if (pairs[i] == '\\' && i + 1 < pairs.size()) ++i;
-            value += pairs[i];
-        }
-        return value;
-    }
-    return std::nullopt;
-}
-
 namespace {
 
 // The text in quotes at a position, which moves past them; empty if there is none.
@@ -35,6 +20,16 @@ std::optional<std::string> take_quoted(std::string_view text, std::size_t& at) {
 }
 
 }  // namespace
+
+std::optional<std::string> hstore_value(std::string_view pairs, std::string_view key) {
+    const std::string start = fmt::format(R"("{}"=>")", key);
+    for (std::size_t at = pairs.find(start); at != std::string_view::npos; at = pairs.find(start, at + 1)) {
+        if (at > 0 && pairs[at - 1] != ',') continue;  // within a value
+        std::size_t quote = at + start.size() - 1;
+        return take_quoted(pairs, quote);
+    }
+    return std::nullopt;
+}
 
 FeatureTags::FeatureTags(OGRLayer& layer)
     : definition_(*layer.GetLayerDefn()),

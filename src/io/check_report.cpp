@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <span>
 
 namespace waybreaker::io {
 namespace {
@@ -23,25 +22,15 @@ Violations judge_digest(const PlanFile& plan, const MapFile& map) {
     return {{Rule::map, "the plan was made for another map file: the digests differ (see --ignore-digest)"}};
 }
 
-// What obstacles weigh: as the map says or, where the plan says that of all it removes, their number of cells.
-std::vector<double> weights_of(const PlanFile& plan, const Map& map) {
-    const auto counts_cells = [&](const PlanFile::Weight& stated) {
-        return stated.obstacle.value >= 1 && stated.obstacle.value <= map.obstacles().size() &&
-               stated.weight == map.obstacle(stated.obstacle).cells;
-    };
-    const bool by_cells = !plan.weights.empty() && std::ranges::all_of(plan.weights, counts_cells);
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(by_cells ? obstacle.cells : obstacle.weight);
-    return weights;
-}
-
-Violations judge_weights(const PlanFile& plan, std::span<const double> weights) {
+Violations judge_weights(const PlanFile& plan, const Map& map) {
     Violations found;
     for (const auto& [obstacle, weight] : plan.weights) {
-        if (obstacle.value >= weights.size() || weight == weights[obstacle.value]) continue;
+        if (obstacle.value < 1 || obstacle.value > map.obstacles().size()) continue;
+        const double truth = map.obstacle(obstacle).weight;
+        if (weight == truth) continue;
         found.push_back({Rule::budget,
                          fmt::format("obstacle {} weighs {:.9g}, not {:.9g} as the plan says; --weights gives others",
-                                     obstacle.value, weights[obstacle.value], weight),
+                                     obstacle.value, truth, weight),
                          "", obstacle});
     }
     return found;
@@ -53,13 +42,26 @@ void append(Violations& all, const Violations& more) {
 
 }  // namespace
 
+std::optional<Map> reweighed(const PlanFile& plan, const Map& map, const JudgeOptions& options) {
+    if (options.weights) return map.with_weights(*options.weights);
+    const auto counts_cells = [&](const PlanFile::Weight& stated) {
+        return stated.obstacle.value >= 1 && stated.obstacle.value <= map.obstacles().size() &&
+               stated.weight == map.obstacle(stated.obstacle).cells;
+    };
+    if (plan.weights.empty() || !std::ranges::all_of(plan.weights, counts_cells)) return std::nullopt;
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
+    return map.with_weights(weights);
+}
+
 Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options) {
     Violations violations = judge_size(plan, map.map);
     if (!violations.empty()) return violations;
     if (!options.ignore_digest) violations = judge_digest(plan, map);
-    const std::vector<double> weights = options.weights ? *options.weights : weights_of(plan, map.map);
-    append(violations, judge_weights(plan, weights));
-    append(violations, check(map.map.with_weights(weights), plan.mission, plan.plan, options.tolerance));
+    const std::optional<Map> other = reweighed(plan, map.map, options);
+    const Map& on = other ? *other : map.map;
+    append(violations, judge_weights(plan, on));
+    append(violations, check(on, plan.mission, plan.plan, options.tolerance));
     return violations;
 }
 

@@ -81,14 +81,18 @@ bool LineOfSight::passes_corners(Cell from, Cell to) const {
     return true;
 }
 
-int LineOfSight::disc_row(int v) const {
-    if (model_ != Model::wide_disc) return v == 0 ? 0 : -1;
+int disc_row(std::int64_t thousandths, int v) {
     // (|u| - 1/2)^2 + (|v| - 1/2)^2 < R^2, a term being 0 for u = 0 or v = 0.
-    const auto radius = std::uint64_t(radius_);
+    const auto radius = std::uint64_t(thousandths);
     const std::uint64_t twice_v = v == 0 ? 0 : std::uint64_t(2 * std::abs(v) - 1);
-    if (twice_v * unit >= 2 * radius) return -1;
+    if (twice_v * unit >= 2 * radius) return v == 0 ? 0 : -1;
     return cells_reached(
         [&](std::uint64_t twice) { return (twice * twice + twice_v * twice_v) * unit * unit < 4 * radius * radius; });
+}
+
+int LineOfSight::disc_row(int v) const {
+    if (model_ != Model::wide_disc) return v == 0 ? 0 : -1;
+    return waybreaker::disc_row(radius_, v);
 }
 
 bool LineOfSight::wide_disc_fits(Cell at) const {

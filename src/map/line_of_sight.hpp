@@ -11,6 +11,10 @@
 
 namespace waybreaker {
 
+// Half the width of a disc's row that lies `v` cells from its middle: the open disc around the middle of cell 0, 0
+// meets the cells (u, v) with |u| <= that; -1 if it meets none. The radius counts thousandths of a cell.
+int disc_row(std::int64_t radius, int v);
+
 // Sight for one map and one way of moving; made once for a search. The map must outlive it.
 class LineOfSight {
   public:
@@ -21,9 +25,7 @@ class LineOfSight {
     // Whether the agent can stand on a cell of the map.
     bool fits(Cell at) const { return model_ == Model::wide_disc ? wide_disc_fits(at) : !map_->blocked(at); }
 
-    // Half the width of the disc's row that lies `v` cells from its middle: the open disc around the middle of cell 0,
-    // 0 meets the cells (u, v) with |u| <= that; -1 if it meets none. For points and unit discs that is the cell
-    // itself.
+    // As the function; for points and unit discs it is the cell itself.
     int disc_row(int v) const;
 
     // Whether it can move straight between two cells of the map. Precondition: it fits on both.

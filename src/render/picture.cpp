@@ -165,8 +165,8 @@ std::vector<LegendEntry> legend(const Scene& scene) {
                              scale, unit);
     };
     const auto is_water = [&](const Obstacle& obstacle) {
-        const site::ObstacleKinds& kinds = scene.options.kinds;
-        return !obstacle.destructible && !kinds.empty() && kinds[obstacle.id.value] == site::ObstacleKind::water;
+        const bool water = site::kind_of(scene.options.kinds, obstacle.id) == site::ObstacleKind::water;
+        return water && !obstacle.destructible;
     };
     const auto is_removable = [](const Obstacle& obstacle) { return obstacle.destructible; };
     const auto is_fixed = [&](const Obstacle& obstacle) { return !obstacle.destructible && !is_water(obstacle); };

@@ -14,7 +14,7 @@ std::vector<Style> styles_of(const Map& map, std::span<const Breach> removed, co
     std::vector<Style> styles(map.obstacles().size() + 1, Style::obstacle);
     for (const Obstacle& obstacle : map.obstacles()) {
         if (obstacle.destructible) continue;
-        const bool water = !kinds.empty() && kinds[obstacle.id.value] == site::ObstacleKind::water;
+        const bool water = site::kind_of(kinds, obstacle.id) == site::ObstacleKind::water;
         styles[obstacle.id.value] = water ? Style::water : Style::fixed_obstacle;
     }
     for (const Breach& breach : removed) styles[breach.obstacle.value] = Style::removed;

@@ -23,6 +23,10 @@ inline constexpr std::array<std::string_view, 6> obstacle_kind_words{"unknown", 
 // By obstacle id, entry 0 unused. No entries at all if nothing is known of any.
 using ObstacleKinds = std::vector<ObstacleKind>;
 
+inline ObstacleKind kind_of(const ObstacleKinds& kinds, ObstacleId id) {
+    return kinds.empty() ? ObstacleKind::unknown : kinds[id.value];
+}
+
 // By the number in a label layer, before the map renumbers its obstacles.
 using LabelKinds = std::unordered_map<std::uint32_t, ObstacleKind>;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "site/first_cells.hpp"
+
 namespace waybreaker::site {
 
 std::size_t name_count(const ObstacleNames& names) {
@@ -11,17 +13,7 @@ std::size_t name_count(const ObstacleNames& names) {
 }
 
 std::vector<NamedCell> named_cells(LabelNames names, std::span<const std::uint32_t> labels) {
-    std::vector<NamedCell> cells;
-    std::uint32_t last = 0;
-    for (std::size_t i = 0; i < labels.size() && !names.empty(); ++i) {
-        if (labels[i] == last) continue;
-        last = labels[i];
-        const auto found = names.find(last);
-        if (found == names.end()) continue;
-        cells.push_back({i, std::move(found->second)});
-        names.erase(found);
-    }
-    return cells;
+    return first_cells<NamedCell>(std::move(names), labels);
 }
 
 ObstacleNames obstacle_names(const Map& map, std::vector<NamedCell> cells) {

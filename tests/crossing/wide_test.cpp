@@ -133,6 +133,25 @@ RC_GTEST_PROP(WideCrossing, IsLegalForTheDiscAndTheRelaxedIsALimit, ()) {
     }
 }
 
+// Where every growth overlaps hundreds of others, it says so instead of filling the memory.
+TEST(WideCrossing, GivesUpWhereTooManyObstaclesOverlap) {
+    constexpr int side = 200;
+    Grid grid(side, side);
+    for (Cell c{60, 0}; c.y < side; ++c.y) {
+        for (c.x = 60; c.x < side; ++c.x) grid.set_blocked(c, (c.x + c.y) % 2 == 0);
+    }
+    const Map map(std::move(grid));
+    CrossingSearcher searcher;
+    const CrossingOptions options{.body = {.radius = 20}, .crossings = 1};
+    const CrossingResult result = searcher.find(map, {25, 25}, {25, 150}, options);
+    EXPECT_EQ(result.status, SearchStatus::limit_reached);
+    EXPECT_EQ(result.lower_bound, 125);
+    EXPECT_TRUE(result.best.path.empty());
+    EXPECT_TRUE(searcher.has_steps(map, {25, 25}, {25, 150}, options));
+    EXPECT_EQ(searcher.find(map, {25, 25}, {25, 150}, {.body = {.radius = 20}, .limits = {.seconds = 0}}).status,
+              SearchStatus::limit_reached);
+}
+
 // Both obstacles stand in the way of a disc between them, but of a slim one neither.
 TEST(WideCrossing, CrossesAllObstaclesThatAreTooNear) {
     const Map map = map_from_ascii(R"(
