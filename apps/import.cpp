@@ -238,13 +238,13 @@ void setup_import(CLI::App& root, Run& run_chosen) {
     add_file(*command, "-o,--output", options->output, "The map to write; with --tile the folder")->required();
     set_examples(*command,
                  {"waybreaker import turin_buildings.shp --center 7.674,45.069 -o turin.tif",
-                  "waybreaker import berlin-mitte.osm.gz --center 13.383,52.5213 --size 600 --cell 1.2 "
-                  "--profile truck -o berlin.tif",
-                  "waybreaker import berlin-mitte.osm.gz --center 13.383,52.5213 --profile paper --merge-touching "
-                  "-o paper.tif",
-                  "waybreaker import monaco.osm.pbf --bbox 7.41,43.725,7.43,43.74 --obstacles building "
-                  "--obstacles barrier=wall --obstacles natural=water --protected natural=water "
-                  "--obstacle-weight area -o monaco.tif",
+                  ("waybreaker import berlin-mitte.osm.gz --center 13.383,52.5213 --size 600 --cell 1.2 "
+                   "--profile truck -o berlin.tif"),
+                  ("waybreaker import berlin-mitte.osm.gz --center 13.383,52.5213 --profile paper --merge-touching "
+                   "-o paper.tif"),
+                  ("waybreaker import monaco.osm.pbf --bbox 7.41,43.725,7.43,43.74 --obstacles building "
+                   "--obstacles barrier=wall --obstacles natural=water --protected natural=water "
+                   "--obstacle-weight area -o monaco.tif"),
                   "waybreaker import kyoto.osm.gz --center 135.765,34.96 --size 3607.2 --tile 1202.4 -o kyoto"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }

@@ -46,7 +46,7 @@ std::string lower(std::string text) {
 
 void validate_name(const std::string& option, const std::string& path) {
     const std::string extension = lower(std::filesystem::path(path).extension().string());
-    const auto known = std::ranges::find(suffixes, extension, &Suffix::text);
+    const auto* const known = std::ranges::find(suffixes, extension, &Suffix::text);
     if (known == suffixes.end() || std::ranges::find(known->options, option) != known->options.end()) return;
     std::vector<std::string_view> own;
     for (const Suffix& suffix : suffixes) {

@@ -20,7 +20,7 @@ std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, 
     for (const NamedPlan& plan : plans) {
         if (data.back() != '[') data += ',';
         const std::string check = io::check_json(io::judge(io::parse_plan(plan.json, "the plan"), map));
-        data += "{\"name\": \"" + plan.name + "\", \"plan\": " + plan.json + ", \"check\": " + check + "}";
+        data += R"({"name": ")" + plan.name + R"(", "plan": )" + plan.json + ", \"check\": " + check + "}";
     }
     data += "]";
     if (!front.empty()) data += ",\n\"front\": " + Json::parse(front)["front"].dump();

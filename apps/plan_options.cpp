@@ -27,7 +27,7 @@ void add_removals(CLI::App& command, PlanOptions& options) {
     CLI::Option* option = add_count(
         command, "-n,--removals", [&options](std::int64_t n) { options.removals = int(n); }, 0, INT_MAX,
         "How many obstacles may be removed; 0 means none, auto as many as gain anything (default: 3)");
-    option->transform([&options](std::string given) {
+    option->transform([&options](const std::string& given) {
         options.removals_auto = given == "auto";
         return options.removals_auto ? std::to_string(most_auto_removals) : given;
     });

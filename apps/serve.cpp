@@ -61,7 +61,7 @@ void run(server::ServiceOptions options) {
     });
     service.run();
     ended = true;
-    pthread_kill(waiting.native_handle(), SIGTERM);
+    pthread_kill(waiting.native_handle(), SIGTERM);  // NOLINT(bugprone-bad-signal-to-kill-thread): it waits for one
     waiting.join();
 }
 

@@ -121,7 +121,7 @@ std::vector<Configuration> configurations(const Reader& reader, const toml::tabl
 
     std::vector<Configuration> product;
     const auto methods = reader.items(run, "methods");
-    if (methods.empty()) throw reader.error(run, "a [[run]] needs 'methods', such as [\"paper\", \"exact\"]");
+    if (methods.empty()) throw reader.error(run, R"(a [[run]] needs 'methods', such as ["paper", "exact"])");
     for (const toml::node* method_node : methods) {
         const Method method = reader.word(*method_node, method_words);
         if (method != Method::none && removals.empty()) {

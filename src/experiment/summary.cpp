@@ -82,18 +82,20 @@ class Collector {
         maps_.insert(mission.map);
         std::vector<bool> has_before(series_.size(), false);
         for (std::size_t i = 0; i < row.size(); ++i) {
+            const auto& result = row[i];
+            if (!result) continue;  // not in a comparable row
             const std::size_t removals = std::size_t(experiment_.configurations[i].removals);
             if (!has_before[place_[i]]) {
                 has_before[place_[i]] = true;
-                add_values(place_[i], 0, mission.map, values(row[i]->before, straight));
+                add_values(place_[i], 0, mission.map, values(result->before, straight));
             }
             if (removals == 0) {  // what there is to know without removal, a configuration of its own knows
                 Values more;
-                more[std::size_t(Measure::total_ms)] = 1000 * row[i]->seconds;
-                more[std::size_t(Measure::bound)] = percent(row[i]->bound, straight);
+                more[std::size_t(Measure::total_ms)] = 1000 * result->seconds;
+                more[std::size_t(Measure::bound)] = percent(result->bound, straight);
                 add_values(place_[i], 0, mission.map, more);
             }
-            if (removals > 0) add_values(place_[i], removals, mission.map, values(*row[i], straight));
+            if (removals > 0) add_values(place_[i], removals, mission.map, values(*result, straight));
         }
     }
 
@@ -120,7 +122,7 @@ class Collector {
 
     void add_values(std::size_t series, std::size_t removals, std::uint32_t map, const Values& given) {
         for (std::size_t m = 0; m < measure_count; ++m) {
-            if (given[m]) estimators_[series][removals][m].add(map, *given[m]);
+            if (const auto& value = given[m]) estimators_[series][removals][m].add(map, *value);
         }
     }
 

@@ -46,7 +46,7 @@ struct ImportReport {
 // its centre; the first in the source's order where several do. What bars the profile's way for ever (water, forbidden
 // ground) becomes obstacles that cannot be destroyed, under buildings too: see ground_map.hpp. Throws InputError
 // (source and remedy) if there is nothing to import, or a filter matches nothing in all of the source.
-ImportReport import_city(const std::string& source, const ImportOptions& options);
+ImportReport import_city(const std::string& source, const ImportOptions& given);
 
 struct ImportTile {
     int column = 0;  // from the west
@@ -57,7 +57,7 @@ struct ImportTile {
 // The window cut into squares of `side` metres, rounded to whole cells, from its north-western corner; what is left in
 // the east and south is no whole tile. Visits those that have an obstacle, row by row; gives the number of all. The
 // source is read once. Throws as import_city, also if the window has no whole tile.
-std::size_t import_tiles(const std::string& source, const ImportOptions& options, double side,
+std::size_t import_tiles(const std::string& source, const ImportOptions& given, double side,
                          const std::function<void(const ImportTile&)>& visit);
 
 }  // namespace waybreaker::geo

@@ -15,7 +15,7 @@ using Kind = site::ObstacleKind;
 
 Kind kind_called(std::string_view word) {
     const auto& words = site::obstacle_kind_words;
-    const auto found = std::find(words.begin(), words.end(), word);
+    const auto* const found = std::find(words.begin(), words.end(), word);
     return found == words.end() ? Kind::unknown : Kind(found - words.begin());
 }
 

@@ -16,7 +16,7 @@ std::size_t memory_of(const site::Background& background) {
     std::size_t bytes = background.features.capacity() * sizeof(site::Background::Feature);
     for (const auto& feature : background.features) {
         bytes += memory_of(feature.type) + memory_of(feature.name) - 2 * sizeof(std::string);
-        bytes += feature.parts.capacity() * sizeof(feature.parts.front()) + allocation;
+        bytes += feature.parts.capacity() * sizeof(std::vector<Point>) + allocation;
         for (const auto& part : feature.parts) bytes += part.capacity() * sizeof(Point) + allocation;
     }
     return bytes;

@@ -12,8 +12,8 @@
 namespace waybreaker {
 
 // Half the width of a disc's row that lies `v` cells from its middle: the open disc around the middle of cell 0, 0
-// meets the cells (u, v) with |u| <= that; -1 if it meets none. The radius counts thousandths of a cell.
-int disc_row(std::int64_t radius, int v);
+// meets the cells (u, v) with |u| <= that; -1 if it meets none. The radius is given in thousandths of a cell.
+int disc_row(std::int64_t thousandths, int v);
 
 // Sight for one map and one way of moving; made once for a search. The map must outlive it.
 class LineOfSight {

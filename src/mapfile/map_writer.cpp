@@ -124,13 +124,13 @@ std::vector<std::uint8_t> grey(const Grid& grid, std::uint8_t of_free) {
 std::vector<OutputFile> ros_files(const io::MapFile& map, const std::string& path) {
     fs::path extension = map.ros ? fs::path(map.ros->yaml.image).extension() : fs::path(".pgm");
     if (extension == fs::path(path).extension()) extension = ".pgm";  // not over the YAML itself
-    const fs::path image = fs::path(path).replace_extension(extension);
-    const std::string image_name = image.filename().string();
-    if (map.ros) return {{image.string(), map.ros->image}, {path, with_image(map.ros->text, image_name, path)}};
+    const fs::path image_path = fs::path(path).replace_extension(extension);
+    const std::string image = image_path.filename().string();
+    if (map.ros) return {{image_path.string(), map.ros->image}, {path, with_image(map.ros->text, image, path)}};
     const Point origin = io::MapFrame(map).origin();
-    const io::RosYaml yaml{.image = image_name, .resolution = map.cell_size, .origin = {origin.x, origin.y}};
+    const io::RosYaml yaml{.image = image, .resolution = map.cell_size, .origin = {origin.x, origin.y}};
     const Grid& grid = map.map.grid();
-    return {{image.string(), pgm_bytes(grid.width(), grid.height(), grey(grid, free_grey))},
+    return {{image_path.string(), pgm_bytes(grid.width(), grid.height(), grey(grid, free_grey))},
             {path, ros_yaml_text(yaml)}};
 }
 
