@@ -4,8 +4,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <span>
+
 #include "flight/brute_force.hpp"
 #include "flight/exact.hpp"
+#include "flight/local_search.hpp"
 
 namespace waybreaker {
 namespace {
@@ -30,6 +35,26 @@ RC_GTEST_PROP(LongFlight, IsCloseToTheShortest, ()) {
     RC_ASSERT(good >= exact - 1e-9);
     RC_ASSERT(good <= 1.25 * exact + 1e-9);
     if (targets.size() <= exact_window) RC_ASSERT(good <= exact + 1e-9);
+}
+
+// Over all boundary cells, in a given order.
+double shortest_in_order(const World& world, const Tour& order, std::span<const Target> targets, std::size_t stop = 0) {
+    const Cell from = stop > 0 ? order[stop - 1].at : world.start;
+    if (stop == order.size()) return distance(from, world.goal);
+    double least = std::numeric_limits<double>::infinity();
+    Tour tour = order;
+    for (const Cell c : targets[order[stop].target].cells) {
+        tour[stop].at = c;
+        least = std::min(least, distance(from, c) + shortest_in_order(world, tour, targets, stop + 1));
+    }
+    return least;
+}
+
+RC_GTEST_PROP(LongFlight, LocalSearchEndsAtTheBestCellsForItsOrder, ()) {
+    const World world = *arbitrary_world(16, 12, *uniform(0, 4), 4);
+    const std::vector<Target> targets = targets_of(world.map, world.ids);
+    const Tour tour = improved_tour(world.start, nearest_tour(world.start, world.goal, targets), world.goal, targets);
+    RC_ASSERT(tour_length(world.start, tour, world.goal) <= shortest_in_order(world, tour, targets) + 1e-9);
 }
 
 }  // namespace
