@@ -4,8 +4,9 @@
 //
 // What a path may do follows from what stands: for the square the open 2 x 2 boxes around the centres of standing cells
 // are closed, for the point the open cells and the common border of two standing cells side by side (or of a standing
-// cell and the map's edge). For a wider disc the cells around a standing one are closed as well: for the square those
-// at whose centre the disc would meet it, for the relaxed those that are in the disc's way from corner to corner.
+// cell and the map's edge); for the relaxed body, a point that stands for a disc, also the place where two standing
+// cells touch at a corner. For a wider disc the cells around a standing one are closed as well: for the square those at
+// whose centre the disc would meet it, for the relaxed those that are in the disc's way from corner to corner.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -90,6 +92,7 @@ class CrossingOracle {
     CrossingOracle(PlainMap map, Body body, bool relaxed, Cell start, Cell goal)
         : map_(std::move(map)),
           square_(!relaxed && !body.is_point()),
+          pinched_(relaxed && body.radius > 0 && body.radius < 1),
           start_(start),
           goal_(goal),
           bends_{slow::centre(start), slow::centre(goal)} {
@@ -119,27 +122,53 @@ class CrossingOracle {
                 }
             }
         }
+        if (pinched_) {
+            const std::int64_t parts = std::gcd(b.x - a.x, b.y - a.y);
+            for (std::int64_t k = 1; k < parts; ++k) {
+                const Point place{a.x + (b.x - a.x) / parts * k, a.y + (b.y - a.y) / parts * k};
+                for (const Set own : demands_of_turn(a, place, b)) all.push_back(own);
+            }
+        }
         std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
 
-    // The shortest path when those obstacles are gone.
+    // What has to go before a path may lead from a past b, where it may turn, to c.
+    std::vector<Set> demands_of_turn(Point a, Point b, Point c) const {
+        std::vector<Set> all;
+        if (!pinched_ || b.x % 2 == 0 || b.y % 2 == 0) return all;
+        for (const std::int64_t x : {-1, 1}) {  // from the cell around b on one side of a pair to that on the other
+            const bool there = towards(b, a, x, 1) && towards(b, c, -x, -1);
+            const bool back = towards(b, c, x, 1) && towards(b, a, -x, -1);
+            if (!there && !back) continue;
+            const Cell one = beside(b, -x, 1);
+            const Cell other = beside(b, x, -1);
+            if (!map_.contains(one) || !map_.contains(other) || at(one) == 0 || at(other) == 0) continue;
+            all.push_back(at(one) | at(other));
+        }
+        return all;
+    }
+
+    // The shortest path when those obstacles are gone. Where two standing cells pinch a place it is two: on either
+    // side.
     double shortest(Set gone) const {
         if (stands(start_, gone) || stands(goal_, gone)) return nowhere;
-        std::vector<double> lengths(bends_.size(), nowhere);
-        std::vector<bool> done(bends_.size());
+        std::vector<double> lengths(2 * bends_.size(), nowhere);
+        std::vector<bool> done(lengths.size());
         lengths[0] = 0;
         while (true) {
-            std::size_t next = 1;
-            for (std::size_t i = 0; i < bends_.size(); ++i) {
+            std::size_t next = 2;
+            for (std::size_t i = 0; i < lengths.size(); ++i) {
                 if (!done[i] && lengths[i] < lengths[next]) next = i;
             }
-            if (next == 1) return lengths[1];
+            if (next == 2) return lengths[2];
             done[next] = true;
             for (std::size_t i = 0; i < bends_.size(); ++i) {
-                const double through = lengths[next] + length(bends_[next], bends_[i]);
-                if (through < lengths[i] && met(between(next, i), gone)) lengths[i] = through;
+                if (side(bends_[next / 2], bends_[i], gone) != next % 2) continue;
+                double& known = lengths[2 * i + side(bends_[i], bends_[next / 2], gone)];
+                const double through = lengths[next] + length(bends_[next / 2], bends_[i]);
+                if (through < known && met(between(next / 2, i), gone)) known = through;
             }
         }
     }
@@ -152,6 +181,27 @@ class CrossingOracle {
     static double length(Point a, Point b) { return std::hypot(double(a.x - b.x), double(a.y - b.y)) / 2; }
 
     bool stands(Cell c, Set gone) const { return (at(c) & ~gone) != 0; }
+
+    static Cell beside(Point corner, std::int64_t x, std::int64_t y) {
+        return {int((corner.x + x) / 2), int((corner.y + y) / 2)};
+    }
+    // Whether the way from a corner to a place leads into the cell there, or along it.
+    static bool towards(Point corner, Point to, std::int64_t x, std::int64_t y) {
+        return (to.x - corner.x) * x >= 0 && (to.y - corner.y) * y >= 0;
+    }
+    // On which side of a pinched place one is who comes from there, or goes there.
+    std::size_t side(Point place, Point other, Set gone) const {
+        if (!pinched_ || place.x % 2 == 0 || place.y % 2 == 0) return 0;
+        for (const std::int64_t x : {-1, 1}) {
+            const Cell one = beside(place, -x, 1);
+            const Cell two = beside(place, x, -1);
+            const bool pinch = map_.contains(one) && map_.contains(two) && stands(one, gone) && stands(two, gone);
+            if (pinch && !stands(beside(place, x, 1), gone) && !stands(beside(place, -x, -1), gone)) {
+                return towards(place, other, x, 1) ? 1 : 0;
+            }
+        }
+        return 0;
+    }
 
     // What must be gone at a cell.
     Set at(Cell c) const { return map_.contains(c) ? needed_[map_.index(c)] : edge; }
@@ -179,6 +229,7 @@ class CrossingOracle {
     PlainMap map_;
     std::vector<Set> needed_;  // by cell
     bool square_;
+    bool pinched_;
     Cell start_;
     Cell goal_;
     std::vector<Point> bends_;                            // the start first, then the goal

@@ -26,8 +26,9 @@ struct CrossingOptions {
     // bends at cell corners, may touch obstacles and slip between diagonal neighbours. All start and end at cell
     // centres.
     Body body = {};
-    // A lower limit instead: the path of a point on a map grown by less than the body. No path of the body that bends
-    // at cell centres and crosses as much is shorter.
+    // A lower limit instead: the path of a point on a map grown by less than the body, which slips between diagonal
+    // neighbours only where obstacles open late. No path of the body that bends at cell centres and crosses as much is
+    // shorter.
     bool relaxed = false;
     int crossings = 0;  // at most so many distinct obstacles, however often each is crossed
     // Crossed for nothing, as if they were gone; and never crossed. Indestructible obstacles never are.

@@ -69,7 +69,7 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
 // Unless another one at its vertex dominates it.
 void CrossingSearcher::Search::add(Label label) {
     const bool by_count = accept_ == nullptr && !in_time();  // another set may open later
-    const Dominance dominates{*regions_, sets_, groups_, options_->budget < infinity, goal_, limit_, by_count};
+    const Dominance dominates{*regions_, convex_, sets_, groups_, options_->budget < infinity, goal_, limit_, by_count};
     const std::uint32_t place = places_.find_or_add(label.at);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
@@ -305,7 +305,9 @@ CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex star
     }
     // The square turns and waits at lattice points only; the point is a lower limit for who waits anywhere.
     early_ = reach_of(options) == 1 ? 1 : 0;
-    fan_.start_query(*regions_, goal_, options, interrupt_);
+    // Gates may be where two cells touch at a corner.
+    fan_.start_query(*regions_, goal_, options, regions_->pinched() && !waits_ && !to_gate_, interrupt_);
+    convex_.start_query(*regions_, reach_of(options));
     search_ellipses(2 * options.length_limit);
     result_.generated = result_.expanded + open_.size();
     return result_;

@@ -31,8 +31,9 @@ bool Dominance::operator()(const Label& better, const Label& worse) const {
     return more <= 0 && more_weight <= 0;
 }
 
-// No path that is short enough can come back to the obstacle.
+// No path that is short enough can come back to the obstacle, or no shortest path does.
 bool Dominance::lost(std::uint32_t obstacle, const Label& label) const {
+    if (convex.left(obstacle, label.at)) return true;
     const Box box = regions.bounds(obstacle);
     const auto gap = [&box](Vertex v) {
         const int dx = std::max({2 * box.min.x - 2 - v.x, v.x - 2 * box.max.x - 2, 0});

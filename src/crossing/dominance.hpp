@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "crossing/convex.hpp"
 #include "crossing/gates.hpp"
 #include "crossing/labels.hpp"
 #include "crossing/regions.hpp"
@@ -11,6 +12,7 @@ namespace waybreaker::crossing {
 
 struct Dominance {
     const Regions& regions;
+    Convex& convex;
     const ObstacleSets& sets;
     const std::vector<GateGroup>& groups;
     bool weighs;  // whether the budget is limited

@@ -5,14 +5,15 @@
 
 namespace waybreaker::crossing {
 
-void Fan::start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, Interrupt& interrupt) {
+void Fan::start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, bool pinched,
+                      Interrupt& interrupt) {
     map_ = &regions.map();
     interrupt_ = &interrupt;
     reach_ = reach_of(options);
     goal_ = goal;
     bends_ = &bends_of_[std::size_t(reach_ - 1)];
     bends_->start_query(*map_);
-    ray_.start_query(regions, options);
+    ray_.start_query(regions, options, pinched);
     notes_entered_ = bool(options.opened_after);
 }
 
@@ -233,7 +234,7 @@ bool Fan::clear(Vertex a, Vertex b) const {
             if (!map_->grid().contains(c) || !ray_.open(map_->obstacle_at(c).value)) return false;
         }
     }
-    return true;
+    return !ray_.pinched(a, b);
 }
 
 void Fan::note(Vertex corner, int open) {

@@ -63,8 +63,9 @@ struct Reached {
 
 class Fan {
   public:
-    // Keeps regions and interrupt for as long as the query lasts.
-    void start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, Interrupt& interrupt);
+    // Keeps regions and interrupt for as long as the query lasts. `pinched`: as of Ray; then the goal is no corner.
+    void start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, bool pinched,
+                     Interrupt& interrupt);
 
     // All corners and the goal that a shortest path can go to next; some of them if it is interrupted. `alternatives`:
     // also when the goal itself is in reach. What is returned lives until the next call.

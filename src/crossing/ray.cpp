@@ -15,10 +15,11 @@ void Ray::Free::operator()(void* memory) const {
     std::free(memory);
 }
 
-void Ray::start_query(const Regions& regions, const CrossingOptions& options) {
+void Ray::start_query(const Regions& regions, const CrossingOptions& options, bool pinched) {
     regions_ = &regions;
     map_ = &regions.map();
     touching_ = map_->obstacles_touch();
+    pinched_ = pinched;
     reach_ = reach_of(options);
     weighs_ = options.budget < std::numeric_limits<double>::infinity();
     allows_some_ = !options.only.empty();
@@ -70,6 +71,7 @@ bool Ray::cast(Vertex from, Vertex to, int crossings, double weight) {
     } else {
         walk_line(frame);
     }
+    if (pinched_) pass_corners(from, to - from);
     return !stopped_;
 }
 

@@ -23,7 +23,8 @@ struct Hit {
     bool surely = true;  // false: only as one of a Squeeze
 };
 
-// Two different regions on both sides of an edge that a point slides along: one of them must go.
+// Two different regions on both sides of an edge that a point slides along, or of a corner that it passes: one of them
+// must go.
 struct Squeeze {
     std::uint32_t one = 0;
     std::uint32_t other = 0;
@@ -32,8 +33,8 @@ struct Squeeze {
 
 class Ray {
   public:
-    // Keeps the regions for as long as the query lasts.
-    void start_query(const Regions& regions, const CrossingOptions& options);
+    // Keeps the regions for as long as the query lasts. `pinched`: cells that touch at a corner leave no room.
+    void start_query(const Regions& regions, const CrossingOptions& options, bool pinched);
 
     // Obstacles that the next rays pass as if they were gone.
     void set_open(std::span<const std::uint32_t> obstacles);
@@ -44,6 +45,9 @@ class Ray {
     bool cast(Vertex from, Vertex to, int crossings, double weight);
     // Whether it got to that share of its length.
     bool reaches(double share) const { return !stopped_ || stopped_at_ >= share; }
+
+    // Whether a segment passes between two standing cells that touch at a corner, its ends not counted.
+    bool pinched(Vertex from, Vertex to) const;
 
     // The regions that the ray met, each once; when stopped also those that stop it. Their order means nothing.
     std::span<const Hit> hits() const { return hits_; }
@@ -107,6 +111,10 @@ class Ray {
     void visit_leftwards(const Frame& frame, int row, std::size_t from, std::size_t to);
     void visit_cell(const Frame& frame, int x, int row);
     void visit_pair(const Frame& frame, int x, int upper);
+    void pass_corners(Vertex from, Step step);
+    void visit_corner(Vertex corner, Step step, double at);
+    bool look_beside(Vertex corner, Step cell, Step side, Hit& hit) const;
+    void pinch(const Hit& one, const Hit& other);
     void meet(const Hit& hit);
     Price price(std::uint32_t region) const;
     void pay(std::uint32_t region);
@@ -121,6 +129,7 @@ class Ray {
     const Map* map_ = nullptr;  // of the regions
     int reach_ = 2;
     bool touching_ = false;
+    bool pinched_ = false;      // between cells that touch at a corner
     bool allows_some_ = false;  // and no others
     bool weighs_ = false;       // whether the budget is limited
     std::unique_ptr<RegionMark[], Free> region_marks_;

@@ -65,6 +65,10 @@ class Regions {
     double weight(std::uint32_t obstacle) const {
         return obstacle > obstacles().size() ? 0 : obstacles()[obstacle - 1].weight;
     }
+    // Whether the body, a point that stands for a disc, is too wide for a place where two cells touch at a corner.
+    bool pinched() const { return relaxed_ && body_.radius > 0 && !grown_; }
+    // The map is convex, so what it ends at is in the way of no straight line within it.
+    bool is_edge(std::uint32_t obstacle) const { return obstacle > obstacles().size(); }
     // The cells of all its regions lie within.
     Box bounds(std::uint32_t obstacle) const {
         const Box box = obstacles()[obstacle - 1].bounds;

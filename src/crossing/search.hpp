@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "crossing/border.hpp"
+#include "crossing/convex.hpp"
 #include "crossing/fan.hpp"
 #include "crossing/gates.hpp"
 #include "crossing/interrupt.hpp"
@@ -87,6 +88,7 @@ class CrossingSearcher::Search {
     std::shared_ptr<const crossing::Regions> regions_;
     crossing::Interrupt interrupt_;
     crossing::Fan fan_;
+    crossing::Convex convex_;
     crossing::ObstacleSets sets_;
     crossing::Places places_;
     std::vector<crossing::Label> labels_;
@@ -98,6 +100,7 @@ class CrossingSearcher::Search {
     double early_ = 0;                // at a gate, half cells
     crossing::Borders borders_;
     crossing::Ways ways_;
+    bool to_gate_ = false;  // this search is for such a way:
     std::unique_ptr<Search> way_to_gate_;
     std::vector<crossing::GateGroup> groups_{{}};                        // the first is none
     std::map<std::vector<std::uint32_t>, std::uint32_t> group_numbers_;  // by set, obstacle and where they come from

@@ -178,6 +178,7 @@ double CrossingSearcher::Search::way_to_gate(const GateGroup::Terms& terms, Vert
     return ways_.length(terms.from, gate, open, [&](const CrossingOptions& options) {
         ++result_.expanded;
         if (!way_to_gate_) way_to_gate_ = another();
+        way_to_gate_->to_gate_ = true;
         way_to_gate_->regions_of_ = regions_of_;
         return way_to_gate_->run_between(*map_, terms.from, gate, options, nullptr);
     });

@@ -23,6 +23,7 @@ int patience(const Task& task) {
     return task.rules.removals <= 3 ? 256 : 16;
 }
 constexpr std::uint64_t patient_expansions = 10'000;
+constexpr std::uint64_t least_patience = 1'000;  // for further sets, however short the search for the first
 // Where obstacles open in time: for the ground agent's own body, and for the bound of a point.
 constexpr std::uint64_t patient_expansions_in_time = 4'000;
 constexpr std::uint64_t patient_expansions_of_bound = 400'000;
@@ -237,7 +238,8 @@ class ExactSelection {
     bool try_others(const CrossingResult& first) {
         options_.length_limit = dearest_path(task_, best_, opening_times_);
         options_.limits.seconds = deadline_.left();
-        options_.limits.expansions = std::min(options_.limits.expansions, patience_of_search());
+        const std::uint64_t patient = std::min(patience_of_search(), std::max(least_patience, first.expanded / 2));
+        options_.limits.expansions = std::min(options_.limits.expansions, patient);
         CrossingSearcher enumerator = searchers_.crossing.another();
         int tried = 0;
         bool gave_up = false;
@@ -253,8 +255,7 @@ class ExactSelection {
             enumerator.enumerate(task_.map, task_.driver.start, task_.driver.goal, options_, try_next);
         const bool cut = rest.status == SearchStatus::limit_reached;
         // Patience is the method's own; the limits are the caller's.
-        selected_.limited =
-            selected_.limited || deadline_.passed() || (cut && task_.limits.expansions < patience_of_search());
+        selected_.limited = selected_.limited || deadline_.passed() || (cut && task_.limits.expansions < patient);
         return !gave_up && !cut;
     }
 

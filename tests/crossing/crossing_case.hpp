@@ -19,6 +19,13 @@
 
 namespace waybreaker {
 
+// Who moves on a map that is not grown.
+struct Mover {
+    Body body;
+    bool relaxed = false;
+};
+inline const std::vector<Mover> movers{{Body{}}, {point_body}, {Body{}, true}};
+
 struct CrossingCase {
     Map map;
     Cell start;
@@ -30,6 +37,11 @@ struct CrossingCase {
     double budget = std::numeric_limits<double>::infinity();
     std::vector<double> done_after = {};  // empty: none
     bool relaxed = false;
+
+    void set(const Mover& mover) {
+        body = mover.body;
+        relaxed = mover.relaxed;
+    }
 
     CrossingOptions options() const {
         CrossingOptions options;
@@ -147,6 +159,21 @@ inline Map random_connected_map(int most_side) {
     return Map(map.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
 }
 
+// Walls and stones, the walls cut along a lattice: each square of it is an obstacle.
+inline Map random_sections(int most_side) {
+    const PlainMap walls = *random_map(most_side, most_side);
+    const int side = *number(2, 4);
+    std::vector<std::uint32_t> labels;
+    for (const Cell c : walls.cells()) {
+        const bool stone = *number(0, 11) == 0;
+        const int square = 2 + c.y / side * most_side + c.x / side;
+        labels.push_back(!walls.blocked(c) ? 0 : stone ? 1 : std::uint32_t(square));
+    }
+    const std::vector<ObstacleAttributes> attributes{
+        {}, {.destructible = false, .source_id = 0, .weight = 1, .breach_time = 0}};
+    return Map::from_labels(walls.width, walls.height, std::move(labels), attributes);
+}
+
 // Few enough sets to try them all.
 inline int most_crossings(const Map& map) {
     const std::size_t obstacles = map.obstacles().size();
@@ -178,8 +205,8 @@ inline CrossingCase random_case(Map map) {
     const PlainMap opened = plain(map, removed);
     const Cell start = *number(0, 20) == 0 ? any_cell(opened) : any_free_cell(opened);
     const Cell goal = *number(0, 20) == 0 ? any_cell(opened) : any_free_cell(opened);
-    const Body body = *rc::gen::element(Body{}, point_body);
-    return {std::move(map), start, goal, body, crossings, removed, protect, budget, done_after};
+    const Mover mover = *rc::gen::elementOf(movers);
+    return {std::move(map), start, goal, mover.body, crossings, removed, protect, budget, done_after, mover.relaxed};
 }
 
 inline rc::Gen<CrossingCase> any_case(int most_side) {
@@ -207,7 +234,7 @@ inline rc::Gen<CrossingCase> any_walls() {
         }
         CrossingCase problem{
             Map::from_labels(width, height, labels), {0, *number(0, height - 1)}, {width - 1, *number(0, height - 1)}};
-        problem.body = *rc::gen::element(Body{}, point_body);
+        problem.set(*rc::gen::elementOf(movers));
         problem.crossings = *number(0, 3);
         if (*number(0, 1) == 0) problem.budget = random_budget(problem.map);
         return problem;
@@ -239,6 +266,12 @@ inline std::string path_fault(const CrossingCase& problem, const slow::CrossingO
         const std::vector<slow::Set> demands = oracle.demands(doubled(path[i - 1]), doubled(path[i]));
         if (!slow::CrossingOracle::met(demands, gone)) return "leg " + std::to_string(i) + " is blocked";
         for (const slow::Set demand : demands) met |= demand;
+        if (i > 1) {
+            const std::vector<slow::Set> turn =
+                oracle.demands_of_turn(doubled(path[i - 2]), doubled(path[i - 1]), doubled(path[i]));
+            if (!slow::CrossingOracle::met(turn, gone)) return "turn " + std::to_string(i) + " is pinched";
+            for (const slow::Set demand : turn) met |= demand;
+        }
         length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
     }
     if ((crossed & met) != crossed) return "it counts an obstacle that it does not meet";

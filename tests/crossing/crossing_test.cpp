@@ -61,11 +61,18 @@ RC_GTEST_PROP(Crossing, IsTheShortest, ()) {
     const Map map = *number(0, 1) == 0 ? random_connected_map(9) : random_label_map(9);
     for (int mission = 0; mission < 4; ++mission) {
         CrossingCase problem = random_case(map);
-        for (const Body body : {Body{}, point_body}) {
-            problem.body = body;
+        for (const Mover& mover : movers) {
+            problem.set(mover);
             Judge(problem).check(problem, searcher.find(problem.map, problem.start, problem.goal, problem.options()));
         }
     }
+}
+
+// Most obstacles leave a convex piece of free ground.
+RC_GTEST_PROP(Crossing, IsTheShortestThroughSections, ()) {
+    CrossingSearcher searcher;
+    const CrossingCase problem = random_case(random_sections(9));
+    Judge(problem).check(problem, searcher.find(problem.map, problem.start, problem.goal, problem.options()));
 }
 
 // What was crossed once may be in the way again, so that a label's set decides how it can go on.
@@ -200,6 +207,29 @@ TEST(Crossing, ListsObstaclesInTheOrderOfThePath) {
         const CrossingResult result = CrossingSearcher().find(map, {4, 1}, {0, 1}, {.body = body, .crossings = 3});
         EXPECT_EQ(result.best.crossed, (std::vector<ObstacleId>{id('b'), id('a'), id('c')}));
     }
+}
+
+// Whether the shortest path with one crossing goes through `a` twice, although it leaves the box around it in between,
+// and `b` would be the shorter way there.
+void expect_to_come_back(const Body& body, std::string_view picture) {
+    const Map map = map_from_ascii(picture);
+    CrossingCase problem{map, mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'), body, 1};
+    const ObstacleId stone = map.obstacle_at(mark_in_ascii(picture, '#'));
+    problem.protect = {stone};
+    const CrossingResult result = CrossingSearcher().find(map, problem.start, problem.goal, problem.options());
+    EXPECT_EQ(result.best.crossed, std::vector<ObstacleId>{map.obstacle_at(mark_in_ascii(picture, 'a'))});
+    EXPECT_TRUE(same_length(result.best.length, Judge(problem).least(problem)));
+}
+
+TEST(Crossing, ComesBackThroughWhatItHasLeft) {
+    expect_to_come_back(point_body, R"(
+        .a....
+        Sb....
+        .#....
+        ###...
+        .#....
+        .a....
+        G#....)");
 }
 
 TEST(Crossing, StaysWhereItIs) {

@@ -13,11 +13,11 @@ using slow::CrossingOracle;
 using slow::Set;
 
 // The shortest path from S to G when the obstacles shown as `gone` are gone.
-double shortest(Body body, std::string_view picture, std::string_view gone = "") {
+double shortest(Body body, std::string_view picture, std::string_view gone = "", bool relaxed = false) {
     const Map map = map_from_ascii(picture);
     Set set = 0;
     for (const char letter : gone) set |= Set{1} << map.obstacle_at(mark_in_ascii(picture, letter)).value;
-    return CrossingOracle(plain(map), body, false, mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'))
+    return CrossingOracle(plain(map), body, relaxed, mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'))
         .shortest(set);
 }
 
@@ -61,6 +61,23 @@ TEST(CrossingOracle, SlipsBetweenDiagonalNeighboursOnlyAsAPoint) {
         ..a.G)";
     EXPECT_DOUBLE_EQ(shortest(point_body, ring), root2 / 2 + std::hypot(1.5, 0.5));
     EXPECT_EQ(shortest(Body{}, ring), CrossingOracle::nowhere);
+}
+
+TEST(CrossingOracle, PinchesTheRelaxedBodyWhereTwoCellsTouchAtACorner) {
+    const std::string_view slanted = R"(
+        Sa
+        bG)";
+    EXPECT_EQ(shortest(Body{}, slanted, "", true), CrossingOracle::nowhere);
+    EXPECT_DOUBLE_EQ(shortest(Body{}, slanted, "a", true), root2);
+    const std::string_view along = R"(
+        S.aaa
+        bb..G)";
+    EXPECT_DOUBLE_EQ(shortest(point_body, along), std::hypot(1.5, 0.5) + std::hypot(2.5, 0.5));
+    EXPECT_EQ(shortest(Body{}, along, "", true), CrossingOracle::nowhere);
+    const std::string_view around = R"(
+        S.a.
+        bb.G)";
+    EXPECT_EQ(shortest(Body{}, around, "", true), CrossingOracle::nowhere);
 }
 
 TEST(CrossingOracle, CutsNoCornerAsASquare) {

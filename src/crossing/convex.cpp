@@ -1,0 +1,39 @@
+#include "crossing/convex.hpp"
+
+#include <algorithm>
+
+namespace waybreaker::crossing {
+namespace {
+
+constexpr std::int64_t most_cells = 1 << 14;  // of a box that is looked at
+
+}  // namespace
+
+void Convex::start_query(const Regions& regions, int reach) {
+    regions_ = &regions;
+    if (identity_ == regions.map().identity() && reach_ == reach) return;
+    identity_ = regions.map().identity();
+    reach_ = reach;
+    known_.assign(regions.obstacle_limit(), Known::unknown);
+}
+
+bool Convex::look(std::uint32_t obstacle) const {
+    const Box box = regions_->bounds(obstacle);
+    const Map& map = regions_->map();
+    const int beside = reach_ - 1;  // cells that far from the box reach into it
+    const Cell min{std::max(box.min.x - beside, 0), std::max(box.min.y - beside, 0)};
+    const Cell max{std::min(box.max.x + beside, map.width() - 1), std::min(box.max.y + beside, map.height() - 1)};
+    if (std::int64_t(max.x - min.x + 1) * (max.y - min.y + 1) > most_cells) return false;
+    for (Cell c = min; c.y <= max.y; ++c.y) {
+        for (c.x = min.x; c.x <= max.x; ++c.x) {
+            bool others = false;
+            regions_->for_each_member(map.obstacle_at(c).value, [&](std::uint32_t member) {
+                others = others || (member != 0 && member != obstacle && !regions_->is_edge(member));
+            });
+            if (others) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace waybreaker::crossing

@@ -1,0 +1,107 @@
+// Rays of a body that is too wide to pass between two cells that touch at a corner: docs/exact.md, the relaxed body.
+#include <numeric>
+
+#include "crossing/ray.hpp"
+
+namespace waybreaker::crossing {
+namespace {
+
+// The corners of cells that a segment passes, the one that it ends at included, by `visit`: the corner, the way from
+// one integer place to the next, and the share of the segment. Until that says false.
+template <class Visit>
+void for_each_corner(Vertex from, Step step, Visit visit) {
+    const int parts = std::gcd(step.x, step.y);
+    const Step part{step.x / parts, step.y / parts};
+    const bool at_corner = from.x % 2 != 0;
+    if (!at_corner && (part.x % 2 == 0 || part.y % 2 == 0)) return;
+    for (int k = at_corner ? 2 : 1; k <= parts; k += 2) {
+        if (!visit(Vertex{from.x + k * part.x, from.y + k * part.y}, part, double(k) / parts)) return;
+    }
+}
+
+}  // namespace
+
+void Ray::pass_corners(Vertex from, Step step) {
+    for_each_corner(from, step, [&](Vertex corner, Step part, double at) {
+        if (stopped_ && at >= stopped_at_) return false;
+        constexpr double before = 1 - 1e-10;  // what begins at the corner comes after it
+        visit_corner(corner, part, before * at);
+        return true;
+    });
+}
+
+bool Ray::pinched(Vertex from, Vertex to) const {
+    bool found = false;
+    if (!pinched_) return found;
+    for_each_corner(from, to - from, [&](Vertex corner, Step part, double at) {
+        if (at == 1) return false;
+        Hit hit;
+        const int x = sign(part.x);
+        const int y = sign(part.y);
+        found = look_beside(corner, {x, -y}, {}, hit) && look_beside(corner, {-x, y}, {}, hit);
+        return !found;
+    });
+    return found;
+}
+
+// The cell around a corner that the signs point to, and the side of it that the ray comes to. False if nothing stands
+// there.
+bool Ray::look_beside(Vertex corner, Step cell, Step side, Hit& hit) const {
+    hit.cell = {(corner.x + cell.x) / 2, (corner.y + cell.y) / 2};
+    hit.side = side;
+    if (!map_->grid().blocked(hit.cell) || !map_->grid().contains(hit.cell)) return false;
+    hit.region = map_->obstacle_at(hit.cell).value;
+    return !open(hit.region);
+}
+
+void Ray::visit_corner(Vertex corner, Step step, double at) {
+    const int x = sign(step.x);
+    const int y = sign(step.y);
+    Hit one;
+    Hit other;
+    one.at = other.at = at;
+    const auto stand = [&](Step first, Step side_of_first, Step second, Step side_of_second) {
+        return look_beside(corner, first, side_of_first, one) && look_beside(corner, second, side_of_second, other);
+    };
+    if (x != 0 && y != 0) {
+        if (stand({x, -y}, {-x, 0}, {-x, y}, {0, -y})) pinch(one, other);
+        return;
+    }
+    for (const int across : {-1, 1}) {  // along an edge: from the one side of it to the other
+        const Step behind = x != 0 ? Step{-x, across} : Step{across, -y};
+        const Step along = x != 0 ? Step{0, -across} : Step{-across, 0};
+        if (stand(behind, along, -behind, {-x, -y})) pinch(one, other);
+    }
+}
+
+// What it costs to pass is left to the path: the ray may get farther.
+void Ray::pinch(const Hit& one, const Hit& other) {
+    const auto note = [&](Hit hit, bool surely) {
+        hit.surely = surely;
+        RegionMark& mark = region_marks_[hit.region];
+        if (mark.ray != ray_ || surely) {
+            mark.ray = ray_;
+            mark.hit = std::uint32_t(hits_.size());
+        }
+        hits_.push_back(hit);
+    };
+    if (one.region != other.region) {
+        squeezes_.push_back({one.region, other.region, one.at});
+        note(one, false);
+        note(other, false);
+        if (solid(one.region) && solid(other.region)) stop(one.at);
+        return;
+    }
+    const RegionMark& mark = region_marks_[one.region];
+    if (mark.ray == ray_ && hits_[mark.hit].surely) {
+        Hit& known = hits_[mark.hit];
+        if (known.at <= one.at) return;
+        known = one;
+    } else {
+        note(one, true);
+    }
+    note(other, false);
+    if (solid(one.region)) stop(one.at);
+}
+
+}  // namespace waybreaker::crossing
