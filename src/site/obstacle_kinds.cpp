@@ -1,10 +1,17 @@
 #include "site/obstacle_kinds.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "site/first_cells.hpp"
 
 namespace waybreaker::site {
+
+ObstacleKind kind_called(std::string_view word) {
+    const auto* const found = std::find(obstacle_kind_words.begin(), obstacle_kind_words.end(), word);
+    return found == obstacle_kind_words.end() ? ObstacleKind::unknown
+                                              : ObstacleKind(found - obstacle_kind_words.begin());
+}
 
 std::vector<KindOfCell> kinds_of_cells(LabelKinds kinds, std::span<const std::uint32_t> labels) {
     return first_cells<KindOfCell>(std::move(kinds), labels);

@@ -20,6 +20,9 @@ enum class ObstacleKind : std::uint8_t { unknown, building, barrier, water, clif
 inline constexpr std::array<std::string_view, 6> obstacle_kind_words{"unknown", "building", "barrier",
                                                                      "water",   "cliff",    "forbidden"};
 
+// Unknown if no kind is called that.
+ObstacleKind kind_called(std::string_view word);
+
 // By obstacle id, entry 0 unused. No entries at all if nothing is known of any.
 using ObstacleKinds = std::vector<ObstacleKind>;
 

@@ -1,0 +1,53 @@
+#include "site/described_map.hpp"
+
+#include <utility>
+
+#include "site/first_cells.hpp"
+
+namespace waybreaker::site {
+namespace {
+
+struct PartsOfCell {
+    std::size_t cell;  // row by row
+    std::vector<std::uint32_t> parts;
+};
+
+Sections sections_of(const Map& map, std::vector<Structure> structures, std::vector<PartsOfCell> cells) {
+    if (cells.empty()) return {};
+    Sections sections{std::move(structures), {}};
+    sections.parts.resize(map.obstacles().size() + 1);
+    for (PartsOfCell& at : cells) sections.parts[map.labels()[at.cell]] = std::move(at.parts);
+    return sections;
+}
+
+}  // namespace
+
+DescribedMap described(LabelLayer layer) {
+    std::vector<NamedCell> named = named_cells(std::move(layer.names), layer.labels);
+    const std::vector<KindOfCell> kinds = kinds_of_cells(std::move(layer.kinds), layer.labels);
+    std::vector<PartsOfCell> parts = first_cells<PartsOfCell>(std::move(layer.parts), layer.labels);
+    DescribedMap result{Map::from_labels(layer.width, layer.height, std::move(layer.labels), layer.attributes)};
+    result.names = obstacle_names(result.map, std::move(named));
+    result.kinds = obstacle_kinds(result.map, kinds);
+    result.sections = sections_of(result.map, std::move(layer.structures), std::move(parts));
+    return result;
+}
+
+LabelLayer label_layer(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds,
+                       const Sections& sections) {
+    LabelLayer layer{.width = map.width(),
+                     .height = map.height(),
+                     .labels = {map.labels().begin(), map.labels().end()},
+                     .attributes = std::vector<ObstacleAttributes>(1),
+                     .structures = sections.structures};
+    for (const Obstacle& o : map.obstacles()) {
+        const std::uint32_t id = o.id.value;
+        layer.attributes.push_back({o.destructible, o.source_id, o.weight, o.breach_time});
+        if (!names.empty() && !names[id].empty()) layer.names.emplace(id, names[id]);
+        if (!kinds.empty()) layer.kinds.emplace(id, kinds[id]);
+        if (!sections.empty() && !sections.parts[id].empty()) layer.parts.emplace(id, sections.parts[id]);
+    }
+    return layer;
+}
+
+}  // namespace waybreaker::site
