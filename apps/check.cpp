@@ -14,6 +14,7 @@
 #include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
+#include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker::apps {
@@ -81,10 +82,13 @@ void run(const CheckOptions& options) {
         return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
     }();
     io::JudgeOptions judging{.tolerance = options.tolerance, .ignore_digest = options.ignore_digest};
+    if (plan.area_budget && !options.weights.empty()) {
+        throw InputError(io::input_name(options.plan), 0, "has a budget of square metres: --weights is not for it");
+    }
     if (!options.weights.empty()) judging.weights = io::read_weights(options.weights, map.map);
     std::vector<Violation> violations = io::judge(plan, map, judging);
     if (options.replan && violations.empty()) {
-        const std::optional<Map> other = io::reweighed(plan, map.map, judging);
+        const std::optional<Map> other = io::reweighed(plan, map, judging);
         judge_by_planning(plan, other ? *other : map.map, options.tolerance, violations);
     }
     if (!options.json.empty()) io::write_whole(options.json, io::check_json(violations));

@@ -36,10 +36,24 @@ geo::ImportReport import_with_progress(const ImportOptions& options) {
     return geo::import_city(options.source, options.window);
 }
 
+// How many things have one: sections have those of their structures.
+std::size_t name_count(const geo::LabelTiff& tiff) {
+    const site::Sections& sections = tiff.sections;
+    if (sections.empty()) return site::name_count(tiff.names);
+    std::size_t count = 0;
+    for (const std::uint32_t one : site::cut_structures(sections)) {
+        if (!sections.structures[one].name.empty()) ++count;
+    }
+    for (std::size_t id = 1; id < tiff.names.size(); ++id) {
+        if (sections.parts[id].empty() && !tiff.names[id].empty()) ++count;
+    }
+    return count;
+}
+
 // What helps a reader recognise the place: "; 120 names, 85 streets, 2 waters"; empty if the source has none.
 std::string kept(const geo::LabelTiff& tiff) {
     std::vector<std::string> counts = background_summary(tiff.background);
-    const std::size_t names = site::name_count(tiff.names);
+    const std::size_t names = name_count(tiff);
     if (names > 0) counts.insert(counts.begin(), fmt::format("{} {}", names, names == 1 ? "name" : "names"));
     return counts.empty() ? "" : fmt::format("; {}", fmt::join(counts, ", "));
 }
@@ -62,9 +76,11 @@ std::string ground_of(const geo::ImportReport& report) {
 
 std::string summary_line(const std::string& file, const geo::ImportReport& report, const char* things) {
     const Map& map = report.tiff.map;
-    return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}, {} obstacles, {:.1f} % blocked{}{}\n", file, map.width(),
-                       map.height(), report.tiff.cell_size, report.buildings, things, map.obstacles().size(),
-                       100 * mapfile::summarise(map).density, ground_of(report), kept(report.tiff));
+    return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}{}, {} obstacles, {:.1f} % blocked{}{}\n", file,
+                       map.width(), map.height(), report.tiff.cell_size, report.buildings, things,
+                       report.tiff.sections.empty() ? "" : ", " + site::sections_summary(report.tiff.sections),
+                       map.obstacles().size(), 100 * mapfile::summarise(map).density, ground_of(report),
+                       kept(report.tiff));
 }
 
 const char* things_of(const ImportOptions& options) {
@@ -188,6 +204,15 @@ void add_profile(CLI::App& command, std::optional<geo::Profile>& profile) {
         "with --obstacles paper)");
 }
 
+// A number of metres, or "none".
+void add_section(CLI::App& command, std::optional<double>& section) {
+    add_number(
+        command, "--section", [&section](double side) { section = side; }, {0, metres.most}, "METRES|none",
+        "One breach clears what can be destroyed in one square of that side, rounded to whole cells; none: a whole "
+        "building or barrier (default: 20; for paper none)")
+        ->transform([](std::string given) { return given == "none" ? "0" : given; });
+}
+
 void add_choice_options(CLI::App& command, geo::ObstacleChoice& choice) {
     add_filters(
         command, "--obstacles", choice.obstacles,
@@ -227,6 +252,7 @@ void setup_import(CLI::App& root, Run& run_chosen) {
     add_file(*command, "SOURCE", options->source, "File with map data")->required();
     add_window_options(*command, options);
     add_profile(*command, options->window.profile);
+    add_section(*command, options->window.section);
     add_choice_options(*command, options->window.choice);
     command->add_flag("--merge-touching", options->window.merge_touching,
                       "Buildings that touch are one obstacle, as in the paper");

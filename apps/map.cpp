@@ -10,6 +10,7 @@ void setup_map(CLI::App& root, Run& run_chosen) {
     set_examples(*map, {"waybreaker map info data/turin.tif", "waybreaker map convert data/turin.tif turin.map"});
     setup_map_info(*map, run_chosen);
     setup_map_convert(*map, run_chosen);
+    setup_map_split(*map, run_chosen);
     setup_map_generate(*map, run_chosen);
 }
 

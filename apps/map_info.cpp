@@ -59,7 +59,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     };
     std::string text = line("file", file.source) + line("format", file.format) + line("title", file.title) +
                        line("size", fmt::format("{} x {} cells", map.width(), map.height()));
-    if (file.georeference || file.cell_size != 1) {
+    if (file.has_metres()) {
         text += line("cell size", fmt::format("{:.6g} m, in all {:.6g} m x {:.6g} m", file.cell_size,
                                               map.width() * file.cell_size, map.height() * file.cell_size));
     }
@@ -67,6 +67,11 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     if (const auto ground = mapfile::summarise_ground(file)) text += line("ground", ground_text(*ground));
     if (file.unknown > 0) text += line("unknown", fmt::format("{} cells", file.unknown));
     text += line("obstacles", std::to_string(map.obstacles().size()));
+    if (!file.sections.empty()) {
+        text +=
+            line("sections", fmt::format("{} of {}", site::section_count(file.sections),
+                                         site::structures_text(file.sections, site::cut_structures(file.sections))));
+    }
     if (const Obstacle* largest = summary.largest) {
         text += line("largest", fmt::format("obstacle {}{}, {} cells", largest->id.value, identity(file, *largest),
                                             largest->cells));

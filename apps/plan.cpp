@@ -47,25 +47,21 @@ double time_left(const Deadline& deadline) {
 
 constexpr int usual_most_removals = 8;  // that a page's curve shows
 
-// Whether lengths can be given in metres.
-bool has_metres(const PlanOptions& options, const io::MapFile& map) {
-    return options.cell_size || map.georeference || map.cell_size != 1;
-}
-
 // Bold headings, where a person reads them and has not asked for plain text (no-color.org).
 bool wants_bold() {
     const char* no_color = std::getenv("NO_COLOR");
     return isatty(STDOUT_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
 }
 
-render::PictureOptions picture_options(const io::MapFile& map, bool metres, Objective objective) {
+render::PictureOptions picture_options(const io::MapFile& map, Objective objective) {
     return {.cell_size = map.cell_size,
-            .metres = metres,
+            .metres = map.has_metres(),
             .title = map.title.empty() ? map.source : map.title,
             .attribution = map.attribution,
             .objective = objective,
             .background = map.background,
-            .kinds = map.kinds};
+            .kinds = map.kinds,
+            .sections = map.sections};
 }
 
 // The plan, and what there is to compare it with: no removal, the paper's plan, more and fewer removals.
@@ -85,7 +81,8 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
                                     .connectivity = context.connectivity,
                                     .timing_fields = context.timing_fields,
                                     .image = context.image,
-                                    .front = front});
+                                    .front = front,
+                                    .area_budget = context.area_budget});
     };
     const auto add = [&](const std::string& name, const Mission& mission, const Method& method) {
         const Plan plan = planner.plan(context.map.map, mission, method, what_is_left());
@@ -120,8 +117,7 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         plan.next.clear();
     }
     const io::MapFile& file = context.map;
-    const bool metres = has_metres(options, file);
-    const render::PictureOptions picture = picture_options(file, metres, context.mission.rules.objective);
+    const render::PictureOptions picture = picture_options(file, context.mission.rules.objective);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
     if (!options.png.empty())
@@ -139,7 +135,7 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     const auto last =
         std::stable_partition(outputs.begin(), outputs.end(), [](const auto& output) { return output.first != "-"; });
     if (last == outputs.end() && plan.status == PlanStatus::solved) {
-        outputs.emplace_back("-", plan_table(plan, context, {.metres = metres, .bold = wants_bold()}));
+        outputs.emplace_back("-", plan_table(plan, context, {.metres = file.has_metres(), .bold = wants_bold()}));
     }
     for (const auto& [path, bytes] : outputs) io::write_whole(path, bytes);
 }
@@ -164,6 +160,7 @@ io::MapFile read_map(const PlanOptions& options) {
     const Progress progress("reading " + io::input_name(options.map));
     io::MapFile file = mapfile::read_map_file(options.map, options.connectivity, options.image);
     file.cell_size = options.cell_size.value_or(file.cell_size);
+    file.cell_size_given = options.cell_size.has_value();
     return file;
 }
 
@@ -187,8 +184,8 @@ void run(const PlanOptions& options) {
     validate(options);
     const Stopwatch since_start;
     io::MapFile file = read_map(options);
-    if (const auto weights = weights_of(options, file.map)) file.map = file.map.with_weights(*weights);
     io::MissionDocument asked = mission_of(options, file);
+    if (const auto weights = weights_of(options, asked, file)) file.map = file.map.with_weights(*weights);
     std::vector<std::pair<std::string, std::string>> outputs;
     if (!options.save_mission.empty()) outputs.emplace_back(options.save_mission, io::mission_text(asked));
     const Deadline deadline(asked.limits.seconds - since_start.seconds());
@@ -212,7 +209,8 @@ void run(const PlanOptions& options) {
                                   .connectivity = options.connectivity,
                                   .timing_fields = !options.no_timing,
                                   .image = options.image,
-                                  .front = options.removals_auto ? std::span(plans) : std::span<const Plan>()};
+                                  .front = options.removals_auto ? std::span(plans) : std::span<const Plan>(),
+                                  .area_budget = asked.area_budget};
     write_outputs(std::move(outputs), options, context, plan, asked.limits, deadline);
     require_plan(plan, asked.mission, asked.limits);
 }

@@ -63,6 +63,21 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
         "Side of a cell, for lengths in metres (default: as the map file says)");
 }
 
+// A weight, or an area such as 800m2.
+void add_budget(CLI::App& command, PlanOptions& options) {
+    CLI::Option* option = add_number(
+        command, "--budget", [&options](double budget) { options.budget = budget; }, {least_weight, most_weight},
+        "WEIGHT|AREA",
+        "What the removed obstacles may weigh together, each 1 unless the map or --weights says otherwise; or how many "
+        "square metres they may cover: 800m2. Alone it stands in place of a count");
+    option->transform([&options](std::string given) {
+        constexpr std::string_view unit = "m2";
+        options.area_budget = given.ends_with(unit);
+        if (options.area_budget) given.resize(given.size() - unit.size());
+        return given;
+    });
+}
+
 void add_method_options(CLI::App& command, PlanOptions& options) {
     command.add_flag("--paper", options.paper,
                      "The paper's method: --select hits --flight nearest --timing ignore --planner theta; for -n 1 its "
@@ -72,12 +87,7 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
                "Obstacles chosen with a proven bound on every other choice; those that the search ran into most "
                "often, as in the paper; again and again the one that shortens the ground path most; or none "
                "(default: exact)");
-    add_number(
-        command, "--budget", [&options](double budget) { options.budget = budget; }, {least_weight, most_weight},
-        "WEIGHT",
-        "What the removed obstacles may weigh together, each 1 unless the map or --weights says otherwise; alone it "
-        "stands in "
-        "place of a count");
+    add_budget(command, options);
     add_file(command, "--weights", options.weights,
              "Weights of obstacles: a file with lines \"ID WEIGHT\", or the word cells for each obstacle's number of "
              "cells");
@@ -190,11 +200,16 @@ void validate(const PlanOptions& options) {
     validate_outputs(outputs, inputs);
 }
 
-std::optional<std::vector<double>> weights_of(const PlanOptions& options, const Map& map) {
+std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
+                                              const io::MapFile& map) {
+    if (mission.area_budget && !options.weights.empty()) {
+        throw InputError("a budget of square metres weighs obstacles by their area, which --weights contradicts");
+    }
+    if (mission.area_budget) return io::area_weights(map);
     if (options.weights.empty()) return std::nullopt;
-    if (options.weights != "cells") return io::read_weights(options.weights, map);
+    if (options.weights != "cells") return io::read_weights(options.weights, map.map);
     std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
+    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(obstacle.cells);
     return weights;
 }
 
@@ -264,6 +279,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     const bool from_map = map.task && options.mission.empty();
     set_agents(options, map, mission);
     set_rules(options, map.map, mission.rules);
+    if (options.budget) result.area_budget = options.area_budget;
     if (from_map) {
         const SearchOptions& search = map.task->search;
         method.heuristic = search.heuristic;

@@ -28,6 +28,7 @@ struct PlanOptions {
     bool removals_auto = false;  // as many as gain anything
     std::optional<Selection> select;
     std::optional<double> budget;
+    bool area_budget = false;  // it is one of square metres
     std::string weights;
     bool bound = false;
     bool explain = false;
@@ -69,8 +70,10 @@ void add_plan_options(CLI::App& command, PlanOptions& options);
 // Throws InputError, naming the options, if they contradict each other.
 void validate(const PlanOptions& options);
 
-// What obstacles weigh, by id, where the options say so; throws InputError as io::read_weights does.
-std::optional<std::vector<double>> weights_of(const PlanOptions& options, const Map& map);
+// What obstacles weigh, by id, where the options or the mission's budget say so; throws InputError as io::read_weights
+// and io::area_weights do.
+std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
+                                              const io::MapFile& map);
 
 // The options, else what the mission file says or --paper stands for, else what the map file says, else the defaults.
 io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map);

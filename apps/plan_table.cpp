@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/option_words.hpp"
+#include "site/demolition.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -17,18 +18,27 @@ using Row = std::vector<std::string>;
 
 const std::string nothing = "-";
 
+// In characters, which can be several bytes.
+std::size_t width(const std::string& text) {
+    return std::size_t(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 // The first column to the left, the others to the right, names in the last one as they are; the first row is the
 // heading.
 std::string aligned(const std::vector<Row>& rows, bool bold, bool names = false) {
     std::vector<std::size_t> widths(rows.front().size(), 0);
     for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
     }
     if (names) widths.back() = 0;
     std::string table;
     for (const Row& row : rows) {
-        std::string line = fmt::format("{:<{}}", row[0], widths[0]);
-        for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format("  {:>{}}", row[i], widths[i]);
+        std::string line = row[0] + std::string(widths[0] - width(row[0]), ' ');
+        for (std::size_t i = 1; i < row.size(); ++i) {
+            const std::size_t blanks = widths[i] - std::min(width(row[i]), widths[i]);
+            line += "  " + std::string(blanks, ' ') + row[i];
+        }
         line.erase(line.find_last_not_of(' ') + 1);
         table += bold && &row == &rows.front() ? fmt::format("\033[1m{}\033[0m\n", line) : line + "\n";
     }
@@ -130,6 +140,23 @@ std::string outcomes(const Plan& plan, const io::PlanContext& context, const Tab
            searches(before.ground(), after.ground(), context, style.bold);
 }
 
+// In square metres, without the unit.
+std::string area(std::uint32_t cells, const io::MapFile& map) {
+    const std::string text = site::area_text(map.square_metres(cells));
+    return text.substr(0, text.find(' '));
+}
+
+// "3 openings in 2 buildings, 640 m²"; empty where it would say nothing new.
+std::string demolition(const Plan& plan, const io::MapFile& map) {
+    if (!map.has_metres() && map.sections.empty()) return "";
+    std::vector<ObstacleId> removed;
+    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
+    const site::Demolition all = site::demolition(map.map, map.sections, removed);
+    const std::string extent =
+        map.has_metres() ? site::area_text(map.square_metres(all.cells)) : fmt::format("{} cells", all.cells);
+    return site::removals_text(all, map.sections) + ", " + extent + "\n";
+}
+
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     const auto named = [](const Breach& breach) { return breach.source_id != 0; };
     const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
@@ -140,6 +167,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     const bool counted = context.method.select == Selection::hits;
     std::vector<Row> rows{{"removed", "obstacle", "cells", "breach cell", "breached at", "entered at"}};
     if (counted) rows.front().insert(rows.front().begin() + 3, "hits");
+    if (style.metres) rows.front().insert(rows.front().begin() + 3, "m\u00b2");
     if (explained) rows.front().emplace_back("saves");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     if (names) rows.front().emplace_back("name");
@@ -148,12 +176,13 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
                         std::to_string(breach.cells), text(breach.at), text(breach.cleared_at, 3),
                         text(breach.entered_at, 3)});
         if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(breach.hits));
+        if (style.metres) rows.back().insert(rows.back().begin() + 3, area(breach.cells, context.map));
         if (explained) rows.back().push_back(text(breach.saves, 3));
         const std::string source_id = named(breach) ? std::to_string(breach.source_id) : nothing;
         if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);
         if (names) rows.back().emplace_back(name_of(breach));
     }
-    if (rows.size() > 1) return aligned(rows, style.bold, names);
+    if (rows.size() > 1) return aligned(rows, style.bold, names) + demolition(plan, context.map);
     if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
     if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";
     return counted && context.mission.rules.timing == Timing::ignore

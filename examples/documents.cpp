@@ -13,14 +13,14 @@ int main() {
     for (int y = 0; y < 18; ++y) grid.set_blocked({20, y}, true);
     const waybreaker::io::MapFile map{.map = waybreaker::Map(std::move(grid)), .source = "yard"};
 
-    const auto [mission, method, limits] = waybreaker::io::parse_mission(R"({
+    const waybreaker::io::MissionDocument asked = waybreaker::io::parse_mission(R"({
         "format": "waybreaker-mission/1",
         "agents": [{"id": "rover", "kind": "ground", "start": [4, 4], "goal": [36, 4]},
                    {"id": "drone", "kind": "air", "start": [4, 4], "goal": [36, 4], "speed": 2}],
         "rules": {"removals": 1, "breach_time": 3}})",
-                                                                         "mission.json");
-    const waybreaker::Plan plan = waybreaker::MissionPlanner().plan(map.map, mission, method, limits);
-    std::cout << waybreaker::io::plan_json(plan,
-                                           {.map = map, .mission = mission, .method = method, .timing_fields = false});
-    std::ofstream("documents.svg") << waybreaker::render::svg(map.map, mission, plan, {.title = "Yard"});
+                                                                                "mission.json");
+    const waybreaker::Plan plan = waybreaker::MissionPlanner().plan(map.map, asked.mission, asked.method, asked.limits);
+    std::cout << waybreaker::io::plan_json(
+        plan, {.map = map, .mission = asked.mission, .method = asked.method, .timing_fields = false});
+    std::ofstream("documents.svg") << waybreaker::render::svg(map.map, asked.mission, plan, {.title = "Yard"});
 }

@@ -12,14 +12,18 @@
 #include "geo/ground_map.hpp"
 #include "geo/import_window.hpp"
 #include "geo/label_raster.hpp"
-#include "geo/labelled.hpp"
+#include "geo/merge_touching.hpp"
 #include "geo/survey.hpp"
+#include "site/described_map.hpp"
+#include "site/split.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
 namespace {
 
 using Kind = site::ObstacleKind;
+
+constexpr double usual_section = 20;  // metres
 
 // A footprint as a window sees it.
 struct Seen {
@@ -52,9 +56,12 @@ ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice)
 }
 
 // One label for each footprint.
-Labelled labelled(std::vector<std::uint32_t> labels, const std::vector<Seen>& seen, const ObstacleChoice& choice) {
-    Labelled result{
-        .labels = std::move(labels), .attributes = std::vector<ObstacleAttributes>(1), .names = {}, .kinds = {}};
+site::LabelLayer labelled(const std::vector<Seen>& seen, const CellWindow& window, const ObstacleChoice& choice,
+                          std::vector<std::uint32_t> labels) {
+    site::LabelLayer result{.width = window.width,
+                            .height = window.height,
+                            .labels = std::move(labels),
+                            .attributes = std::vector<ObstacleAttributes>(1)};
     for (const Seen& one : seen) {
         const auto label = std::uint32_t(result.attributes.size());
         const std::string& name = one.footprint->name;
@@ -86,8 +93,19 @@ void clear_for(const GroundMap& ground, const std::vector<Seen>& seen, std::vect
     }
 }
 
+// In cells; 0 for whole obstacles.
+int section_side(const ImportOptions& options) {
+    const double metres = *options.section;
+    if (metres == 0) return 0;
+    if (metres < options.cell) {
+        throw InputError(
+            fmt::format("--section {}: cells have {} m; give at least that, or none", metres, options.cell));
+    }
+    return int(std::round(std::min(metres / options.cell, double(max_side))));
+}
+
 // Puts what the ground blocks on cells that are free for it.
-void append_ground(const GroundMap& ground, const std::vector<GroundPiece>& pieces, Labelled& cells) {
+void append_ground(const GroundMap& ground, const std::vector<GroundPiece>& pieces, site::LabelLayer& cells) {
     if (ground.blocked.empty()) return;
     const auto first = std::uint32_t(cells.attributes.size());
     for (const GroundPiece& piece : pieces) {
@@ -155,6 +173,7 @@ void move_barriers(Ground& ground, const Window& window, std::vector<Footprint>&
 ImportOptions with_profile(ImportOptions options) {
     ObstacleChoice& choice = options.choice;
     if (!options.profile) options.profile = choice.obstacles.empty() ? Profile::rover : Profile::paper;
+    if (!options.section) options.section = options.profile == Profile::paper ? 0 : usual_section;
     choice.only_in_the_way = options.profile != Profile::paper;
     if (choice.destructible.empty() && choice.protect.empty()) choice.shelter = protection(*options.profile).filters;
     return options;
@@ -193,23 +212,24 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
     const GroundMap ground = ground_map(pieces, window);
     std::vector<std::uint32_t> labels = rasterise(seen, window);
     clear_for(ground, seen, labels);
-    Labelled cells = labelled(std::move(labels), seen, options.choice);
-    if (options.merge_touching) {
-        cells = merged(cells, joins(seen), window.width, window.height, !options.choice.weight.of.empty());
-    }
+    site::LabelLayer cells = labelled(seen, window, options.choice, std::move(labels));
+    if (options.merge_touching) cells = merged(cells, joins(seen), !options.choice.weight.of.empty());
     append_ground(ground, pieces, cells);
     if (!options.names) cells.names.clear();
     if (options.profile == Profile::paper) cells.kinds.clear();
-    std::vector<site::NamedCell> named = site::named_cells(std::move(cells.names), cells.labels);
-    const std::vector<site::KindOfCell> kinds = site::kinds_of_cells(std::move(cells.kinds), cells.labels);
-    LabelTiff tiff{.map = Map::from_labels(window.width, window.height, std::move(cells.labels), cells.attributes),
+    site::DescribedMap described = site::described(std::move(cells));
+    if (const int side = section_side(options); side > 0) {
+        described = site::split(described.map, described.names, described.kinds, {.side = side});
+    }
+    LabelTiff tiff{.map = std::move(described.map),
                    .cell_size = options.cell,
                    .georeference = window.georeference,
                    .attribution = material.footprints.from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
                    .title = title_of(source, window, options.cell),
-                   .background = background_within(material.survey.scenery, window.window.bounds, options.cell)};
-    tiff.names = site::obstacle_names(tiff.map, std::move(named));
-    tiff.kinds = site::obstacle_kinds(tiff.map, kinds);
+                   .names = std::move(described.names),
+                   .background = background_within(material.survey.scenery, window.window.bounds, options.cell),
+                   .kinds = std::move(described.kinds),
+                   .sections = std::move(described.sections)};
     ImportReport report{.tiff = std::move(tiff),
                         .covered = material.covered,
                         .profile = *options.profile,

@@ -26,6 +26,9 @@ struct ImportOptions {
     // (`paper`), so that they are all there is. Obstacles that are chosen beside a profile take the place of its
     // buildings and barriers.
     std::optional<Profile> profile = {};
+    // Side of the squares that one breach opens, in metres, rounded to whole cells; 0: whole obstacles. Empty: 20 for a
+    // profile other than `paper`, else 0.
+    std::optional<double> section = {};
     ObstacleChoice choice = {};
     bool names = true;       // keep what people call the obstacles
     bool background = true;  // keep streets, water, green and places
@@ -44,7 +47,8 @@ struct ImportReport {
 // Buildings, or what else is chosen, become obstacles, one each unless merged, with their source ids (OSM ways
 // positive, relations negative) and names; projected to the local UTM zone. A cell belongs to the building that covers
 // its centre; the first in the source's order where several do. What bars the profile's way for ever (water, forbidden
-// ground) becomes obstacles that cannot be destroyed, under buildings too: see ground_map.hpp. Throws InputError
+// ground) becomes obstacles that cannot be destroyed, under buildings too: see ground_map.hpp. With sections, what
+// can be destroyed is cut along a lattice from the window's north-western corner: see site/split.hpp. Throws InputError
 // (source and remedy) if there is nothing to import, or a filter matches nothing in all of the source.
 ImportReport import_city(const std::string& source, const ImportOptions& given);
 

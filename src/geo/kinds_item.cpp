@@ -3,31 +3,13 @@
 #include <fmt/format.h>
 #include <gdal_priv.h>
 
-#include <algorithm>
 #include <charconv>
 
+#include "geo/take_until.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
-namespace {
-
 using Kind = site::ObstacleKind;
-
-Kind kind_called(std::string_view word) {
-    const auto& words = site::obstacle_kind_words;
-    const auto* const found = std::find(words.begin(), words.end(), word);
-    return found == words.end() ? Kind::unknown : Kind(found - words.begin());
-}
-
-// Up to the next of these characters, which goes as well.
-std::string_view take_until(char end, std::string_view& text) {
-    const std::size_t at = std::min(text.find(end), text.size());
-    const std::string_view taken = text.substr(0, at);
-    text.remove_prefix(std::min(at + 1, text.size()));
-    return taken;
-}
-
-}  // namespace
 
 std::string kinds_text(const site::ObstacleKinds& kinds) {
     std::string text;
@@ -48,7 +30,7 @@ site::LabelKinds read_kinds(GDALDataset& file, const std::string& name) {
     site::LabelKinds kinds;
     for (std::size_t line = 1; !text.empty(); ++line) {
         std::string_view rest = take_until('\n', text);
-        const Kind kind = kind_called(take_until(' ', rest));
+        const Kind kind = site::kind_called(take_until(' ', rest));
         while (!rest.empty()) {
             const std::string_view word = take_until(' ', rest);
             std::uint32_t label = 0;

@@ -12,6 +12,8 @@
 #include "geo/gdal_scope.hpp"
 #include "geo/kinds_item.hpp"
 #include "geo/obstacle_metadata.hpp"
+#include "geo/sections_item.hpp"
+#include "site/described_map.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -208,35 +210,36 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     check_layout(*file, bytes.size(), name, limits.cells);
     Place place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);
-    site::LabelNames label_names = read_names(*file, name);
-    site::LabelKinds label_kinds = read_kinds(*file, name);
-    const int width = file->GetRasterXSize();
-    const int height = file->GetRasterYSize();
+    site::LabelLayer layer{.width = file->GetRasterXSize(),
+                           .height = file->GetRasterYSize(),
+                           .attributes = attributes,
+                           .names = read_names(*file, name),
+                           .kinds = read_kinds(*file, name)};
+    read_sections(*file, name, layer);
+    const int width = layer.width;
+    const int height = layer.height;
     site::Background background = read_background(*file, place, width, height, name);
-    std::vector<std::uint32_t> labels = read_labels(*file, memory, name);
+    layer.labels = read_labels(*file, memory, name);
+    const std::vector<std::uint32_t>& labels = layer.labels;
     const bool mask = attributes.size() == 1 && has_one_value(labels);
-    if (mask) {
-        label_names.clear();
-        label_kinds.clear();
-    }
     if (limits.admit) {
         limits.admit(
             map_bytes(width, height,
                       mask ? count_obstacles(grid_of(width, height, labels), connectivity) : count_labels(labels)));
     }
-    std::vector<site::NamedCell> named = site::named_cells(std::move(label_names), labels);
-    const std::vector<site::KindOfCell> kinds = site::kinds_of_cells(std::move(label_kinds), labels);
-    LabelTiff tiff{.map = mask ? Map(grid_of(width, height, labels), connectivity)
-                               : Map::from_labels(width, height, std::move(labels), attributes),
+    site::DescribedMap described = mask ? site::DescribedMap{Map(grid_of(width, height, labels), connectivity)}
+                                        : site::described(std::move(layer));
+    LabelTiff tiff{.map = std::move(described.map),
                    .cell_size = place.cell_size,
                    .georeference = std::move(place.georeference),
                    .origin = place.origin,
                    .attribution = metadata(*file, attribution_item),
                    .title = metadata(*file, title_item),
+                   .names = std::move(described.names),
                    .background = std::move(background),
+                   .kinds = std::move(described.kinds),
+                   .sections = std::move(described.sections),
                    .mask = mask};
-    tiff.names = site::obstacle_names(tiff.map, std::move(named));
-    tiff.kinds = site::obstacle_kinds(tiff.map, kinds);
     return tiff;
 }
 
@@ -276,6 +279,7 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     for (const auto& [item, text] : obstacle_metadata(tiff.map)) set(item, text);
     set(names_item, names_text(tiff.names));
     set(kinds_item, kinds_text(tiff.kinds));
+    set(sections_item, sections_text(tiff.sections));
     if (tiff.georeference) set(background_item, background_text(tiff.background, *tiff.georeference));
 
     auto* labels = const_cast<std::uint32_t*>(tiff.map.labels().data());  // GDAL only reads it

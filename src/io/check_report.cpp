@@ -42,7 +42,16 @@ void append(Violations& all, const Violations& more) {
 
 }  // namespace
 
-std::optional<Map> reweighed(const PlanFile& plan, const Map& map, const JudgeOptions& options) {
+std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const JudgeOptions& options) {
+    const Map& map = file.map;
+    if (plan.area_budget) {
+        const double cell_size = file.has_metres() ? file.cell_size : plan.cell_size;
+        std::vector<double> weights{0};
+        for (const Obstacle& o : map.obstacles()) {
+            weights.push_back(std::clamp(square_metres(o.cells, cell_size), least_weight, most_weight));
+        }
+        return map.with_weights(weights);
+    }
     if (options.weights) return map.with_weights(*options.weights);
     const auto counts_cells = [&](const PlanFile::Weight& stated) {
         return stated.obstacle.value >= 1 && stated.obstacle.value <= map.obstacles().size() &&
@@ -58,7 +67,7 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
     Violations violations = judge_size(plan, map.map);
     if (!violations.empty()) return violations;
     if (!options.ignore_digest) violations = judge_digest(plan, map);
-    const std::optional<Map> other = reweighed(plan, map.map, options);
+    const std::optional<Map> other = reweighed(plan, map, options);
     const Map& on = other ? *other : map.map;
     append(violations, judge_weights(plan, on));
     append(violations, check(on, plan.mission, plan.plan, options.tolerance));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "site/georeference.hpp"
 #include "site/obstacle_kinds.hpp"
 #include "site/obstacle_names.hpp"
+#include "site/sections.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/search.hpp"
 
@@ -21,6 +23,14 @@ namespace waybreaker::io {
 // Metres that a cell can measure.
 inline constexpr double least_cell_size = 1e-6;
 inline constexpr double most_cell_size = 1e6;
+
+// The area of cells of that side in metres; to a square millimetre, as sums of rounded numbers show digits that nobody
+// measured.
+inline double square_metres(std::uint64_t cells, double cell_size) {
+    constexpr double square_millimetres = 1e6;
+    const double area = double(cells) * (cell_size * cell_size);
+    return area < 1 ? area : std::round(area * square_millimetres) / square_millimetres;
+}
 
 // What blocks in maps that are images.
 struct ImageReading {
@@ -41,10 +51,11 @@ struct MapTask {
 
 struct MapFile {
     Map map;
-    std::string source = {};  // file name without folders
-    std::string format = {};  // for people: "MovingAI map", "ROS map", ...
-    std::string digest = {};  // "sha256:..." of the file's bytes; a ROS map's YAML and image one after the other
-    double cell_size = 1;     // metres per cell
+    std::string source = {};       // file name without folders
+    std::string format = {};       // for people: "MovingAI map", "ROS map", ...
+    std::string digest = {};       // "sha256:..." of the file's bytes; a ROS map's YAML and image one after the other
+    double cell_size = 1;          // metres per cell
+    bool cell_size_given = false;  // by the user, not by the file
     double label_seconds = 0;
     std::optional<site::Georeference> georeference = {};
     // Without a georeference: the lower-left corner, in metres of the frame that a robot knows the map in.
@@ -54,11 +65,16 @@ struct MapFile {
     site::ObstacleNames names = {};    // what people call the obstacles
     site::Background background = {};  // streets, water, ...
     site::ObstacleKinds kinds = {};    // what the obstacles are: buildings, water, ...
+    site::Sections sections = {};      // what they are parts of, where they are cut
     std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};
     std::uint64_t unknown = 0;            // cells of unknown occupancy
     std::vector<std::string> notes = {};  // for the user, a line each
 
+    // Whether lengths can be given in metres.
+    bool has_metres() const { return cell_size_given || georeference || ros || cell_size != 1; }
+    // Of so many cells. REQUIRES: has_metres().
+    double square_metres(std::uint64_t cells) const { return io::square_metres(cells, cell_size); }
     // Empty where it is unknown.
     std::string_view name_of(ObstacleId id) const {
         return id.value < names.size() ? names[id.value] : std::string_view();

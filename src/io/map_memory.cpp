@@ -22,13 +22,22 @@ std::size_t memory_of(const site::Background& background) {
     return bytes;
 }
 
+std::size_t memory_of(const site::Sections& sections) {
+    std::size_t bytes = sections.structures.capacity() * sizeof(site::Structure);
+    for (const site::Structure& one : sections.structures) bytes += memory_of(one.name) - sizeof(std::string);
+    for (const auto& parts : sections.parts) {
+        bytes += sizeof(parts) + parts.capacity() * sizeof(std::uint32_t) + allocation;
+    }
+    return bytes;
+}
+
 }  // namespace
 
 std::size_t memory_of(const MapFile& file) {
     const Map& map = file.map;
     std::size_t bytes = map_bytes(map.width(), map.height(), map.obstacles().size());
     for (const std::string& name : file.names) bytes += memory_of(name);
-    bytes += memory_of(file.background) + file.kinds.capacity();
+    bytes += memory_of(file.background) + file.kinds.capacity() + memory_of(file.sections);
     if (file.ros) bytes += memory_of(file.ros->text) + memory_of(file.ros->image);
     return bytes;
 }

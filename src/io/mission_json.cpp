@@ -74,9 +74,9 @@ Json ids_json(const std::vector<ObstacleId>& ids) {
     return json;
 }
 
-Json rules_json(const Rules& rules) {
+Json rules_json(const Rules& rules, bool area_budget) {
     Json json{{"removals", rules.removals}};
-    if (std::isfinite(rules.budget)) json["budget"] = number(rules.budget);
+    if (std::isfinite(rules.budget)) json[area_budget ? "budget_m2" : "budget"] = number(rules.budget);
     json["protect"] = ids_json(rules.protect);
     json["force"] = ids_json(rules.force);
     json["breach_time"] = number(rules.breach_time.per_obstacle);
@@ -113,6 +113,15 @@ void read_limits(const JsonField& field, Limits& limits) {
     }
     if (const auto count = field.find("expansions"))
         limits.expansions = std::uint64_t(count->whole_number(1, INT64_MAX));
+}
+
+void read_budget(const JsonField& field, Rules& rules, bool& area_budget) {
+    const auto weight = field.find("budget");
+    const auto area = field.find("budget_m2");
+    if (weight && area) area->fail("stands beside budget; give one of them");
+    if (!weight && !area) return;
+    rules.budget = read_not_negative(weight ? *weight : *area);
+    area_budget = area.has_value();
 }
 
 std::string pretty(const Json& json, const std::string& indent) {
@@ -155,9 +164,9 @@ void read_body(const JsonField& field, Body& body) {
     if (body.radius < 0 || body.radius > 32) radius->fail("is not between 0 and 32");
 }
 
-void read_rules(const JsonField& field, Rules& rules) {
+void read_rules(const JsonField& field, Rules& rules, bool& area_budget) {
     if (const auto count = field.find("removals")) rules.removals = int(count->whole_number(0, INT_MAX));
-    if (const auto budget = field.find("budget")) rules.budget = read_not_negative(*budget);
+    read_budget(field, rules, area_budget);
     read_ids(field, "protect", rules.protect);
     read_ids(field, "force", rules.force);
     if (const auto time = field.find("breach_time")) rules.breach_time.per_obstacle = read_not_negative(*time);
@@ -189,9 +198,9 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     result.limits = limits;
     for (const JsonField& agent : document["agents"].items()) result.mission.agents.push_back(read_agent(agent));
     if (const auto rules = document.find("rules")) {
-        rules->allow(
-            {"removals", "budget", "protect", "force", "breach_time", "breach_time_per_cell", "timing", "objective"});
-        read_rules(*rules, result.mission.rules);
+        rules->allow({"removals", "budget", "budget_m2", "protect", "force", "breach_time", "breach_time_per_cell",
+                      "timing", "objective"});
+        read_rules(*rules, result.mission.rules, result.area_budget);
     }
     if (const auto method = document.find("method")) {
         method->allow({"select", "flight", "planner", "heuristic", "weight", "tie_break", "moves", "bound", "explain"});
@@ -215,7 +224,7 @@ Json mission_json(const MissionDocument& document) {
     for (const Agent& agent : document.mission.agents) agents.push_back(agent_json(agent));
     return {{"format", format},
             {"agents", std::move(agents)},
-            {"rules", rules_json(document.mission.rules)},
+            {"rules", rules_json(document.mission.rules, document.area_budget)},
             {"method", method_json(document.method)},
             {"limits", limits_json(document.limits)}};
 }

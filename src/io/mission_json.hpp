@@ -22,7 +22,8 @@ namespace waybreaker::io {
 struct MissionDocument {
     Mission mission;
     Method method = {};
-    Limits limits = {};  // seconds and expansions
+    Limits limits = {};        // seconds and expansions
+    bool area_budget = false;  // the budget is one of square metres: obstacles weigh their area (weights.hpp)
 };
 
 // Larger files are refused.
@@ -48,8 +49,9 @@ Cell read_cell(const JsonField& field);
 // `least`: 0 where a wrong id is judged, not refused.
 ObstacleId read_obstacle(const JsonField& field, std::uint32_t least = 1);
 double read_not_negative(const JsonField& field);
-// Members of `field` that are rules, under the names of Rules, over what is there.
-void read_rules(const JsonField& field, Rules& rules);
+// Members of `field` that are rules, under the names of Rules, over what is there; budget_m2 is a budget of square
+// metres.
+void read_rules(const JsonField& field, Rules& rules, bool& area_budget);
 // Members of `field` that say how the mission is planned.
 void read_method(const JsonField& field, Method& method);
 void read_body(const JsonField& field, Body& body);

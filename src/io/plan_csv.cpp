@@ -21,16 +21,19 @@ std::string decimals(double value, double per_unit) {
     return shortest_text(std::round(value * per_unit) / per_unit);
 }
 
-// The obstacle that the air agent opens at that point of its path, at the end of its stay.
-std::string breach_at(const Plan& plan, const Itinerary& agent, std::size_t i) {
+constexpr double square_millimetres = 1e6;
+
+// What the air agent opens at that point of its path, at the end of its stay: the obstacle and its area.
+std::string breach_at(const Plan& plan, const MapFile& map, const Itinerary& agent, std::size_t i) {
     const Waypoint& point = agent.path[i];
-    if (agent.kind != AgentKind::air || (i + 1 < agent.path.size() && agent.path[i + 1] == point)) return "";
+    if (agent.kind != AgentKind::air || (i + 1 < agent.path.size() && agent.path[i + 1] == point)) return ",";
     for (const Breach& breach : plan.breaches) {
         if (point == Waypoint{double(breach.at.x), double(breach.at.y), breach.cleared_at}) {
-            return std::to_string(breach.obstacle.value);
+            return std::to_string(breach.obstacle.value) + "," +
+                   (map.has_metres() ? decimals(map.square_metres(breach.cells), square_millimetres) : "");
         }
     }
-    return "";
+    return ",";
 }
 
 }  // namespace
@@ -39,7 +42,7 @@ std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat&
     constexpr double millimetres = 1e3;
     constexpr double degrees = 1e9;
     const MapFrame frame(map);
-    std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches\n";
+    std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches,area_m2\n";
     for (const Itinerary& agent : plan.agents) {
         const bool air = agent.kind == AgentKind::air;
         for (std::size_t i = 0; i < agent.path.size(); ++i) {
@@ -54,7 +57,7 @@ std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat&
             } else {
                 text += ",,";
             }
-            text += breach_at(plan, agent, i) + "\n";
+            text += breach_at(plan, map, agent, i) + "\n";
         }
     }
     return text;

@@ -29,7 +29,7 @@ MissionDocument asked(const JsonField& root, const std::vector<Itinerary>& itine
     const JsonField options = root["options"];
     for (const char* member : {"timing", "objective", "corners"}) options[member].text();
     options["radius"].number();
-    read_rules(options, result.mission.rules);
+    read_rules(options, result.mission.rules, result.area_budget);
     read_method(options, result.method);
     if (!copy) {
         for (const Itinerary& agent : itineraries) {
@@ -105,6 +105,12 @@ Itinerary agent(const JsonField& field) {
     return result;
 }
 
+double cell_size(const JsonField& field) {
+    const double metres = field.number();
+    if (!(metres >= least_cell_size && metres <= most_cell_size)) field.fail("is no size of a cell in metres");
+    return metres;
+}
+
 }  // namespace
 
 PlanFile parse_plan(std::string_view bytes, const std::string& name) {
@@ -129,6 +135,8 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     MissionDocument made_for = asked(root, file.plan.agents);
     file.mission = std::move(made_for.mission);
     file.method = made_for.method;
+    file.area_budget = made_for.area_budget;
+    if (const auto size = root["map"].find("cell_size")) file.cell_size = cell_size(*size);
     file.plan.before = outcome(root["before"]);
     file.plan.after = outcome(root["after"]);
     if (const auto bound = root.find("bound")) {

@@ -20,11 +20,13 @@ struct PlanFile {
         double weight = 1;
     };
     std::vector<Weight> weights = {};  // of removed obstacles, where the file says them
+    bool area_budget = false;          // the mission's budget is one of square metres
     Connectivity connectivity = Connectivity::four;
     ImageReading image;
     // The map it was made for.
     int width = 0;
     int height = 0;
+    double cell_size = 1;
     std::string digest;
 };
 

@@ -39,6 +39,7 @@ Json properties_of(const Breach& breach, const MapFile& map, const char* role, s
     properties["source_id"] = breach.source_id != 0 ? Json(breach.source_id) : Json();
     if (const std::string_view name = map.name_of(breach.obstacle); !name.empty()) properties["name"] = name;
     properties["cells"] = breach.cells;
+    if (map.has_metres()) properties["area_m2"] = map.square_metres(breach.cells);
     properties["cleared_at"] = breach.cleared_at;
     properties["entered_at"] = breach.entered_at ? Json(*breach.entered_at) : Json();
     return properties;

@@ -5,6 +5,7 @@
 
 #include "io/mission_json.hpp"
 #include "io/option_words.hpp"
+#include "site/demolition.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -56,13 +57,13 @@ Json options_json(const PlanContext& context) {
               {"radius", number(body.radius)}};
     for (const ObstacleId id : rules.protect) json["protect"].push_back(id.value);
     for (const ObstacleId id : rules.force) json["force"].push_back(id.value);
-    if (std::isfinite(rules.budget)) json["budget"] = number(rules.budget);
+    if (std::isfinite(rules.budget)) json[context.area_budget ? "budget_m2" : "budget"] = number(rules.budget);
     return json;
 }
 
 // What was asked and how it was planned; how long that may have taken is nothing that a plan depends on.
 Json mission_copy(const PlanContext& context) {
-    Json json = mission_json({context.mission, context.method, {}});
+    Json json = mission_json({context.mission, context.method, {}, context.area_budget});
     json.erase("limits");
     return json;
 }
@@ -90,9 +91,34 @@ void add_identity(Json& json, ObstacleId id, std::int64_t source_id, const MapFi
     if (const std::string_view name = map.name_of(id); !name.empty()) json["name"] = name;
 }
 
+// What it is a part of, if it is a section.
+void add_structures(Json& json, ObstacleId id, const site::Sections& sections) {
+    for (const std::uint32_t position : site::structures_of(sections, std::span(&id, 1))) {
+        const site::Structure& one = sections.structures[position];
+        Json structure{{"kind", site::obstacle_kind_words[std::size_t(one.kind)]}};
+        if (one.source_id != 0) structure["source_id"] = one.source_id;
+        if (!one.name.empty()) structure["name"] = one.name;
+        json["structures"].push_back(std::move(structure));
+    }
+}
+
+// What all removals destroy; empty where neither area nor structures are known.
+Json demolition_json(const Plan& plan, const MapFile& map) {
+    if (!map.has_metres() && map.sections.empty()) return nullptr;
+    std::vector<ObstacleId> removed;
+    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
+    const site::Demolition demolition = site::demolition(map.map, map.sections, removed);
+    Json json{{"removals", demolition.removals}, {"cells", demolition.cells}};
+    if (map.has_metres()) json["area_m2"] = number(map.square_metres(demolition.cells));
+    if (!map.sections.empty()) json["structures"] = demolition.structures.size();
+    return json;
+}
+
 Json breach_json(const Breach& breach, const PlanContext& context) {
     Json json{{"obstacle", breach.obstacle.value}, {"cells", breach.cells}, {"hits", breach.hits}};
+    if (context.map.has_metres()) json["area_m2"] = number(context.map.square_metres(breach.cells));
     add_identity(json, breach.obstacle, breach.source_id, context.map);
+    add_structures(json, breach.obstacle, context.map.sections);
     const double weight = context.map.map.obstacle(breach.obstacle).weight;
     if (weight != 1 || std::isfinite(context.mission.rules.budget)) json["weight"] = number(weight);
     json["at"] = place(breach.at);
@@ -155,6 +181,9 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
                      {"removed", Json::array()}});
     for (const Breach& breach : plan.breaches) {
         json["removed"].push_back(breach_json(breach, context));
+    }
+    if (Json demolition = demolition_json(plan, context.map); !demolition.is_null()) {
+        json["demolition"] = std::move(demolition);
     }
     for (const NextBreach& next : plan.next) json["next"].push_back(next_json(next, context.map));
     json["agents"] = Json::array();

@@ -19,6 +19,7 @@ struct PlanContext {
     bool timing_fields = true;         // false: no "seconds" anywhere, so that equal input gives equal bytes
     ImageReading image = {};           // how the map was read
     std::span<const Plan> front = {};  // the plans for 0, 1, 2, ... removals, if asked for
+    bool area_budget = false;          // the mission's budget is one of square metres
 };
 
 // The whole document, indented, with a final newline. Same input, same bytes, `seconds` aside.

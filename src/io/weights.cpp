@@ -34,4 +34,14 @@ std::vector<double> read_weights(const std::string& path, const Map& map) {
     return weights;
 }
 
+std::vector<double> area_weights(const MapFile& map) {
+    if (!map.has_metres()) {
+        throw InputError(map.source +
+                         ": a budget in square metres needs the size of a cell, which the map does not say");
+    }
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(map.square_metres(obstacle.cells));
+    return weights;
+}
+
 }  // namespace waybreaker::io

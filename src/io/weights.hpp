@@ -1,9 +1,10 @@
-// What obstacles weigh, as a text file: one "ID WEIGHT" a line; "#" begins a comment.
+// What obstacles weigh, by a text file, one "ID WEIGHT" a line ("#" begins a comment), or by their area.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "io/map_file.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::io {
@@ -12,5 +13,8 @@ namespace waybreaker::io {
 // naming file and line, on anything else, on ids the map does not have or that come twice, and on weights that are not
 // positive numbers.
 std::vector<double> read_weights(const std::string& path, const Map& map);
+
+// The same, of each its area in square metres. Throws InputError if the map does not say how large a cell is.
+std::vector<double> area_weights(const MapFile& map);
 
 }  // namespace waybreaker::io

@@ -57,6 +57,10 @@ std::string map_info_json(const io::MapFile& file) {
                                         {"name", file.name_of(largest->id)},
                                         {"cells", largest->cells}};
     }
+    if (!file.sections.empty()) {
+        json["obstacles"]["sections"] = site::section_count(file.sections);
+        json["obstacles"]["structures"] = site::cut_structures(file.sections).size();
+    }
     json["ground"] = nullptr;
     if (const std::optional<GroundSummary> ground = summarise_ground(file)) {
         json["ground"] = {{"open", ground->open},

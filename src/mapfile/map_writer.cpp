@@ -156,10 +156,15 @@ std::string bytes_of(const io::MapFile& map, std::string_view extension) {
                                   .title = map.title,
                                   .names = map.names,
                                   .background = map.background,
-                                  .kinds = map.kinds});
+                                  .kinds = map.kinds,
+                                  .sections = map.sections});
 }
 
 }  // namespace
+
+bool holds_obstacles(const std::string& path) {
+    return format_of(path).obstacles;
+}
 
 WrittenMap write_map(const io::MapFile& map, const std::string& path) {
     const Format& format = format_of(path);

@@ -18,6 +18,10 @@ struct WrittenMap {
     std::vector<std::string> losses;  // what the format does not hold of this map, a line each
 };
 
+// Whether the format that the extension of `path` stands for says which cell belongs to which obstacle. Throws as
+// below.
+bool holds_obstacles(const std::string& path);
+
 // The map in the format that the extension of `path` stands for: .map (MovingAI), .xml (the authors'), .tif (labels),
 // .geojson, .yaml (ROS, with a PGM of the same name beside it), .png, .pgm. A ROS map becomes a ROS map to the byte,
 // but for the image's name. Throws InputError, naming the extensions there are.

@@ -6,6 +6,8 @@
 
 #include "mapfile/grey_image.hpp"
 #include "mapfile/ros_map.hpp"
+#include "site/described_map.hpp"
+#include "site/split.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::mapfile {
@@ -50,22 +52,20 @@ io::RosFiles opened(const io::RosFiles& files, const std::string& name, const Ma
     return result;
 }
 
+// Takes the map, and what is known of its obstacles.
+void describe(io::MapFile& file, site::DescribedMap&& described) {
+    file.map = std::move(described.map);
+    file.names = std::move(described.names);
+    file.kinds = std::move(described.kinds);
+    file.sections = std::move(described.sections);
+}
+
 }  // namespace
 
 void relabel(io::MapFile& file, std::vector<std::uint32_t> labels) {
-    std::vector<ObstacleAttributes> attributes(1);
-    site::LabelNames names;
-    site::LabelKinds kinds;
-    for (const Obstacle& o : file.map.obstacles()) {
-        attributes.push_back({o.destructible, o.source_id, o.weight, o.breach_time});
-        if (const auto name = file.name_of(o.id); !name.empty()) names.emplace(o.id.value, name);
-        if (!file.kinds.empty()) kinds.emplace(o.id.value, file.kinds[o.id.value]);
-    }
-    std::vector<site::NamedCell> named = site::named_cells(std::move(names), labels);
-    const std::vector<site::KindOfCell> kinds_there = site::kinds_of_cells(std::move(kinds), labels);
-    file.map = Map::from_labels(file.map.width(), file.map.height(), std::move(labels), attributes);
-    file.names = site::obstacle_names(file.map, std::move(named));
-    file.kinds = site::obstacle_kinds(file.map, kinds_there);
+    site::LabelLayer layer = site::label_layer(file.map, file.names, file.kinds, file.sections);
+    layer.labels = std::move(labels);
+    describe(file, site::described(std::move(layer)));
 }
 
 io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleId> removed) {
@@ -80,6 +80,16 @@ io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleI
     }
     relabel(result, std::move(labels));
     return result;
+}
+
+io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice) {
+    if (!file.sections.empty()) {
+        throw InputError(file.source + ": is cut into sections already; give the map that it was made from");
+    }
+    describe(file, site::split(file.map, file.names, file.kinds, lattice));
+    file.digest.clear();
+    file.ros.reset();  // its cells say nothing of sections
+    return file;
 }
 
 }  // namespace waybreaker::mapfile

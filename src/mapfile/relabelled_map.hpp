@@ -1,4 +1,4 @@
-// Maps whose obstacles differ from those of their file: some removed, some new.
+// Maps whose obstacles differ from those of their file: some removed, some new, or cut into sections.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/map_file.hpp"
+#include "site/sections.hpp"
 
 namespace waybreaker::mapfile {
 
@@ -16,5 +17,9 @@ void relabel(io::MapFile& file, std::vector<std::uint32_t> labels);
 // The map after the removal of these obstacles. Of a ROS map the image changes too: what was unknown stays unknown, and
 // no cell but theirs becomes free. Throws InputError if there is no such obstacle, or it cannot be destroyed.
 io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleId> removed);
+
+// The map with what can be destroyed cut into sections: see site/split.hpp. Throws InputError if it has sections
+// already.
+io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice);
 
 }  // namespace waybreaker::mapfile

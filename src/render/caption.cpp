@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render/picture.hpp"
+#include "site/demolition.hpp"
 
 namespace waybreaker::render {
 namespace {
@@ -39,9 +40,14 @@ std::string change(std::optional<double> before, std::optional<double> after) {
     return fmt::format("{}{} %", sign, percent);
 }
 
-std::string removals(std::size_t count) {
-    if (count == 0) return "no obstacle removed";
-    return fmt::format("{} obstacle{} removed", count, count == 1 ? "" : "s");
+// "3 openings in 2 buildings, 640 m²".
+std::string removals(const Map& map, const Plan& plan, const PictureOptions& options) {
+    std::vector<ObstacleId> removed;
+    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
+    const site::Demolition demolition = site::demolition(map, options.sections, removed);
+    const std::string text = site::removals_text(demolition, options.sections);
+    if (!options.metres || removed.empty()) return text;
+    return text + ", " + site::area_text(double(demolition.cells) * (options.cell_size * options.cell_size));
 }
 
 std::string why_no_plan(PlanStatus status) {
@@ -73,15 +79,16 @@ std::string time_unit(const Mission& mission, const PictureOptions& options) {
     return options.metres ? "s at 1 m/s" : "cells at speed 1";
 }
 
-std::string headline(const Mission& mission, const Plan& plan, const PictureOptions& options) {
-    if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(plan.breaches.size());
+std::string headline(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
+    if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(map, plan, options);
     const double factor = time_factor(mission, options);
     const std::string after = number(plan.after.makespan, factor) + " " + time_unit(mission, options);
-    if (plan.breaches.empty()) return fmt::format("Makespan {}, {}{}", after, removals(0), gap(plan, options));
+    if (plan.breaches.empty())
+        return fmt::format("Makespan {}, {}{}", after, removals(map, plan, options), gap(plan, options));
     const std::string difference = change(plan.before.makespan, plan.after.makespan);
     return fmt::format(
         "Makespan {} {} {}{}, {}{}", plan.before.makespan ? number(plan.before.makespan, factor) : "(no way)", arrow,
-        after, difference.empty() ? "" : " (" + difference + ")", removals(plan.breaches.size()), gap(plan, options));
+        after, difference.empty() ? "" : " (" + difference + ")", removals(map, plan, options), gap(plan, options));
 }
 
 std::vector<FigureGroup> figures(const Mission& mission, const Plan& plan, const PictureOptions& options) {

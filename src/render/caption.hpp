@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
 
@@ -11,8 +12,8 @@ namespace waybreaker::render {
 
 struct PictureOptions;
 
-// The plan in one sentence: "Makespan 584.0 → 552.1 s at 1 m/s (−5.5 %), 3 obstacles removed, gap 0.2 %".
-std::string headline(const Mission& mission, const Plan& plan, const PictureOptions& options);
+// The plan in one sentence: "Makespan 584.0 → 552.1 s at 1 m/s (−5.5 %), 3 openings in 2 buildings, 640 m², gap 0.2 %".
+std::string headline(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options);
 
 // A time as in the headline, without its unit: "208.7".
 std::string time_text(double time, const Mission& mission, const PictureOptions& options);

@@ -257,7 +257,7 @@ std::string draw_words(const Scene& scene) {
     const double footer = layout.height - (legend_rows * size::row + 44) * unit;
     return text({left, 44 * unit}, xml_text(scene.options.title, 50), size::title * unit, colour::ink, Anchor::start,
                 true) +
-           text({left, 75 * unit}, headline(scene.mission, scene.plan, scene.options), size::headline * unit,
+           text({left, 75 * unit}, headline(scene.map, scene.mission, scene.plan, scene.options), size::headline * unit,
                 colour::ink) +
            draw_scale_bar(scene) + draw_legend(scene, footer) + draw_figures(scene, footer) +
            text({left, layout.height - 14 * unit}, xml_text(scene.options.attribution, 110), size::small_text * unit,
@@ -273,7 +273,7 @@ std::string svg(const Map& map, const Mission& mission, const Plan& plan, const 
     const std::string head = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:g}" height="{1:g}" viewBox="0 0 {0:g} {1:g}" role="img" font-family="DejaVu Sans, Verdana, Helvetica, sans-serif">)"
         "\n<title>{2}</title>\n<desc>{3}</desc>\n<defs>\n{4}</defs>\n",
-        layout.width, layout.height, xml_text(options.title, 200), headline(mission, plan, options),
+        layout.width, layout.height, xml_text(options.title, 200), headline(map, mission, plan, options),
         hatching(layout.unit, scene.raster_scale()));
     return head + rectangle({0, 0, layout.width, layout.height}, fmt::format(R"(fill="{}")", colour::paper)) +
            draw_obstacles(scene) + draw_paths(scene) + draw_marks(scene) + draw_words(scene) + "</svg>\n";

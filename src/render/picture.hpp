@@ -7,6 +7,7 @@
 
 #include "site/background.hpp"
 #include "site/obstacle_kinds.hpp"
+#include "site/sections.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
@@ -25,6 +26,7 @@ struct PictureOptions {
     Objective objective = Objective::makespan;  // what the plan's bound is one of
     site::Background background = {};           // drawn beneath the obstacles
     site::ObstacleKinds kinds = {};             // water is drawn as such
+    site::Sections sections = {};               // what is removed is called by them
 };
 
 // An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so

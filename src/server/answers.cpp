@@ -61,7 +61,7 @@ const io::MapFile& map_of(const Task& task, const PreparedMission& prepared) {
 PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const Worker& worker, double seconds) try {
     const io::MapFile& file = task.map->file;
     PreparedMission prepared{document_of(task.request.mission, wanted, file), {}};
-    if (const auto weights = weights_of(wanted, file.map)) {
+    if (const auto weights = weights_of(wanted, file)) {
         prepared.reweighted = file;
         prepared.reweighted->map = file.map.with_weights(*weights);
     }
@@ -81,13 +81,14 @@ io::PlanContext context_of(const Task& task, const PreparedMission& prepared, st
             .method = prepared.document.method,
             .connectivity = task.map->connectivity,
             .timing_fields = task.request.timing_fields,
-            .front = front};
+            .front = front,
+            .area_budget = prepared.document.area_budget};
 }
 
 std::string plan_text(const Task& task, const OptionsRequest& wanted, const Worker& worker, double seconds) {
     const PreparedMission prepared = prepare(task, wanted, worker, seconds);
-    const auto& [mission, method, limits] = prepared.document;
-    const Plan plan = worker.planner.plan(map_of(task, prepared).map, mission, method, limits);
+    const io::MissionDocument& asked = prepared.document;
+    const Plan plan = worker.planner.plan(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
     return io::plan_json(plan, context_of(task, prepared));
 }
 
@@ -121,12 +122,13 @@ io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
 std::string picture(const io::MapFile& file, const io::PlanFile& plan, bool as_svg) {
     if (plan.plan.agents.empty()) throw Problem(unprocessable, "the plan has no agents to draw", "plan-invalid");
     const render::PictureOptions options{.cell_size = file.cell_size,
-                                         .metres = file.georeference || file.cell_size != 1,
+                                         .metres = file.has_metres(),
                                          .title = file.title.empty() ? file.source : file.title,
                                          .attribution = file.attribution,
                                          .objective = plan.mission.rules.objective,
                                          .background = file.background,
-                                         .kinds = file.kinds};
+                                         .kinds = file.kinds,
+                                         .sections = file.sections};
     return as_svg ? render::svg(file.map, plan.mission, plan.plan, options)
                   : raster::png_of(render::svg(file.map, plan.mission, plan.plan, options));
 }
@@ -181,9 +183,11 @@ std::string plan_answer(const Task& task, const Worker& worker) {
 
 std::string front_answer(const Task& task, const Worker& worker) {
     PreparedMission prepared = prepare(task, task.request.options, worker, TimeBudget(task, worker).share(1));
-    auto& [mission, method, limits] = prepared.document;
-    const std::vector<Plan> plans = worker.planner.front(map_of(task, prepared).map, mission, method, limits);
-    mission.rules.removals = int(plans.size() + mission.rules.force.size()) - 1;
+    io::MissionDocument& asked = prepared.document;
+    const std::vector<Plan> plans =
+        worker.planner.front(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
+    Rules& rules = asked.mission.rules;
+    rules.removals = int(plans.size() + rules.force.size()) - 1;
     return io::plan_json(plans.back(), context_of(task, prepared, plans));
 }
 

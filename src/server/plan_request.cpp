@@ -5,6 +5,7 @@
 
 #include "io/json_field.hpp"
 #include "io/option_words.hpp"
+#include "io/weights.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::server {
@@ -69,21 +70,23 @@ bool has_search_words(const Method& method) {
 // What `field` says, over what was there.
 OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
     field.allow(
-        {"paper",     "removals", "select",    "flight",  "timing", "objective", "breach_time", "breach_time_per_cell",
-         "protect",   "force",    "budget",    "weights", "bound",  "explain",   "time_limit",  "planner",
-         "heuristic", "weight",   "tie_break", "corners", "radius", "moves"});
+        {"paper",   "removals",  "select", "flight",    "timing",  "objective", "breach_time", "breach_time_per_cell",
+         "protect", "force",     "budget", "budget_m2", "weights", "bound",     "explain",     "time_limit",
+         "planner", "heuristic", "weight", "tie_break", "corners", "radius",    "moves"});
     if (const auto removals = field.find("removals")) {
         result.rules.removals = int(removals->whole_number(0, most_removals));
         result.removals_given = true;
     }
     set_paper(field, result);
-    if (const auto budget = field.find("budget")) {
+    for (const char* const key : {"budget", "budget_m2"}) {
+        const auto budget = field.find(key);
+        if (!budget) continue;
         positive(*budget);
         result.budget_given = true;
     }
     if (const auto weights = field.find("weights")) set_weights(*weights, result);
     if (const auto limit = field.find("time_limit")) result.limits.seconds = positive(*limit);
-    io::read_rules(field, result.rules);
+    io::read_rules(field, result.rules, result.area_budget);
     io::read_method(field, result.method);
     result.planner_given = result.planner_given || field.find("planner");
     // What only a search from cell to cell knows asks for one; a mission file names its planner itself.
@@ -103,6 +106,7 @@ void set_document(const JsonField& field, PlanRequest& request) {
     request.mission.agents = std::move(document.mission.agents);
     request.options.rules = std::move(document.mission.rules);
     request.options.removals_given = true;
+    request.options.area_budget = document.area_budget;
     request.options.method = document.method;
     request.options.limits = document.limits;
 }
@@ -167,7 +171,8 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) 
 }
 
 io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map) {
-    io::MissionDocument result{{agents_of(mission, map), options.rules}, options.method, options.limits};
+    io::MissionDocument result{
+        {agents_of(mission, map), options.rules}, options.method, options.limits, options.area_budget};
     Rules& rules = result.mission.rules;
     if (options.budget_given && !options.removals_given)
         rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
@@ -188,8 +193,14 @@ io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequ
     return result;
 }
 
-std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const Map& map) {
-    if (!request.weights_of_cells && request.weights.empty()) return std::nullopt;
+std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const io::MapFile& file) {
+    const bool weighed = request.weights_of_cells || !request.weights.empty();
+    if (request.area_budget && weighed) {
+        throw InputError("budget_m2 weighs obstacles by their area, which weights contradict");
+    }
+    if (request.area_budget) return io::area_weights(file);
+    if (!weighed) return std::nullopt;
+    const Map& map = file.map;
     std::vector<double> weights{0};
     for (const Obstacle& obstacle : map.obstacles()) {
         weights.push_back(request.weights_of_cells ? obstacle.cells : obstacle.weight);

@@ -45,6 +45,7 @@ struct OptionsRequest {
     };
     std::vector<Weight> weights;    // of some obstacles; others keep the map's
     bool weights_of_cells = false;  // weight = number of cells
+    bool area_budget = false;       // weight = area, in square metres
     bool budget_given = false;      // replaces the number of removals unless that is given too
     bool removals_given = false;
 };
@@ -67,7 +68,7 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name =
 
 // The mission on a map. Throws InputError if it does not fit the map.
 io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map);
-// Weights of obstacles by id, if the request sets any.
-std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const Map& map);
+// Weights of obstacles by id, if the request sets any. Throws InputError if they do not fit the map, or its budget.
+std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const io::MapFile& map);
 
 }  // namespace waybreaker::server

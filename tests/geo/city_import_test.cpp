@@ -16,7 +16,7 @@ namespace waybreaker::geo {
 namespace {
 
 constexpr int cells = 12;
-const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 120, .cell = 10};
+const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 120, .cell = 10, .section = 0};
 
 struct Corner {
     double column;  // in cells, from the window's upper-left corner

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int side = 14;
 // 14 x 14 cells of 2 m.
-const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 2 * side, .cell = 2};
+const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 2 * side, .cell = 2, .section = 0};
 
 std::vector<Point> rectangle(double west, double north, double east, double south) {
     return {{west, north}, {east, north}, {east, south}, {west, south}};

@@ -79,7 +79,8 @@ LabelTiff small_map() {
                    .attribution = "(c) somebody, some licence 1.0",
                    .title = "Place, 12 m around Zürich",
                    .names = {"", "Grand \"Hôtel\" & <Café>", "", "7"},
-                   .kinds = {Kind::unknown, Kind::building, Kind::water, Kind::barrier}};
+                   .kinds = {Kind::unknown, Kind::building, Kind::water, Kind::barrier},
+                   .sections = {{{Kind::building, 4711, "7"}, {Kind::barrier, -12, ""}}, {{}, {0}, {}, {1}}}};
     CPLFree(text);
     return tiff;
 }
@@ -194,6 +195,7 @@ TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
     EXPECT_TRUE(map.obstacle(map.obstacle_at({2, 2})).destructible);
     EXPECT_EQ(tiff.names, (site::ObstacleNames{"", "", "7"}));
     EXPECT_EQ(tiff.kinds, (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
+    EXPECT_EQ(tiff.sections, (site::Sections{small_map().sections.structures, {{}, {}, {1}}}));
 }
 
 TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {

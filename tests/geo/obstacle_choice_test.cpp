@@ -18,7 +18,7 @@ namespace waybreaker::geo {
 namespace {
 
 constexpr double cell = 10;
-const ImportOptions window{.longitude = 9, .latitude = 50, .size = 120, .cell = cell};
+const ImportOptions window{.longitude = 9, .latitude = 50, .size = 120, .cell = cell, .section = 0};
 
 struct Corner {
     double column;  // in cells, from the window's upper-left corner
@@ -201,7 +201,7 @@ TEST_F(ObstacleChoices, AddUpWhereTheyTouch) {
 TEST_F(ObstacleChoices, AreCutOutByTheEdgesOfABox) {
     const auto [west, north] = lon_lat({0, 0});
     const auto [east, south] = lon_lat({6, 4});
-    ImportOptions options{.cell = cell};
+    ImportOptions options{.cell = cell, .section = 0};
     options.box = {west, south, east, north};
     const LabelTiff tiff = import_city(source_, options).tiff;
     EXPECT_EQ(tiff.map.width(), 6);

@@ -18,7 +18,7 @@ using Shape = site::Background::Shape;
 using Parts = std::vector<std::vector<Point>>;
 
 // 40 x 40 cells of 2 m.
-const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 80, .cell = 2};
+const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 80, .cell = 2, .section = 0};
 
 class SceneryOf : public testing::Test {
   protected:

@@ -16,7 +16,7 @@
 namespace waybreaker::geo {
 namespace {
 
-const ImportOptions window{.longitude = 9, .latitude = 50, .size = 120, .cell = 10};
+const ImportOptions window{.longitude = 9, .latitude = 50, .size = 120, .cell = 10, .section = 0};
 constexpr double degree_east = 71667;  // metres on UTM's grid, around 9,50
 constexpr double degree_north = 111184;
 

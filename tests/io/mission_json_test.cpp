@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "input_error.hpp"
@@ -50,6 +51,7 @@ MissionDocument any_document() {
                        .bound = *rc::gen::arbitrary<bool>(),
                        .explain = *rc::gen::arbitrary<bool>()};
     document.limits.seconds = *rc::gen::element(10.0, 0.25, infinity);
+    document.area_budget = std::isfinite(document.mission.rules.budget) && *rc::gen::arbitrary<bool>();
     document.limits.expansions = *rc::gen::element<std::uint64_t>(1, 1000, UINT64_MAX);
     return document;
 }
@@ -69,6 +71,7 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
     const Rules& rules = read.mission.rules;
     RC_ASSERT(rules.removals == written.mission.rules.removals);
     RC_ASSERT(rules.budget == written.mission.rules.budget);
+    RC_ASSERT(read.area_budget == written.area_budget);
     RC_ASSERT(rules.protect == written.mission.rules.protect);
     RC_ASSERT(rules.force == written.mission.rules.force);
     RC_ASSERT(rules.breach_time.per_obstacle == written.mission.rules.breach_time.per_obstacle);
@@ -123,6 +126,8 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(says(R"("rules": {"removals": -1})"), "rules.removals is not between 0 and 2147483647");
     EXPECT_EQ(says(R"("rules": {"protect": [0]})"), "rules.protect[0] is not between 1 and 4294967295");
     EXPECT_EQ(says(R"("rules": {"timing": "never"})"), "rules.timing is none of enforce, ignore");
+    EXPECT_EQ(says(R"("rules": {"budget": 1, "budget_m2": 1})"),
+              "rules.budget_m2 stands beside budget; give one of them");
     EXPECT_EQ(says(R"("method": {"moves": 6})"), "method.moves is neither 4 nor 8");
     EXPECT_EQ(says(R"("limits": {"seconds": 0})"), "limits.seconds is not above 0");
 }

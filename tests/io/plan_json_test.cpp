@@ -211,6 +211,36 @@ TEST_F(PlanJson, NamesWhatOnlySomeMissionsHave) {
     EXPECT_EQ(json()["next"].dump(), R"([{"obstacle":2,"source_id":77,"saves":0.5}])");
 }
 
+TEST_F(PlanJson, SaysWhatIsDestroyedWhereTheMapHasMetresOrSections) {
+    for (const char* key : {"demolition", "area_m2", "structures"}) EXPECT_FALSE(has_key(json(), key)) << key;
+    file.cell_size = 2.5;
+    EXPECT_EQ(json()["removed"][0]["area_m2"], 12.5);
+    EXPECT_EQ(json()["demolition"].dump(), R"({"removals":1,"cells":2,"area_m2":12.5})");
+    file.cell_size = 2.4;
+    EXPECT_EQ(file.square_metres(6641), 38252.16) << "and not 38252.159999999996";
+    file.cell_size = 1;
+    file.sections = {.structures = {{site::ObstacleKind::building, 7, "Mill"},
+                                    {site::ObstacleKind::barrier, 0, ""},
+                                    {site::ObstacleKind::building, 9, "Barn"}},
+                     .parts = {{}, {0, 1}}};
+    EXPECT_EQ(json()["removed"][0]["structures"].dump(),
+              R"([{"kind":"building","source_id":7,"name":"Mill"},{"kind":"barrier"}])");
+    EXPECT_EQ(json()["demolition"].dump(), R"({"removals":1,"cells":2,"structures":2})");
+}
+
+TEST_F(PlanJson, NamesABudgetOfSquareMetres) {
+    mission.rules.budget = 40;
+    const auto written = [&](bool area) {
+        return Json::parse(plan_json(plan, {.map = file, .mission = mission, .method = method, .area_budget = area}));
+    };
+    EXPECT_EQ(written(true)["options"]["budget_m2"], 40.0);
+    EXPECT_EQ(written(true)["mission"]["rules"]["budget_m2"], 40.0);
+    EXPECT_FALSE(has_key(written(true), "budget"));
+    EXPECT_FALSE(has_key(written(false), "budget_m2"));
+    EXPECT_TRUE(parse_plan(written(true).dump(), "p.json").area_budget);
+    EXPECT_FALSE(parse_plan(written(false).dump(), "p.json").area_budget);
+}
+
 TEST_F(PlanJson, HasNoSecondsWithoutTimingFields) {
     EXPECT_TRUE(has_key(json(), "seconds"));
     timing_fields = false;

@@ -37,5 +37,15 @@ TEST_F(Weights, AreRefusedByFileAndLine) {
     EXPECT_EQ(refusal("1 2\n1 2\n"), file + ":2: obstacle 1 has a weight already");
 }
 
+TEST_F(Weights, AreAreasWhereTheMapHasMetres) {
+    MapFile file{.map = map_from_ascii("aab"), .source = "town.tif", .cell_size = 0.5};
+    EXPECT_EQ(area_weights(file), (std::vector<double>{0, 0.5, 0.25}));
+    file.cell_size = 1;
+    EXPECT_EQ(input_error([&] { area_weights(file); }),
+              "town.tif: a budget in square metres needs the size of a cell, which the map does not say");
+    file.cell_size_given = true;
+    EXPECT_EQ(area_weights(file), (std::vector<double>{0, 2, 1}));
+}
+
 }  // namespace
 }  // namespace waybreaker::io

@@ -243,5 +243,20 @@ TEST_F(WrittenMaps, OfCitiesComeBack) {
     }
 }
 
+TEST_F(WrittenMaps, KeepTheirSectionsInLabels) {
+    const io::MapFile cut = in_sections(labelled_yard(), {.side = 2});
+    write(cut, "cut.tif");
+    const io::MapFile back = read_map_file(path("cut.tif"));
+    EXPECT_TRUE(std::equal(cut.map.labels().begin(), cut.map.labels().end(), back.map.labels().begin()));
+    EXPECT_EQ(back.sections, cut.sections);
+    // Opened, those that are left are still parts of what they were.
+    const ObstacleId first = back.map.obstacle_at({1, 0});
+    const ObstacleId second = back.map.obstacle_at({2, 0});
+    const io::MapFile opened = without_obstacles(back, std::array{first});
+    EXPECT_EQ(opened.sections.parts[opened.map.obstacle_at({2, 0}).value], back.sections.parts[second.value]);
+    EXPECT_EQ(input_error([&] { in_sections(back, {.side = 2}); }),
+              "cut.tif: is cut into sections already; give the map that it was made from");
+}
+
 }  // namespace
 }  // namespace waybreaker::mapfile

@@ -53,17 +53,24 @@ TEST(Picture, ShowsTheFigures) {
 
 TEST(Picture, ScalesLengthsToMetres) {
     const auto picture = parsed(svg_of(wall(), {.cell_size = 2.5, .metres = true}));
-    EXPECT_TRUE(says(picture, "Makespan 28.8 → 18.0 s at 1 m/s (−37.4 %), 1 obstacle removed"));
+    EXPECT_TRUE(says(picture, "Makespan 28.8 → 18.0 s at 1 m/s (−37.4 %), 1 obstacle removed, 37.5 m²"));
     EXPECT_TRUE(says(picture, "length in metres"));
     EXPECT_TRUE(says(picture, "time in s at 1 m/s"));
     EXPECT_TRUE(says(picture, "2 m")) << "the scale bar";
+}
+
+TEST(Picture, CallsSectionsByWhatTheyArePartsOf) {
+    const site::Sections sections{{{site::ObstacleKind::building, 7, "Mill"}, {site::ObstacleKind::barrier, 8, ""}},
+                                  {{}, {0, 1}}};
+    const auto picture = parsed(svg_of(wall(), {.sections = sections}));
+    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 cells at speed 1 (−37.4 %), 1 opening in 1 building, 1 barrier"));
 }
 
 TEST(Picture, DoesNotCallTimesLengths) {
     World world = wall();
     world.mission.agents[1].speed = 2;
     const auto picture = parsed(svg_of(world, {.cell_size = 10, .metres = true}));
-    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 units of time (−37.4 %), 1 obstacle removed"));
+    EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 units of time (−37.4 %), 1 obstacle removed, 600 m²"));
     EXPECT_TRUE(says(picture, "115.0")) << "path A";
     // Rows of length stand under their unit, rows of time under theirs.
     const auto all = words(picture);

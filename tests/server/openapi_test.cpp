@@ -145,9 +145,14 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     for (const char* part : {"rules", "method", "limits"}) {
         for (const auto& [member, value] : schema["properties"][part]["properties"].items()) {
             const bool forced = std::string(part) == "rules" && member == "force";
+            if (member == "budget_m2") continue;  // in place of budget
             EXPECT_TRUE(forced || written[part].contains(member)) << part << '.' << member;
         }
     }
+    document.area_budget = true;
+    written = Json::parse(io::mission_text(document));
+    EXPECT_EQ(written["rules"]["budget_m2"], 2.5);
+    EXPECT_EQ(schema_faults(schema, schema, written), std::vector<std::string>());
     written["agents"][0]["kind"] = "submarine";
     EXPECT_FALSE(schema_faults(schema, schema, written).empty());
 }

@@ -21,7 +21,7 @@ TEST(PlanRequest, WhatIsLeftOutHasTheDefaultsOfTheCommand) {
     const PlanRequest request = parse_plan_request("{}");
     EXPECT_EQ(request.options.rules.removals, Rules().removals);
     EXPECT_EQ(request.options.method.planner, Planner::optimal);
-    EXPECT_FALSE(weights_of(request.options, three_cells().map));
+    EXPECT_FALSE(weights_of(request.options, three_cells()));
     EXPECT_TRUE(request.timing_fields);
 }
 
@@ -51,7 +51,7 @@ TEST(PlanRequest, ThePaperIsItsMethodUnlessOneSaysOtherwise) {
 TEST(PlanRequest, WeightsAndBudget) {
     const auto weights = [](const std::string& options) {
         const PlanRequest request = parse_plan_request(fmt::format(R"({{"options": {}}})", options));
-        return weights_of(request.options, three_cells().map).value();
+        return weights_of(request.options, three_cells()).value();
     };
     const auto rules = [](const std::string& options) {
         const PlanRequest request = parse_plan_request(
@@ -63,6 +63,9 @@ TEST(PlanRequest, WeightsAndBudget) {
     EXPECT_EQ(rules(R"({"weights": "cells", "budget": 2})").removals, 2) << "a budget alone stands in place of a count";
     EXPECT_EQ(rules(R"({"budget": 2, "removals": 1})").removals, 1);
     EXPECT_NE(input_error([&] { weights(R"({"weights": [[3, 1]]})"); }), "");
+    EXPECT_NE(input_error([&] { weights(R"({"budget_m2": 2})"); }), "") << "the map has no metres";
+    EXPECT_NE(input_error([&] { weights(R"({"budget_m2": 2, "weights": "cells"})"); }), "");
+    EXPECT_EQ(rules(R"({"budget_m2": 2})").removals, 2);
 }
 
 TEST(PlanRequest, MethodsStartFromTheOptions) {

@@ -10,7 +10,8 @@ export interface MapDescription {
   cell_size: number; // metres
   blocked: number;
   density: number;
-  obstacles: { count: number; largest: { id: number; source_id: number; cells: number } | null };
+  // sections: how many obstacles are parts of a building; only of a map that is cut into such
+  obstacles: { count: number; sections?: number; largest: { id: number; source_id: number; cells: number } | null };
   // to_lon_lat: [a, b, c, d, e, f] with lon = a x + b y + c, lat = d x + e y + f
   georeference: { crs: string; center: [lon: number, lat: number]; to_lon_lat: number[] } | null;
   start: Cell | null;

@@ -79,6 +79,7 @@ export interface Plan {
   after: Outcome;
   bound: Bound | null;
   removed: Removed[];
+  demolition?: { removals: number; cells: number; area_m2?: number; structures?: number }; // what all of them destroy
   next?: { obstacle: number; source_id?: number; name?: string; saves: number | null }[];
   front?: FrontPoint[];
   agents: Agent[]; // none where there is no plan

@@ -6,9 +6,10 @@ export interface ObstacleName {
   osm: { href: string; text: string } | null; // its page at OpenStreetMap
 }
 
-// Only where a map is OpenStreetMap's are obstacles sure to be buildings.
+// Only where a map is OpenStreetMap's, and not cut into sections, are obstacles sure to be buildings.
 export function hasBuildings(shown: ShownMap): boolean {
   const { description, cells } = shown.base;
+  if (description.obstacles.sections) return false;
   return description.georeference !== null && cells.obstacles.some((one) => one.source_id !== 0);
 }
 

@@ -40,6 +40,7 @@ export function RemovedTable({ page }: { page: PageState }) {
           ))}
         </tbody>
       </table>
+      <Demolished page={page} plan={plan} />
       <Together page={page} plan={plan} />
       <Next page={page} />
     </Section>
@@ -94,6 +95,19 @@ function Row({ page, removed, order }: { page: PageState; removed: Removed; orde
         )}
       </td>
     </tr>
+  );
+}
+
+// How much goes in all; one row says it of itself, unless it is a part of several.
+function Demolished({ page, plan }: { page: PageState; plan: Plan }) {
+  const { removals, cells, structures } = plan.demolition ?? { removals: 0, cells: 0 };
+  if (removals === 0 || (removals === 1 && structures === undefined)) return null;
+  const of = structures === undefined ? "" : ` of ${structures === 1 ? "one structure" : `${structures} structures`}`;
+  return (
+    <p class="together">
+      {removals === 1 ? "It clears" : `All ${removals} together clear`} {area(cells, page.units.value)}
+      {of}.
+    </p>
   );
 }
 

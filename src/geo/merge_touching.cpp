@@ -1,4 +1,4 @@
-#include "geo/labelled.hpp"
+#include "geo/merge_touching.hpp"
 
 #include <map>
 #include <utility>
@@ -8,8 +8,10 @@
 namespace waybreaker::geo {
 namespace {
 
+using site::LabelLayer;
+
 // The labels that do not join, with numbers after those of the components.
-void append_others(const Labelled& cells, const std::vector<bool>& joins, Labelled& result) {
+void append_others(const LabelLayer& cells, const std::vector<bool>& joins, LabelLayer& result) {
     std::vector<std::uint32_t> number(joins.size(), 0);
     for (std::uint32_t label = 1; label < joins.size(); ++label) {
         if (joins[label]) continue;
@@ -26,13 +28,17 @@ void append_others(const Labelled& cells, const std::vector<bool>& joins, Labell
 
 }  // namespace
 
-Labelled merged(const Labelled& cells, const std::vector<bool>& joins, int width, int height, bool weighed) {
+LabelLayer merged(const LabelLayer& cells, const std::vector<bool>& joins, bool weighed) {
     const std::vector<std::uint32_t>& labels = cells.labels;
-    Grid grid(width, height);
+    Grid grid(cells.width, cells.height);
+    const auto width = std::size_t(cells.width);
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        if (joins[labels[i]]) grid.set_blocked({int(i % std::size_t(width)), int(i / std::size_t(width))}, true);
+        if (joins[labels[i]]) grid.set_blocked({int(i % width), int(i / width)}, true);
     }
-    Labelled result{label_components(grid, Connectivity::four), std::vector<ObstacleAttributes>(1), {}, {}};
+    LabelLayer result{.width = cells.width,
+                      .height = cells.height,
+                      .labels = label_components(grid, Connectivity::four),
+                      .attributes = std::vector<ObstacleAttributes>(1)};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shares;  // cells by component and label
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (joins[labels[i]]) ++shares[{result.labels[i], labels[i]}];
