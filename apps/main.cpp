@@ -45,7 +45,7 @@ void setup(CLI::App& root, Run& run) {
     setup_help(root, run);
     setup_completion(root, run);
     setup_manual(root, run);
-    set_examples(root, {"waybreaker plan data/berlin-adlershof.tif --start 56,72 --goal 279,217 --svg plan.svg",
+    set_examples(root, {"waybreaker plan data/berlin-adlershof.tif --start 130,104 --goal 466,105 --svg plan.svg",
                         "waybreaker plan --help"});
 }
 

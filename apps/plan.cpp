@@ -226,9 +226,9 @@ void setup_plan(CLI::App& root, Run& run_chosen) {
         "output a short table of the plan and of the mission without removals goes there.");
     add_plan_options(*command, *options);
     set_examples(*command,
-                 {"waybreaker plan data/berlin-adlershof.tif --start 56,72 --goal 279,217",
-                  "waybreaker plan data/berlin-adlershof.tif --start 56,72 --goal 279,217 --removals auto --explain",
-                  "waybreaker plan data/berlin-adlershof.tif --start 56,72 --goal 279,217 --html plan.html",
+                 {"waybreaker plan data/berlin-adlershof.tif --start 130,104 --goal 466,105",
+                  "waybreaker plan data/berlin-adlershof.tif --start 130,104 --goal 466,105 --removals auto --explain",
+                  "waybreaker plan data/berlin-adlershof.tif --start 130,104 --goal 466,105 --html plan.html",
                   "waybreaker plan Berlin_0_512.map --start 12,20 --goal 400,380 --paper -n 1 --json plan.json",
                   "waybreaker plan task.xml --planner jps --svg - | rsvg-convert > plan.png"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });

@@ -40,12 +40,12 @@ std::string change(std::optional<double> before, std::optional<double> after) {
     return fmt::format("{}{} %", sign, percent);
 }
 
-// "3 openings in 2 buildings, 640 m²".
+// "3 openings, 640 m²": there is no room for the buildings.
 std::string removals(const Map& map, const Plan& plan, const PictureOptions& options) {
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
     const site::Demolition demolition = site::demolition(map, options.sections, removed);
-    const std::string text = site::removals_text(demolition, options.sections);
+    const std::string text = site::removals_text(demolition);
     if (!options.metres || removed.empty()) return text;
     return text + ", " + site::area_text(double(demolition.cells) * (options.cell_size * options.cell_size));
 }

@@ -10,12 +10,18 @@ Demolition demolition(const Map& map, const Sections& sections, std::span<const 
     return result;
 }
 
-std::string removals_text(const Demolition& demolition, const Sections& sections) {
+std::string removals_text(const Demolition& demolition) {
     const std::size_t count = demolition.removals;
+    const char* plural = count == 1 ? "" : "s";
     if (count == 0) return "no obstacle removed";
-    if (demolition.structures.empty()) return fmt::format("{} obstacle{} removed", count, count == 1 ? "" : "s");
-    return fmt::format("{} opening{} in {}", count, count == 1 ? "" : "s",
-                       structures_text(sections, demolition.structures));
+    return demolition.structures.empty() ? fmt::format("{} obstacle{} removed", count, plural)
+                                         : fmt::format("{} opening{}", count, plural);
+}
+
+std::string removals_text(const Demolition& demolition, const Sections& sections) {
+    const std::string text = removals_text(demolition);
+    if (demolition.structures.empty()) return text;
+    return text + " in " + structures_text(sections, demolition.structures);
 }
 
 std::string area_text(double square_metres) {

@@ -22,7 +22,8 @@ struct Demolition {
 // REQUIRES: the map has these obstacles.
 Demolition demolition(const Map& map, const Sections& sections, std::span<const ObstacleId> removed);
 
-// "3 openings in 2 buildings", or for whole obstacles "3 obstacles removed".
+// "3 openings", or for whole obstacles "3 obstacles removed"; and with where they are: "3 openings in 2 buildings".
+std::string removals_text(const Demolition& demolition);
 std::string removals_text(const Demolition& demolition, const Sections& sections);
 
 // With a unit, of an area in square metres: "640 m²", "3.25 m²".

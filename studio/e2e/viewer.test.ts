@@ -17,7 +17,7 @@ const json = join(scratch, "plan.json");
 let browser: Browser;
 
 beforeAll(async () => {
-  const mission = [join(data, "berlin-adlershof.tif"), "--start", "56,72", "--goal", "279,217", "-n", "2"];
+  const mission = [join(data, "berlin-adlershof.tif"), "--start", "130,104", "--goal", "466,105", "-n", "2"];
   execFileSync(command, ["plan", ...mission, "--html", html, "--json", json], { stdio: "ignore" });
   browser = await launch();
 });

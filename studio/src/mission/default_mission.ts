@@ -6,7 +6,7 @@ import type { MapDescription } from "../domain/map";
 import { freshMission, type Markers, type Mission } from "../domain/mission";
 
 // The first map is shown with a mission that removals help.
-const ready: Record<string, Markers> = { "berlin-adlershof.tif": { start: [56, 72], goal: [279, 217] } };
+const ready: Record<string, Markers> = { "berlin-adlershof.tif": { start: [130, 104], goal: [466, 105] } };
 
 export function defaultMission(map: MapDescription, cells: CellMap): Mission {
   const said = map.start && map.goal ? { start: map.start, goal: map.goal } : null;
