@@ -127,7 +127,9 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         outputs.emplace_back(options.trace, trace(file.map, context.mission, context.method));
     }
     Plan exported = plan;
-    if (options.no_timing) exported.after.ground().seconds = 0;
+    if (options.no_timing) {
+        for (Route& route : exported.after.routes) route.seconds = 0;
+    }
     for (auto& output :
          export_plan(options.exports, exported, file, search_options(context.method, context.mission.ground_body()))) {
         outputs.push_back(std::move(output));
@@ -140,8 +142,18 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     for (const auto& [path, bytes] : outputs) io::write_whole(path, bytes);
 }
 
+std::string why_no_team_plan(const Plan& plan, const Mission& mission) {
+    if (plan.status == PlanStatus::limit_reached) {
+        return fmt::format(
+            "no plan for {} agents was found, nor that there is none; fewer agents or more time may help",
+            mission.agents.size());
+    }
+    return "no plan: a ground agent cannot get from its start to its goal, even if it were alone";
+}
+
 void require_plan(const Plan& plan, const Mission& mission, const Limits& limits) {
     if (plan.status == PlanStatus::solved) return;
+    if (mission.is_team()) throw NoPlan(why_no_team_plan(plan, mission));
     const Agent& driver = mission.first(AgentKind::ground);
     const std::string way =
         fmt::format("from {},{} to {},{}", driver.start.x, driver.start.y, driver.goal.x, driver.goal.y);
@@ -197,6 +209,7 @@ void run(const PlanOptions& options) {
         throw InputError(io::input_name(file_at_fault), 0, error.what());
     }
     asked.limits.seconds = time_left(deadline);
+    if (!options.html.empty()) require_page(asked.mission);
     const bool explain = std::exchange(asked.method.explain, asked.method.explain || !options.html.empty());
     const std::vector<Plan> plans = plan_mission(file, asked, options.removals_auto);
     asked.method.explain = explain;

@@ -6,9 +6,11 @@
 #include <climits>
 
 #include "io/option_words.hpp"
+#include "io/output_file.hpp"
 #include "io/weights.hpp"
 #include "option.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/movingai.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -20,6 +22,7 @@ constexpr int most_auto_removals = 32;
 constexpr Range speeds{least_speed, most_speed};
 constexpr Range breach_times{0, most_breach_time};
 constexpr double largest_radius = 32;
+constexpr std::size_t max_scenario_bytes = std::size_t{1} << 26U;
 constexpr double default_seconds = 10;
 
 // A whole number, or "auto".
@@ -37,6 +40,16 @@ void add_removals(CLI::App& command, PlanOptions& options) {
 void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--mission", options.mission,
              "Read the mission from a mission file (JSON); other options override what it says");
+    add_file(command, "--agents", options.agents,
+             "Plan for several ground agents: the lines of a MovingAI scenario file, without an aircraft");
+    add_count(
+        command, "--count", [&options](std::int64_t n) { options.count = int(n); }, 1, most_agents,
+        "Only so many of them, the first ones (default: all)");
+    add_number(
+        command, "--separation", [&options](double room) { options.separation = room; }, {0, largest_radius}, "CELLS",
+        "Room between any two ground agents (default: 0)");
+    add_choice(command, "--at-goal", io::at_goal_words, options.at_goal,
+               "Whether ground agents that have arrived stay, in the way of others, or leave (default: stay)");
     add_cell(command, "--start", options.start, "Cell where both agents start (default: as the map file says)");
     add_cell(command, "--goal", options.goal, "Cell where both agents end (default: as the map file says)");
     add_cell(command, "--air-start", options.air_start, "Cell where the air agent starts, if elsewhere");
@@ -195,7 +208,10 @@ void validate(const PlanOptions& options) {
                                      {"--html", options.html},
                                      {"--trace", options.trace},
                                      {"--save-mission", options.save_mission}});
-    const NamedFiles inputs{{"MAP", options.map}, {"--weights", options.weights}, {"--mission", options.mission}};
+    const NamedFiles inputs{{"MAP", options.map},
+                            {"--weights", options.weights},
+                            {"--mission", options.mission},
+                            {"--agents", options.agents}};
     validate_inputs(inputs);
     validate_outputs(outputs, inputs);
 }
@@ -215,7 +231,50 @@ std::optional<std::vector<double>> weights_of(const PlanOptions& options, const 
 
 namespace {
 
+// The first lines of a scenario file, named by their numbers.
+std::vector<Agent> scenario_agents(const PlanOptions& options, const Map& map) {
+    const std::string text = io::read_whole(options.agents, max_scenario_bytes);
+    std::vector<Scenario> scenarios = read_movingai_scenarios(text, io::input_name(options.agents));
+    const std::size_t count = std::size_t(options.count.value_or(int(std::min(scenarios.size(), most_agents))));
+    if (scenarios.empty() || count > scenarios.size()) {
+        throw InputError(io::input_name(options.agents), 0,
+                         fmt::format("has {} scenarios; give a smaller --count", scenarios.size()));
+    }
+    std::vector<Agent> agents(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (scenarios[i].width != map.width() || scenarios[i].height != map.height()) {
+            throw InputError(io::input_name(options.agents), 0,
+                             fmt::format("is for a map of {} x {} cells, not {} x {}", scenarios[i].width,
+                                         scenarios[i].height, map.width(), map.height()));
+        }
+        agents[i].id = std::to_string(i + 1);
+        agents[i].start = scenarios[i].start;
+        agents[i].goal = scenarios[i].goal;
+    }
+    return agents;
+}
+
+void validate_team_options(const PlanOptions& options, const Mission& mission) {
+    if (options.count && options.agents.empty()) throw InputError("--count is for --agents FILE");
+    if (!options.agents.empty() && !options.mission.empty()) {
+        throw InputError("--agents and --mission both say who the agents are; drop one of them");
+    }
+    const bool places = options.start || options.goal || options.air_start || options.air_goal;
+    const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
+    if (mission.is_team() && ways) {
+        throw InputError(
+            "--paper, --select, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground "
+            "and one air agent");
+    }
+    if (mission.is_team() && places) {
+        throw InputError(
+            "--start and --goal are for one ground and one air agent; the agents have places of their own");
+    }
+}
+
 void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
+    if (!options.agents.empty()) mission.agents = scenario_agents(options, map.map);
+    validate_team_options(options, mission);
     const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
                               const char* option) {
         if (given) return *given;
@@ -254,6 +313,8 @@ void set_rules(const PlanOptions& options, const Map& map, Rules& rules) {
     if (!options.protect.empty()) rules.protect = options.protect;
     if (!options.force.empty()) rules.force = options.force;
     rules.objective = options.objective.value_or(rules.objective);
+    rules.separation = options.separation.value_or(rules.separation);
+    rules.at_goal = options.at_goal.value_or(rules.at_goal);
 }
 
 void set_method(const PlanOptions& options, Method& method) {
@@ -276,7 +337,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     if (!options.mission.empty()) result = io::read_mission_file(options.mission, limits);
     Mission& mission = result.mission;
     Method& method = result.method;
-    const bool from_map = map.task && options.mission.empty();
+    const bool from_map = map.task && options.mission.empty() && options.agents.empty();
     set_agents(options, map, mission);
     set_rules(options, map.map, mission.rules);
     if (options.budget) result.area_budget = options.area_budget;

@@ -18,6 +18,8 @@ namespace waybreaker::apps {
 struct PlanOptions {
     std::string map;
     std::string mission;  // a mission file
+    std::string agents;   // a scenario file
+    std::optional<int> count;
     std::optional<Cell> start;
     std::optional<Cell> goal;
     std::optional<Cell> air_start;
@@ -42,6 +44,8 @@ struct PlanOptions {
     std::vector<ObstacleId> protect;
     std::vector<ObstacleId> force;
     std::optional<Objective> objective;
+    std::optional<double> separation;
+    std::optional<AtGoal> at_goal;
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;
 

@@ -72,6 +72,12 @@ std::string heading(const io::PlanContext& context, const TableStyle& style) {
     std::string line = fmt::format("{}: {} x {} cells", context.map.source, map.width(), map.height());
     if (style.metres) line += fmt::format(" of {:.6g} m", context.map.cell_size);
     line += fmt::format(", {} {}\n", map.obstacles().size(), map.obstacles().size() == 1 ? "obstacle" : "obstacles");
+    const std::string team_units = fmt::format("lengths in cells, times in {}\n",
+                                               unit_speeds(context.mission) ? "cells at speed 1" : "units of time");
+    if (context.mission.is_team()) {
+        const std::size_t count = context.mission.agents.size();
+        return line + fmt::format("{} {}\n", count, count == 1 ? "agent" : "agents") + team_units;
+    }
     for (const Agent& agent : context.mission.agents) {
         line += fmt::format("{} agent from {} to {}", agent.id, text(agent.start), text(agent.goal));
         line += unit_speeds(context.mission) ? "\n" : fmt::format(", {:.6g} cells per unit of time\n", agent.speed);
@@ -122,6 +128,37 @@ std::string searches(const Route& before, const Route& after, const io::PlanCont
                         change(before.seconds, after.seconds)});
     }
     return aligned(rows, bold) + "\n";
+}
+
+double waited(const Itinerary& agent) {
+    double all = 0;
+    for (std::size_t i = 1; i < agent.path.size(); ++i) {
+        const Waypoint& a = agent.path[i - 1];
+        const Waypoint& b = agent.path[i];
+        if (a.x == b.x && a.y == b.y) all += b.t - a.t;
+    }
+    return all;
+}
+
+// Each agent of a team, and all together: if each were alone, and as planned.
+std::string team(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
+    std::vector<Row> rows{{"agent", "from", "to", "alone", "length", "arrival", "wait"}};
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        const Itinerary& agent = plan.agents[i];
+        rows.push_back({agent.id, text(agent.start), text(agent.goal), text(plan.before.routes[i].length, 3),
+                        text(plan.after.routes[i].length, 3), text(agent.path.back().t, 3), text(waited(agent), 3)});
+    }
+    const double cell_size = context.map.cell_size;
+    const bool seconds = style.metres && unit_speeds(context.mission);
+    std::vector<Row> times{{"time", "alone", "together", "change"}};
+    if (seconds) times.front().push_back("together (s)");
+    const auto add = [&](const char* name, std::optional<double> alone, std::optional<double> together) {
+        times.push_back({name, text(alone, 3), text(together, 3), change(alone, together)});
+        if (seconds) times.back().push_back(fmt::format("{:.1f}", together.value_or(0) * cell_size));
+    };
+    add("makespan", plan.before.makespan, plan.after.makespan);
+    add("flowtime", plan.before.flowtime, plan.after.flowtime);
+    return aligned(rows, style.bold) + "\n" + aligned(times, style.bold);
 }
 
 // Lengths and times in tables of their own: one is not the other.
@@ -252,6 +289,10 @@ std::string bound(const Plan& plan, const io::PlanContext& context) {
     const double gap = *plan.gap;
     const int n = context.mission.rules.removals;
     const std::string removals = n == 1 ? "1 removal" : fmt::format("{} removals", n);
+    if (context.mission.is_team()) {
+        if (gap < 1e-9) return fmt::format("\nno plan has a smaller {}\n", objective);
+        return fmt::format("\nno {} is below {:.3f}: the gap is {:.2f} %\n", objective, *plan.bound, 100 * gap);
+    }
     if (gap < 1e-9) return fmt::format("\nno plan with at most {} has a smaller {}\n", removals, objective);
     return fmt::format("\nno {} is below {:.3f} with at most {}: the gap is {:.2f} %\n", objective, *plan.bound,
                        removals, 100 * gap);
@@ -275,6 +316,9 @@ std::string warning(const Plan& plan, const io::PlanContext& context) {
 }  // namespace
 
 std::string plan_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
+    if (context.mission.is_team()) {
+        return heading(context, style) + "\n" + team(plan, context, style) + bound(plan, context) + limit(plan);
+    }
     return heading(context, style) + "\n" + front(context, style) + outcomes(plan, context, style) +
            removals(plan, context, style) + next(plan, context) + waits(plan) + bound(plan, context) + limit(plan) +
            warning(plan, context);

@@ -21,7 +21,7 @@ namespace waybreaker {
 enum class Rule {
     map,         // made for this map
     status,      // solved or not, and figures and agents accordingly
-    agents,      // those of the mission: one ground agent, one air agent, with speeds and paths
+    agents,      // those of the mission, with speeds and paths
     start,       // paths start at the start at time 0 ...
     goal,        // ... and end at the goal
     time,        // times never decrease
@@ -45,6 +45,7 @@ enum class Rule {
     before,  // the figures without removal fit together
     bound,   // not above what the plan reaches, nor what is reached without removals
     gap,
+    separation,  // no two ground agents overlap, at any time
 };
 
 // As written in reports: the word above.
@@ -64,8 +65,9 @@ struct Violation {
 // asked. Numbers may be off by `tolerance`, a share of themselves, of 1 if they are smaller, of 1000 if they are
 // larger; places where the air agent breaches by `tolerance` cells, however fast it is. A ground agent of radius 0 may
 // bend at cell corners. Throws InputError if the mission's body or breach times, or the tolerance, are out of range;
-// ids of obstacles that the map has not are judged. Time O(length of the ground path * radius) plus O(obstacles); any
-// plan can be judged, however broken.
+// ids of obstacles that the map has not are judged. Time O(length of the ground paths * radius) plus O(obstacles), and
+// for a team O(points of the paths) for each pair of agents whose ways come near each other; any plan can be judged,
+// however broken.
 std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan, double tolerance = 1e-6);
 
 }  // namespace waybreaker

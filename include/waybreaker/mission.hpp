@@ -5,6 +5,7 @@
 //     Plan plan = MissionPlanner().plan(map, mission);   // waybreaker/planner.hpp
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ enum class AgentKind { ground, air };
 enum class Objective { makespan, flowtime, ground_makespan };
 // `enforce`: an obstacle is solid until it has been breached; `ignore`: removed obstacles never were there (the paper).
 enum class Timing { enforce, ignore };
+// What ground agents do at their goals: they stand there for ever, or vanish.
+enum class AtGoal { stay, leave };
 
 // Speeds of agents, in cells per unit of time: within these every time is a number one can use.
 inline constexpr double least_speed = 1e-6;
@@ -30,8 +33,9 @@ struct Agent {
     AgentKind kind = AgentKind::ground;
     Cell start = {};
     Cell goal = {};
-    double speed = 1;  // cells per unit of time, least_speed to most_speed
-    Body body = {};    // of a ground agent; an air agent has none
+    double speed = 1;     // cells per unit of time, least_speed to most_speed
+    Body body = {};       // of a ground agent; an air agent has none
+    double ready_at = 0;  // a ground agent of a team stands at its start until then, 0 to most_breach_time
 };
 
 // How long the air agent stays at a breach point until the obstacle is gone, in units of time: what the map says of the
@@ -54,11 +58,22 @@ struct Rules {
     BreachTime breach_time = {};
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;
+    // Of several ground agents: the room between any two of their discs, in cells, 0 to 32; and whether those that have
+    // arrived are in the way of others.
+    double separation = 0;
+    AtGoal at_goal = AtGoal::stay;
 };
 
+inline constexpr std::size_t most_agents = 10000;
+
 struct Mission {
-    std::vector<Agent> agents = {};  // of those that can be planned today: one ground and one air agent, in any order
+    // One ground and one air agent, in any order; or a team (docs/coalition.md): any number of ground agents, and
+    // aircraft. Nothing can be removed for a team yet.
+    std::vector<Agent> agents = {};
     Rules rules = {};
+
+    // Whether it has agents, and others than one ground and one air agent.
+    bool is_team() const;
 
     // The first agent of that kind. REQUIRES: there is one, as validate makes sure.
     const Agent& first(AgentKind kind) const;
@@ -70,7 +85,8 @@ struct Mission {
 Mission ground_and_air(Cell start, Cell goal);
 
 // Throws InputError, naming what is wrong, if the mission cannot be put on the map: an agent starts in a wall or off
-// the map, rules contradict each other, an obstacle does not exist, or the coalition is none that can be planned.
+// the map, rules contradict each other, an obstacle does not exist, two agents of a team have one id or no room beside
+// each other, or the coalition is none that can be planned.
 void validate(const Map& map, const Mission& mission);
 
 }  // namespace waybreaker

@@ -119,6 +119,7 @@ const Itinerary* agent_of(const Plan& plan, AgentKind kind) {
 }  // namespace
 
 std::string plan_xml(const Plan& plan, const io::MapFile& map, const SearchOptions& search) {
+    if (plan.after.routes.size() != 2) throw InputError("the authors' XML describes one ground and one air agent");
     const Itinerary* const ground = agent_of(plan, AgentKind::ground);
     const Itinerary* const air = agent_of(plan, AgentKind::air);
     io::MapTask task{.title = map.title, .cell_size = map.cell_size, .start = {}, .goal = {}, .search = search};

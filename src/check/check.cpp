@@ -14,6 +14,8 @@ namespace {
 void validate(const Terms& terms) {
     if (!(terms.body.radius >= 0 && terms.body.radius <= 32))
         throw InputError("the radius must be between 0 and 32 cells");
+    if (!(terms.rules.separation >= 0 && terms.rules.separation <= 32))
+        throw InputError("the separation must be between 0 and 32 cells");
     if (!(terms.tolerance >= 0 && terms.tolerance < 1))
         throw InputError("the tolerance must be at least 0 and below 1");
     const auto is_time = [](double time) { return time >= 0 && std::isfinite(time); };
@@ -47,7 +49,18 @@ const Itinerary* only_agent(const Plan& plan, AgentKind kind, Violations& violat
     return nullptr;
 }
 
+void validate(const Mission& mission, const Terms& terms) {
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::ground) validate({terms.rules, agent.body, terms.tolerance});
+    }
+}
+
 Violations judge(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms) {
+    if (mission.is_team()) {
+        Violations all = judge_agents(mission, plan);
+        if (all.empty()) append(all, judge_team(map, mission, plan, terms));
+        return all;
+    }
     Violations all = judge_removals(map, plan, terms);
     append(all, judge_agents(mission, plan));
     for (const Outcome* outcome : {&plan.before, &plan.after}) {
@@ -98,7 +111,7 @@ std::string text(ObstacleId obstacle) {
 }  // namespace checker
 
 std::string_view name(Rule rule) {
-    constexpr std::array<std::string_view, 26> names{
+    constexpr std::array<std::string_view, 27> names{
         "map",      "status",          "agents",   "start",      "goal",     "time",   "speed",
         "vertex",   "collision",       "obstacle", "repetition", "removals", "budget", "cells",
         "boundary", "breach",          "order",    "next",       "entered",  "length", "makespan",
@@ -109,6 +122,7 @@ std::string_view name(Rule rule) {
 std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan, double tolerance) {
     const checker::Terms terms{mission.rules, mission.ground_body(), tolerance};
     checker::validate(terms);
+    checker::validate(mission, terms);
     std::vector<Violation> violations = checker::judge(map, mission, plan, terms);
     const auto time = [](const Violation& v) { return v.time.value_or(std::numeric_limits<double>::infinity()); };
     std::stable_sort(violations.begin(), violations.end(),

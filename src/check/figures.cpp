@@ -12,7 +12,7 @@ class FiguresJudge {
         judge_status(ground != nullptr);
         judge_before(ground, air);
         if (ground && air) judge_after(*ground, *air);
-        judge_bound();
+        judge_bound(plan_, terms_, found_);
         return std::move(found_);
     }
 
@@ -91,31 +91,37 @@ class FiguresJudge {
         }
     }
 
-    void judge_bound() {
-        const auto objective = [&](const Outcome& outcome) { return value(outcome, terms_.rules.objective); };
-        const std::optional<double> reached = objective(plan_.after);
-        judge_bound_below(reached, "what the plan reaches");
-        // To remove nothing is one of the plans that the bound speaks of, unless something must go.
-        if (terms_.rules.force.empty()) judge_bound_below(objective(plan_.before), "what is reached without removals");
-        if (!plan_.gap) return;
-        if (!plan_.bound || !reached) {
-            report(Rule::gap, "a gap is stated without a bound or a plan");
-        } else {
-            expect(Rule::gap, "the gap", plan_.gap, *plan_.bound > 0 ? *reached / *plan_.bound - 1 : 0);
-        }
-    }
-
-    void judge_bound_below(std::optional<double> reached, const std::string& what) {
-        if (!plan_.bound || !reached || *plan_.bound <= *reached + slack(terms_, *reached)) return;
-        report(Rule::bound, "the bound, " + text(*plan_.bound) + ", is above " + what + ", " + text(*reached));
-    }
-
     const Plan& plan_;
     const Terms& terms_;
     Violations found_;
 };
 
+void judge_bound_below(const Plan& plan, std::optional<double> reached, const std::string& what, const Terms& terms,
+                       Violations& found) {
+    if (!plan.bound || !reached || *plan.bound <= *reached + slack(terms, *reached)) return;
+    found.push_back({Rule::bound, "the bound, " + text(*plan.bound) + ", is above " + what + ", " + text(*reached)});
+}
+
 }  // namespace
+
+void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
+    const auto objective = [&](const Outcome& outcome) { return value(outcome, terms.rules.objective); };
+    const std::optional<double> reached = objective(plan.after);
+    judge_bound_below(plan, reached, "what the plan reaches", terms, found);
+    // To remove nothing is one of the plans that the bound speaks of, unless something must go.
+    if (terms.rules.force.empty()) {
+        judge_bound_below(plan, objective(plan.before), "what is reached without removals", terms, found);
+    }
+    if (!plan.gap) return;
+    if (!plan.bound || !reached) {
+        found.push_back({Rule::gap, "a gap is stated without a bound or a plan"});
+        return;
+    }
+    const double gap = *plan.bound > 0 ? *reached / *plan.bound - 1 : 0;
+    if (!agree(terms, *plan.gap, gap)) {
+        found.push_back({Rule::gap, "the gap is " + text(*plan.gap) + " instead of " + text(gap)});
+    }
+}
 
 Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Terms& terms) {
     return FiguresJudge(plan, terms).judge(ground, air);

@@ -66,4 +66,19 @@ Violations judge_breaches(const Map& map, const Plan& plan, const Itinerary& air
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
 Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Terms& terms);
 
+// That the bound is below what is reached, and the gap fits both.
+void judge_bound(const Plan& plan, const Terms& terms, Violations& found);
+
+// A ground agent of several. Precondition: its timetable is in order.
+struct Disc {
+    const Itinerary* agent;
+    double radius;
+};
+
+// That any two are far enough apart at all times.
+Violations judge_separation(const std::vector<Disc>& discs, const Terms& terms);
+
+// A plan of a team, all of it.
+Violations judge_team(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
+
 }  // namespace waybreaker::checker

@@ -37,13 +37,14 @@ void read_ids(const JsonField& object, const char* key, std::vector<ObstacleId>&
 }
 
 Agent read_agent(const JsonField& field) {
-    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners"});
+    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at"});
     Agent agent;
     agent.id = field["id"].text();
     agent.kind = field["kind"].one_of(agent_words);
     agent.start = read_cell(field["start"]);
     agent.goal = read_cell(field["goal"]);
     if (const auto speed = field.find("speed")) agent.speed = read_positive(*speed);
+    if (const auto time = field.find("ready_at")) agent.ready_at = read_not_negative(*time);
     read_body(field, agent.body);
     return agent;
 }
@@ -62,6 +63,7 @@ Json agent_json(const Agent& agent) {
               {"start", place(agent.start)},
               {"goal", place(agent.goal)},
               {"speed", number(agent.speed)}};
+    if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
     json["corners"] = word_of(corner_words, agent.body.corners);
@@ -83,6 +85,8 @@ Json rules_json(const Rules& rules, bool area_budget) {
     json["breach_time_per_cell"] = number(rules.breach_time.per_cell);
     json["timing"] = word_of(timing_words, rules.timing);
     json["objective"] = word_of(objective_words, rules.objective);
+    if (rules.separation != 0) json["separation"] = number(rules.separation);
+    if (rules.at_goal != AtGoal::stay) json["at_goal"] = word_of(at_goal_words, rules.at_goal);
     return json;
 }
 
@@ -173,6 +177,8 @@ void read_rules(const JsonField& field, Rules& rules, bool& area_budget) {
     if (const auto time = field.find("breach_time_per_cell")) rules.breach_time.per_cell = read_not_negative(*time);
     read_word(field, "timing", timing_words, rules.timing);
     read_word(field, "objective", objective_words, rules.objective);
+    if (const auto room = field.find("separation")) rules.separation = read_not_negative(*room);
+    read_word(field, "at_goal", at_goal_words, rules.at_goal);
 }
 
 void read_method(const JsonField& field, Method& method) {
@@ -199,7 +205,7 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     for (const JsonField& agent : document["agents"].items()) result.mission.agents.push_back(read_agent(agent));
     if (const auto rules = document.find("rules")) {
         rules->allow({"removals", "budget", "budget_m2", "protect", "force", "breach_time", "breach_time_per_cell",
-                      "timing", "objective"});
+                      "timing", "objective", "separation", "at_goal"});
         read_rules(*rules, result.mission.rules, result.area_budget);
     }
     if (const auto method = document.find("method")) {

@@ -37,6 +37,7 @@ inline const Words<Heuristic> heuristic_words{{"euclidean", Heuristic::euclidean
 inline const Words<TieBreak> tie_break_words{{"g-max", TieBreak::g_max}, {"g-min", TieBreak::g_min}};
 inline const Words<Corners> corner_words{{"none", Corners::none}, {"cut", Corners::cut}, {"squeeze", Corners::squeeze}};
 inline const Words<AgentKind> agent_words{{"ground", AgentKind::ground}, {"air", AgentKind::air}};
+inline const Words<AtGoal> at_goal_words{{"stay", AtGoal::stay}, {"leave", AtGoal::leave}};
 inline const Words<PlanStatus> status_words{{"solved", PlanStatus::solved},
                                             {"no_plan", PlanStatus::no_plan},
                                             {"limit_reached", PlanStatus::limit_reached},

@@ -36,6 +36,8 @@ MissionDocument asked(const JsonField& root, const std::vector<Itinerary>& itine
             result.mission.agents.push_back({agent.id, agent.kind, agent.start, agent.goal, agent.speed});
         }
     }
+    // A team's agents have bodies of their own.
+    if (result.mission.is_team()) return result;
     Body body;
     read_body(options, body);
     for (Agent& agent : result.mission.agents) {
@@ -44,17 +46,36 @@ MissionDocument asked(const JsonField& root, const std::vector<Itinerary>& itine
     return result;
 }
 
-Outcome outcome(const JsonField& field) {
-    Outcome result;
-    result.ground().length = field["ground"]["length"].number_or_null();
-    const JsonField ground = field["ground"];
-    if (const auto count = ground.find("expanded"))
-        result.ground().expanded = std::uint64_t(count->whole_number(0, INT64_MAX));
-    if (const auto count = ground.find("generated")) {
-        result.ground().generated = std::uint64_t(count->whole_number(0, INT64_MAX));
+void read_search(const JsonField& field, Route& route) {
+    if (const auto count = field.find("expanded")) route.expanded = std::uint64_t(count->whole_number(0, INT64_MAX));
+    if (const auto count = field.find("generated")) route.generated = std::uint64_t(count->whole_number(0, INT64_MAX));
+    if (const auto seconds = field.find("seconds")) route.seconds = read_not_negative(*seconds);
+}
+
+// One for each agent of a team, in the mission's order.
+std::vector<Route> routes(const JsonField& list, const Mission& mission) {
+    const std::vector<JsonField> fields = list.items();
+    if (fields.size() != mission.agents.size()) list.fail("does not have a route for each agent of the mission");
+    std::vector<Route> routes;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (fields[i]["id"].text() != mission.agents[i].id) fields[i]["id"].fail("is not that of the mission's agent");
+        Route& route = routes.emplace_back();
+        route.kind = mission.agents[i].kind;
+        route.length = fields[i]["length"].number_or_null();
+        read_search(fields[i], route);
     }
-    if (const auto seconds = ground.find("seconds")) result.ground().seconds = read_not_negative(*seconds);
-    result.air().length = field["air"]["length"].number();
+    return routes;
+}
+
+Outcome outcome(const JsonField& field, const Mission& mission) {
+    Outcome result;
+    if (const auto list = field.find("routes")) {
+        result.routes = routes(*list, mission);
+    } else {
+        result.ground().length = field["ground"]["length"].number_or_null();
+        read_search(field["ground"], result.ground());
+        result.air().length = field["air"]["length"].number();
+    }
     result.makespan = field["makespan"].number_or_null();
     result.flowtime = field["flowtime"].number_or_null();
     result.ground_makespan = number_or_null(field.find("ground_makespan"));
@@ -137,8 +158,8 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     file.method = made_for.method;
     file.area_budget = made_for.area_budget;
     if (const auto size = root["map"].find("cell_size")) file.cell_size = cell_size(*size);
-    file.plan.before = outcome(root["before"]);
-    file.plan.after = outcome(root["after"]);
+    file.plan.before = outcome(root["before"], file.mission);
+    file.plan.after = outcome(root["after"], file.mission);
     if (const auto bound = root.find("bound")) {
         file.plan.bound = (*bound)[word_of(objective_keys, file.mission.rules.objective).data()].number_or_null();
         file.plan.gap = number_or_null(bound->find("gap"));

@@ -55,6 +55,8 @@ Json options_json(const PlanContext& context) {
               {"connectivity", context.connectivity == Connectivity::four ? 4 : 8},
               {"corners", word_of(corner_words, body.corners)},
               {"radius", number(body.radius)}};
+    if (rules.separation != 0) json["separation"] = number(rules.separation);
+    if (rules.at_goal != AtGoal::stay) json["at_goal"] = word_of(at_goal_words, rules.at_goal);
     for (const ObstacleId id : rules.protect) json["protect"].push_back(id.value);
     for (const ObstacleId id : rules.force) json["force"].push_back(id.value);
     if (std::isfinite(rules.budget)) json[context.area_budget ? "budget_m2" : "budget"] = number(rules.budget);
@@ -68,7 +70,27 @@ Json mission_copy(const PlanContext& context) {
     return json;
 }
 
-Json outcome_json(const Outcome& outcome, bool timing_fields) {
+// Of a team: one for each agent, in the mission's order.
+Json routes_json(const Outcome& outcome, const Mission& mission, bool timing_fields) {
+    Json routes = Json::array();
+    for (std::size_t i = 0; i < outcome.routes.size(); ++i) {
+        const Route& route = outcome.routes[i];
+        Json json{{"id", mission.agents[i].id}, {"length", number(route.length)}};
+        if (route.kind == AgentKind::ground) {
+            json["expanded"] = route.expanded;
+            json["generated"] = route.generated;
+            if (timing_fields) json["seconds"] = number(route.seconds);
+        }
+        routes.push_back(std::move(json));
+    }
+    return {{"routes", std::move(routes)},
+            {"makespan", number(outcome.makespan)},
+            {"flowtime", number(outcome.flowtime)},
+            {"ground_makespan", number(outcome.ground_makespan)}};
+}
+
+Json outcome_json(const Outcome& outcome, const Mission& mission, bool timing_fields) {
+    if (mission.is_team()) return routes_json(outcome, mission, timing_fields);
     Json ground{{"length", number(outcome.ground().length)},
                 {"expanded", outcome.ground().expanded},
                 {"generated", outcome.ground().generated}};
@@ -175,8 +197,8 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     json.update(Json{{"map", map_json(context.map, context.image)},
                      {"options", options_json(context)},
                      {"mission", mission_copy(context)},
-                     {"before", outcome_json(plan.before, context.timing_fields)},
-                     {"after", outcome_json(plan.after, context.timing_fields)},
+                     {"before", outcome_json(plan.before, context.mission, context.timing_fields)},
+                     {"after", outcome_json(plan.after, context.mission, context.timing_fields)},
                      {"bound", bound_json(plan, context.mission.rules.objective)},
                      {"removed", Json::array()}});
     for (const Breach& breach : plan.breaches) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "core/range.hpp"
 #include "waybreaker/error.hpp"
@@ -84,6 +86,39 @@ void validate(const Map& map, const Rules& rules) {
     if (!(rules.budget >= 0)) throw InputError("the budget cannot be " + number_text(rules.budget));
 }
 
+// Two discs at once at these places.
+void validate_room(const Agent& a, const Agent& b, Cell Agent::*place, const char* name, double separation) {
+    const double needed = a.body.reach() + b.body.reach() + separation;
+    const double apart = distance(a.*place, b.*place);
+    constexpr double rounding = 1e-9;
+    if (apart + rounding >= needed && a.*place != b.*place) return;
+    throw InputError("the " + a.id + " and the " + b.id + " agent have no room at their " + name + "s, " +
+                     text(a.*place) + " and " + text(b.*place) + ": these are " + number_text(apart) +
+                     " cells apart, and must be " + number_text(std::max(needed, 1.0)));
+}
+
+void validate_team(const Mission& mission) {
+    if (mission.agents.size() > most_agents) {
+        throw InputError("a mission has at most " + std::to_string(most_agents) + " agents, not " +
+                         std::to_string(mission.agents.size()));
+    }
+    require_range(mission.rules.separation, 0, 32, "the separation of ground agents, in cells,");
+    std::set<std::string> ids;
+    std::vector<const Agent*> drivers;
+    for (const Agent& agent : mission.agents) {
+        if (!ids.insert(agent.id).second) throw InputError("two agents of the mission have the id '" + agent.id + "'");
+        if (agent.kind == AgentKind::ground) drivers.push_back(&agent);
+    }
+    if (drivers.empty()) throw InputError("the mission has no ground agent");
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            validate_room(*drivers[j], *drivers[i], &Agent::start, "start", mission.rules.separation);
+            if (mission.rules.at_goal == AtGoal::leave) continue;
+            validate_room(*drivers[j], *drivers[i], &Agent::goal, "goal", mission.rules.separation);
+        }
+    }
+}
+
 }  // namespace
 
 const Agent& Mission::first(AgentKind kind) const {
@@ -100,22 +135,22 @@ Mission ground_and_air(Cell start, Cell goal) {
              {.id = "air", .kind = AgentKind::air, .start = start, .goal = goal}}};
 }
 
+bool Mission::is_team() const {
+    return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind);
+}
+
 void validate(const Map& map, const Mission& mission) {
     validate(map, mission.rules);
-    int ground_agents = 0;
-    int air_agents = 0;
+    if (mission.agents.empty()) throw InputError("the mission has no ground agent");
     const OpenedMap closed(map);
     for (const Agent& agent : mission.agents) {
-        ++(agent.kind == AgentKind::ground ? ground_agents : air_agents);
         require_range(agent.speed, least_speed, most_speed, "the " + agent.id + " agent's speed");
+        require_range(agent.ready_at, 0, most_breach_time, "the time at which the " + agent.id + " agent is ready");
         if (agent.kind == AgentKind::ground) validate(agent.body);
         validate_place(closed, agent, agent.start, "start");
         validate_place(closed, agent, agent.goal, "goal");
     }
-    if (ground_agents != 1 || air_agents != 1) {
-        throw InputError("a mission has one ground agent and one air agent, not " + std::to_string(ground_agents) +
-                         " and " + std::to_string(air_agents));
-    }
+    if (mission.is_team()) validate_team(mission);
 }
 
 }  // namespace waybreaker

@@ -68,6 +68,17 @@ std::string gap(const Plan& plan, const PictureOptions& options) {
     return fmt::format(", gap {:.1f} %", 100 * std::max(*reached / *plan.bound - 1, 0.0));
 }
 
+// Of the ground agents' paths together.
+std::optional<double> length_of_all(const Outcome& outcome) {
+    double sum = 0;
+    for (const Route& route : outcome.routes) {
+        if (route.kind == AgentKind::air) continue;
+        if (!route.length) return std::nullopt;
+        sum += *route.length;
+    }
+    return sum;
+}
+
 }  // namespace
 
 std::string time_text(double time, const Mission& mission, const PictureOptions& options) {
@@ -82,6 +93,11 @@ std::string time_unit(const Mission& mission, const PictureOptions& options) {
 std::string headline(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
     if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(map, plan, options);
     const double factor = time_factor(mission, options);
+    if (mission.is_team()) {
+        return fmt::format("{} agents: makespan {}, flowtime {} {}{}", mission.agents.size(),
+                           number(plan.after.makespan, factor), number(plan.after.flowtime, factor),
+                           time_unit(mission, options), gap(plan, options));
+    }
     const std::string after = number(plan.after.makespan, factor) + " " + time_unit(mission, options);
     if (plan.breaches.empty())
         return fmt::format("Makespan {}, {}{}", after, removals(map, plan, options), gap(plan, options));
@@ -99,9 +115,14 @@ std::vector<FigureGroup> figures(const Mission& mission, const Plan& plan, const
     const Outcome& after = plan.after;
     const double of_length = options.cell_size;
     const double of_time = time_factor(mission, options);
-    return {{fmt::format("length in {}", options.metres ? "metres" : "cells"),
-             {row("path A, ground", before.ground().length, after.ground().length, of_length),
-              row("path B, air", before.air().length, after.air().length, of_length)}},
+    std::vector<FigureRow> lengths;
+    if (mission.is_team()) {
+        lengths = {row("all ground paths", length_of_all(before), length_of_all(after), of_length)};
+    } else {
+        lengths = {row("path A, ground", before.ground().length, after.ground().length, of_length),
+                   row("path B, air", before.air().length, after.air().length, of_length)};
+    }
+    return {{fmt::format("length in {}", options.metres ? "metres" : "cells"), std::move(lengths)},
             {fmt::format("time in {}", time_unit(mission, options)),
              {row("makespan", before.makespan, after.makespan, of_time),
               row("flowtime", before.flowtime, after.flowtime, of_time)}}};

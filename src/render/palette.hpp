@@ -2,6 +2,7 @@
 // thousandths of the picture's width, so that a picture looks the same at 600 and at 2000 pixels.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 namespace waybreaker::render {
@@ -29,6 +30,9 @@ inline constexpr std::string_view air_edge = "#6b4300";      // gives orange its
 inline constexpr std::string_view ink = "#26231f";
 inline constexpr std::string_view faded_ink = "#6a635a";
 inline constexpr std::string_view halo = "#ffffff";
+// Of a team's vehicles; those after the last begin again with another pattern.
+inline constexpr std::array<std::string_view, 7> vehicles{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                          "#e69f00", "#56b4e9", "#26231f"};
 }  // namespace colour
 
 namespace size {
@@ -39,6 +43,7 @@ inline constexpr double headline = 20;
 inline constexpr double title = 27;
 inline constexpr double row = 29;  // from one line of the legend to the next
 inline constexpr double ground_path = 7.5;
+inline constexpr double team_path = 5;
 inline constexpr double air_path = 4;  // narrower: where both run together, one sees both
 inline constexpr double path_before = 2.4;
 inline constexpr double edge = 0.7;  // of an obstacle

@@ -74,7 +74,20 @@ std::string draw_obstacles(const Scene& scene) {
                                                    1.2 * scene.unit()));
 }
 
+// Each ground agent in a colour of its own; no paths before, which would hide the others.
+std::string draw_team(const Scene& scene) {
+    std::string out;
+    std::size_t number = 0;
+    for (const Itinerary& agent : scene.plan.agents) {
+        const std::vector<Point> path = scene.on_map(agent.path);
+        out += agent.kind == AgentKind::air ? path_sign(PathSign::air, path, scene.unit())
+                                            : vehicle_sign(number++, path, scene.unit());
+    }
+    return out;
+}
+
 std::string draw_paths(const Scene& scene) {
+    if (scene.mission.is_team()) return draw_team(scene);
     const Outcome& before = scene.plan.before;
     const Outcome& after = scene.plan.after;
     const auto draw = [&](PathSign sign, const auto& path) {
@@ -133,6 +146,18 @@ std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
     return out;
 }
 
+// Whose start and goal it is, as long as names are few.
+std::string draw_names(const Scene& scene) {
+    constexpr std::size_t most_named = 30;
+    if (scene.mission.agents.size() > most_named) return "";
+    std::string out;
+    for (const Agent& agent : scene.mission.agents) {
+        const std::string name = xml_text(agent.id, 12);
+        for (const Cell at : {agent.start, agent.goal}) out += note(scene.layout.at(at), name, scene.unit());
+    }
+    return out;
+}
+
 // Start and goal above everything; what else there is to mark keeps clear of them.
 std::string draw_marks(const Scene& scene) {
     const std::vector<Point> starts = scene.places(&Agent::start);
@@ -144,7 +169,7 @@ std::string draw_marks(const Scene& scene) {
         out += start_sign(start, scene.unit(), std::find(goals.begin(), goals.end(), start) != goals.end());
     }
     for (const Point goal : goals) out += goal_sign(goal, scene.unit());
-    return out;
+    return scene.mission.is_team() ? out + draw_names(scene) : out;
 }
 
 struct LegendEntry {
@@ -152,11 +177,41 @@ struct LegendEntry {
     std::string_view name;
 };
 
+std::string path_sample(const Scene& scene, PathSign sign) {
+    return path_sign(sign, {{2 * scene.unit(), 0}, {44 * scene.unit(), 0}}, scene.unit());
+}
+
+std::vector<LegendEntry> single_paths(const Scene& scene) {
+    const Outcome& before = scene.plan.before;
+    const Outcome& after = scene.plan.after;
+    std::vector<LegendEntry> entries;
+    if (!after.ground().path.empty()) entries.push_back({path_sample(scene, PathSign::ground), "ground path"});
+    if (before.ground().path != after.ground().path && !before.ground().path.empty()) {
+        entries.push_back({path_sample(scene, PathSign::ground_before), "ground path before"});
+    }
+    entries.push_back({path_sample(scene, PathSign::air), "air path"});
+    if (before.air().path != after.air().path) {
+        entries.push_back({path_sample(scene, PathSign::air_before), "air path before"});
+    }
+    return entries;
+}
+
+std::vector<LegendEntry> team_paths(const Scene& scene) {
+    const double unit = scene.unit();
+    std::vector<LegendEntry> entries{{vehicle_sign(0, {{2 * unit, 0}, {22 * unit, 0}}, unit) +
+                                          vehicle_sign(1, {{24 * unit, 0}, {44 * unit, 0}}, unit),
+                                      "ground paths"}};
+    const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
+    if (std::ranges::any_of(scene.mission.agents, flies)) {
+        entries.push_back({path_sample(scene, PathSign::air), "air path"});
+    }
+    return entries;
+}
+
 // The signs that this picture uses.
 std::vector<LegendEntry> legend(const Scene& scene) {
     const double unit = scene.unit();
     const Point middle = {23 * unit, 0};
-    const auto path = [&](PathSign sign) { return path_sign(sign, {{2 * unit, 0}, {44 * unit, 0}}, unit); };
     const auto swatch = [&](Style style) {
         const double scale = scene.raster_scale();
         const double width = 34 * unit / scale;
@@ -171,16 +226,11 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     const auto is_removable = [](const Obstacle& obstacle) { return obstacle.destructible; };
     const auto is_fixed = [&](const Obstacle& obstacle) { return !obstacle.destructible && !is_water(obstacle); };
     const auto all = scene.map.obstacles();
-    const Outcome& before = scene.plan.before;
-    const Outcome& after = scene.plan.after;
 
     std::vector<LegendEntry> entries = {{start_sign(middle, unit), "start"}, {goal_sign(middle, unit), "goal"}};
-    if (!after.ground().path.empty()) entries.push_back({path(PathSign::ground), "ground path"});
-    if (before.ground().path != after.ground().path && !before.ground().path.empty()) {
-        entries.push_back({path(PathSign::ground_before), "ground path before"});
+    for (LegendEntry& entry : scene.mission.is_team() ? team_paths(scene) : single_paths(scene)) {
+        entries.push_back(std::move(entry));
     }
-    entries.push_back({path(PathSign::air), "air path"});
-    if (before.air().path != after.air().path) entries.push_back({path(PathSign::air_before), "air path before"});
     if (std::ranges::any_of(all, is_removable)) entries.push_back({swatch(Style::obstacle), "obstacle"});
     if (std::ranges::any_of(all, is_fixed)) entries.push_back({swatch(Style::fixed_obstacle), "not removable"});
     if (std::ranges::any_of(all, is_water)) entries.push_back({swatch(Style::water), "water"});
@@ -215,7 +265,8 @@ std::string draw_figures(const Scene& scene, double top) {
         const Point at = {column == 0 ? left : columns[column - 1], y};
         return text(at, content, size::text * unit, colour, column == 0 ? Anchor::start : Anchor::end, bold);
     };
-    std::string out = cell(1, "before", false, colour::faded_ink) + cell(2, "after", false, colour::faded_ink);
+    std::string out = cell(1, scene.mission.is_team() ? "alone" : "before", false, colour::faded_ink) +
+                      cell(2, scene.mission.is_team() ? "together" : "after", false, colour::faded_ink);
     for (const FigureGroup& group : figures(scene.mission, scene.plan, scene.options)) {
         out += cell(0, group.name, false, colour::faded_ink);
         y += size::row * unit;

@@ -63,17 +63,28 @@ std::string disc(Point centre, double radius, std::string_view fill, std::string
                        centre.x, centre.y, radius, fill, edge, edge_width);
 }
 
-}  // namespace
-
-std::string path_sign(PathSign sign, const std::vector<Point>& points, double unit) {
+std::string path_sign(const LineStyle& style, const std::vector<Point>& points, double unit) {
     if (points.empty()) return "";
-    const LineStyle style = style_of(sign);
     const std::string data = path_data(points);
     const auto [dash, gap] = style.dash_and_gap;
     const std::string dashes =
         gap == 0 ? "" : fmt::format(R"( stroke-dasharray="{:.4g} {:.4g}")", dash * unit, gap * unit);
     return line(data, style.edge_colour, (style.width + 2 * style.edge_width) * unit, dashes) +
            line(data, style.colour, style.width * unit, dashes);
+}
+
+}  // namespace
+
+std::string path_sign(PathSign sign, const std::vector<Point>& points, double unit) {
+    return path_sign(style_of(sign), points, unit);
+}
+
+std::string vehicle_sign(std::size_t number, const std::vector<Point>& points, double unit) {
+    static constexpr std::array<std::array<double, 2>, 3> patterns{{{0, 0}, {12, 9}, {0.1, 9}}};
+    const std::size_t colours = colour::vehicles.size();
+    const LineStyle style{colour::vehicles[number % colours], size::team_path, colour::halo, 1.5,
+                          patterns[number / colours % patterns.size()]};
+    return path_sign(style, points, unit);
 }
 
 std::string start_sign(Point at, double unit, bool is_goal) {

@@ -1,6 +1,7 @@
 // Signs: the graphic vocabulary of a picture, drawn alike on the map and in the legend. All return SVG elements.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@ enum class PathSign { ground, air, ground_before, air_before };
 // Paths differ in colour and in pattern: ground is solid, air is dashed, before is thin and dashed or dotted. `unit` is
 // a thousandth of the picture's width in all of these.
 std::string path_sign(PathSign sign, const std::vector<Point>& points, double unit);
+
+// The path of a team's vehicle: number 0 is the first.
+std::string vehicle_sign(std::size_t number, const std::vector<Point>& points, double unit);
 
 // A ring; a wide one around the goal if that is at the same place.
 std::string start_sign(Point at, double unit, bool is_goal = false);

@@ -1,6 +1,8 @@
 // What can be planned how, and the paper's way to plan.
 #include "waybreaker/method.hpp"
 
+#include <algorithm>
+
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -27,6 +29,32 @@ void follow_paper(Rules& rules, Method& method) {
     method.flight = rules.removals == 1 ? FlightRule::optimal : FlightRule::nearest;
 }
 
+namespace {
+
+// What cannot be planned for a team yet, or only for one.
+void validate_team(const Mission& mission, const Method& method) {
+    const auto is_ready_later = [](const Agent& agent) { return agent.ready_at > 0; };
+    if (!mission.is_team()) {
+        if (std::ranges::any_of(mission.agents, is_ready_later)) {
+            throw InputError("ready_at is for several ground agents: leave it out for one ground and one air agent");
+        }
+        return;
+    }
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind != AgentKind::air) continue;
+        if (is_ready_later(agent)) throw InputError("ready_at is for ground agents: the " + agent.id + " agent flies");
+        if (mission.rules.removals > 0) {
+            throw InputError(
+                "for other teams than one ground and one air agent nothing can be removed yet: set removals to 0, or "
+                "leave out the air agents");
+        }
+    }
+    if (!mission.rules.force.empty()) throw InputError("there is no air agent to remove what must be removed");
+    if (!method.diagonal) throw InputError("several ground agents move by eight neighbours, not by four");
+}
+
+}  // namespace
+
 void validate(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     if (!(limits.seconds > 0)) throw InputError("the time limit must be above 0 seconds");
     for (const Agent& agent : mission.agents) {
@@ -38,6 +66,7 @@ void validate(const Map& map, const Mission& mission, const Method& method, cons
         }
     }
     validate(map, mission);
+    validate_team(mission, method);
 }
 
 }  // namespace waybreaker

@@ -1,0 +1,156 @@
+// Plans of teams: each agent as that of a plan for one, all of them together, and figures that add up.
+#include <map>
+#include <set>
+
+#include "check/judge.hpp"
+
+namespace waybreaker::checker {
+namespace {
+
+class TeamJudge {
+  public:
+    TeamJudge(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms)
+        : map_(map), mission_(mission), plan_(plan), terms_(terms) {
+        for (const Agent& agent : mission.agents) agents_.emplace(agent.id, &agent);
+    }
+
+    Violations judge() {
+        if (!plan_.breaches.empty() || !plan_.next.empty()) {
+            report(Rule::removals, "nothing can be removed in a plan of a team");
+        }
+        if (!has_routes(plan_.before) || !has_routes(plan_.after)) return std::move(found_);
+        if (plan_.agents.empty()) {
+            judge_without_paths();
+        } else if (is_complete()) {
+            judge_paths();
+        }
+        judge_bound(plan_, terms_, found_);
+        return std::move(found_);
+    }
+
+  private:
+    void report(Rule rule, const std::string& message, const std::string& agent = "") {
+        found_.push_back({rule, message, agent});
+    }
+    void expect(Rule rule, const std::string& what, std::optional<double> stated, double truth) {
+        if (stated && agree(terms_, *stated, truth)) return;
+        report(rule, what + " is " + (stated ? text(*stated) : "missing") + " instead of " + text(truth));
+    }
+
+    bool has_routes(const Outcome& outcome) {
+        if (outcome.routes.size() == mission_.agents.size()) return true;
+        report(Rule::agents, "there are " + std::to_string(outcome.routes.size()) + " routes for " +
+                                 std::to_string(mission_.agents.size()) + " agents");
+        return false;
+    }
+
+    // Each agent of the mission has one path.
+    bool is_complete() {
+        std::set<std::string> planned;
+        for (const Itinerary& agent : plan_.agents) {
+            if (!planned.insert(agent.id).second) report(Rule::agents, "there are two paths for " + agent.id, agent.id);
+        }
+        for (const Agent& agent : mission_.agents) {
+            if (!planned.contains(agent.id)) report(Rule::agents, "there is no path for " + agent.id, agent.id);
+        }
+        return plan_.agents.size() == mission_.agents.size() && found_.empty();
+    }
+
+    void judge_without_paths() {
+        if (plan_.status == PlanStatus::solved) report(Rule::status, "the plan is solved, but there are no agents");
+        if (plan_.after.makespan || plan_.after.flowtime || plan_.after.ground_makespan) {
+            report(Rule::status, "figures without agents that reach them");
+        }
+    }
+
+    void judge_paths() {
+        if (plan_.status != PlanStatus::solved) report(Rule::status, "there is no plan, but agents have paths");
+        bool broken = false;
+        std::vector<Disc> discs;
+        for (const Itinerary& path : plan_.agents) {
+            const Agent& agent = *agents_.at(path.id);
+            const Terms terms{terms_.rules, agent.body, terms_.tolerance};
+            const Violations times = judge_timetable(path, terms);
+            append(found_, times);
+            const bool unreadable = std::any_of(times.begin(), times.end(), [](const Violation& v) {
+                return v.rule == Rule::agents || v.rule == Rule::time;
+            });
+            broken = broken || unreadable;
+            if (unreadable || agent.kind == AgentKind::air) continue;
+            append(found_, judge_ground(map_, plan_, path, terms));
+            judge_ready(agent, path);
+            discs.push_back({&path, agent.body.reach()});
+        }
+        append(found_, judge_separation(discs, terms_));
+        if (!broken) judge_figures();
+    }
+
+    // It stands at its start until then.
+    void judge_ready(const Agent& agent, const Itinerary& path) {
+        for (const Waypoint& at : path.path) {
+            if (Point(at.x, at.y) == Point(agent.start)) continue;
+            const double way = std::hypot(at.x - agent.start.x, at.y - agent.start.y);
+            const double left = at.t - way / agent.speed;
+            if (left + slack(terms_, at.t) < agent.ready_at) {
+                found_.push_back({Rule::start,
+                                  "the " + agent.id + " agent leaves at " + text(left) + ", before it is ready at " +
+                                      text(agent.ready_at),
+                                  agent.id,
+                                  {},
+                                  Point(agent.start),
+                                  left});
+            }
+            return;
+        }
+    }
+
+    void judge_figures() {
+        double makespan = 0;
+        double ground_makespan = 0;
+        double flowtime = 0;
+        double alone = 0;
+        double alone_sum = 0;
+        for (std::size_t i = 0; i < mission_.agents.size(); ++i) {
+            const Itinerary& path = plan_.agents[i];
+            const Agent& agent = *agents_.at(path.id);
+            const double end = path.path.back().t;
+            makespan = std::max(makespan, end);
+            flowtime += end;
+            if (agent.kind == AgentKind::ground) ground_makespan = std::max(ground_makespan, end);
+            double driven = 0;
+            for (std::size_t k = 1; k < path.path.size(); ++k) {
+                driven += std::hypot(path.path[k].x - path.path[k - 1].x, path.path[k].y - path.path[k - 1].y);
+            }
+            expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
+            const double straight =
+                std::hypot(double(agent.goal.x) - agent.start.x, double(agent.goal.y) - agent.start.y);
+            const double length = plan_.before.routes[i].length.value_or(-1);
+            if (length < straight - slack(terms_, straight)) {
+                report(Rule::before, "alone, the " + agent.id + " agent's length is below the straight line's");
+            }
+            const double arrival = length > 0 ? agent.ready_at + length / agent.speed : 0;
+            alone = std::max(alone, arrival);
+            alone_sum += arrival;
+        }
+        expect(Rule::makespan, "the makespan", plan_.after.makespan, makespan);
+        expect(Rule::flowtime, "the flowtime", plan_.after.flowtime, flowtime);
+        expect(Rule::ground_makespan, "the ground agents' arrival", plan_.after.ground_makespan, ground_makespan);
+        expect(Rule::before, "the makespan of all, each alone,", plan_.before.makespan, alone);
+        expect(Rule::before, "the flowtime of all, each alone,", plan_.before.flowtime, alone_sum);
+    }
+
+    const Map& map_;
+    const Mission& mission_;
+    const Plan& plan_;
+    const Terms& terms_;
+    std::map<std::string, const Agent*> agents_;
+    Violations found_;
+};
+
+}  // namespace
+
+Violations judge_team(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms) {
+    return TeamJudge(map, mission, plan, terms).judge();
+}
+
+}  // namespace waybreaker::checker

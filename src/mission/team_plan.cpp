@@ -1,0 +1,158 @@
+#include "mission/team_plan.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/stopwatch.hpp"
+#include "plan/timeline.hpp"
+#include "team/team.hpp"
+
+namespace waybreaker {
+namespace {
+
+// The figures of an outcome, from when each agent is at its goal.
+class Arrivals {
+  public:
+    void add(AgentKind kind, double time) {
+        flowtime_ += time;
+        makespan_ = std::max(makespan_, time);
+        if (kind == AgentKind::ground) ground_makespan_ = std::max(ground_makespan_, time);
+    }
+    void fill(Outcome& outcome) const {
+        outcome.makespan = makespan_;
+        outcome.flowtime = flowtime_;
+        outcome.ground_makespan = ground_makespan_;
+    }
+
+  private:
+    double flowtime_ = 0;
+    double makespan_ = 0;
+    double ground_makespan_ = 0;
+};
+
+Route flight(const Agent& agent) {
+    Route route;
+    route.kind = AgentKind::air;
+    route.path = {agent.start, agent.goal};
+    route.length = distance(agent.start, agent.goal);
+    return route;
+}
+
+Route drive(const team::Vehicle& vehicle, std::vector<Point> path) {
+    Route route;
+    route.length = path_length(path);
+    route.path = std::move(path);
+    route.expanded = vehicle.expanded;
+    route.generated = vehicle.generated;
+    route.seconds = vehicle.seconds;
+    return route;
+}
+
+// Without the waits.
+std::vector<Point> places(std::span<const Waypoint> path) {
+    std::vector<Point> places;
+    for (const Waypoint& at : path) {
+        if (places.empty() || places.back() != Point(at.x, at.y)) places.emplace_back(at.x, at.y);
+    }
+    return places;
+}
+
+PlanStatus status_of(SearchStatus status) {
+    switch (status) {
+        case SearchStatus::found:
+            return PlanStatus::solved;
+        case SearchStatus::no_path:
+            return PlanStatus::no_plan;
+        case SearchStatus::limit_reached:
+            return PlanStatus::limit_reached;
+        case SearchStatus::stopped:
+            break;
+    }
+    return PlanStatus::stopped;
+}
+
+// Every agent as if it were alone, and the earliest that each can arrive.
+void add_alone(const Mission& mission, const team::TeamPlan& team, Plan& plan) {
+    Arrivals alone;
+    Arrivals least;
+    plan.before.routes.clear();
+    auto vehicle = team.vehicles.begin();
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::air) {
+            plan.before.routes.push_back(flight(agent));
+            alone.add(AgentKind::air, *plan.before.routes.back().length / agent.speed);
+            least.add(AgentKind::air, *plan.before.routes.back().length / agent.speed);
+        } else {
+            plan.before.routes.push_back(drive(*vehicle, {vehicle->way.begin(), vehicle->way.end()}));
+            alone.add(AgentKind::ground, vehicle->alone);
+            least.add(AgentKind::ground, vehicle->bound);
+            ++vehicle;
+        }
+    }
+    alone.fill(plan.before);
+    Outcome bound;
+    least.fill(bound);
+    plan.bound = value(bound, mission.rules.objective);
+}
+
+void add_paths(const Mission& mission, team::TeamPlan& team, Plan& plan) {
+    Arrivals arrivals;
+    plan.after.routes.clear();
+    std::size_t vehicle = 0;
+    for (const Agent& agent : mission.agents) {
+        std::vector<Waypoint> path;
+        if (agent.kind == AgentKind::air) {
+            plan.after.routes.push_back(flight(agent));
+            path = timed(plan.after.routes.back().path, agent.speed);
+        } else {
+            path = std::move(team.paths[vehicle]);
+            plan.after.routes.push_back(drive(team.vehicles[vehicle], places(path)));
+            ++vehicle;
+        }
+        arrivals.add(agent.kind, path.back().t);
+        plan.agents.push_back({agent.id, agent.kind, agent.speed, std::move(path), agent.start, agent.goal});
+    }
+    arrivals.fill(plan.after);
+    const double reached = *value(plan.after, mission.rules.objective);
+    plan.bound = std::min(*plan.bound, reached);
+    plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
+}
+
+// Routes without a length, for a plan that there is none of.
+void add_nothing(const Mission& mission, Outcome& outcome) {
+    outcome.routes.clear();
+    for (const Agent& agent : mission.agents) {
+        outcome.routes.push_back(agent.kind == AgentKind::air ? flight(agent) : Route{});
+    }
+}
+
+}  // namespace
+
+Plan plan_team(const Map& map, const Mission& mission, const Limits& limits, Searcher& searcher,
+               CrossingSearcher& crossing) {
+    const Stopwatch total;
+    const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions};
+    Plan plan;
+    const auto tell = [&](const team::Cost& cost) {
+        if (limits.progress) limits.progress({.best = cost.first});
+    };
+    team::TeamPlan team = team::plan_team(OpenedMap(map), mission, interrupts, crossing, searcher, tell);
+    plan.status = status_of(team.status);
+    const bool all_alone = std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
+    if (all_alone) {
+        add_alone(mission, team, plan);
+    } else {
+        add_nothing(mission, plan.before);
+    }
+    if (plan.status == PlanStatus::solved) {
+        add_paths(mission, team, plan);
+    } else {
+        add_nothing(mission, plan.after);
+    }
+    plan.limit_reached = team.limited || plan.status == PlanStatus::limit_reached;
+    for (const team::Vehicle& vehicle : team.vehicles) plan.seconds.search += vehicle.seconds;
+    plan.seconds.total = total.seconds();
+    return plan;
+}
+
+}  // namespace waybreaker

@@ -1,0 +1,12 @@
+// Missions of teams: several ground agents, and aircraft that only fly.
+#pragma once
+
+#include "waybreaker/planner.hpp"
+
+namespace waybreaker {
+
+// REQUIRES: the mission is a team's, and valid.
+Plan plan_team(const Map& map, const Mission& mission, const Limits& limits, Searcher& searcher,
+               CrossingSearcher& crossing);
+
+}  // namespace waybreaker

@@ -1,0 +1,32 @@
+#include "safe_interval/distance_memory.hpp"
+
+#include <algorithm>
+
+namespace waybreaker::safe_interval {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 27U;
+
+}  // namespace
+
+const Distances& DistanceMemory::get(const OpenedMap& map, const LineOfSight& sight, const Body& body, Cell goal,
+                                     std::span<const Cell> way, const Deadline& deadline) {
+    const bool same_map = map_ == map.map().identity() && std::ranges::equal(removed_, map.removed());
+    if (!same_map || bytes_ > most_bytes) {
+        known_.clear();
+        bytes_ = 0;
+        map_ = map.map().identity();
+        removed_.assign(map.removed().begin(), map.removed().end());
+    }
+    const Key key{goal, body.radius, body.corners, {way.begin(), way.end()}};
+    if (const auto found = known_.find(key); found != known_.end()) {
+        if (found->second.complete()) return found->second;
+        bytes_ -= found->second.bytes();
+        known_.erase(found);
+    }
+    const Distances& distances = known_.emplace(key, Distances(map, sight, goal, way, deadline)).first->second;
+    bytes_ += distances.bytes();
+    return distances;
+}
+
+}  // namespace waybreaker::safe_interval

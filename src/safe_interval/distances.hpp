@@ -1,0 +1,74 @@
+// Distances to the goal for an agent that is alone: the heuristic, and the way on when nobody is in the way.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/stopwatch.hpp"
+#include "map/line_of_sight.hpp"
+
+namespace waybreaker::safe_interval {
+
+// Any-angle distances from every cell of a region, by Lazy Theta* from the goal without a heuristic (Nash, Koenig,
+// Tovey 2010). A length is that of a real way, so it is never too small, and may be a little too large.
+//
+// The region is made of tiles: those of the whole map, or only those near a way.
+class Distances {
+  public:
+    static constexpr float unknown = std::numeric_limits<float>::infinity();
+
+    // Of all cells from which the goal can be reached; or, if there is a way, of those in tiles that lie next to one on
+    // the way. Time O(n log n) in the cells of the region, and one line of sight for each; not complete if the deadline
+    // passes.
+    Distances(const OpenedMap& map, const LineOfSight& sight, Cell goal, std::span<const Cell> way,
+              const Deadline& deadline);
+
+    bool complete() const { return complete_; }
+
+    // `unknown` outside the region.
+    float to_goal(Cell c) const {
+        const std::uint32_t at = index(c);
+        return at == none ? unknown : entries_[at].length;
+    }
+    // A cell in sight of `c` through which the way on goes. REQUIRES: to_goal(c) is known.
+    Cell next(Cell c) const { return entries_[index(c)].next; }
+
+    static constexpr std::uint32_t none = UINT32_MAX;
+
+    // Of a cell of the region, below size(); `none` outside. The cell may lie off the map.
+    std::uint32_t index(Cell c) const {
+        if (c.x < left_ || c.y < top_ || c.x >= right_ || c.y >= bottom_) return none;
+        const auto x = unsigned(c.x - left_);
+        const auto y = unsigned(c.y - top_);
+        const std::uint32_t first = tiles_[y / side * columns_ + x / side];
+        return first == none ? none : first + y % side * side + x % side;
+    }
+    std::size_t size() const { return entries_.size(); }
+    std::size_t bytes() const { return tiles_.size() * sizeof(std::uint32_t) + entries_.size() * sizeof(Entry); }
+
+  private:
+    static constexpr int side = 4;  // of a tile, in cells
+
+    struct Entry {
+        float length = unknown;
+        Cell next;
+    };
+    class Flood;
+
+    void add_tile(std::uint32_t number);
+    void add_tiles_near(std::span<const Cell> way);
+
+    // The box of the region.
+    int left_ = 0;
+    int top_ = 0;
+    int right_;
+    int bottom_;
+    unsigned columns_;                  // of tiles
+    std::vector<std::uint32_t> tiles_;  // the first entry of each
+    std::vector<Entry> entries_;
+    bool complete_ = false;
+};
+
+}  // namespace waybreaker::safe_interval

@@ -1,0 +1,119 @@
+#include "team/fleet.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace waybreaker::team {
+namespace {
+
+// In radii driven at its speed: time enough to get out of the way in most cases.
+constexpr double first_hold = 8;
+constexpr double longest_hold = 1e9;
+
+}  // namespace
+
+bool better(const Cost& a, const Cost& b) {
+    if (a.missing != b.missing) return a.missing < b.missing;
+    const auto less = [](double x, double y) { return x < y - 1e-9 * std::max(y, 1.0); };
+    if (less(a.first, b.first)) return true;
+    return !less(b.first, a.first) && less(a.second, b.second);
+}
+
+Fleet::Fleet(const OpenedMap& map, std::span<const Vehicle> vehicles, const Rules& rules, const Interrupts& interrupts)
+    : map_(map),
+      vehicles_(vehicles),
+      rules_(rules),
+      interrupts_(interrupts),
+      traffic_(map.width(), map.height(), rules.separation),
+      paths_(vehicles.size()),
+      hold_(vehicles.size()) {
+    for (std::uint32_t i = 0; i < vehicles.size(); ++i) {
+        const Agent& agent = vehicles[i].agent;
+        hold_[i] = agent.ready_at + first_hold * std::max(agent.body.reach() + rules.separation, 0.1) / agent.speed;
+        stand_at_start(i);
+    }
+}
+
+Cost Fleet::cost() const {
+    Cost cost;
+    double flowtime = 0;
+    double makespan = 0;
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        if (!has_path(i)) {
+            ++cost.missing;
+            continue;
+        }
+        flowtime += arrival(i);
+        makespan = std::max(makespan, arrival(i));
+    }
+    const bool sums = rules_.objective == Objective::flowtime;
+    cost.first = sums ? flowtime : makespan;
+    cost.second = sums ? makespan : flowtime;
+    return cost;
+}
+
+double Fleet::latest_arrival(const Cost& cost, std::uint32_t i) const {
+    constexpr double rounding = 1e-9;
+    double left = cost.first * (1 + rounding) + rounding;
+    if (rules_.objective != Objective::flowtime) return left;
+    for (std::uint32_t other = 0; other < size(); ++other) {
+        if (other != i) left -= has_path(other) ? arrival(other) : vehicles_[other].alone;
+    }
+    return left;
+}
+
+void Fleet::stand_at_start(std::uint32_t i) {
+    const Agent& agent = vehicles_[i].agent;
+    const Waypoint start{double(agent.start.x), double(agent.start.y), 0};
+    const std::array<Waypoint, 2> standing{start, {start.x, start.y, std::min(hold_[i], longest_hold)}};
+    traffic_.add(i, standing, agent.body.reach(), false);
+}
+
+bool Fleet::plan(std::uint32_t i, double arrive_before) {
+    const Vehicle& vehicle = vehicles_[i];
+    SafeIntervalOptions options;
+    options.body = vehicle.agent.body;
+    options.speed = vehicle.agent.speed;
+    options.ready_at = vehicle.agent.ready_at;
+    options.stays = rules_.at_goal == AtGoal::stay;
+    options.known = vehicle.way;
+    options.arrive_before = arrive_before;
+    options.limits = interrupts_.limits();
+    traffic_.remove(i);
+    SafeIntervalResult found = searcher_.find(map_, traffic_, vehicle.agent.start, vehicle.agent.goal, options);
+    if (found.status != SearchStatus::found) {
+        stand_at_start(i);
+        return false;
+    }
+    put(i, std::move(found.path));
+    return true;
+}
+
+void Fleet::withdraw(std::uint32_t i) {
+    paths_[i].clear();
+    traffic_.remove(i);
+    stand_at_start(i);
+}
+
+void Fleet::put(std::uint32_t i, Path path) {
+    paths_[i] = std::move(path);
+    traffic_.remove(i);
+    traffic_.add(i, paths_[i], vehicles_[i].agent.body.reach(), rules_.at_goal == AtGoal::stay);
+}
+
+std::vector<std::uint32_t> Fleet::in_its_way(std::uint32_t i) const {
+    const Vehicle& vehicle = vehicles_[i];
+    const Agent& agent = vehicle.agent;
+    Path path{{double(agent.start.x), double(agent.start.y), 0}};
+    double time = agent.ready_at;
+    if (time > 0) path.push_back({path[0].x, path[0].y, time});
+    for (std::size_t k = 1; k < vehicle.way.size(); ++k) {
+        time += distance(vehicle.way[k - 1], vehicle.way[k]) / agent.speed;
+        path.push_back({double(vehicle.way[k].x), double(vehicle.way[k].y), time});
+    }
+    std::vector<std::uint32_t> met = traffic_.met(path, agent.body.reach(), rules_.at_goal == AtGoal::stay);
+    std::erase(met, i);
+    return met;
+}
+
+}  // namespace waybreaker::team

@@ -1,0 +1,99 @@
+#include "team/neighbourhoods.hpp"
+
+#include <algorithm>
+
+namespace waybreaker::team {
+namespace {
+
+constexpr std::size_t most_replanned = 8;
+constexpr double for_ever = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+// The vehicle, those in its way, those in their way, and so on; of those found last, some by chance.
+std::vector<std::uint32_t> NeighbourhoodSearch::around(std::uint32_t vehicle, std::size_t most) {
+    std::vector<std::uint32_t> chosen{vehicle};
+    for (std::size_t next = 0; next < chosen.size() && chosen.size() < most; ++next) {
+        std::vector<std::uint32_t> met = fleet_.in_its_way(chosen[next]);
+        random_.shuffle(met);
+        for (const std::uint32_t other : met) {
+            if (chosen.size() == most) break;
+            if (std::ranges::find(chosen, other) == chosen.end()) chosen.push_back(other);
+        }
+    }
+    return chosen;
+}
+
+// Any that loses time on the others: the more it loses, the more likely.
+std::optional<std::uint32_t> NeighbourhoodSearch::delayed() {
+    double sum = 0;
+    const auto delay = [this](std::uint32_t i) {
+        constexpr double rounding = 1e-9;
+        const double alone = fleet_.vehicle(i).alone;
+        const double lost = fleet_.arrival(i) - alone;
+        return lost > rounding * std::max(alone, 1.0) ? lost : 0;
+    };
+    for (std::uint32_t i = 0; i < fleet_.size(); ++i) sum += delay(i);
+    if (sum == 0) return std::nullopt;
+    constexpr std::size_t parts = std::size_t{1} << 30U;
+    double left = sum * double(random_.below(parts)) / double(parts);
+    std::optional<std::uint32_t> chosen;
+    for (std::uint32_t i = 0; i < fleet_.size() && left >= 0; ++i) {
+        if (delay(i) == 0) continue;
+        chosen = i;
+        left -= delay(i);
+    }
+    return chosen;
+}
+
+bool NeighbourhoodSearch::replan(const std::vector<std::uint32_t>& order, bool repairing) {
+    const Cost before = fleet_.cost();
+    std::vector<Path> old;
+    for (const std::uint32_t i : order) {
+        old.push_back(fleet_.path(i));
+        fleet_.withdraw(i);
+    }
+    for (const std::uint32_t i : order) {
+        if (fleet_.plan(i, repairing ? for_ever : fleet_.latest_arrival(before, i))) continue;
+        if (!repairing) break;
+        fleet_.hold_longer(i);
+    }
+    const Cost after = fleet_.cost();
+    // Repair wanders: as many paths, other ones, may be what lets the last vehicle through.
+    if (repairing ? after.missing <= before.missing : better(after, before)) return true;
+    for (const std::uint32_t i : order) fleet_.withdraw(i);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        if (!old[k].empty()) fleet_.put(order[k], std::move(old[k]));
+    }
+    return false;
+}
+
+void NeighbourhoodSearch::repair() {
+    const std::size_t most_tries = std::min<std::size_t>(50, 4 * fleet_.size());
+    for (std::size_t tries = 0; tries < most_tries && !interrupts_.due(); ++tries) {
+        std::vector<std::uint32_t> missing;
+        for (std::uint32_t i = 0; i < fleet_.size(); ++i) {
+            if (!fleet_.has_path(i)) missing.push_back(i);
+        }
+        if (missing.empty()) return;
+        replan(around(missing[random_.below(missing.size())], most_replanned), true);
+    }
+}
+
+void NeighbourhoodSearch::improve(const std::function<void()>& gained) {
+    const std::size_t patience = 100 + 20 * fleet_.size();
+    for (std::size_t failures = 0; failures < patience;) {
+        const std::optional<std::uint32_t> late = delayed();
+        if (!late || interrupts_.due()) return;
+        std::vector<std::uint32_t> order = around(*late, 2 + random_.below(4));
+        random_.shuffle(order);
+        if (replan(order, false)) {
+            failures = 0;
+            gained();
+        } else {
+            ++failures;
+        }
+    }
+}
+
+}  // namespace waybreaker::team

@@ -1,0 +1,70 @@
+#include "team/team.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "team/neighbourhoods.hpp"
+
+namespace waybreaker::team {
+namespace {
+
+// Short ways first where all arrivals count: they lose little on others, and others little on them. Where the last
+// arrival counts, the longest way first.
+std::vector<std::uint32_t> order_of(std::span<const Vehicle> vehicles, Objective objective) {
+    std::vector<std::uint32_t> order(vehicles.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) {
+        return objective == Objective::flowtime ? vehicles[a].alone < vehicles[b].alone
+                                                : vehicles[a].alone > vehicles[b].alone;
+    });
+    return order;
+}
+
+// Prioritised planning: one vehicle after the other, past those planned before. Where that leaves a few without a way,
+// their neighbourhoods are replanned; if that does not help, or they are many, they come first in another round, as
+// AA-SIPP(m) does (Andreychuk, Yakovlev: Two techniques that enhance the performance of multi-robot prioritized path
+// planning, AAMAS 2018). Ends with a path for each, or when time
+// or hope is over: some teams have to make way for each other in turn, which this does not find.
+void plan_all(const TeamPlan& plan, Objective objective, const Interrupts& interrupts, Fleet& fleet,
+              NeighbourhoodSearch& search) {
+    constexpr int most_rounds = 50;
+    constexpr double any_time = std::numeric_limits<double>::infinity();
+    std::vector<std::uint32_t> order = order_of(plan.vehicles, objective);
+    const std::size_t few = order.size() / 10 + 1;
+    for (int round = 0; round < most_rounds && !interrupts.due(); ++round) {
+        for (const std::uint32_t i : order) {
+            if (!fleet.plan(i, any_time)) fleet.hold_longer(i);
+        }
+        if (fleet.cost().missing <= few) search.repair();
+        if (fleet.cost().missing == 0) return;
+        std::ranges::stable_partition(order, [&](std::uint32_t i) { return !fleet.has_path(i); });
+        for (const std::uint32_t i : order) fleet.withdraw(i);
+    }
+}
+
+}  // namespace
+
+TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
+                   CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved) {
+    TeamPlan plan;
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind != AgentKind::ground) continue;
+        plan.vehicles.emplace_back().agent = agent;
+        plan.status = go_alone(map, interrupts, crossing, theta, plan.vehicles.back());
+        if (plan.status != SearchStatus::found) return plan;
+    }
+    Fleet fleet(map, plan.vehicles, mission.rules, interrupts);
+    NeighbourhoodSearch search(fleet, interrupts);
+    plan_all(plan, mission.rules.objective, interrupts, fleet, search);
+    if (fleet.cost().missing > 0) {
+        plan.status = interrupts.stop.stop_requested() ? SearchStatus::stopped : SearchStatus::limit_reached;
+        return plan;
+    }
+    improved(fleet.cost());
+    search.improve([&] { improved(fleet.cost()); });
+    plan.limited = interrupts.due();
+    for (std::uint32_t i = 0; i < fleet.size(); ++i) plan.paths.push_back(fleet.path(i));
+    return plan;
+}
+
+}  // namespace waybreaker::team

@@ -1,0 +1,29 @@
+// A team: paths for any number of ground agents that never collide, on a map as it stands.
+//
+// Most vehicles in a city have nobody in the way of their shortest path. The rest are planned one after the other past
+// those planned before (safe_interval.hpp), which a large neighbourhood search then mends where it found no way, and
+// improves while there is time and gain.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "team/fleet.hpp"
+#include "team/vehicle.hpp"
+
+namespace waybreaker::team {
+
+struct TeamPlan {
+    // `found`: every vehicle has a path. `no_path`: some vehicle has no way at all, were it alone. Else: a limit.
+    SearchStatus status = SearchStatus::no_path;
+    std::vector<Vehicle> vehicles;  // in the mission's order
+    std::vector<Path> paths;        // of each; empty unless found
+    bool limited = false;           // a limit ended the improvement
+};
+
+// Calls `improved` with the paths' cost whenever there is a better plan, the first included. The same mission has the
+// same plan, time limits aside.
+TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
+                   CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved);
+
+}  // namespace waybreaker::team

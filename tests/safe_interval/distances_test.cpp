@@ -1,0 +1,69 @@
+// Distances to a goal against Dijkstra over all cells that see each other.
+#include "safe_interval/distances.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "random_map.hpp"
+#include "waybreaker/search.hpp"
+
+namespace waybreaker {
+namespace {
+
+// The shortest any-angle path through centres, by brute force.
+std::vector<double> shortest(const PlainMap& plain, const OpenedMap& map, const Body& body, Cell goal) {
+    const std::vector<Cell> cells = plain.free_cells();
+    std::vector<double> length(cells.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] == goal && fits(map, goal, body)) length[i] = 0;
+    }
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t a = 0; a < cells.size(); ++a) {
+            if (std::isinf(length[a])) continue;
+            for (std::size_t b = 0; b < cells.size(); ++b) {
+                const double by = length[a] + distance(cells[a], cells[b]);
+                if (by + 1e-12 >= length[b] || !line_of_sight(map, cells[a], cells[b], body)) continue;
+                length[b] = by;
+                changed = true;
+            }
+        }
+    }
+    return length;
+}
+
+RC_GTEST_PROP(Distances, AreThoseOfRealWays, ()) {
+    const PlainMap plain = *random_map(12, 12);
+    const Map map(plain.grid());
+    const OpenedMap opened(map);
+    const Body body{.radius = *rc::gen::element(0.3, 0.5, 1.2)};
+    const Cell goal = any_free_cell(plain);
+    const LineOfSight sight(opened, body);
+    RC_PRE(sight.fits(goal));
+    const safe_interval::Distances distances(opened, sight, goal, {}, Deadline());
+    const std::vector<Cell> cells = plain.free_cells();
+    const std::vector<double> least = shortest(plain, opened, body, goal);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double found = distances.to_goal(cells[i]);
+        RC_ASSERT(std::isinf(found) == std::isinf(least[i]));
+        if (std::isinf(found)) continue;
+        RC_ASSERT(found >= least[i] - 1e-3);
+        RC_ASSERT(found <= 1.2 * least[i] + 1e-3);
+        // The way on is legal, and as long as it says.
+        double driven = 0;
+        Cell at = cells[i];
+        for (int moves = 0; at != goal; ++moves) {
+            RC_ASSERT(moves < 200);
+            const Cell next = distances.next(at);
+            RC_ASSERT(line_of_sight(opened, at, next, body));
+            driven += distance(at, next);
+            at = next;
+        }
+        RC_ASSERT(driven <= found + 1e-2);
+    }
+    RC_ASSERT(std::isinf(distances.to_goal({-1, 0})));
+    RC_ASSERT(std::isinf(distances.to_goal({0, plain.height})));
+}
+
+}  // namespace
+}  // namespace waybreaker

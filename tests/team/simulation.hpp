@@ -1,0 +1,66 @@
+// A simulation in small steps of time: looks at discs and at standing obstacles, and knows nothing of planner or
+// checker.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "waybreaker/mission.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker {
+
+inline Point simulated_place(const std::vector<Waypoint>& path, double time) {
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const Waypoint& a = path[i - 1];
+        const Waypoint& b = path[i];
+        if (time < a.t || time >= b.t) continue;
+        const double share = (time - a.t) / (b.t - a.t);
+        return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    }
+    return {path.back().x, path.back().y};
+}
+
+// How deep a disc is in the blocked cell that it is deepest in.
+inline double simulated_depth(const Map& map, Point at, double radius) {
+    double depth = 0;
+    for (int y = -1; y <= map.height(); ++y) {
+        for (int x = -1; x <= map.width(); ++x) {
+            const bool inside = map.grid().contains({x, y});
+            if (inside && !map.grid().blocked({x, y})) continue;
+            const double dx = std::max(std::abs(at.x - x) - 0.5, 0.0);
+            const double dy = std::max(std::abs(at.y - y) - 0.5, 0.0);
+            depth = std::max(depth, radius - std::hypot(dx, dy));
+        }
+    }
+    return depth;
+}
+
+// What goes wrong while the ground agents drive; empty if nothing does.
+inline std::string simulate(const Map& map, const Mission& mission, const Plan& plan, double step) {
+    constexpr double slack = 1e-6;
+    double end = 0;
+    for (const Itinerary& agent : plan.agents) end = std::max(end, agent.path.back().t);
+    for (double time = 0; time < end + 2 * step; time += step) {
+        for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+            if (plan.agents[i].kind == AgentKind::air) continue;
+            const bool gone = mission.rules.at_goal == AtGoal::leave && time >= plan.agents[i].path.back().t;
+            if (gone) continue;
+            const double radius = mission.agents[i].body.radius;
+            const Point at = simulated_place(plan.agents[i].path, time);
+            if (simulated_depth(map, at, radius) > slack) return plan.agents[i].id + " is in a wall";
+            for (std::size_t j = 0; j < i; ++j) {
+                if (plan.agents[j].kind == AgentKind::air) continue;
+                if (mission.rules.at_goal == AtGoal::leave && time >= plan.agents[j].path.back().t) continue;
+                const double needed = radius + mission.agents[j].body.radius + mission.rules.separation;
+                if (distance(at, simulated_place(plan.agents[j].path, time)) < needed - slack) {
+                    return plan.agents[j].id + " and " + plan.agents[i].id + " overlap at " + std::to_string(time);
+                }
+            }
+        }
+    }
+    return "";
+}
+
+}  // namespace waybreaker

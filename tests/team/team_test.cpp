@@ -1,0 +1,192 @@
+// Teams: plans that judge and simulation pass, that say what they reach, and are the same each time.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cstdlib>
+
+#include "ascii_map.hpp"
+#include "checked_plan.hpp"
+#include "random_map.hpp"
+#include "team/simulation.hpp"
+#include "waybreaker/error.hpp"
+#include "waybreaker/planner.hpp"
+
+namespace waybreaker {
+namespace {
+
+Agent vehicle(const std::string& id, Cell start, Cell goal, double radius = 0.5) {
+    Agent agent;
+    agent.id = id;
+    agent.start = start;
+    agent.goal = goal;
+    agent.body.radius = radius;
+    return agent;
+}
+
+// Random vehicles with room at their starts and goals, and now and then an aircraft.
+Mission any_team(const PlainMap& plain, const Map& map) {
+    Mission mission;
+    mission.rules.removals = 0;
+    mission.rules.objective = *rc::gen::element(Objective::flowtime, Objective::makespan, Objective::ground_makespan);
+    mission.rules.separation = *rc::gen::element(0.0, 0.0, 0.5);
+    mission.rules.at_goal = *rc::gen::element(AtGoal::stay, AtGoal::stay, AtGoal::leave);
+    const int vehicles = *number(2, 6);
+    for (int tries = 0; tries < 40 && int(mission.agents.size()) < vehicles; ++tries) {
+        Agent agent = vehicle(std::to_string(tries), any_free_cell(plain), any_free_cell(plain),
+                              *rc::gen::element(0.25, 0.5, 0.5, 1.1));
+        agent.speed = *rc::gen::element(1.0, 1.0, 0.5, 3.0);
+        agent.ready_at = *rc::gen::element(0.0, 0.0, 2.5);
+        mission.agents.push_back(agent);
+        try {
+            validate(map, mission);
+        } catch (const InputError&) {
+            mission.agents.pop_back();
+        }
+    }
+    if (*number(0, 3) == 0) {
+        mission.agents.push_back({"bird", AgentKind::air, any_cell(plain), any_cell(plain), 2});
+    }
+    RC_PRE(mission.is_team());
+    return mission;
+}
+
+RC_GTEST_PROP(Team, PlansAreValid, ()) {
+    const PlainMap plain = *random_map(16, 16);
+    const Map map(plain.grid());
+    const Mission mission = any_team(plain, map);
+    RC_PRE(std::ranges::any_of(mission.agents, [](const Agent& a) { return a.kind == AgentKind::ground; }));
+    const Plan plan = MissionPlanner().plan(map, mission);
+    RC_TAG(plan.status == PlanStatus::solved ? "solved" : "not solved");
+    RC_ASSERT(plan_faults(map, mission, plan) == "");
+    if (plan.status != PlanStatus::solved) return;
+    RC_ASSERT(simulate(map, mission, plan, 0.05) == "");
+    RC_ASSERT(*plan.bound <= *value(plan.after, mission.rules.objective) + 1e-9);
+    for (std::size_t i = 0; i < mission.agents.size(); ++i) {
+        RC_ASSERT(*plan.after.routes[i].length >= distance(mission.agents[i].start, mission.agents[i].goal) - 1e-9);
+    }
+}
+
+bool same(const Plan& a, const Plan& b) {
+    const auto path = [](const Itinerary& x, const Itinerary& y) { return x.path == y.path; };
+    return a.status == b.status && std::ranges::equal(a.agents, b.agents, path) && a.bound == b.bound;
+}
+
+TEST(Team, IsPlannedTheSameEachTime) {
+    const Map map = map_from_ascii(R"(
+        ..........
+        ..##..##..
+        ..........
+        ..##..##..
+        ..........)");
+    Mission mission;
+    mission.rules.objective = Objective::flowtime;
+    for (int i = 0; i < 5; ++i) {
+        mission.agents.push_back(vehicle("r" + std::to_string(i), {0, i}, {9, 4 - i}));
+        mission.agents.push_back(vehicle("l" + std::to_string(i), {9, i}, {0, 4 - i}));
+    }
+    MissionPlanner used;
+    const Plan first = used.plan(map, mission);
+    ASSERT_EQ(first.status, PlanStatus::solved);
+    EXPECT_FALSE(first.limit_reached);
+    EXPECT_TRUE(is_valid(map, mission, first));
+    EXPECT_TRUE(same(first, used.plan(map, mission)));
+    EXPECT_TRUE(same(first, MissionPlanner().plan(map, mission)));
+}
+
+TEST(Team, OfOneIsItsShortestPath) {
+    const Map map = map_from_ascii(R"(
+        .....
+        .###.
+        .....)");
+    Mission mission;
+    mission.agents = {vehicle("only", {0, 0}, {4, 2})};
+    const Plan plan = MissionPlanner().plan(map, mission);
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    EXPECT_DOUBLE_EQ(*plan.after.makespan, 6);
+}
+
+TEST(Team, LetsOneWaitAtACrossing) {
+    const Map map = map_from_ascii(R"(
+        ####.####
+        ####.####
+        .........
+        ####.####
+        ####.####)");
+    Mission mission;
+    mission.rules.objective = Objective::flowtime;
+    mission.agents = {vehicle("across", {0, 2}, {8, 2}), vehicle("down", {4, 0}, {4, 4})};
+    mission.agents[1].ready_at = 2;
+    const Plan plan = MissionPlanner().plan(map, mission);
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    // Both would be in the middle at 4. Who lets the other one pass loses sqrt(2): at right angles, as fast, and a
+    // cell wide, that is how far apart they have to be.
+    EXPECT_NEAR(*plan.after.flowtime, 8 + 6 + std::sqrt(2), 1e-6);
+}
+
+TEST(Team, HasNoPlanWhereOneHasNoWay) {
+    const Map map = map_from_ascii("..#..\n..#..");
+    Mission mission;
+    mission.agents = {vehicle("a", {0, 0}, {1, 1}), vehicle("b", {1, 0}, {4, 0})};
+    const Plan plan = MissionPlanner().plan(map, mission);
+    EXPECT_EQ(plan.status, PlanStatus::no_plan);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+}
+
+TEST(Team, GivesUpWhereTwoCannotPass) {
+    const Map map = map_from_ascii(".....");
+    Mission mission;
+    mission.agents = {vehicle("a", {0, 0}, {4, 0}), vehicle("b", {4, 0}, {0, 0})};
+    const Plan plan = MissionPlanner().plan(map, mission);
+    EXPECT_EQ(plan.status, PlanStatus::limit_reached);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+}
+
+// The message with which a mission is refused.
+std::string refusal(const Map& map, const Mission& mission, const Method& method = {}) {
+    try {
+        MissionPlanner().plan(map, mission, method);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Team, RefusesWhatCannotBePlanned) {
+    const Map map = map_from_ascii(".....\n.....\n.....");
+    const auto refused = [&](const Mission& mission, const std::string& why) {
+        EXPECT_NE(refusal(map, mission).find(why), std::string::npos) << refusal(map, mission);
+    };
+    Mission mission;
+    refused(mission, "no ground agent");
+    mission.agents = {vehicle("a", {0, 0}, {4, 0}), vehicle("a", {0, 2}, {4, 2})};
+    refused(mission, "two agents of the mission have the id 'a'");
+    mission.agents[1].id = "b";
+    mission.agents[1].start = {0, 0};
+    refused(mission, "no room at their starts");
+    mission.agents[1].start = {0, 2};
+    mission.agents[1].goal = {4, 1};
+    mission.rules.separation = 0.5;
+    refused(mission, "no room at their goals");
+    mission.rules.at_goal = AtGoal::leave;
+    EXPECT_EQ(refusal(map, mission), "");
+    mission.agents.push_back({"air", AgentKind::air, {0, 0}, {4, 0}});
+    refused(mission, "nothing can be removed yet");
+    mission.rules.removals = 0;
+    EXPECT_EQ(refusal(map, mission), "");
+    mission.agents[2].ready_at = 1;
+    refused(mission, "the air agent flies");
+    mission.agents.pop_back();
+    mission.agents[0].ready_at = -1;
+    refused(mission, "ready");
+    mission.agents[0].ready_at = 0;
+    mission.rules.separation = 33;
+    refused(mission, "separation");
+    Mission pair = ground_and_air({0, 0}, {4, 0});
+    pair.agents[0].ready_at = 1;
+    refused(pair, "ready_at is for several ground agents");
+}
+
+}  // namespace
+}  // namespace waybreaker
