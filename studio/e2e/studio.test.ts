@@ -60,8 +60,8 @@ const slider = (page: StudioPage) => page.page.getByRole("slider", { name: "Remo
 describe("first visit", () => {
   it("shows a real city with a mission already planned, and says what removing gains", async () => {
     const page = await visit();
-    await page.result().getByText(/Removing 2 buildings gets the ground robot there 17\s% sooner/).first().waitFor();
-    await page.result().getByText(/Proven within 0\.\d+\s% of the best possible/).waitFor();
+    await page.result().getByText(/Removing 2 obstacles gets the ground robot there 8\.7\s% sooner/).first().waitFor();
+    await page.result().getByText(/May be up to 1\.\d\s% from the best possible/).waitFor();
     await page.page.getByText("OpenStreetMap contributors").waitFor();
     expect(page.faults).toEqual([]);
   });
@@ -71,7 +71,7 @@ describe("first visit", () => {
     const plan = await page.plan();
     expect(await page.figures()).toEqual([plan.after.makespan, plan.before.makespan]);
     expect(commandAccepts(plan, city)).toContain("valid");
-    const rows = page.page.getByRole("table", { name: /Removed buildings/ }).getByRole("row");
+    const rows = page.page.getByRole("table", { name: /Removed obstacles/ }).getByRole("row");
     expect(await rows.count()).toBe(1 + plan.removed.length);
   });
 
@@ -159,20 +159,21 @@ describe("the mission", () => {
 
   it("tells about an obstacle that is clicked on the map", async () => {
     const page = await visit();
-    const removed = (await page.plan()).removed[0]!;
     const obstacles = await (await page.page.request.get(`${server.url}/api/v1/maps/berlin-adlershof.tif/obstacles`)).json();
     const runs = obstacles.runs as number[];
     let at = 0;
+    let id = 0;
     let cell: [number, number] | null = null;
     for (let i = 0; i < runs.length && !cell; i += 2) {
-      if (runs[i] === removed.obstacle && runs[i + 1]! > 12) cell = [(at + 6) % 501, Math.floor((at + 6) / 501)];
+      if (runs[i] !== 0 && runs[i + 1]! > 7) cell = [(at + 4) % 501, Math.floor((at + 4) / 501)];
+      if (cell) id = runs[i]!;
       at += runs[i + 1]!;
     }
     const spot = await page.place(cell!, size);
     await page.page.mouse.click(spot.x, spot.y);
     const card = page.page.getByRole("complementary", { name: /^About / });
     await card.waitFor();
-    await card.getByText(`${Math.abs(removed.source_id!)}`).waitFor();
+    await card.getByText(`${Math.abs(obstacles.obstacles[id - 1].source_id)}`).waitFor();
     await card.getByRole("button", { name: "Close" }).click();
     await card.waitFor({ state: "detached" });
   });
@@ -182,11 +183,11 @@ describe("the mission", () => {
     await page.page.getByRole("radio", { name: "Draw wall" }).check({ force: true });
     const plan = await page.plan();
     const path = plan.agents[0]!.path;
-    const [x, y] = [(path[0]![0] + path[1]![0]) / 2, (path[0]![1] + path[1]![1]) / 2];
-    const spot = await page.place([x, y], size);
-    await page.page.mouse.move(spot.x - 30, spot.y);
+    const [from, to] = path.slice(1).map((end, i) => [path[i]!, end] as const).sort(([a, b], [c, d]) => d[0] - c[0] - (b[0] - a[0]))[0]!;
+    const spot = await page.place([(from[0] + to[0]) / 2, (from[1] + to[1]) / 2], size);
+    await page.page.mouse.move(spot.x, spot.y - 30);
     await page.page.mouse.down();
-    for (let step = 1; step <= 12; ++step) await page.page.mouse.move(spot.x - 30 + 5 * step, spot.y);
+    for (let step = 1; step <= 12; ++step) await page.page.mouse.move(spot.x, spot.y - 30 + 5 * step);
     await page.page.mouse.up();
     await expect.poll(async () => (await page.plan()).map.digest, { timeout: 15_000 }).not.toBe(plan.map.digest);
     await page.settled();

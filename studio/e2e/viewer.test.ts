@@ -30,11 +30,11 @@ for (const viewport of [wide, phone]) {
   it(`shows the plan, plays it and asks nobody, at ${viewport.width} px`, async () => {
     const viewer = await StudioPage.visit(browser, pathToFileURL(html).href, { viewport });
     const plan = JSON.parse(readFileSync(json, "utf8")) as Plan;
-    await viewer.result().getByText(/17\s% sooner/).waitFor();
+    await viewer.result().getByText(/8\.7\s% sooner/).waitFor();
     expect(await viewer.figures()).toEqual([plan.after.makespan, plan.before.makespan]);
     await viewer.result().getByText("Checked independently").waitFor();
     expect(await viewer.result().locator(".figure").innerText()).toMatch(/^\d+\smin/); // a time, not a length
-    await viewer.page.getByRole("table", { name: /Removed buildings/ }).waitFor();
+    await viewer.page.getByRole("table", { name: /Removed obstacles/ }).waitFor();
     await viewer.page.getByRole("group", { name: "What each number of removals reaches" }).waitFor();
     await viewer.page.getByRole("button", { name: "Play", exact: true }).click();
     const time = viewer.page.getByRole("slider", { name: "Time of the mission" });
