@@ -10,8 +10,8 @@
 
 namespace waybreaker::crossing {
 
-// The box around a grown obstacle is such a piece if nothing else reaches into it. A shortest path that crosses the
-// obstacle is within the box once and never comes back: the straight line between two places of the box is shorter, and
+// The box around a grown obstacle is such a piece if nothing else reaches into it. Between two places where a shortest
+// path crosses the obstacle it stays in the box: the straight line between them is shorter than any way outside, and
 // crosses nothing else. docs/exact.md.
 class Convex {
   public:
