@@ -291,7 +291,7 @@ void SafeIntervalSearcher::Search::relax(std::uint32_t by, std::uint32_t to) {
 // then. Hops over the unsafe departures of whom it meets, so that only those around at the time are looked at.
 double SafeIntervalSearcher::Search::safe_departure(const Move& move, double earliest, double latest) const {
     double departure = earliest;
-    for (double next = earliest; departure <= latest; departure = next) {
+    for (double next = earliest; departure <= latest && departure < for_ever; departure = next) {
         const Leg leg{move.start, move.velocity, departure, departure + move.duration};
         traffic_->near(leg, radius_, [&](const Traffic::Index::Piece& piece) {
             const double reach = traffic_->reach(piece, radius_);
