@@ -235,7 +235,7 @@ void SafeIntervalSearcher::Search::expand(std::uint32_t at) {
     offer(at, distances_->next(here));
     for (const Cell step : steps) {
         const Cell beside{here.x + step.x, here.y + step.y};
-        if (distances_->to_goal(beside) == safe_interval::Distances::unknown || !sight_->clear(here, beside)) continue;
+        if (distances_->to_goal(beside) == safe_interval::Distances::unknown || !sees(here, beside)) continue;
         offer(at, beside);
     }
 }
@@ -277,7 +277,7 @@ void SafeIntervalSearcher::Search::relax(std::uint32_t by, std::uint32_t to) {
     const double duration = distance(from.cell, node.cell) / options_->speed;
     const double latest = std::min({from.to, node.to - duration, node.arrival - duration});
     const double earliest = std::max(from.arrival, node.from - duration);
-    if (earliest > latest || earliest + duration >= node.arrival || !sight_->clear(from.cell, node.cell)) return;
+    if (earliest > latest || earliest + duration >= node.arrival || !sees(from.cell, node.cell)) return;
     const double opened = std::max(earliest, opened_for(from.cell, node.cell, duration));
     const double departure = safe_departure(move_between(from.cell, node.cell, options_->speed), opened, latest);
     const double arrival = std::max(departure + duration, node.from);

@@ -63,8 +63,9 @@ class SafeIntervalSearcher::Search {
     void come_from(std::uint32_t by, std::uint32_t to);
     void relax(std::uint32_t by, std::uint32_t to);
     double safe_departure(const safe_interval::Move& move, double earliest, double latest) const;
+    bool sees(Cell from, Cell to) const { return sight_ && sight_->clear(from, to); }
     double opened_for(Cell from, Cell to, double duration) const;
-    void push(std::uint32_t node, double arrival, std::uint32_t by);
+    void push(std::uint32_t at, double arrival, std::uint32_t by);
     std::vector<Waypoint> path_to(std::uint32_t node) const;
 
     // The query.
