@@ -80,8 +80,9 @@ void add_alone(const Mission& mission, const team::TeamPlan& team, Plan& plan) {
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::air) {
             plan.before.routes.push_back(flight(agent));
-            alone.add(AgentKind::air, *plan.before.routes.back().length / agent.speed);
-            least.add(AgentKind::air, *plan.before.routes.back().length / agent.speed);
+            const double time = distance(agent.start, agent.goal) / agent.speed;
+            alone.add(AgentKind::air, time);
+            least.add(AgentKind::air, time);
         } else {
             plan.before.routes.push_back(drive(*vehicle, {vehicle->way.begin(), vehicle->way.end()}));
             alone.add(AgentKind::ground, vehicle->alone);
@@ -113,9 +114,10 @@ void add_paths(const Mission& mission, team::TeamPlan& team, Plan& plan) {
         plan.agents.push_back({agent.id, agent.kind, agent.speed, std::move(path), agent.start, agent.goal});
     }
     arrivals.fill(plan.after);
-    const double reached = *value(plan.after, mission.rules.objective);
-    plan.bound = std::min(*plan.bound, reached);
-    plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
+    const double reached = value(plan.after, mission.rules.objective).value_or(0);
+    const double bound = std::min(plan.bound.value_or(0), reached);
+    plan.bound = bound;
+    plan.gap = bound > 0 ? reached / bound - 1 : 0;
 }
 
 // Routes without a length, for a plan that there is none of.
