@@ -13,6 +13,7 @@
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_info.hpp"
+#include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 #include "site/obstacle_kinds.hpp"
@@ -138,6 +139,7 @@ void import_folder(const ImportOptions& options) {
 }
 
 void run(const ImportOptions& options) {
+    keep_inputs({{"--output", options.output}}, {{"SOURCE", options.source}});
     if (options.center == options.window.box.has_value()) {
         throw InputError("give the window either by --center (and --size) or by --bbox");
     }
@@ -210,7 +212,7 @@ void add_section(CLI::App& command, std::optional<double>& section) {
         command, "--section", [&section](double side) { section = side; }, {0, metres.most}, "METRES|none",
         "One breach clears what can be destroyed in one square of that side, rounded to whole cells; none: a whole "
         "building or barrier (default: 20; for paper none)")
-        ->transform([](std::string given) { return given == "none" ? "0" : given; });
+        ->transform([](const std::string& given) { return given == "none" ? "0" : given; });
 }
 
 void add_choice_options(CLI::App& command, geo::ObstacleChoice& choice) {

@@ -6,6 +6,7 @@
 #include "mapfile/map_reader.hpp"
 #include "mapfile/map_writer.hpp"
 #include "mapfile/relabelled_map.hpp"
+#include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 
@@ -26,6 +27,7 @@ io::MapFile read_map(const MapConvertOptions& options) {
 }
 
 void run(const MapConvertOptions& options) {
+    keep_inputs({{"OUT", options.out}}, {{"IN", options.in}});
     const mapfile::WrittenMap written =
         mapfile::write_map(mapfile::without_obstacles(read_map(options), options.without), options.out);
     for (const mapfile::OutputFile& file : written.files) io::write_whole(file.path, file.bytes);

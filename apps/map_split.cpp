@@ -10,6 +10,7 @@
 #include "mapfile/map_reader.hpp"
 #include "mapfile/map_writer.hpp"
 #include "mapfile/relabelled_map.hpp"
+#include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 #include "waybreaker/error.hpp"
@@ -57,6 +58,7 @@ std::string summary(const io::MapFile& file, const std::string& path, int side) 
 
 void run(const MapSplitOptions& options) {
     require_format(options.out);
+    keep_inputs({{"OUT", options.out}}, {{"MAP", options.in}});
     io::MapFile file = read_map(options);
     const int side = side_on(file, options.section);
     file = mapfile::in_sections(std::move(file), {.side = side, .origin = options.origin.value_or(Cell{})});

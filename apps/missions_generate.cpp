@@ -10,6 +10,7 @@
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_reader.hpp"
+#include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 #include "waybreaker/error.hpp"
@@ -44,6 +45,9 @@ experiment::DrawnMissions draw(const std::string& path, const MissionsGenerateOp
 }
 
 void run(const MissionsGenerateOptions& options) {
+    NamedFiles maps;
+    for (const std::string& map : options.maps) maps.emplace_back("MAP", map);
+    keep_inputs({{"--output", options.output}}, maps);
     std::vector<experiment::DrawnMissions> of_map(options.maps.size());
     {
         const Progress progress(fmt::format("drawing missions on {} maps", options.maps.size()));

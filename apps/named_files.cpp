@@ -61,6 +61,11 @@ std::string name_of(const std::string& path) {
     return path == "-" ? "standard output" : io::excerpt(path);
 }
 
+bool is_one_file(const std::string& a, const std::string& b) {
+    std::error_code failed;
+    return a == b || (std::filesystem::is_regular_file(a, failed) && std::filesystem::equivalent(a, b, failed));
+}
+
 }  // namespace
 
 void validate_inputs(const NamedFiles& inputs) {
@@ -72,17 +77,24 @@ void validate_inputs(const NamedFiles& inputs) {
     throw InputError(fmt::format("{} and {} cannot both be standard input", first->first, second->first));
 }
 
+void keep_inputs(const NamedFiles& outputs, const NamedFiles& inputs) {
+    for (const auto& [output, path] : outputs) {
+        if (path.empty() || path == "-") continue;
+        for (const auto& [input, read] : inputs) {
+            if (!is_one_file(path, read)) continue;
+            throw InputError(fmt::format("{} would overwrite {}, {}", output, input, name_of(path)));
+        }
+    }
+}
+
 void validate_outputs(const NamedFiles& outputs, const NamedFiles& inputs) {
+    keep_inputs(outputs, inputs);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [option, path] = outputs[i];
         if (path.empty()) continue;
         for (std::size_t j = 0; j < i; ++j) {
             if (path != outputs[j].second) continue;
             throw InputError(fmt::format("{} and {} cannot both write to {}", outputs[j].first, option, name_of(path)));
-        }
-        for (const auto& [input, read] : inputs) {
-            if (path == "-" || path != read) continue;
-            throw InputError(fmt::format("{} would overwrite {}, {}", option, input, name_of(path)));
         }
         validate_name(option, path);
     }

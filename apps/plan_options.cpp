@@ -236,7 +236,8 @@ std::vector<Agent> scenario_agents(const PlanOptions& options, const Map& map) {
     const std::string text = io::read_whole(options.agents, max_scenario_bytes);
     std::vector<Scenario> scenarios = read_movingai_scenarios(text, io::input_name(options.agents));
     const std::size_t count = std::size_t(options.count.value_or(int(std::min(scenarios.size(), most_agents))));
-    if (scenarios.empty() || count > scenarios.size()) {
+    if (scenarios.empty()) throw InputError(io::input_name(options.agents), 0, "holds no scenarios");
+    if (count > scenarios.size()) {
         throw InputError(io::input_name(options.agents), 0,
                          fmt::format("has {} scenarios; give a smaller --count", scenarios.size()));
     }
@@ -265,6 +266,11 @@ void validate_team_options(const PlanOptions& options, const Mission& mission) {
         throw InputError(
             "--paper, --select, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground "
             "and one air agent");
+    }
+    const bool removes = options.removals.value_or(0) > 0 || options.budget || !options.weights.empty();
+    if (mission.is_team() && removes) {
+        throw InputError(
+            "-n, --budget and --weights are not for teams: nothing can be removed for one yet; -n 0 says so");
     }
     if (mission.is_team() && places) {
         throw InputError(

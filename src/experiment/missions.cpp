@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "experiment/random.hpp"
+#include "core/random.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/search.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiment/random.hpp"
+#include "core/random.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::experiment {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/weights.hpp"
+
 namespace waybreaker::io {
 namespace {
 
@@ -45,12 +47,7 @@ void append(Violations& all, const Violations& more) {
 std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const JudgeOptions& options) {
     const Map& map = file.map;
     if (plan.area_budget) {
-        const double cell_size = file.has_metres() ? file.cell_size : plan.cell_size;
-        std::vector<double> weights{0};
-        for (const Obstacle& o : map.obstacles()) {
-            weights.push_back(std::clamp(square_metres(o.cells, cell_size), least_weight, most_weight));
-        }
-        return map.with_weights(weights);
+        return map.with_weights(area_weights(map, file.has_metres() ? file.cell_size : plan.cell_size));
     }
     if (options.weights) return map.with_weights(*options.weights);
     const auto counts_cells = [&](const PlanFile::Weight& stated) {

@@ -1,5 +1,7 @@
 #include "io/weights.hpp"
 
+#include <algorithm>
+
 #include "core/range.hpp"
 #include "io/output_file.hpp"
 #include "movingai/text_lines.hpp"
@@ -39,8 +41,14 @@ std::vector<double> area_weights(const MapFile& map) {
         throw InputError(map.source +
                          ": a budget in square metres needs the size of a cell, which the map does not say");
     }
+    return area_weights(map.map, map.cell_size);
+}
+
+std::vector<double> area_weights(const Map& map, double cell_size) {
     std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(map.square_metres(obstacle.cells));
+    for (const Obstacle& obstacle : map.obstacles()) {
+        weights.push_back(std::clamp(square_metres(obstacle.cells, cell_size), least_weight, most_weight));
+    }
     return weights;
 }
 

@@ -16,5 +16,7 @@ std::vector<double> read_weights(const std::string& path, const Map& map);
 
 // The same, of each its area in square metres. Throws InputError if the map does not say how large a cell is.
 std::vector<double> area_weights(const MapFile& map);
+// With cells of that side, in metres.
+std::vector<double> area_weights(const Map& map, double cell_size);
 
 }  // namespace waybreaker::io

@@ -10,6 +10,7 @@
 
 #include "core/stopwatch.hpp"
 #include "mission/explain.hpp"
+#include "mission/plan_status.hpp"
 #include "mission/team_plan.hpp"
 #include "select/exact.hpp"
 #include "select/selector.hpp"
@@ -33,20 +34,6 @@ Outcome outcome(const Task& task, const Candidate& candidate) {
         result.ground_makespan = candidate.schedule.ground.back().t;
     }
     return result;
-}
-
-PlanStatus plan_status(SearchStatus search) {
-    switch (search) {
-        case SearchStatus::found:
-            return PlanStatus::solved;
-        case SearchStatus::limit_reached:
-            return PlanStatus::limit_reached;
-        case SearchStatus::stopped:
-            return PlanStatus::stopped;
-        case SearchStatus::no_path:
-            break;
-    }
-    return PlanStatus::no_plan;
 }
 
 std::vector<Breach> breaches(const Task& task, const Schedule& schedule, std::span<const std::uint32_t> hits) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/stopwatch.hpp"
+#include "mission/plan_status.hpp"
 #include "plan/timeline.hpp"
 #include "team/team.hpp"
 
@@ -55,20 +56,6 @@ std::vector<Point> places(std::span<const Waypoint> path) {
         if (places.empty() || places.back() != Point(at.x, at.y)) places.emplace_back(at.x, at.y);
     }
     return places;
-}
-
-PlanStatus status_of(SearchStatus status) {
-    switch (status) {
-        case SearchStatus::found:
-            return PlanStatus::solved;
-        case SearchStatus::no_path:
-            return PlanStatus::no_plan;
-        case SearchStatus::limit_reached:
-            return PlanStatus::limit_reached;
-        case SearchStatus::stopped:
-            break;
-    }
-    return PlanStatus::stopped;
 }
 
 // Every agent as if it were alone, and the earliest that each can arrive.
@@ -139,7 +126,7 @@ Plan plan_team(const Map& map, const Mission& mission, const Limits& limits, Sea
         if (limits.progress) limits.progress({.best = cost.first});
     };
     team::TeamPlan team = team::plan_team(OpenedMap(map), mission, interrupts, crossing, searcher, tell);
-    plan.status = status_of(team.status);
+    plan.status = plan_status(team.status);
     const bool all_alone = std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
     if (all_alone) {
         add_alone(mission, team, plan);

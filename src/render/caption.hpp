@@ -12,7 +12,7 @@ namespace waybreaker::render {
 
 struct PictureOptions;
 
-// The plan in one sentence: "Makespan 584.0 → 552.1 s at 1 m/s (−5.5 %), 3 openings in 2 buildings, 640 m², gap 0.2 %".
+// The plan in one sentence: "Makespan 584.0 → 552.1 s at 1 m/s (−5.5 %), 3 openings, 640 m², gap 0.2 %".
 std::string headline(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options);
 
 // A time as in the headline, without its unit: "208.7".

@@ -1,13 +1,10 @@
 #include "safe_interval/distances.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace waybreaker::safe_interval {
 namespace {
-
-constexpr std::array<Cell, 8> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
 float length(Cell a, Cell b) {
     return float(distance(a, b));

@@ -1,6 +1,7 @@
 // Distances to the goal for an agent that is alone: the heuristic, and the way on when nobody is in the way.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -10,6 +11,9 @@
 #include "map/line_of_sight.hpp"
 
 namespace waybreaker::safe_interval {
+
+// To the eight neighbours of a cell.
+inline constexpr std::array<Cell, 8> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
 
 // Any-angle distances from every cell of a region, by Lazy Theta* from the goal without a heuristic (Nash, Koenig,
 // Tovey 2010). A length is that of a real way, so it is never too small, and may be a little too large.

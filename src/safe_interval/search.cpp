@@ -19,8 +19,6 @@ using safe_interval::Vector;
 
 namespace {
 
-constexpr std::array<Cell, 8> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
-
 // Of more cells: ways near the known one are tried first.
 constexpr std::size_t small_map = 4096;
 // Of more cells: no others are.
@@ -233,7 +231,7 @@ void SafeIntervalSearcher::Search::expand(std::uint32_t at) {
     nodes_[at].expanded = true;
     const Cell here = nodes_[at].cell;
     offer(at, distances_->next(here));
-    for (const Cell step : steps) {
+    for (const Cell step : safe_interval::steps) {
         const Cell beside{here.x + step.x, here.y + step.y};
         if (distances_->to_goal(beside) == safe_interval::Distances::unknown || !sees(here, beside)) continue;
         offer(at, beside);

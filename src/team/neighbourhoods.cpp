@@ -35,8 +35,8 @@ std::optional<std::uint32_t> NeighbourhoodSearch::delayed() {
     };
     for (std::uint32_t i = 0; i < fleet_.size(); ++i) sum += delay(i);
     if (sum == 0) return std::nullopt;
-    constexpr std::size_t parts = std::size_t{1} << 30U;
-    double left = sum * double(random_.below(parts)) / double(parts);
+    constexpr int parts = 1 << 30;
+    double left = sum * random_.below(parts) / parts;
     std::optional<std::uint32_t> chosen;
     for (std::uint32_t i = 0; i < fleet_.size() && left >= 0; ++i) {
         if (delay(i) == 0) continue;
@@ -76,7 +76,7 @@ void NeighbourhoodSearch::repair() {
             if (!fleet_.has_path(i)) missing.push_back(i);
         }
         if (missing.empty()) return;
-        replan(around(missing[random_.below(missing.size())], most_replanned), true);
+        replan(around(missing[std::size_t(random_.below(int(missing.size())))], most_replanned), true);
     }
 }
 
@@ -85,7 +85,7 @@ void NeighbourhoodSearch::improve(const std::function<void()>& gained) {
     for (std::size_t failures = 0; failures < patience;) {
         const std::optional<std::uint32_t> late = delayed();
         if (!late || interrupts_.due()) return;
-        std::vector<std::uint32_t> order = around(*late, 2 + random_.below(4));
+        std::vector<std::uint32_t> order = around(*late, 2 + std::size_t(random_.below(4)));
         random_.shuffle(order);
         if (replan(order, false)) {
             failures = 0;

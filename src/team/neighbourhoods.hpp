@@ -8,29 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/random.hpp"
 #include "team/fleet.hpp"
 
 namespace waybreaker::team {
-
-// The same numbers everywhere, which the standard's distributions do not promise (Steele, Lea, Flood: SplitMix 2014).
-class Random {
-  public:
-    // From 0 to count - 1. REQUIRES: count > 0.
-    std::size_t below(std::size_t count) {
-        state_ += 0x9e3779b97f4a7c15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-        return std::size_t((z ^ (z >> 31U)) % count);
-    }
-    template <class Value>
-    void shuffle(std::vector<Value>& values) {
-        for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(i)]);
-    }
-
-  private:
-    std::uint64_t state_ = 0;
-};
 
 class NeighbourhoodSearch {
   public:
@@ -49,7 +30,7 @@ class NeighbourhoodSearch {
 
     Fleet& fleet_;
     const Interrupts& interrupts_;
-    Random random_;
+    Random random_{0};
 };
 
 }  // namespace waybreaker::team

@@ -23,8 +23,8 @@ std::vector<std::uint32_t> order_of(std::span<const Vehicle> vehicles, Objective
 // Prioritised planning: one vehicle after the other, past those planned before. Where that leaves a few without a way,
 // their neighbourhoods are replanned; if that does not help, or they are many, they come first in another round, as
 // AA-SIPP(m) does (Andreychuk, Yakovlev: Two techniques that enhance the performance of multi-robot prioritized path
-// planning, AAMAS 2018). Ends with a path for each, or when time
-// or hope is over: some teams have to make way for each other in turn, which this does not find.
+// planning, AAMAS 2018). Ends with a path for each, or after a number of rounds: where some have to make way for each
+// other in turn, this finds no plan.
 void plan_all(const TeamPlan& plan, Objective objective, const Interrupts& interrupts, Fleet& fleet,
               NeighbourhoodSearch& search) {
     constexpr int most_rounds = 50;

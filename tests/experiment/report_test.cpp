@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <map>
 
+#include "core/random.hpp"
 #include "experiment/estimate.hpp"
 #include "experiment/figures.hpp"
-#include "experiment/random.hpp"
 #include "small_experiment.hpp"
 
 namespace waybreaker::experiment {

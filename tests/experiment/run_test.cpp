@@ -6,9 +6,9 @@
 #include <csignal>
 #include <thread>
 
+#include "core/random.hpp"
 #include "experiment/evaluate.hpp"
 #include "experiment/merge.hpp"
-#include "experiment/random.hpp"
 #include "input_error.hpp"
 #include "small_experiment.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <csignal>
 
+#include "core/random.hpp"
 #include "experiment/merge.hpp"
-#include "experiment/random.hpp"
 #include "input_error.hpp"
 #include "small_experiment.hpp"
 

@@ -57,15 +57,25 @@ RC_GTEST_PROP(SafeInterval, MeetsNobody, ()) {
     }
 }
 
-// A corridor of one cell with a bay: the one waits there until the other has passed.
-TEST(SafeInterval, WaitsInABay) {
-    const std::string_view picture = R"(
+// One cell wide.
+Map corridor_with_a_bay() {
+    return map_from_ascii(R"(
         ####.####
-        S.......G
-        #########)";
-    const Map map = map_from_ascii(picture);
+        .........
+        #########)");
+}
+
+// One that drives through the corridor, from right to left.
+Traffic through_it(const Map& map) {
     Traffic traffic(map.width(), map.height());
     traffic.add(0, std::vector<Waypoint>{{8, 1, 0}, {0, 1, 8}}, 0.5, false);
+    return traffic;
+}
+
+// In the bay until the other one has passed.
+TEST(SafeInterval, WaitsInABay) {
+    const Map map = corridor_with_a_bay();
+    const Traffic traffic = through_it(map);
     SafeIntervalSearcher searcher;
     SafeIntervalOptions options;
     options.speed = 0.5;
@@ -83,13 +93,8 @@ TEST(SafeInterval, WaitsInABay) {
 }
 
 TEST(SafeInterval, GoesIntoABayToLetOthersPass) {
-    const std::string_view picture = R"(
-        ####.####
-        S.......G
-        #########)";
-    const Map map = map_from_ascii(picture);
-    Traffic traffic(map.width(), map.height());
-    traffic.add(0, std::vector<Waypoint>{{8, 1, 0}, {0, 1, 8}}, 0.5, false);
+    const Map map = corridor_with_a_bay();
+    const Traffic traffic = through_it(map);
     SafeIntervalOptions options;
     options.speed = 1;
     // Both would meet at 4; the bay is reached just then, too late for a disc that needs a cell.

@@ -1,11 +1,11 @@
-#include "experiment/random.hpp"
+#include "core/random.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <map>
 
-namespace waybreaker::experiment {
+namespace waybreaker {
 namespace {
 
 // The published reference values of SplitMix64.
@@ -35,4 +35,4 @@ TEST(Random, HitsAChanceThatOften) {
 }
 
 }  // namespace
-}  // namespace waybreaker::experiment
+}  // namespace waybreaker

@@ -4,9 +4,12 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
-namespace waybreaker::experiment {
+namespace waybreaker {
 
 class Random {
   public:
@@ -29,6 +32,11 @@ class Random {
         return int(drawn % n);
     }
 
+    template <class Value>
+    void shuffle(std::vector<Value>& values) {
+        for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[std::size_t(below(int(i)))]);
+    }
+
     // True that often: `share` of 0 never, of 1 always.
     bool chance(double share) { return double(next() >> 11) * 0x1p-53 < share; }
 
@@ -36,4 +44,4 @@ class Random {
     std::uint64_t state_;
 };
 
-}  // namespace waybreaker::experiment
+}  // namespace waybreaker

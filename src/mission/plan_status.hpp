@@ -1,0 +1,23 @@
+// What the end of a search means for a plan.
+#pragma once
+
+#include "waybreaker/plan.hpp"
+#include "waybreaker/search.hpp"
+
+namespace waybreaker {
+
+inline PlanStatus plan_status(SearchStatus search) {
+    switch (search) {
+        case SearchStatus::found:
+            return PlanStatus::solved;
+        case SearchStatus::limit_reached:
+            return PlanStatus::limit_reached;
+        case SearchStatus::stopped:
+            return PlanStatus::stopped;
+        case SearchStatus::no_path:
+            break;
+    }
+    return PlanStatus::no_plan;
+}
+
+}  // namespace waybreaker
