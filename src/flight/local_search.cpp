@@ -1,10 +1,9 @@
 // Alternates between better cells for the given order and a better order for the given cells (2-opt: Croes 1958;
-// Or-opt: Or 1976) until neither helps. Where moving one stop does not help any more, all may be moved at once.
+// Or-opt: Or 1976) until neither helps.
 #include "flight/local_search.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <vector>
 
 namespace waybreaker {
@@ -12,7 +11,6 @@ namespace {
 
 // A gain below this, in cells, is rounding: without it the search could turn in circles.
 constexpr double least_gain = 1e-9;
-constexpr std::size_t most_pairs = 1 << 20;  // of cells that the best of all are looked for among
 
 class LocalSearch {
   public:
@@ -28,7 +26,7 @@ class LocalSearch {
     }
 
     Tour run() {
-        while (better_cells() || reverse_parts() || move_parts() || best_cells()) {
+        while (better_cells() || reverse_parts() || move_parts()) {
         }
         return std::move(tour_);
     }
@@ -53,46 +51,6 @@ class LocalSearch {
             }
         }
         return better;
-    }
-
-    // The best cells of all stops for the given order, by dynamic programming.
-    bool best_cells() {
-        const bool choice = std::ranges::none_of(cells_, &std::vector<Cell>::empty);
-        if (!choice || tour_.size() < 2 || pairs() > most_pairs) return false;
-        struct Way {
-            double length;     // from the start
-            std::size_t from;  // the cell of the stop before
-        };
-        std::vector<std::vector<Way>> ways;
-        for (std::size_t i = 0; i < tour_.size(); ++i) {
-            std::vector<Way>& here = ways.emplace_back();
-            for (const Cell c : cells_[tour_[i].target]) {
-                Way best{i == 0 ? distance(start_, c) : std::numeric_limits<double>::infinity(), 0};
-                for (std::size_t k = 0; i > 0 && k < ways[i - 1].size(); ++k) {
-                    const double length = ways[i - 1][k].length + distance(cells_[tour_[i - 1].target][k], c);
-                    if (length < best.length) best = {length, k};
-                }
-                here.push_back(best);
-            }
-        }
-        const std::vector<Cell>& last_cells = cells_[tour_.back().target];
-        std::size_t best = 0;
-        const auto whole = [&](std::size_t k) { return ways.back()[k].length + distance(last_cells[k], goal_); };
-        for (std::size_t k = 1; k < last_cells.size(); ++k) {
-            if (whole(k) < whole(best)) best = k;
-        }
-        if (whole(best) > tour_length(start_, tour_, goal_) - least_gain) return false;
-        for (std::size_t i = tour_.size(); i-- > 0; best = ways[i][best].from) {
-            tour_[i].at = cells_[tour_[i].target][best];
-        }
-        return true;
-    }
-    std::size_t pairs() const {
-        std::size_t pairs = 0;
-        for (std::size_t i = 1; i < tour_.size(); ++i) {
-            pairs += cells_[tour_[i - 1].target].size() * cells_[tour_[i].target].size();
-        }
-        return pairs;
     }
 
     // 2-opt: flies the stops first..last the other way round.

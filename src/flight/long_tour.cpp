@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "flight/best_cells.hpp"
 #include "flight/exact.hpp"
 #include "flight/local_search.hpp"
 
@@ -53,14 +54,18 @@ bool replan_part(Cell start, Tour& tour, Cell goal, std::span<const Target> targ
     return true;
 }
 
-// Replans overlapping parts until none gains, or the time is over.
+// Replans overlapping parts, then the cells of all stops, until nothing gains or the time is over.
 Tour by_windows(Cell start, Tour tour, Cell goal, std::span<const Target> targets, const Deadline& deadline) {
     for (bool better = true; better;) {
         better = false;
         for (std::size_t first = 0; first < tour.size() && !deadline.passed(); first += exact_window / 2) {
             better = replan_part(start, tour, goal, targets, first) || better;
         }
-        if (better) tour = improved_tour(start, std::move(tour), goal, targets);
+        if (better) {
+            tour = improved_tour(start, std::move(tour), goal, targets);
+        } else if (!deadline.passed()) {
+            better = choose_best_cells(start, tour, goal, targets);
+        }
     }
     return tour;
 }
