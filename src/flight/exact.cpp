@@ -197,14 +197,15 @@ class Round {
     std::vector<double> group_bounds_;      // by set and group: the least of its pieces' bounds
 };
 
-// The cells of each target that a tour of some length can visit, were it the only target.
-std::vector<std::vector<Cell>> cells_in_reach(Cell start, Cell goal, std::span<const Target> targets, double length) {
-    std::vector<std::vector<Cell>> cells(targets.size());
+// The targets, each with the cells that a tour of some length can visit, were it the only target.
+std::vector<Target> in_reach(Cell start, Cell goal, std::span<const Target> targets, double length) {
+    std::vector<Target> near(targets.size());
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        std::ranges::copy_if(targets[i].cells, std::back_inserter(cells[i]),
+        near[i].obstacle = targets[i].obstacle;
+        std::ranges::copy_if(targets[i].cells, std::back_inserter(near[i].cells),
                              [&](Cell c) { return distance(start, c) + distance(c, goal) <= length; });
     }
-    return cells;
+    return near;
 }
 
 // The shortest tour within the limit that meets the deadlines, if there are any.
@@ -212,11 +213,12 @@ std::optional<Tour> search(Cell start, Cell goal, std::span<const Target> target
                            const Deadlines* deadlines) {
     assert(targets.size() <= exact_flight_limit);
     limit *= 1 + rounding;
-    std::vector<std::vector<Cell>> cells = cells_in_reach(start, goal, targets, limit);
+    const std::vector<Target> near = in_reach(start, goal, targets, limit);
+    std::vector<Target> parts = near;  // splitting a piece sorts its cells
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        if (cells[i].empty()) return std::nullopt;
-        pieces.push_back(make_piece(i, cells[i], i));
+        if (parts[i].cells.empty()) return std::nullopt;
+        pieces.push_back(make_piece(i, parts[i].cells, i));
     }
     const auto learn_from = [&](const Tour& tour) {
         if (!deadlines || in_time(*deadlines, start, tour)) {
@@ -235,7 +237,7 @@ std::optional<Tour> search(Cell start, Cell goal, std::span<const Target> target
             Tour guess = round.best_tour();
             if (!from_goal) std::ranges::reverse(guess);
             learn_from(guess);
-            learn_from(improved_tour(start, std::move(guess), goal, targets));
+            learn_from(improved_tour(start, std::move(guess), goal, near));
         }
         from_goal = !from_goal;
         round = Round(round.useful_parts(), targets.size(), from_goal ? goal : start, from_goal ? start : goal, limit,
