@@ -190,6 +190,12 @@ class ExactSelection {
         return opening_times_.matter() ? patient_expansions_in_time : patient_expansions;
     }
 
+    // In proportion to the search for the first set. Where obstacles open in time that one says little of the others.
+    std::uint64_t patience_for_others(const CrossingResult& first) const {
+        const std::uint64_t most = patience_of_search();
+        return opening_times_.matter() ? most : std::min(most, std::max(least_patience, first.expanded / 2));
+    }
+
     void add_candidate(Opening opening) {
         selected_.candidates.push_back(timed_candidate(task_, searchers_, std::move(opening)));
         const double reached = cost(task_, selected_.candidates.back());
@@ -238,7 +244,7 @@ class ExactSelection {
     bool try_others(const CrossingResult& first) {
         options_.length_limit = dearest_path(task_, best_, opening_times_);
         options_.limits.seconds = deadline_.left();
-        const std::uint64_t patient = std::min(patience_of_search(), std::max(least_patience, first.expanded / 2));
+        const std::uint64_t patient = patience_for_others(first);
         options_.limits.expansions = std::min(options_.limits.expansions, patient);
         CrossingSearcher enumerator = searchers_.crossing.another();
         int tried = 0;
