@@ -27,10 +27,14 @@ Fleet::Fleet(const OpenedMap& map, std::span<const Vehicle> vehicles, const Rule
       traffic_(map.width(), map.height(), rules.separation),
       paths_(vehicles.size()),
       hold_(vehicles.size()) {
-    for (std::uint32_t i = 0; i < vehicles.size(); ++i) {
-        const Agent& agent = vehicles[i].agent;
-        hold_[i] = agent.ready_at + first_hold * std::max(agent.body.reach() + rules.separation, 0.1) / agent.speed;
-        stand_at_start(i);
+    hold_as_at_first();
+    for (std::uint32_t i = 0; i < vehicles.size(); ++i) stand_at_start(i);
+}
+
+void Fleet::hold_as_at_first() {
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        const Agent& agent = vehicles_[i].agent;
+        hold_[i] = agent.ready_at + first_hold * std::max(agent.body.reach() + rules_.separation, 0.1) / agent.speed;
     }
 }
 

@@ -50,6 +50,7 @@ class Fleet {
     std::vector<std::uint32_t> in_its_way(std::uint32_t i) const;
     // Its start was passed by others before it could leave: they will have to leave it more time.
     void hold_longer(std::uint32_t i) { hold_[i] *= 2; }
+    void hold_as_at_first();
 
   private:
     void stand_at_start(std::uint32_t i);

@@ -24,15 +24,17 @@ std::vector<std::uint32_t> NeighbourhoodSearch::around(std::uint32_t vehicle, st
     return chosen;
 }
 
-// Any that loses time on the others: the more it loses, the more likely.
+// The time that a vehicle loses on the others.
+double NeighbourhoodSearch::delay(std::uint32_t vehicle) const {
+    constexpr double rounding = 1e-9;
+    const double alone = fleet_.vehicle(vehicle).alone;
+    const double lost = fleet_.arrival(vehicle) - alone;
+    return lost > rounding * std::max(alone, 1.0) ? lost : 0;
+}
+
+// Any that loses time: the more it loses, the more likely.
 std::optional<std::uint32_t> NeighbourhoodSearch::delayed() {
     double sum = 0;
-    const auto delay = [this](std::uint32_t i) {
-        constexpr double rounding = 1e-9;
-        const double alone = fleet_.vehicle(i).alone;
-        const double lost = fleet_.arrival(i) - alone;
-        return lost > rounding * std::max(alone, 1.0) ? lost : 0;
-    };
     for (std::uint32_t i = 0; i < fleet_.size(); ++i) sum += delay(i);
     if (sum == 0) return std::nullopt;
     constexpr int parts = 1 << 30;
@@ -80,8 +82,20 @@ void NeighbourhoodSearch::repair() {
     }
 }
 
+// Who had to wait for somebody that might have stood at the start for long, and has left by now, need not wait any
+// more.
+bool NeighbourhoodSearch::shorten_waits() {
+    bool any = false;
+    for (std::uint32_t i = 0; i < fleet_.size() && !interrupts_.due(); ++i) {
+        if (delay(i) > 0) any = replan({i}, false) || any;
+    }
+    return any;
+}
+
 void NeighbourhoodSearch::improve(const std::function<void()>& gained) {
     const std::size_t patience = 100 + 20 * fleet_.size();
+    fleet_.hold_as_at_first();
+    if (shorten_waits()) gained();
     for (std::size_t failures = 0; failures < patience;) {
         const std::optional<std::uint32_t> late = delayed();
         if (!late || interrupts_.due()) return;

@@ -25,7 +25,9 @@ class NeighbourhoodSearch {
 
   private:
     std::vector<std::uint32_t> around(std::uint32_t vehicle, std::size_t most);
+    double delay(std::uint32_t vehicle) const;
     std::optional<std::uint32_t> delayed();
+    bool shorten_waits();
     bool replan(const std::vector<std::uint32_t>& order, bool repairing);
 
     Fleet& fleet_;

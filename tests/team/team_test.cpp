@@ -125,6 +125,32 @@ TEST(Team, LetsOneWaitAtACrossing) {
     EXPECT_NEAR(*plan.after.flowtime, 8 + 6 + std::sqrt(2), 1e-6);
 }
 
+// Room was left to vehicles without a path for ever longer, before all had one.
+TEST(Team, WaitsForNobodyWhoHasLeft) {
+    const Map map = map_from_ascii(R"(
+        ....
+        #...
+        #...
+        #...
+        ##..
+        ....
+        #...
+        #...)");
+    Mission mission;
+    mission.rules.separation = 0.5;
+    mission.rules.objective = Objective::ground_makespan;
+    mission.agents = {vehicle("0", {2, 7}, {3, 7}, 0.25), vehicle("1", {1, 6}, {3, 0}),
+                      vehicle("2", {3, 1}, {1, 7}),       vehicle("3", {3, 6}, {0, 5}, 0.25),
+                      vehicle("4", {1, 3}, {1, 3}),       vehicle("5", {2, 5}, {2, 6}, 0.25)};
+    mission.agents[0].ready_at = 2.5;
+    mission.agents[1].speed = mission.agents[3].speed = 3;
+    mission.agents[5].speed = 0.5;
+    const Plan plan = MissionPlanner().plan(map, mission);
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    EXPECT_LT(*plan.after.makespan, 20);
+}
+
 TEST(Team, HasNoPlanWhereOneHasNoWay) {
     const Map map = map_from_ascii("..#..\n..#..");
     Mission mission;
