@@ -14,19 +14,19 @@ void Borders::start_query(const Regions& regions, int reach) {
     borders_.clear();
 }
 
-const Border& Borders::of(std::uint32_t region) {
-    const auto [found, added] = borders_.try_emplace(region);
+const Border& Borders::of(RegionId region) {
+    const auto [found, added] = borders_.try_emplace(region.value);
     if (added) found->second = trace(region);
     return found->second;
 }
 
 // Of the square: cells beside a cell of the region, diagonals included. Of the point: corners of its cells, but for
 // those with the region all around.
-std::vector<Vertex> Borders::points_of(std::uint32_t region) const {
-    const Box& box = map_->obstacle(ObstacleId{region}).bounds;
+std::vector<Vertex> Borders::points_of(RegionId region) const {
+    const Box& box = map_->obstacle(ObstacleId{region.value}).bounds;
     const auto owns = [&](int x, int y) {
         const Cell c{x, y};
-        return map_->grid().contains(c) && map_->obstacle_at(c).value == region;
+        return map_->grid().contains(c) && region_at(*map_, c) == region;
     };
     std::vector<Vertex> border;
     const int from = reach_ == 2 ? 1 : 0;
@@ -49,7 +49,7 @@ std::vector<Vertex> Borders::points_of(std::uint32_t region) const {
     return border;
 }
 
-Border Borders::trace(std::uint32_t region) const {
+Border Borders::trace(RegionId region) const {
     Border border{points_of(region), {}, {INT_MAX, INT_MAX}, {INT_MIN, INT_MIN}};
     std::unordered_map<std::uint64_t, std::uint32_t> index;
     const auto key = [](Vertex v) { return std::uint64_t(std::uint32_t(v.x)) << 32U | std::uint32_t(v.y); };
@@ -81,11 +81,11 @@ bool Borders::free_between(Vertex a, Vertex b) const {
     return !map_->grid().blocked({one.x / 2, one.y / 2}) || !map_->grid().blocked({other.x / 2, other.y / 2});
 }
 
-bool Borders::stands(Vertex v, std::span<const std::uint32_t> open) const {
+bool Borders::stands(Vertex v, std::span<const ObstacleId> open) const {
     if (reach_ == 1) return true;  // corners of cells are in no cell
     const Cell c{v.x / 2, v.y / 2};
     if (!map_->grid().blocked(c)) return true;
-    return regions_->within(map_->obstacle_at(c).value, open);
+    return regions_->within(region_at(*map_, c), open);
 }
 
 }  // namespace waybreaker::crossing

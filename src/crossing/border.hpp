@@ -38,21 +38,21 @@ class Borders {
     void start_query(const Regions& regions, int reach);
 
     // Found when first asked for, in O(the region's bounding box), and kept for as long as the map is the same.
-    const Border& of(std::uint32_t region);
+    const Border& of(RegionId region);
 
     // Whether the agent can be there: in no obstacle but these (sorted).
-    bool stands(Vertex v, std::span<const std::uint32_t> open) const;
+    bool stands(Vertex v, std::span<const ObstacleId> open) const;
 
   private:
-    Border trace(std::uint32_t region) const;
-    std::vector<Vertex> points_of(std::uint32_t region) const;
+    Border trace(RegionId region) const;
+    std::vector<Vertex> points_of(RegionId region) const;
     bool free_between(Vertex a, Vertex b) const;
 
     const Regions* regions_ = nullptr;
     const Map* map_ = nullptr;  // of the regions
     int reach_ = 0;
     std::shared_ptr<const void> identity_;
-    std::unordered_map<std::uint32_t, Border> borders_;
+    std::unordered_map<std::uint32_t, Border> borders_;  // by region
 };
 
 }  // namespace waybreaker::crossing

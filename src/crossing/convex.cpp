@@ -17,7 +17,7 @@ void Convex::start_query(const Regions& regions, int reach) {
     known_.assign(regions.obstacle_limit(), Known::unknown);
 }
 
-bool Convex::look(std::uint32_t obstacle) const {
+bool Convex::look(ObstacleId obstacle) const {
     const Box box = regions_->bounds(obstacle);
     const Map& map = regions_->map();
     const int beside = reach_ - 1;  // cells that far from the box reach into it
@@ -27,8 +27,8 @@ bool Convex::look(std::uint32_t obstacle) const {
     for (Cell c = min; c.y <= max.y; ++c.y) {
         for (c.x = min.x; c.x <= max.x; ++c.x) {
             bool others = false;
-            regions_->for_each_member(map.obstacle_at(c).value, [&](std::uint32_t member) {
-                others = others || (member != 0 && member != obstacle && !regions_->is_edge(member));
+            regions_->for_each_member(region_at(map, c), [&](ObstacleId member) {
+                others = others || (member && member != obstacle && !regions_->is_edge(member));
             });
             if (others) return false;
         }

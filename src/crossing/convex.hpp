@@ -19,7 +19,7 @@ class Convex {
     void start_query(const Regions& regions, int reach);
 
     // Whether no shortest path that crosses the obstacle before v is in its way after v again.
-    bool left(std::uint32_t obstacle, Vertex v) {
+    bool left(ObstacleId obstacle, Vertex v) {
         const Box box = regions_->bounds(obstacle);
         const bool outside = v.x < 2 * box.min.x - reach_ || v.x > 2 * box.max.x + reach_ ||
                              v.y < 2 * box.min.y - reach_ || v.y > 2 * box.max.y + reach_;
@@ -30,12 +30,12 @@ class Convex {
     enum class Known : std::uint8_t { unknown, alone, not_alone };
 
     // Whether nothing else reaches into the obstacle's box.
-    bool alone(std::uint32_t obstacle) {
-        Known& known = known_[obstacle];
+    bool alone(ObstacleId obstacle) {
+        Known& known = known_[obstacle.value];
         if (known == Known::unknown) known = look(obstacle) ? Known::alone : Known::not_alone;
         return known == Known::alone;
     }
-    bool look(std::uint32_t obstacle) const;
+    bool look(ObstacleId obstacle) const;
 
     const Regions* regions_ = nullptr;
     std::shared_ptr<const void> identity_;  // of the map of the regions

@@ -2,6 +2,7 @@
 // expanded by rays and outlines alone, so that only what stands in the way costs anything: docs/exact.md. What
 // obstacles that open late add is in waits.cpp.
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <ranges>
@@ -19,13 +20,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<std::uint32_t> sorted(std::span<const ObstacleId> ids) {
-    std::vector<std::uint32_t> numbers;
-    for (const ObstacleId id : ids) numbers.push_back(id.value);
-    std::ranges::sort(numbers);
-    const auto repeated = std::ranges::unique(numbers);
-    numbers.erase(repeated.begin(), repeated.end());
-    return numbers;
+std::vector<ObstacleId> sorted(std::span<const ObstacleId> ids) {
+    std::vector<ObstacleId> set(ids.begin(), ids.end());
+    std::ranges::sort(set);
+    const auto repeated = std::ranges::unique(set);
+    set.erase(repeated.begin(), repeated.end());
+    return set;
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ bool CrossingSearcher::Search::earlier(std::uint32_t a, std::uint32_t b) const {
 }
 
 void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached) {
-    const std::span<const std::uint32_t> crossed = reached.crossed;
+    const std::span<const ObstacleId> crossed = reached.crossed;
     const std::optional<double> cost = cost_of(parent, reached);
     if (!cost) return;
     Label label;
@@ -51,7 +51,7 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
     label.set = labels_[parent].set;
     if (!crossed.empty()) {
         const auto before = sets_[label.set];
-        std::vector<std::uint32_t> set(before.begin(), before.end());
+        std::vector<ObstacleId> set(before.begin(), before.end());
         set.insert(set.end(), crossed.begin(), crossed.end());
         std::sort(set.begin(), set.end());
         label.set = add_set(set);
@@ -99,7 +99,7 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
                    .range = limit_ - label.cost - (options_->adds_both ? done_after_[label.set] : 0)};
     // Where it comes from does not matter after a wait.
     if (label.parent != no_label && label.gate == 0) from.arriving = label.at - labels_[label.parent].at;
-    for (const std::uint32_t obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
+    for (const ObstacleId obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
     if (label.fronts_begin != 0) {
         from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
     }
@@ -127,7 +127,7 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
     fronts_.resize(1);
     capacity_ = options_->crossings + int(removed_.size());
     weight_capacity_ = options_->budget;
-    for (const std::uint32_t obstacle : removed_) weight_capacity_ += fan_.ray().weight(obstacle);
+    for (const ObstacleId obstacle : removed_) weight_capacity_ += fan_.ray().weight(obstacle);
     Label start;
     start.at = start_;
     start.set = add_set(removed_);
@@ -164,11 +164,10 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
 }
 
 // Without what was removed anyway.
-std::vector<ObstacleId> CrossingSearcher::Search::ids_of(std::span<const std::uint32_t> set) const {
+std::vector<ObstacleId> CrossingSearcher::Search::ids_of(std::span<const ObstacleId> set) const {
     std::vector<ObstacleId> ids;
-    for (const std::uint32_t id : set) {
-        if (!std::ranges::binary_search(removed_, id)) ids.push_back(ObstacleId{id});
-    }
+    std::ranges::copy_if(set, std::back_inserter(ids),
+                         [this](ObstacleId id) { return !std::ranges::binary_search(removed_, id); });
     return ids;
 }
 
@@ -188,7 +187,7 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
             const auto& opened = groups_[here.gate].terms().opened;
             path.gates.push_back({path.path.back(), ids_of(sets_[here.set])});
             std::erase_if(path.gates.back().crossed,
-                          [&](ObstacleId id) { return std::ranges::binary_search(opened, id.value); });
+                          [&](ObstacleId id) { return std::ranges::binary_search(opened, id); });
             std::ranges::for_each(ids_of(opened), append);
             std::ranges::for_each(path.gates.back().crossed, append);
             continue;
@@ -205,9 +204,9 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
         }
         std::sort(hits.begin(), hits.end(),
                   [](const Hit& a, const Hit& b) { return a.at != b.at ? a.at < b.at : a.region < b.region; });
-        std::vector<std::uint32_t> entered;
+        std::vector<ObstacleId> entered;
         for (const Hit& hit : hits) ray.add_missing(hit.region, entered);
-        for (const std::uint32_t obstacle : std::views::reverse(entered)) append({obstacle});
+        for (const ObstacleId obstacle : std::views::reverse(entered)) append(obstacle);
     }
     std::reverse(path.gates.begin(), path.gates.end());
     std::reverse(path.path.begin(), path.path.end());
@@ -219,7 +218,7 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
                                              const std::function<bool(const CrossingPath&)>* accept) {
     interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
     const std::shared_ptr<const Regions> regions = regions_for(map, options);
-    const std::vector<std::uint32_t> removed = sorted(options.removed);
+    const std::vector<ObstacleId> removed = sorted(options.removed);
     if (!regions->complete()) {
         CrossingResult unknown;
         unknown.status =
@@ -235,17 +234,17 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
     return none;
 }
 
-bool CrossingSearcher::Search::stands(const Regions& regions, Cell c, std::span<const std::uint32_t> removed) {
+bool CrossingSearcher::Search::stands(const Regions& regions, Cell c, std::span<const ObstacleId> removed) {
     if (!regions.map().grid().contains(c)) return false;
-    const ObstacleId region = regions.map().obstacle_at(c);
-    return !region || regions.within(region.value, removed);
+    const RegionId region = region_at(regions.map(), c);
+    return !region || regions.within(region, removed);
 }
 
 bool CrossingSearcher::Search::has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
     interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
     const std::shared_ptr<const Regions> regions = regions_for(map, options);
     if (!regions->complete()) return true;
-    const std::vector<std::uint32_t> removed = sorted(options.removed);
+    const std::vector<ObstacleId> removed = sorted(options.removed);
     const OpenedMap opened(map, options.removed);
     const LineOfSight sight(opened, options.body);
     const auto free = [&](Cell c) { return stands(*regions, c, removed); };

@@ -16,14 +16,14 @@ bool Dominance::operator()(const Label& better, const Label& worse) const {
     if (worse.gate != 0 && !std::ranges::includes(mine, groups[worse.gate].terms().opened)) return false;
     int more = 0;
     double more_weight = 0;
-    for (const std::uint32_t obstacle : mine) {
+    for (const ObstacleId obstacle : mine) {
         if (std::binary_search(theirs.begin(), theirs.end(), obstacle)) continue;
         ++more;
         more_weight += weight(obstacle);
     }
     if (more == 0) return true;
     if (!by_count) return false;
-    for (const std::uint32_t obstacle : theirs) {
+    for (const ObstacleId obstacle : theirs) {
         if (std::binary_search(mine.begin(), mine.end(), obstacle) || !lost(obstacle, worse)) continue;
         --more;
         more_weight -= weight(obstacle);
@@ -32,7 +32,7 @@ bool Dominance::operator()(const Label& better, const Label& worse) const {
 }
 
 // No path that is short enough can come back to the obstacle, or no shortest path does.
-bool Dominance::lost(std::uint32_t obstacle, const Label& label) const {
+bool Dominance::lost(ObstacleId obstacle, const Label& label) const {
     if (convex.left(obstacle, label.at)) return true;
     const Box box = regions.bounds(obstacle);
     const auto gap = [&box](Vertex v) {

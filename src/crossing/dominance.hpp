@@ -25,8 +25,8 @@ struct Dominance {
     bool operator()(const Label& better, const Label& worse) const;
 
   private:
-    bool lost(std::uint32_t obstacle, const Label& label) const;
-    double weight(std::uint32_t obstacle) const { return weighs ? regions.weight(obstacle) : 0; }
+    bool lost(ObstacleId obstacle, const Label& label) const;
+    double weight(ObstacleId obstacle) const { return weighs ? regions.weight(obstacle) : 0; }
 };
 
 }  // namespace waybreaker::crossing

@@ -231,7 +231,7 @@ bool Fan::clear(Vertex a, Vertex b) const {
         for (c.x = min.x; c.x <= max.x; ++c.x) {
             if (!map_->grid().blocked(c)) continue;
             if (std::abs(cross(step, centre(c) - a)) >= width) continue;
-            if (!map_->grid().contains(c) || !ray_.open(map_->obstacle_at(c).value)) return false;
+            if (!map_->grid().contains(c) || !ray_.open(region_at(*map_, c))) return false;
         }
     }
     return !ray_.pinched(a, b);
@@ -247,7 +247,7 @@ std::optional<Corner> Fan::corner_at(Vertex v, Step quadrant) const {
     const Cell cell = square ? Cell{v.x / 2 + quadrant.x, v.y / 2 + quadrant.y}
                              : Cell{(v.x + quadrant.x) / 2, (v.y + quadrant.y) / 2};
     if (!map_->grid().blocked(cell) || !map_->grid().contains(cell)) return std::nullopt;
-    const std::uint32_t region = map_->obstacle_at(cell).value;
+    const RegionId region = region_at(*map_, cell);
     if (ray_.open(region)) return std::nullopt;
     const Outline outline(*map_, reach_, region);
     if (outline.owns(cell + Step{-quadrant.x, 0}) || outline.owns(cell + Step{0, -quadrant.y})) return std::nullopt;
@@ -255,7 +255,7 @@ std::optional<Corner> Fan::corner_at(Vertex v, Step quadrant) const {
     return Corner{quadrant, cell, region};
 }
 
-bool Fan::bends(Vertex v, std::span<const std::uint32_t> crossed) const {
+bool Fan::bends(Vertex v, std::span<const ObstacleId> crossed) const {
     return std::any_of(quadrants.begin(), quadrants.end(), [&](Step quadrant) {
         if (sliding(v - from_.at, quadrant) == Step{}) return false;
         const std::optional<Corner> corner = corner_at(v, quadrant);
@@ -264,7 +264,7 @@ bool Fan::bends(Vertex v, std::span<const std::uint32_t> crossed) const {
 }
 
 void Fan::reach(Vertex v, double share) {
-    std::vector<std::uint32_t> crossed;
+    std::vector<ObstacleId> crossed;
     for (const Hit& hit : ray_.hits()) {
         if (hit.surely && hit.at < share) ray_.add_missing(hit.region, crossed);
     }
@@ -272,7 +272,7 @@ void Fan::reach(Vertex v, double share) {
 }
 
 // Once for each choice between the two obstacles of a squeeze.
-void Fan::reach(Vertex v, double share, std::size_t squeeze, std::vector<std::uint32_t>& crossed) {
+void Fan::reach(Vertex v, double share, std::size_t squeeze, std::vector<ObstacleId>& crossed) {
     if (!affords(crossed)) return;
     if (squeeze == ray_.squeezes().size()) {
         if (v == goal_ || bends(v, crossed)) reached_.push_back({v, crossed});
@@ -283,7 +283,7 @@ void Fan::reach(Vertex v, double share, std::size_t squeeze, std::vector<std::ui
         reach(v, share, squeeze + 1, crossed);
         return;
     }
-    for (const std::uint32_t region : {pair.one, pair.other}) {
+    for (const RegionId region : {pair.one, pair.other}) {
         if (ray_.solid(region)) continue;
         const std::size_t before = crossed.size();
         ray_.add_missing(region, crossed);
@@ -293,9 +293,9 @@ void Fan::reach(Vertex v, double share, std::size_t squeeze, std::vector<std::ui
 }
 
 // Whether so much may still be crossed.
-bool Fan::affords(std::span<const std::uint32_t> obstacles) const {
+bool Fan::affords(std::span<const ObstacleId> obstacles) const {
     double weight = 0;
-    for (const std::uint32_t obstacle : obstacles) weight += ray_.weight(obstacle);
+    for (const ObstacleId obstacle : obstacles) weight += ray_.weight(obstacle);
     return int(obstacles.size()) <= from_.crossings && weight <= from_.weight;
 }
 

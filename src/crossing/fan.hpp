@@ -24,19 +24,19 @@ namespace waybreaker::crossing {
 struct Corner {
     Step quadrant;
     Cell cell;
-    std::uint32_t region = 0;
+    RegionId region;
 };
 
 // What a ray has met: through which side of which cell it enters the region.
 struct Front {
-    std::uint32_t region = 0;
+    RegionId region;
     Cell cell;
     Step side;
 };
 
 // What a ray enters, in order, as far as it may.
 struct Entered {
-    std::uint32_t region = 0;
+    RegionId region;
     double at = 0;       // half cells from the viewpoint
     bool surely = true;  // false: that or another one
     bool first = false;  // of its ray
@@ -47,7 +47,7 @@ struct Viewpoint {
     Vertex at;
     std::optional<Step> arriving;                 // none: the start, where every direction is taut
     std::optional<std::span<const Front>> ahead;  // what is met straight on, if that is known
-    std::span<const std::uint32_t> open;          // obstacles that cost nothing any more
+    std::span<const ObstacleId> open;             // obstacles that cost nothing any more
     int crossings = 0;                            // how many more may be crossed, and of which weight
     double weight = 0;
     double range = 0;  // longest path from here to the goal, half cells
@@ -56,7 +56,7 @@ struct Viewpoint {
 // A vertex in reach, and the further obstacles crossed on the way.
 struct Reached {
     Vertex at;
-    std::vector<std::uint32_t> crossed;
+    std::vector<ObstacleId> crossed;
     std::uint32_t fronts_begin = 0;  // of what is met straight on from there; 0, 0: not known
     std::uint32_t fronts_end = 0;
 };
@@ -111,10 +111,10 @@ class Fan {
     bool clear(Vertex a, Vertex b) const;
     void note(Vertex corner, int open);
     std::optional<Corner> corner_at(Vertex v, Step quadrant) const;
-    bool bends(Vertex v, std::span<const std::uint32_t> crossed) const;
-    bool affords(std::span<const std::uint32_t> obstacles) const;
+    bool bends(Vertex v, std::span<const ObstacleId> crossed) const;
+    bool affords(std::span<const ObstacleId> obstacles) const;
     void reach(Vertex v, double share);
-    void reach(Vertex v, double share, std::size_t squeeze, std::vector<std::uint32_t>& crossed);
+    void reach(Vertex v, double share, std::size_t squeeze, std::vector<ObstacleId>& crossed);
 
     const Map* map_ = nullptr;  // of the regions
     Interrupt* interrupt_ = nullptr;
@@ -133,7 +133,7 @@ class Fan {
     bool notes_entered_ = false;
     std::vector<Entered> entered_;
     std::vector<Hit> in_order_;
-    std::vector<std::uint32_t> passed_;
+    std::vector<ObstacleId> passed_;
     std::vector<Front> fronts_;  // ahead of those reached; the first is none
 };
 

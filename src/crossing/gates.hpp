@@ -19,10 +19,10 @@ class GateGroup {
     // All in half cells. `arrival`: when the agent is at `from`. `early`: how much earlier than at a lattice point it
     // may be at a place of the border that is nearest to that point.
     struct Terms {
-        std::uint32_t since = 0;                 // label at `from`
-        std::uint32_t region = 0;                // that opens
-        std::vector<std::uint32_t> opened = {};  // its obstacles that were not crossed before, sorted
-        std::uint32_t set = 0;                   // of what is crossed then
+        std::uint32_t since = 0;              // label at `from`
+        RegionId region;                      // that opens
+        std::vector<ObstacleId> opened = {};  // its obstacles that were not crossed before, sorted
+        std::uint32_t set = 0;                // of what is crossed then
         Vertex from;
         double arrival = 0;
         double open = 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "crossing/lattice.hpp"
+#include "waybreaker/cell.hpp"
 
 namespace waybreaker::crossing {
 
@@ -34,17 +35,17 @@ class ObstacleSets {
         members_.clear();
         begins_.assign(1, 0);
     }
-    std::uint32_t add(std::span<const std::uint32_t> sorted) {
+    std::uint32_t add(std::span<const ObstacleId> sorted) {
         members_.insert(members_.end(), sorted.begin(), sorted.end());
         begins_.push_back(std::uint32_t(members_.size()));
         return std::uint32_t(begins_.size() - 2);
     }
-    std::span<const std::uint32_t> operator[](std::uint32_t set) const {
+    std::span<const ObstacleId> operator[](std::uint32_t set) const {
         return {members_.data() + begins_[set], members_.data() + begins_[set + 1]};
     }
 
   private:
-    std::vector<std::uint32_t> members_;
+    std::vector<ObstacleId> members_;
     std::vector<std::uint32_t> begins_{0};
 };
 

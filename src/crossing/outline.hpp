@@ -2,6 +2,7 @@
 #pragma once
 
 #include "crossing/lattice.hpp"
+#include "crossing/regions.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::crossing {
@@ -17,11 +18,11 @@ struct Side {
 class Outline {
   public:
     // `reach`: reach_of the body.
-    Outline(const Map& map, int reach, std::uint32_t obstacle) : map_(&map), obstacle_(obstacle), reach_(reach) {}
+    Outline(const Map& map, int reach, RegionId region) : map_(&map), region_(region), reach_(reach) {}
 
     // Bits first: they are few enough to stay near the processor.
     bool owns(Cell c) const {
-        return map_->grid().blocked(c) && map_->grid().contains(c) && map_->obstacle_at(c).value == obstacle_;
+        return map_->grid().blocked(c) && map_->grid().contains(c) && region_at(*map_, c) == region_;
     }
 
     // What comes at the end of a side. For a square, cells that touch at a corner leave no gap.
@@ -58,11 +59,11 @@ class Outline {
     // Of a cell beside one of the obstacle's.
     bool owns_beside(Cell c) const {
         return map_->grid().blocked(c) && map_->grid().contains(c) &&
-               (!map_->obstacles_touch() || map_->obstacle_at(c).value == obstacle_);
+               (!map_->obstacles_touch() || region_at(*map_, c) == region_);
     }
 
     const Map* map_;
-    std::uint32_t obstacle_;
+    RegionId region_;
     int reach_;
 };
 

@@ -40,15 +40,15 @@ void Ray::start_query(const Regions& regions, const CrossingOptions& options, bo
     for (const ObstacleId id : options.only) obstacle_marks_[id.value].allow = query_;
 }
 
-void Ray::set_open(std::span<const std::uint32_t> obstacles) {
+void Ray::set_open(std::span<const ObstacleId> obstacles) {
     ++opening_;
-    for (const std::uint32_t obstacle : obstacles) obstacle_marks_[obstacle].open = opening_;
-    for (const std::uint32_t obstacle : obstacles) {
-        regions_->for_each_region_of(obstacle, [&](std::uint32_t region) {
+    for (const ObstacleId obstacle : obstacles) obstacle_marks_[obstacle.value].open = opening_;
+    for (const ObstacleId obstacle : obstacles) {
+        regions_->for_each_region_of(obstacle, [&](RegionId region) {
             bool open = true;
             regions_->for_each_member(region,
-                                      [&](std::uint32_t o) { open = open && obstacle_marks_[o].open == opening_; });
-            if (open) region_marks_[region].open = opening_;
+                                      [&](ObstacleId o) { open = open && obstacle_marks_[o.value].open == opening_; });
+            if (open) region_marks_[region.value].open = opening_;
         });
     }
 }
@@ -166,8 +166,8 @@ bool Ray::outside(const Frame& f, int x, int row) {
     return x < 0 || row < 0 || x >= f.grid->width() || row >= f.grid->height();
 }
 
-std::uint32_t Ray::label(const Frame& f, int x, int row) const {
-    return map_->obstacle_at(f.steep ? Cell{row, x} : Cell{x, row}).value;
+RegionId Ray::region_of(const Frame& f, int x, int row) const {
+    return region_at(*map_, f.steep ? Cell{row, x} : Cell{x, row});
 }
 
 // Doubles settle which box comes first: the shares of two boxes are equal or differ by more than their rounding.
@@ -175,7 +175,7 @@ Hit Ray::entry(const Frame& f, int x, int row) const {
     const double along = f.dx == 0 ? -1 : double(2 * x - sign(f.dx) * reach_ - f.x) / f.dx;
     const double across = f.dy == 0 ? -1 : double(2 * row - sign(f.dy) * reach_ - f.y) / f.dy;
     const Step side = along >= across ? Step{-sign(f.dx), 0} : Step{0, -sign(f.dy)};
-    return {.region = outside(f, x, row) ? 0 : label(f, x, row),
+    return {.region = outside(f, x, row) ? RegionId{} : region_of(f, x, row),
             .cell = f.steep ? Cell{row, x} : Cell{x, row},
             .side = f.steep ? Step{side.y, side.x} : side,
             .row = row,
@@ -187,7 +187,7 @@ void Ray::visit_cell(const Frame& f, int x, int row) {
         stop(entry(f, x, row).at);
         return;
     }
-    const RegionMark& mark = region_marks_[label(f, x, row)];
+    const RegionMark& mark = region_marks_[region_of(f, x, row).value];
     if (mark.open == opening_) return;
     // Boxes of the row behind the first can begin earlier; those of later rows cannot.
     const bool known = mark.ray == ray_ && std::abs(row - hits_[mark.hit].row) != 1;
@@ -195,7 +195,7 @@ void Ray::visit_cell(const Frame& f, int x, int row) {
 }
 
 void Ray::meet(const Hit& hit) {
-    RegionMark& mark = region_marks_[hit.region];
+    RegionMark& mark = region_marks_[hit.region.value];
     if (mark.ray == ray_) {
         Hit& known = hits_[mark.hit];
         if (known.surely || !hit.surely) {
@@ -219,10 +219,10 @@ void Ray::meet(const Hit& hit) {
 }
 
 // For the obstacles that are neither open nor paid for by this ray.
-Ray::Price Ray::price(std::uint32_t region) const {
+Ray::Price Ray::price(RegionId region) const {
     Price price;
-    regions_->for_each_member(region, [&](std::uint32_t obstacle) {
-        const ObstacleMark& mark = obstacle_marks_[obstacle];
+    regions_->for_each_member(region, [&](ObstacleId obstacle) {
+        const ObstacleMark& mark = obstacle_marks_[obstacle.value];
         if (mark.open == opening_ || mark.ray == ray_) return;
         ++price.crossings;
         price.weight += weight(obstacle);
@@ -230,11 +230,11 @@ Ray::Price Ray::price(std::uint32_t region) const {
     return price;
 }
 
-void Ray::pay(std::uint32_t region) {
+void Ray::pay(RegionId region) {
     const Price due = price(region);
     crossings_left_ -= due.crossings;
     weight_left_ -= due.weight;
-    regions_->for_each_member(region, [&](std::uint32_t obstacle) { obstacle_marks_[obstacle].ray = ray_; });
+    regions_->for_each_member(region, [&](ObstacleId obstacle) { obstacle_marks_[obstacle.value].ray = ray_; });
 }
 
 void Ray::stop(double at) {
@@ -242,10 +242,10 @@ void Ray::stop(double at) {
     stopped_ = true;
 }
 
-bool Ray::solid(std::uint32_t region) const {
+bool Ray::solid(RegionId region) const {
     bool solid = false;
-    regions_->for_each_member(region, [&](std::uint32_t obstacle) {
-        const ObstacleMark& mark = obstacle_marks_[obstacle];
+    regions_->for_each_member(region, [&](ObstacleId obstacle) {
+        const ObstacleMark& mark = obstacle_marks_[obstacle.value];
         if (mark.open == opening_) return;
         solid = solid || !regions_->destructible(obstacle) || mark.protect == query_ ||
                 (allows_some_ && mark.allow != query_);
@@ -274,7 +274,7 @@ void Ray::walk_edge(const Frame& f) {
 Hit Ray::edge_entry(const Frame& f, int x, int row, int across) const {
     Hit hit = entry(f, x, row);
     const int back = x - sign(f.dx);
-    const bool along = !outside(f, back, row) && label(f, back, row) == hit.region;
+    const bool along = !outside(f, back, row) && region_of(f, back, row) == hit.region;
     const Step side = along ? Step{0, across - row} : Step{-sign(f.dx), 0};
     hit.side = f.steep ? Step{side.y, side.x} : side;
     return hit;
@@ -306,8 +306,8 @@ void Ray::visit_pair(const Frame& f, int x, int upper) {
     squeezes_.push_back({one.region, other.region, one.at});
     const int back = x - sign(f.dx);
     const bool begins = outside(f, back, upper) || outside(f, back, upper + 1) ||
-                        label(f, back, upper) != label(f, x, upper) ||
-                        label(f, back, upper + 1) != label(f, x, upper + 1);
+                        region_of(f, back, upper) != region_of(f, x, upper) ||
+                        region_of(f, back, upper + 1) != region_of(f, x, upper + 1);
     one.surely = other.surely = false;
     const Price price_of_one = price(one.region);
     const Price price_of_other = price(other.region);

@@ -15,7 +15,7 @@ namespace waybreaker::crossing {
 
 // Where a ray first enters a region: through which side of which of its cells.
 struct Hit {
-    std::uint32_t region = 0;
+    RegionId region;
     Cell cell;
     Step side;           // from the cell outwards
     int row = 0;         // of the cell, across the ray
@@ -26,8 +26,8 @@ struct Hit {
 // Two different regions on both sides of an edge that a point slides along, or of a corner that it passes: one of them
 // must go.
 struct Squeeze {
-    std::uint32_t one = 0;
-    std::uint32_t other = 0;
+    RegionId one;
+    RegionId other;
     double at = 0;  // share of the ray
 };
 
@@ -37,7 +37,7 @@ class Ray {
     void start_query(const Regions& regions, const CrossingOptions& options, bool pinched);
 
     // Obstacles that the next rays pass as if they were gone.
-    void set_open(std::span<const std::uint32_t> obstacles);
+    void set_open(std::span<const ObstacleId> obstacles);
 
     // Casts a ray that passes at most so many further obstacles, of at most that weight together. False when it was
     // stopped: by a region that cannot be passed any more, or by the edge of the map. What it met before is in
@@ -53,26 +53,26 @@ class Ray {
     std::span<const Hit> hits() const { return hits_; }
     std::span<const Squeeze> squeezes() const { return squeezes_; }
 
-    bool met(std::uint32_t region) const { return region_marks_[region].ray == ray_; }
+    bool met(RegionId region) const { return region_marks_[region.value].ray == ray_; }
     // Whether all its obstacles are open.
-    bool open(std::uint32_t region) const { return region_marks_[region].open == opening_; }
+    bool open(RegionId region) const { return region_marks_[region.value].open == opening_; }
     // Never passed.
-    bool solid(std::uint32_t region) const;
+    bool solid(RegionId region) const;
     // Of an obstacle against the budget; 0 where it is not limited.
-    double weight(std::uint32_t obstacle) const { return weighs_ ? regions_->weight(obstacle) : 0; }
+    double weight(ObstacleId obstacle) const { return weighs_ ? regions_->weight(obstacle) : 0; }
     // Whether nothing of a region stands that is not in the list.
-    bool opens(std::uint32_t region, std::span<const std::uint32_t> obstacles) const {
+    bool opens(RegionId region, std::span<const ObstacleId> obstacles) const {
         bool all = true;
-        regions_->for_each_member(region, [&](std::uint32_t obstacle) {
-            const bool open = obstacle_marks_[obstacle].open == opening_;
+        regions_->for_each_member(region, [&](ObstacleId obstacle) {
+            const bool open = obstacle_marks_[obstacle.value].open == opening_;
             all = all && (open || std::ranges::find(obstacles, obstacle) != obstacles.end());
         });
         return all;
     }
     // Adds the obstacles that must be crossed for a region: those that are neither open nor in the list.
-    void add_missing(std::uint32_t region, std::vector<std::uint32_t>& obstacles) const {
-        regions_->for_each_member(region, [&](std::uint32_t obstacle) {
-            if (obstacle_marks_[obstacle].open == opening_) return;
+    void add_missing(RegionId region, std::vector<ObstacleId>& obstacles) const {
+        regions_->for_each_member(region, [&](ObstacleId obstacle) {
+            if (obstacle_marks_[obstacle.value].open == opening_) return;
             if (std::ranges::find(obstacles, obstacle) == obstacles.end()) obstacles.push_back(obstacle);
         });
     }
@@ -116,12 +116,12 @@ class Ray {
     bool look_beside(Vertex corner, Step cell, Step side, Hit& hit) const;
     void pinch(const Hit& one, const Hit& other);
     void meet(const Hit& hit);
-    Price price(std::uint32_t region) const;
-    void pay(std::uint32_t region);
+    Price price(RegionId region) const;
+    void pay(RegionId region);
     void meet_beside(const Hit& hit, bool begins);
     void stop(double at);
     static bool outside(const Frame& frame, int x, int row);
-    std::uint32_t label(const Frame& frame, int x, int row) const;
+    RegionId region_of(const Frame& frame, int x, int row) const;
     Hit entry(const Frame& frame, int x, int row) const;
     Hit edge_entry(const Frame& frame, int x, int row, int across) const;
 

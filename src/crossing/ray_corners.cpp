@@ -50,7 +50,7 @@ bool Ray::look_beside(Vertex corner, Step cell, Step side, Hit& hit) const {
     hit.cell = {(corner.x + cell.x) / 2, (corner.y + cell.y) / 2};
     hit.side = side;
     if (!map_->grid().blocked(hit.cell) || !map_->grid().contains(hit.cell)) return false;
-    hit.region = map_->obstacle_at(hit.cell).value;
+    hit.region = region_at(*map_, hit.cell);
     return !open(hit.region);
 }
 
@@ -78,7 +78,7 @@ void Ray::visit_corner(Vertex corner, Step step, double at) {
 void Ray::pinch(const Hit& one, const Hit& other) {
     const auto note = [&](Hit hit, bool surely) {
         hit.surely = surely;
-        RegionMark& mark = region_marks_[hit.region];
+        RegionMark& mark = region_marks_[hit.region.value];
         if (mark.ray != ray_ || surely) {
             mark.ray = ray_;
             mark.hit = std::uint32_t(hits_.size());
@@ -92,7 +92,7 @@ void Ray::pinch(const Hit& one, const Hit& other) {
         if (solid(one.region) && solid(other.region)) stop(one.at);
         return;
     }
-    const RegionMark& mark = region_marks_[one.region];
+    const RegionMark& mark = region_marks_[one.region.value];
     if (mark.ray == ray_ && hits_[mark.hit].surely) {
         Hit& known = hits_[mark.hit];
         if (known.at <= one.at) return;

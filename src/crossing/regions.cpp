@@ -35,7 +35,7 @@ std::vector<int> growth_of(const CrossingOptions& options) {
 struct Run {
     int first;
     int last;
-    std::uint32_t obstacle;
+    ObstacleId obstacle;
 };
 
 std::vector<std::vector<Run>> runs_of(const Map& map) {
@@ -43,8 +43,8 @@ std::vector<std::vector<Run>> runs_of(const Map& map) {
     for (int y = 0; y < map.height(); ++y) {
         std::vector<Run>& row = rows[std::size_t(y)];
         for (int x = 0; x < map.width(); ++x) {
-            const std::uint32_t obstacle = map.obstacle_at({x, y}).value;
-            if (obstacle == 0) continue;
+            const ObstacleId obstacle = map.obstacle_at({x, y});
+            if (!obstacle) continue;
             if (!row.empty() && row.back().last == x - 1 && row.back().obstacle == obstacle) {
                 row.back().last = x;
             } else {
@@ -59,7 +59,7 @@ std::vector<std::vector<Run>> runs_of(const Map& map) {
 struct Event {
     int x;
     bool begins;
-    std::uint32_t obstacle;
+    ObstacleId obstacle;
 };
 
 // Grows a map row by row: the growths that reach into a row begin and end one after the other.
@@ -69,7 +69,7 @@ class Growing {
         : map_(map),
           half_widths_(half_widths),
           rows_(runs_of(map)),
-          edge_(std::uint32_t(map.obstacles().size() + 1)),
+          edge_{std::uint32_t(map.obstacles().size() + 1)},
           labels_(map.grid().cell_count(), 0) {}
 
     // False if it is interrupted, or the regions have too many members.
@@ -90,14 +90,14 @@ class Growing {
     }
 
     // By region, in the order of their numbers.
-    const std::vector<std::vector<std::uint32_t>>& members() const { return members_; }
+    const std::vector<std::vector<ObstacleId>>& members() const { return members_; }
     std::vector<std::uint32_t> take_labels() { return std::move(labels_); }
 
   private:
     void find_events(int y) {
         events_.clear();
         const int last_column = map_.width() - 1;
-        const auto add = [&](int first, int last, std::uint32_t obstacle) {
+        const auto add = [&](int first, int last, ObstacleId obstacle) {
             events_.push_back({std::max(first, 0), true, obstacle});
             events_.push_back({std::min(last, last_column) + 1, false, obstacle});
         };
@@ -125,7 +125,7 @@ class Growing {
     }
 
     std::uint32_t region_here() {
-        std::vector<std::uint32_t> obstacles;
+        std::vector<ObstacleId> obstacles;
         for (const Around& one : around_) obstacles.push_back(one.obstacle);
         const auto [known, added] = numbers_.try_emplace(obstacles, std::uint32_t(numbers_.size() + 1));
         if (added) {
@@ -137,7 +137,7 @@ class Growing {
 
     // An obstacle whose growth has begun, and how often.
     struct Around {
-        std::uint32_t obstacle;
+        ObstacleId obstacle;
         int times;
     };
 
@@ -146,12 +146,12 @@ class Growing {
     const Map& map_;
     const std::vector<int>& half_widths_;
     std::vector<std::vector<Run>> rows_;
-    std::uint32_t edge_;  // of the map, as an obstacle
+    ObstacleId edge_;  // of the map
     std::vector<std::uint32_t> labels_;
     std::vector<Event> events_;
     std::vector<Around> around_;  // sorted
-    std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;
-    std::vector<std::vector<std::uint32_t>> members_;
+    std::map<std::vector<ObstacleId>, std::uint32_t> numbers_;
+    std::vector<std::vector<ObstacleId>> members_;
     std::size_t member_count_ = 0;
 };
 
@@ -168,12 +168,12 @@ Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& inte
     Growing growing(map, half_widths_);
     complete_ = growing.grow(interrupt);
     if (!complete_) return;
-    std::vector<std::vector<std::uint32_t>> regions_of(obstacle_limit());
-    std::uint32_t region = 0;
-    for (const std::vector<std::uint32_t>& members : growing.members()) {
+    std::vector<std::vector<RegionId>> regions_of(obstacle_limit());
+    RegionId region;
+    for (const std::vector<ObstacleId>& members : growing.members()) {
         members_.add(members);
-        ++region;
-        for (const std::uint32_t obstacle : members) regions_of[obstacle].push_back(region);
+        ++region.value;
+        for (const ObstacleId obstacle : members) regions_of[obstacle.value].push_back(region);
     }
     for (std::size_t obstacle = 1; obstacle < regions_of.size(); ++obstacle) regions_.add(regions_of[obstacle]);
     grown_from_.assign(map.obstacles().begin(), map.obstacles().end());

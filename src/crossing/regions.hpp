@@ -17,6 +17,18 @@
 
 namespace waybreaker::crossing {
 
+// A region. On a map that is not grown its number is that of its one obstacle.
+struct RegionId {
+    std::uint32_t value = 0;
+    friend constexpr auto operator<=>(RegionId, RegionId) = default;
+    explicit constexpr operator bool() const { return value != 0; }
+};
+
+// The region that a cell of Regions::map() belongs to; false if it is free.
+inline RegionId region_at(const Map& map, Cell c) {
+    return {map.obstacle_at(c).value};
+}
+
 class Regions {
   public:
     // For the body that the options move. Time O(runs of blocked cells * radius) to grow the map, else O(1). The map
@@ -40,55 +52,54 @@ class Regions {
     std::size_t obstacle_limit() const { return obstacles().size() + 2; }
 
     template <class Visit>
-    void for_each_member(std::uint32_t region, Visit visit) const {
-        if (!grown_) return visit(region);
-        for (const std::uint32_t obstacle : members_.of(region)) visit(obstacle);
+    void for_each_member(RegionId region, Visit visit) const {
+        if (!grown_) return visit(ObstacleId{region.value});
+        for (const ObstacleId obstacle : members_.of(region.value)) visit(obstacle);
     }
     template <class Visit>
-    void for_each_region_of(std::uint32_t obstacle, Visit visit) const {
-        if (!grown_) return visit(obstacle);
-        for (const std::uint32_t region : regions_.of(obstacle)) visit(region);
+    void for_each_region_of(ObstacleId obstacle, Visit visit) const {
+        if (!grown_) return visit(RegionId{obstacle.value});
+        for (const RegionId region : regions_.of(obstacle.value)) visit(region);
     }
     // Whether all of a region's obstacles are among these, which are sorted.
-    bool within(std::uint32_t region, std::span<const std::uint32_t> obstacles) const {
+    bool within(RegionId region, std::span<const ObstacleId> obstacles) const {
         bool all = true;
-        for_each_member(region, [&](std::uint32_t obstacle) {
+        for_each_member(region, [&](ObstacleId obstacle) {
             all = all && std::binary_search(obstacles.begin(), obstacles.end(), obstacle);
         });
         return all;
     }
 
     // Of an obstacle; the edge of the map stands for ever and weighs nothing.
-    bool destructible(std::uint32_t obstacle) const {
-        return obstacle <= obstacles().size() && obstacles()[obstacle - 1].destructible;
+    bool destructible(ObstacleId obstacle) const {
+        return !is_edge(obstacle) && obstacles()[obstacle.value - 1].destructible;
     }
-    double weight(std::uint32_t obstacle) const {
-        return obstacle > obstacles().size() ? 0 : obstacles()[obstacle - 1].weight;
-    }
+    double weight(ObstacleId obstacle) const { return is_edge(obstacle) ? 0 : obstacles()[obstacle.value - 1].weight; }
     // Whether the body, a point that stands for a disc, is too wide for a place where two cells touch at a corner.
     bool pinched() const { return relaxed_ && body_.radius > 0 && !grown_; }
     // The map is convex, so what it ends at is in the way of no straight line within it.
-    bool is_edge(std::uint32_t obstacle) const { return obstacle > obstacles().size(); }
+    bool is_edge(ObstacleId obstacle) const { return obstacle.value > obstacles().size(); }
     // The cells of all its regions lie within.
-    Box bounds(std::uint32_t obstacle) const {
-        const Box box = obstacles()[obstacle - 1].bounds;
+    Box bounds(ObstacleId obstacle) const {
+        const Box box = obstacles()[obstacle.value - 1].bounds;
         return {{box.min.x - margin_, box.min.y - margin_}, {box.max.x + margin_, box.max.y + margin_}};
     }
 
   private:
-    // Lists of numbers, by number.
+    // Lists, by number from 1 on.
+    template <class Id>
     class Lists {
       public:
-        void add(std::span<const std::uint32_t> list) {
+        void add(std::span<const Id> list) {
             items_.insert(items_.end(), list.begin(), list.end());
             begins_.push_back(items_.size());
         }
-        std::span<const std::uint32_t> of(std::uint32_t number) const {
+        std::span<const Id> of(std::uint32_t number) const {
             return {items_.data() + begins_[number], items_.data() + begins_[number + 1]};
         }
 
       private:
-        std::vector<std::uint32_t> items_;
+        std::vector<Id> items_;
         std::vector<std::size_t> begins_{0, 0};  // number 0 has none
     };
 
@@ -103,8 +114,8 @@ class Regions {
     bool complete_ = true;
     std::optional<Map> grown_;
     std::vector<Obstacle> grown_from_;
-    Lists members_;  // obstacles, by region
-    Lists regions_;  // by obstacle
+    Lists<ObstacleId> members_;  // by region
+    Lists<RegionId> regions_;    // by obstacle
 };
 
 }  // namespace waybreaker::crossing

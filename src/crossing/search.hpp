@@ -36,7 +36,7 @@ class CrossingSearcher::Search {
 
   private:
     // Whether a cell of the map is free once that is removed.
-    static bool stands(const crossing::Regions& regions, Cell c, std::span<const std::uint32_t> removed);
+    static bool stands(const crossing::Regions& regions, Cell c, std::span<const ObstacleId> removed);
     std::shared_ptr<const crossing::Regions> regions_for(const Map& map, const CrossingOptions& options);
 
     enum class Outcome { found, exhausted, limit_reached, stopped };
@@ -50,19 +50,19 @@ class CrossingSearcher::Search {
     void insert(std::uint32_t label);
     bool earlier(std::uint32_t a, std::uint32_t b) const;
     CrossingPath path_of(std::uint32_t index);
-    std::vector<ObstacleId> ids_of(std::span<const std::uint32_t> set) const;
+    std::vector<ObstacleId> ids_of(std::span<const ObstacleId> set) const;
     CrossingPath incumbent();
 
     // waits.cpp. Whether paths may cost more than their length, for what they cross:
     bool in_time() const { return waits_ || options_->done_after; }
-    double opened_after(std::span<const std::uint32_t> sorted) const;
-    std::uint32_t add_set(std::span<const std::uint32_t> sorted);
+    double opened_after(std::span<const ObstacleId> sorted) const;
+    std::uint32_t add_set(std::span<const ObstacleId> sorted);
     double estimate(const crossing::Label& label) const;
     double with_flight(double ground, std::uint32_t set) const;
     std::optional<double> cost_of(std::uint32_t parent, const crossing::Reached& reached);
-    std::vector<std::uint32_t> add_members(std::uint32_t region, std::vector<std::uint32_t>& set) const;
+    std::vector<ObstacleId> add_members(crossing::RegionId region, std::vector<ObstacleId>& set) const;
     void push_gates(std::uint32_t parent);
-    std::uint32_t push_group(crossing::GateGroup::Terms terms, const std::vector<std::uint32_t>& set);
+    std::uint32_t push_group(crossing::GateGroup::Terms terms, const std::vector<ObstacleId>& set);
     void expand_group(std::uint32_t index);
     void push_gate(std::uint32_t number, std::uint32_t set);
     double arrival_at_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
@@ -71,8 +71,8 @@ class CrossingSearcher::Search {
 
     const Map* map_ = nullptr;
     const CrossingOptions* options_ = nullptr;
-    std::vector<std::uint32_t> removed_;  // sorted
-    bool waits_ = false;                  // obstacles open in time
+    std::vector<ObstacleId> removed_;  // sorted
+    bool waits_ = false;               // obstacles open in time
     const std::function<bool(const CrossingPath&)>* accept_ = nullptr;
     crossing::Vertex start_;
     crossing::Vertex goal_;

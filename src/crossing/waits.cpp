@@ -10,12 +10,12 @@ namespace waybreaker {
 using namespace crossing;
 
 // When all of them are open, in half cells.
-double CrossingSearcher::Search::opened_after(std::span<const std::uint32_t> sorted) const {
+double CrossingSearcher::Search::opened_after(std::span<const ObstacleId> sorted) const {
     const std::vector<ObstacleId> ids = ids_of(sorted);
     return ids.empty() ? 0 : 2 * options_->opened_after(ids);
 }
 
-std::uint32_t CrossingSearcher::Search::add_set(std::span<const std::uint32_t> sorted) {
+std::uint32_t CrossingSearcher::Search::add_set(std::span<const ObstacleId> sorted) {
     if (options_->done_after) done_after_.push_back(2 * options_->done_after(ids_of(sorted)));
     return sets_.add(sorted);
 }
@@ -35,7 +35,7 @@ std::optional<double> CrossingSearcher::Search::cost_of(std::uint32_t parent, co
     const Label& from = labels_[parent];
     const double step = length(reached.at - from.at);
     if (!waits_ || reached.crossed.empty()) return from.cost + step;
-    std::vector<std::uint32_t> set(sets_[from.set].begin(), sets_[from.set].end());
+    std::vector<ObstacleId> set(sets_[from.set].begin(), sets_[from.set].end());
     Ray& ray = fan_.ray();
     ray.cast(from.at, reached.at, capacity_, std::numeric_limits<double>::infinity());
     std::vector<Hit> hits;
@@ -51,10 +51,9 @@ std::optional<double> CrossingSearcher::Search::cost_of(std::uint32_t parent, co
 }
 
 // The members of the region that were not in the set before; both sorted.
-std::vector<std::uint32_t> CrossingSearcher::Search::add_members(std::uint32_t region,
-                                                                 std::vector<std::uint32_t>& set) const {
-    std::vector<std::uint32_t> added;
-    regions_->for_each_member(region, [&](std::uint32_t obstacle) {
+std::vector<ObstacleId> CrossingSearcher::Search::add_members(RegionId region, std::vector<ObstacleId>& set) const {
+    std::vector<ObstacleId> added;
+    regions_->for_each_member(region, [&](ObstacleId obstacle) {
         const auto at = std::ranges::lower_bound(set, obstacle);
         if (at != set.end() && *at == obstacle) return;
         set.insert(at, obstacle);
@@ -68,7 +67,7 @@ void CrossingSearcher::Search::push_gates(std::uint32_t parent) {
     const double cost = labels_[parent].cost;
     const Vertex from = labels_[parent].at;
     GateGroup::Terms terms;
-    std::vector<std::uint32_t> set;
+    std::vector<ObstacleId> set;
     bool too_late = false;  // for all that the ray enters next
     for (const Entered& entered : fan_.entered()) {
         if (entered.first) {
@@ -85,7 +84,7 @@ void CrossingSearcher::Search::push_gates(std::uint32_t parent) {
         std::uint32_t group = 0;
         if (terms.open > cost + gap(from, borders_.of(entered.region))) group = push_group(terms, set);
         if (!entered.surely) {
-            std::erase_if(set, [&](std::uint32_t o) { return std::ranges::binary_search(terms.opened, o); });
+            std::erase_if(set, [&](ObstacleId o) { return std::ranges::binary_search(terms.opened, o); });
         } else if (terms.open > cost + entered.at + early_) {
             too_late = group == 0;
             terms.passed.push_back(group);
@@ -94,9 +93,10 @@ void CrossingSearcher::Search::push_gates(std::uint32_t parent) {
 }
 
 // Once for all ways to a region from the last gate. Its number; 0 if it costs too much.
-std::uint32_t CrossingSearcher::Search::push_group(GateGroup::Terms terms, const std::vector<std::uint32_t>& set) {
-    std::vector<std::uint32_t> key = set;
-    key.insert(key.end(), {terms.region, terms.since, 0});
+std::uint32_t CrossingSearcher::Search::push_group(GateGroup::Terms terms, const std::vector<ObstacleId>& set) {
+    std::vector<std::uint32_t> key;
+    for (const ObstacleId obstacle : set) key.push_back(obstacle.value);
+    key.insert(key.end(), {terms.region.value, terms.since, 0});
     key.insert(key.end(), terms.passed.begin(), terms.passed.end());
     const auto [known, added] = group_numbers_.try_emplace(std::move(key), 0);
     if (!added) return known->second;
@@ -173,8 +173,8 @@ double CrossingSearcher::Search::arrival_at_gate(const GateGroup::Terms& terms, 
 
 // How long the shortest way to a gate is through what is open by then.
 double CrossingSearcher::Search::way_to_gate(const GateGroup::Terms& terms, Vertex gate) {
-    std::vector<std::uint32_t> open(sets_[terms.set].begin(), sets_[terms.set].end());
-    std::erase_if(open, [&](std::uint32_t o) { return std::ranges::binary_search(terms.opened, o); });
+    std::vector<ObstacleId> open(sets_[terms.set].begin(), sets_[terms.set].end());
+    std::erase_if(open, [&](ObstacleId o) { return std::ranges::binary_search(terms.opened, o); });
     return ways_.length(terms.from, gate, open, [&](const CrossingOptions& options) {
         ++result_.expanded;
         if (!way_to_gate_) way_to_gate_ = another();

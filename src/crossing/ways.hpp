@@ -28,13 +28,11 @@ class Ways {
     // In half cells, or less where that is long to find out; infinity where there is none. `search` is asked for those
     // that are not known.
     template <class Search>
-    double length(Vertex from, Vertex to, const std::vector<std::uint32_t>& open, Search search) {
+    double length(Vertex from, Vertex to, const std::vector<ObstacleId>& open, Search search) {
         const auto [known, added] = lengths_.try_emplace({from.x, from.y, to.x, to.y, open}, 0);
         if (!added) return known->second;
-        std::vector<ObstacleId> removed;
-        for (const std::uint32_t id : open) removed.push_back(ObstacleId{id});
         CrossingOptions options = options_;
-        options.removed = removed;
+        options.removed = open;
         const CrossingResult result = search(options);
         known->second = 2 * result.lower_bound;
         const double length = known->second;
@@ -50,7 +48,7 @@ class Ways {
 
     std::shared_ptr<const void> identity_;
     CrossingOptions options_;
-    std::map<std::tuple<int, int, int, int, std::vector<std::uint32_t>>, double> lengths_;
+    std::map<std::tuple<int, int, int, int, std::vector<ObstacleId>>, double> lengths_;
 };
 
 }  // namespace waybreaker::crossing
