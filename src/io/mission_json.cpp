@@ -199,7 +199,7 @@ void read_method(const JsonField& field, Method& method) {
 
 MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (document["format"].text() != format) document["format"].fail(std::string("is not ") + format);
-    document.allow({"format", "agents", "rules", "method", "limits"});
+    document.allow({"format", "agents", "rules", "method", "limits", "page"});
     MissionDocument result;
     result.limits = limits;
     for (const JsonField& agent : document["agents"].items()) result.mission.agents.push_back(read_agent(agent));

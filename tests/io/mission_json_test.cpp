@@ -105,6 +105,7 @@ TEST(MissionFile, HasDefaultsForWhatItLeavesOut) {
     EXPECT_EQ(read.mission.rules.removals, Rules().removals);
     EXPECT_EQ(read.method.select, Selection::exact);
     EXPECT_EQ(read.limits.seconds, 3);
+    EXPECT_EQ(parse_mission(with(agents + std::string(R"(, "page": {"map": "a.map"})")), "m.json").mission.agents.size(), 1U);
     EXPECT_EQ(parse_mission(with(agents + std::string(R"(, "limits": {"seconds": null})")), "m.json", {.seconds = 3})
                   .limits.seconds,
               infinity);
@@ -122,7 +123,7 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
         return error.substr(error.find(' ') + 1);
     };
     EXPECT_EQ(says(R"("removals": 2)"),
-              "the document has a member that is none of format, agents, rules, method, limits");
+              "the document has a member that is none of format, agents, rules, method, limits, page");
     EXPECT_EQ(says(R"("rules": {"removals": -1})"), "rules.removals is not between 0 and 2147483647");
     EXPECT_EQ(says(R"("rules": {"protect": [0]})"), "rules.protect[0] is not between 1 and 4294967295");
     EXPECT_EQ(says(R"("rules": {"timing": "never"})"), "rules.timing is none of enforce, ignore");

@@ -2,12 +2,13 @@
 import type { Plan } from "../domain/plan";
 import { missionAt } from "./address";
 import { keep, type KeptFile } from "./kept_file";
-import { queryOfFile } from "./mission_file";
+import { isMissionFile } from "./mission_file";
 import { isPlan } from "./plan_mission";
 
 export type Given =
   | { kind: "map"; file: KeptFile }
   | { kind: "mission"; query: string }
+  | { kind: "mission file"; value: Record<string, unknown> }
   | { kind: "plan"; plan: Plan };
 
 // Its message is a sentence for people.
@@ -58,8 +59,7 @@ function inJson(text: string, name: string): Given {
     throw new NotUnderstood(`“${name}” is no complete JSON.`);
   }
   if (isPlan(value)) return { kind: "plan", plan: value };
-  const query = queryOfFile(value);
-  if (query) return { kind: "mission", query };
+  if (isMissionFile(value)) return { kind: "mission file", value };
   throw new NotUnderstood(`“${name}” is neither a plan nor a mission of waybreaker.`);
 }
 

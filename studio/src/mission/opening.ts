@@ -3,6 +3,7 @@ import type { Plan } from "../domain/plan";
 import { type Given, NotUnderstood, understood } from "./given";
 import { encodeLink, mapOfLink } from "./link";
 import { isUpload } from "./maps";
+import { queryOfFile } from "./mission_file";
 import { mapsOfPlan, missionOfPlan } from "./plan_mission";
 import type { Studio } from "./studio";
 
@@ -10,7 +11,8 @@ export function openFiles(studio: Studio, files: readonly File[]): Promise<void>
   return take(studio, files, async (given) => {
     if (given.kind === "map") await studio.upload(given.file);
     else if (given.kind === "plan") await openPlan(studio, given.plan);
-    else await openMission(studio, given.query);
+    else if (given.kind === "mission") await openMission(studio, given.query);
+    else await openMissionFile(studio, given.value);
   });
 }
 
@@ -27,6 +29,15 @@ export async function openMission(studio: Studio, query: string): Promise<void> 
   const id = mapOfLink(query) ?? studio.mission.value?.map;
   studio.notice.value = null;
   if (id !== undefined) await studio.open(id, query);
+}
+
+async function openMissionFile(studio: Studio, value: Record<string, unknown>): Promise<void> {
+  const said = queryOfFile(value, studio.units.value.cell);
+  if (!said) throw new NotUnderstood("The page plans for one ground robot and one aircraft; this mission is about others.");
+  await openMission(studio, said.query);
+  if (said.leftOut.length > 0 && !studio.notice.value) {
+    studio.notify("info", `The page does not know what the file says about ${said.leftOut.join(", ")}.`);
+  }
 }
 
 async function openPlan(studio: Studio, plan: Plan): Promise<void> {

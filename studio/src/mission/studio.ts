@@ -2,7 +2,7 @@
 import { batch, effect, signal, untracked } from "@preact/signals";
 import { type Client, ServiceError } from "../api/client";
 import type { MapEntry } from "../api/documents";
-import { hasEdits, type Mission, withEnoughRemovals } from "../domain/mission";
+import { defaults, hasEdits, type Mission, withEnoughRemovals } from "../domain/mission";
 import { Planner } from "../planning/planner";
 import { questionOf } from "../planning/request";
 import { duration } from "../play/motion";
@@ -13,6 +13,7 @@ import { begin, type History, mapped, replace, step } from "./history";
 import type { KeptFile } from "./kept_file";
 import { decodeLink, encodeLink, fileOfLink, mapOfLink } from "./link";
 import { type HeldMap, isUpload, type LostMap, Maps } from "./maps";
+import { missionFile } from "./mission_file";
 import { ServerWatch } from "./server_watch";
 import { Translation } from "./translate";
 
@@ -133,6 +134,16 @@ export class Studio extends Editor {
     const file = this.uploads.value.get(mission.map)?.name;
     const query = encodeLink({ ...mission, time: this.clock.time.value }, shown.base.cells.width);
     return file ? `${query}&file=${encodeURIComponent(file)}` : query;
+  }
+
+  // The same as a file, for the command line as well.
+  missionFile(): string | null {
+    const [mission, shown] = [this.mission.value, this.shown.value];
+    if (!mission || !shown) return null;
+    const removals = this.results.plans.value.after?.plan.removed.length ?? defaults.removals;
+    const file = this.uploads.value.get(mission.map)?.name;
+    const map = { width: shown.base.cells.width, cell: this.units.value.cell, file };
+    return missionFile({ ...mission, time: this.clock.time.value }, map, removals);
   }
 
   // A step to another map is taken once that map is there.

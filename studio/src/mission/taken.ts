@@ -1,7 +1,6 @@
 // What a person takes along: the plan, the map and the mission as files, the mission as a link.
 import type { ExportFormat } from "../api/client";
 import { fragmentOf, longestLink } from "./address";
-import { missionFile } from "./mission_file";
 import { saveAs } from "./save_as";
 import type { Studio } from "./studio";
 
@@ -21,8 +20,8 @@ export async function downloadMap(studio: Studio): Promise<void> {
 }
 
 export function downloadMission(studio: Studio): void {
-  const file = new Blob([missionFile(studio.query())], { type: "application/json" });
-  saveAs(file, "mission.json");
+  const text = studio.missionFile();
+  if (text !== null) saveAs(new Blob([text], { type: "application/json" }), "mission.json");
 }
 
 export async function copyLink(studio: Studio): Promise<void> {

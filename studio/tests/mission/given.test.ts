@@ -1,15 +1,19 @@
 // What is dropped, opened or pasted. (File is no global of Node 18.)
 import { expect, it } from "vitest";
-import { freshMission } from "../../src/domain/mission";
+import { freshMission, type Mission, wallKey } from "../../src/domain/mission";
 import { fragmentOf } from "../../src/mission/address";
 import { missionInText, understood } from "../../src/mission/given";
 import { decodeLink, encodeLink } from "../../src/mission/link";
-import { missionFile } from "../../src/mission/mission_file";
+import { missionFile, queryOfFile } from "../../src/mission/mission_file";
 import { mapsOfPlan, missionOfPlan } from "../../src/mission/plan_mission";
 import { planOf } from "../domain/plans";
+import { Random } from "./random";
+import { height, randomMission, sorted, width } from "./random_mission";
 
 const file = (name: string, ...parts: BlobPart[]) => Object.assign(new Blob(parts), { name }) as unknown as File;
 const kindOf = async (...files: File[]) => (await understood(files)).kind;
+const yard = freshMission("yard.map", { start: [1, 2], goal: [3, 4] });
+const tenWide = { width: 10, cell: 2 };
 const query = "map=a.map&start=1,2&goal=3,4&removals=5";
 
 it("tells maps, plans and missions apart by what is in them", async () => {
@@ -17,10 +21,7 @@ it("tells maps, plans and missions apart by what is in them", async () => {
   expect(await kindOf(file("a.tif", new Uint8Array([73, 73, 42, 0, 123])))).toBe("map");
   expect(await kindOf(file("a.xml", "<map>see http://x.org/#map=a</map>"))).toBe("map");
   expect(await kindOf(file("p.txt", JSON.stringify(planOf({ after: 9 }))))).toBe("plan");
-  expect(await understood([file("m.json", missionFile(query))])).toEqual({
-    kind: "mission",
-    query: new URLSearchParams(query).toString(),
-  });
+  expect(await kindOf(file("m.json", missionFile(yard, tenWide, 3)))).toBe("mission file");
   expect(await kindOf(file("m.url", `[InternetShortcut]\nURL=http://localhost:8080/#${query}\n`))).toBe("mission");
 });
 
@@ -60,11 +61,70 @@ it("finds the mission of a link in a text", async () => {
   expect(await missionInText("no link")).toBeNull();
 });
 
-it("a mission file says what the link says", async () => {
-  const mission = { ...freshMission("b c.map", { start: [1, 2], goal: [3, 4] }), groundSpeed: 2.5 };
-  const given = await understood([file("mission.json", missionFile(encodeLink(mission, 10)))]);
-  if (given.kind !== "mission") throw new Error(given.kind);
-  expect(decodeLink(given.query, "b c.map", mission.markers, 10, 10)).toEqual({ mission, complaints: [] });
+const missionIn = (text: string, cell = 2) => {
+  const said = queryOfFile(JSON.parse(text) as Record<string, unknown>, cell);
+  return said && { ...decodeLink(said.query, "yard.map", yard.markers, 10, 10), leftOut: said.leftOut };
+};
+
+it("a mission file brings back all of a mission", () => {
+  const wall = wallKey([4, 5], 10);
+  const missions: Mission[] = [
+    yard,
+    { ...yard, groundSpeed: 2.5, radius: 1.5, breachTime: 3, breachTimePerCell: 0.5, objective: "flowtime", time: 7.5 },
+    { ...yard, markers: { ...yard.markers, air_start: [9, 9], air_goal: [0, 0] }, removals: 5, layers: ["before"] },
+    { ...yard, method: "paper", removals: 1, walls: [[4, 5, 1]], erased: [[0, 3, 2]] },
+    { ...yard, walls: [[4, 5, 1]], marks: new Map([[3, "protect"], [7, "force"], [8, "exclude"], [wall, "force"]]) },
+    { ...yard, removals: "auto", price: 4, marks: new Map([[wall, "allow"]]), walls: [[4, 5, 1]] },
+  ];
+  for (const mission of missions) {
+    expect(missionIn(missionFile(mission, tenWide, 3))).toEqual({ mission, complaints: [], leftOut: [] });
+  }
+});
+
+it("a mission file brings back every mission", () => {
+  const random = new Random(2);
+  for (let i = 0; i < 300; ++i) {
+    const speed = () => random.oneOf([1, 10, 2.5, 0.3]); // cells keep 15 digits of metres
+    const mission = { ...randomMission(random), groundSpeed: speed(), airSpeed: speed() };
+    const cell = random.oneOf([1, 2, 2.4, 0.05]);
+    const said = queryOfFile(JSON.parse(missionFile(mission, { width, cell }, 3)) as Record<string, unknown>, 7);
+    expect(said?.leftOut).toEqual([]);
+    const { mission: back, complaints } = decodeLink(said!.query, mission.map, mission.markers, width, height);
+    expect(complaints).toEqual([]);
+    expect(sorted(back)).toEqual(sorted(mission));
+  }
+});
+
+it("a mission file is the command line's, in cells", () => {
+  const said = JSON.parse(missionFile({ ...yard, groundSpeed: 3, removals: "auto", marks: new Map([[3, "protect"]]) }, tenWide, 4));
+  expect(said).toMatchObject({
+    format: "waybreaker-mission/1",
+    agents: [
+      { id: "ground", kind: "ground", start: [1, 2], goal: [3, 4], speed: 1.5, radius: 0.5 },
+      { id: "air", kind: "air", start: [1, 2], goal: [3, 4] },
+    ],
+    rules: { removals: 4, protect: [3], force: [], timing: "enforce", objective: "makespan" },
+    method: { select: "exact" },
+    page: { map: "yard.map", removals: "auto", cell_size: 2 },
+  });
+});
+
+it("a mission file of the command line opens, and what the page cannot ask is said", () => {
+  const agents = [
+    { id: "g", kind: "ground", start: [1, 2], goal: [3, 4], speed: 2, corners: "cut" },
+    { id: "a", kind: "air", start: [1, 2], goal: [5, 5] },
+  ];
+  const document = { format: "waybreaker-mission/1", agents, rules: { removals: 2, budget: 12, force: [6] } };
+  const found = missionIn(JSON.stringify(document));
+  expect(found?.mission).toMatchObject({ removals: 2, groundSpeed: 4, airSpeed: 2, markers: { air_goal: [5, 5] } });
+  expect(found?.mission.marks).toEqual(new Map([[6, "force"]]));
+  expect(found?.leftOut).toEqual(["budget", "corners"]);
+  expect(missionIn(JSON.stringify({ ...document, agents: [agents[0], agents[0], agents[1]] }))).toBeNull();
+});
+
+it("a mission file of former versions, a link line by line, still opens", () => {
+  const link = Object.fromEntries(new URLSearchParams(encodeLink({ ...yard, removals: 6 }, 10)));
+  expect(missionIn(JSON.stringify({ format: "waybreaker-mission/1", ...link }))?.mission.removals).toBe(6);
 });
 
 it("a plan file says its mission, in metres and seconds", () => {
