@@ -105,7 +105,8 @@ TEST(MissionFile, HasDefaultsForWhatItLeavesOut) {
     EXPECT_EQ(read.mission.rules.removals, Rules().removals);
     EXPECT_EQ(read.method.select, Selection::exact);
     EXPECT_EQ(read.limits.seconds, 3);
-    EXPECT_EQ(parse_mission(with(agents + std::string(R"(, "page": {"map": "a.map"})")), "m.json").mission.agents.size(), 1U);
+    EXPECT_EQ(
+        parse_mission(with(agents + std::string(R"(, "page": {"map": "a.map"})")), "m.json").mission.agents.size(), 1U);
     EXPECT_EQ(parse_mission(with(agents + std::string(R"(, "limits": {"seconds": null})")), "m.json", {.seconds = 3})
                   .limits.seconds,
               infinity);
