@@ -70,6 +70,11 @@ void judge_by_planning(const io::PlanFile& file, const Map& map, double toleranc
     if (plan.bound && again.bound && !again.limit_reached && *plan.bound > *again.bound * (1 + tolerance)) {
         report(Rule::bound, "the bound", *plan.bound, *again.bound);
     }
+    if (plan.least_demolition && again.least_demolition && !again.limit_reached &&
+        *plan.least_demolition > *again.least_demolition) {
+        report(Rule::bound, "what plans as good demolish at least, in cells,", double(*plan.least_demolition),
+               double(*again.least_demolition));
+    }
 }
 
 void run(const CheckOptions& options) {

@@ -59,7 +59,7 @@ std::string kept(const geo::LabelTiff& tiff) {
     return counts.empty() ? "" : fmt::format("; {}", fmt::join(counts, ", "));
 }
 
-// What a profile adds: ", 3.1 % water, 0.8 % forbidden; 4 protected (hospitals, ...)".
+// What a profile adds: ", 3.1 % water, 0.8 % forbidden; 4 protected (hospitals, ...; ...)".
 std::string ground_of(const geo::ImportReport& report) {
     if (report.profile == geo::Profile::paper) return "";
     const Map& map = report.tiff.map;
@@ -72,7 +72,8 @@ std::string ground_of(const geo::ImportReport& report) {
                             site::obstacle_kind_words[std::size_t(kind)]);
     }
     if (report.sheltered == 0) return text;
-    return text + fmt::format("; {} protected ({})", report.sheltered, geo::protection(report.profile).text);
+    return text + fmt::format("; {} protected ({}; --destructible and --protected choose others)", report.sheltered,
+                              geo::protection(report.profile).text);
 }
 
 std::string summary_line(const std::string& file, const geo::ImportReport& report, const char* things) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -52,6 +53,24 @@ std::string ground_text(const mapfile::GroundSummary& ground) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
+// "3 building=church, 1 amenity=school": of what cannot be destroyed, the most frequent first. That something is a
+// building goes without saying.
+std::string protected_text(const io::MapFile& file) {
+    constexpr std::size_t most = 8;
+    std::vector<std::pair<std::size_t, std::string>> counts;
+    for (const auto& [tag, count] : mapfile::protected_tags(file)) {
+        if (tag != "building=yes") counts.emplace_back(count, tag);
+    }
+    std::ranges::stable_sort(counts, std::ranges::greater(), &std::pair<std::size_t, std::string>::first);
+    std::vector<std::string> words;
+    for (const auto& [count, tag] : counts) words.push_back(fmt::format("{} {}", count, tag));
+    if (words.size() > most) {
+        words.resize(most);
+        words.emplace_back("...");
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
 std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary) {
     const Map& map = file.map;
     const auto line = [](const std::string& name, const std::string& value) {
@@ -66,6 +85,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     text += line("blocked", fmt::format("{} cells, {:.1f} %", summary.blocked, 100 * summary.density));
     if (const auto ground = mapfile::summarise_ground(file)) text += line("ground", ground_text(*ground));
     if (file.unknown > 0) text += line("unknown", fmt::format("{} cells", file.unknown));
+    text += line("protected", protected_text(file));
     text += line("obstacles", std::to_string(map.obstacles().size()));
     if (!file.sections.empty()) {
         text +=

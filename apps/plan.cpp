@@ -53,12 +53,14 @@ bool wants_bold() {
     return isatty(STDOUT_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
 }
 
-render::PictureOptions picture_options(const io::MapFile& map, Objective objective) {
+render::PictureOptions picture_options(const io::PlanContext& context) {
+    const io::MapFile& map = context.map;
     return {.cell_size = map.cell_size,
             .metres = map.has_metres(),
+            .seconds = context.in_seconds,
             .title = map.title.empty() ? map.source : map.title,
             .attribution = map.attribution,
-            .objective = objective,
+            .objective = context.mission.rules.objective,
             .background = map.background,
             .kinds = map.kinds,
             .sections = map.sections};
@@ -82,7 +84,8 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
                                     .timing_fields = context.timing_fields,
                                     .image = context.image,
                                     .front = front,
-                                    .area_budget = context.area_budget});
+                                    .area_budget = context.area_budget,
+                                    .in_seconds = context.in_seconds});
     };
     const auto add = [&](const std::string& name, const Mission& mission, const Method& method) {
         const Plan plan = planner.plan(context.map.map, mission, method, what_is_left());
@@ -117,7 +120,7 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         plan.next.clear();
     }
     const io::MapFile& file = context.map;
-    const render::PictureOptions picture = picture_options(file, context.mission.rules.objective);
+    const render::PictureOptions picture = picture_options(context);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
     if (!options.png.empty())
@@ -223,7 +226,8 @@ void run(const PlanOptions& options) {
                                   .timing_fields = !options.no_timing,
                                   .image = options.image,
                                   .front = options.removals_auto ? std::span(plans) : std::span<const Plan>(),
-                                  .area_budget = asked.area_budget};
+                                  .area_budget = asked.area_budget,
+                                  .in_seconds = asked.in_seconds};
     write_outputs(std::move(outputs), options, context, plan, asked.limits, deadline);
     require_plan(plan, asked.mission, asked.limits);
 }

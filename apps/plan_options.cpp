@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <climits>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
+#include "io/excerpt.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
+#include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "option.hpp"
 #include "waybreaker/error.hpp"
@@ -18,12 +24,7 @@ namespace {
 const Choices<bool> move_counts{{"8", true}, {"4", false}};
 
 constexpr int most_auto_removals = 32;
-
-constexpr Range speeds{least_speed, most_speed};
-constexpr Range breach_times{0, most_breach_time};
-constexpr double largest_radius = 32;
-constexpr std::size_t max_scenario_bytes = std::size_t{1} << 26U;
-constexpr double default_seconds = 10;
+constexpr std::size_t most_shown = 40;  // of what was given, in an error
 
 // A whole number, or "auto".
 void add_removals(CLI::App& command, PlanOptions& options) {
@@ -37,6 +38,52 @@ void add_removals(CLI::App& command, PlanOptions& options) {
     option->type_name("N|auto");
 }
 
+// Ids at the beginning of a list: "17,4,amenity=hospital"; what comes behind is left in `text`.
+std::vector<ObstacleId> take_ids(std::string_view& text) {
+    std::vector<ObstacleId> ids;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        std::uint32_t id = 0;
+        const auto [rest, error] = std::from_chars(text.data(), text.data() + end, id);
+        if (error != std::errc() || id == 0 || rest != text.data() + end || end + 1 == text.size()) break;
+        ids.push_back({id});
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return ids;
+}
+
+bool begins_tag(std::string_view text) {
+    const char c = text.empty() ? ' ' : text.front();
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '*';
+}
+
+void add_protect(CLI::App& command, PlanOptions& options) {
+    const auto read = [&options](const std::string& given) {
+        std::string_view tags = given;
+        const std::vector<ObstacleId> ids = take_ids(tags);
+        options.protect.insert(options.protect.end(), ids.begin(), ids.end());
+        if (tags.empty() && !ids.empty()) return;
+        try {
+            if (!begins_tag(tags)) {
+                throw InputError(
+                    fmt::format("'{}' is not a list of obstacles: give their numbers, such as 17,4, or tags, such as "
+                                "amenity=hospital,school",
+                                io::excerpt(given, most_shown)));
+            }
+            std::ranges::move(site::parse_tag_filters(std::string(tags)), std::back_inserter(options.protect_tags));
+        } catch (const InputError& error) {
+            throw CLI::ValidationError("--protect", error.what());
+        }
+    };
+    command
+        .add_option_function<std::string>(
+            "--protect", read,
+            "Obstacles that must stay: their numbers, or tags and names of what they are: amenity=hospital,school or "
+            "'name=St. Mary*'; can be given several times")
+        ->type_name("ID,...|TAG,...")
+        ->trigger_on_parse();
+}
+
 void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--mission", options.mission,
              "Read the mission from a mission file (JSON); other options override what it says");
@@ -45,28 +92,32 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_count(
         command, "--count", [&options](std::int64_t n) { options.count = int(n); }, 1, most_agents,
         "Only so many of them, the first ones (default: all)");
-    add_number(
-        command, "--separation", [&options](double room) { options.separation = room; }, {0, largest_radius}, "CELLS",
-        "Room between any two ground agents (default: 0)");
+    add_measure(command, "--separation", options.separation, radii, "m", "LENGTH",
+                "Room between any two ground agents, in cells, or metres such as 2m (default: 0)");
     add_choice(command, "--at-goal", io::at_goal_words, options.at_goal,
                "Whether ground agents that have arrived stay, in the way of others, or leave (default: stay)");
-    add_cell(command, "--start", options.start, "Cell where both agents start (default: as the map file says)");
-    add_cell(command, "--goal", options.goal, "Cell where both agents end (default: as the map file says)");
-    add_cell(command, "--air-start", options.air_start, "Cell where the air agent starts, if elsewhere");
-    add_cell(command, "--air-goal", options.air_goal, "Cell where the air agent ends, if elsewhere");
-    add_number(
-        command, "--ground-speed", [&options](double speed) { options.ground_speed = speed; }, speeds, "SPEED",
-        "Cells per unit of time that the ground agent drives (default: 1)");
-    add_number(
-        command, "--air-speed", [&options](double speed) { options.air_speed = speed; }, speeds, "SPEED",
-        "Cells per unit of time that the air agent flies (default: 1)");
-    add_number(
-        command, "--breach-time", [&options](double time) { options.breach_time = time; }, breach_times, "TIME",
-        "How long the air agent stays to breach an obstacle, beside what the map says of each (default: 0)");
-    add_number(
-        command, "--breach-time-per-cell", [&options](double time) { options.breach_time_per_cell = time; },
-        breach_times, "TIME", "How much longer for each cell of the obstacle (default: 0)");
-    add_obstacles(command, "--protect", options.protect, "Obstacles that must stay");
+    add_place(command, "--start", options.start, "Where both agents start (default: as the map file says)");
+    add_place(command, "--goal", options.goal, "Where both agents end (default: as the map file says)");
+    add_place(command, "--air-start", options.air_start, "Where the air agent starts, if elsewhere");
+    add_place(command, "--air-goal", options.air_goal, "Where the air agent ends, if elsewhere");
+    command.add_flag("--lonlat", options.lon_lat,
+                     "These places are longitude and latitude, in degrees: 13.3777,52.5163; not cells");
+    command
+        .add_flag("--map-metres", options.map_metres,
+                  "These places are metres of the map's frame, x to the right and y up, as a robot knows them: "
+                  "-1.5,0.25; not cells")
+        ->excludes("--lonlat");
+    add_measure(command, "--ground-speed", options.ground_speed, speeds, "m/s", "SPEED",
+                "How fast the ground agent drives, in cells per unit of time, or as 1.5m/s: a unit of time is then a "
+                "second (default: 1)");
+    add_measure(command, "--air-speed", options.air_speed, speeds, "m/s", "SPEED",
+                "How fast the air agent flies, likewise (default: 1)");
+    add_measure(command, "--breach-time", options.breach_time, breach_times, "s", "TIME",
+                "How long the air agent stays to breach an obstacle, beside what the map says of each; with s, such as "
+                "30s, in seconds, at 1 m/s if no speeds are given (default: 0)");
+    add_measure(command, "--breach-time-per-cell", options.breach_time_per_cell, breach_times, "s", "TIME",
+                "How much longer for each cell of the obstacle (default: 0)");
+    add_protect(command, options);
     add_obstacles(command, "--force", options.force, "Obstacles that must go; they count among the removals");
     add_connectivity(command, options.connectivity);
     add_image_reading(command, options.image);
@@ -91,6 +142,33 @@ void add_budget(CLI::App& command, PlanOptions& options) {
     });
 }
 
+// A share, as such or in per cent: "0.005", "0.5%".
+void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
+    const auto read = [&options](const std::string& given) {
+        constexpr std::string_view name = "--minimise-demolition";
+        constexpr double usual = 0.005;
+        const bool percent = given.ends_with('%');
+        double share = 0;
+        const char* const last = given.data() + given.size() - (percent ? 1 : 0);
+        const auto [end, error] = std::from_chars(given.data(), last, share);
+        if (percent) share /= 100;
+        if (given.empty()) share = usual;
+        if (!given.empty() && (error != std::errc() || end != last || !(share >= 0 && share <= 1))) {
+            throw CLI::ValidationError(
+                std::string(name),
+                fmt::format("'{}' is not a share from 0 to 1, such as 0.005 or 0.5%", io::excerpt(given, most_shown)));
+        }
+        options.minimise_demolition = share;
+    };
+    command
+        .add_option_function<std::string>("--minimise-demolition", read,
+                                          "Of the plans that are at most that much worse than the best one, take the "
+                                          "one that demolishes the smallest "
+                                          "area (default: 0.5%, of the objective)")
+        ->type_name("TOLERANCE")
+        ->expected(0, 1);
+}
+
 void add_method_options(CLI::App& command, PlanOptions& options) {
     command.add_flag("--paper", options.paper,
                      "The paper's method: --select hits --flight nearest --timing ignore --planner theta; for -n 1 its "
@@ -101,6 +179,7 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
                "often, as in the paper; again and again the one that shortens the ground path most; or none "
                "(default: exact)");
     add_budget(command, options);
+    add_minimise_demolition(command, options);
     add_file(command, "--weights", options.weights,
              "Weights of obstacles: a file with lines \"ID WEIGHT\", or the word cells for each obstacle's number of "
              "cells");
@@ -137,8 +216,8 @@ void add_search_options(CLI::App& command, PlanOptions& options) {
         "Of two equally promising nodes take the one farther from (g-max) or nearer to the start (default: g-max)");
     add_choice(command, "--corners", io::corner_words, options.corners,
                "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
-    add_length(command, "--radius", options.radius, largest_radius,
-               "Radius of the ground agent; 0 for a point (default: 0.5)");
+    add_measure(command, "--radius", options.radius, radii, "m", "LENGTH",
+                "Radius of the ground agent, in cells, or metres such as 0.8m; 0 for a point (default: 0.5)");
     add_choice(command, "--moves", move_counts, options.diagonal, "Steps from a cell (default: 8)");
     add_count(
         command, "--expansion-limit", [&options](std::int64_t n) { options.expansion_limit = std::uint64_t(n); }, 1,
@@ -160,12 +239,11 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
                      "Leave out measured times, so that equal input gives equal bytes");
 }
 
-// Whether an option applies only to a search with a heuristic.
+}  // namespace
+
 bool needs_search(const PlanOptions& options) {
     return options.heuristic || options.weight || options.tie_break || !options.trace.empty();
 }
-
-}  // namespace
 
 void add_plan_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "MAP", options.map,
@@ -201,6 +279,9 @@ void validate(const PlanOptions& options) {
     if (options.paper && options.timing == Timing::enforce) {
         throw InputError("--paper stands for --timing ignore, which --timing enforce contradicts; drop one of them");
     }
+    if (options.paper && options.minimise_demolition) {
+        throw InputError("--minimise-demolition needs --select exact, which --paper contradicts; drop one of them");
+    }
     NamedFiles outputs = named_outputs(options.exports);
     outputs.insert(outputs.begin(), {{"--json", options.json},
                                      {"--svg", options.svg},
@@ -214,162 +295,6 @@ void validate(const PlanOptions& options) {
                             {"--agents", options.agents}};
     validate_inputs(inputs);
     validate_outputs(outputs, inputs);
-}
-
-std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
-                                              const io::MapFile& map) {
-    if (mission.area_budget && !options.weights.empty()) {
-        throw InputError("a budget of square metres weighs obstacles by their area, which --weights contradicts");
-    }
-    if (mission.area_budget) return io::area_weights(map);
-    if (options.weights.empty()) return std::nullopt;
-    if (options.weights != "cells") return io::read_weights(options.weights, map.map);
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(obstacle.cells);
-    return weights;
-}
-
-namespace {
-
-// The first lines of a scenario file, named by their numbers.
-std::vector<Agent> scenario_agents(const PlanOptions& options, const Map& map) {
-    const std::string text = io::read_whole(options.agents, max_scenario_bytes);
-    std::vector<Scenario> scenarios = read_movingai_scenarios(text, io::input_name(options.agents));
-    const std::size_t count = std::size_t(options.count.value_or(int(std::min(scenarios.size(), most_agents))));
-    if (scenarios.empty()) throw InputError(io::input_name(options.agents), 0, "holds no scenarios");
-    if (count > scenarios.size()) {
-        throw InputError(io::input_name(options.agents), 0,
-                         fmt::format("has {} scenarios; give a smaller --count", scenarios.size()));
-    }
-    std::vector<Agent> agents(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (scenarios[i].width != map.width() || scenarios[i].height != map.height()) {
-            throw InputError(io::input_name(options.agents), 0,
-                             fmt::format("is for a map of {} x {} cells, not {} x {}", scenarios[i].width,
-                                         scenarios[i].height, map.width(), map.height()));
-        }
-        agents[i].id = std::to_string(i + 1);
-        agents[i].start = scenarios[i].start;
-        agents[i].goal = scenarios[i].goal;
-    }
-    return agents;
-}
-
-void validate_team_options(const PlanOptions& options, const Mission& mission) {
-    if (options.count && options.agents.empty()) throw InputError("--count is for --agents FILE");
-    if (!options.agents.empty() && !options.mission.empty()) {
-        throw InputError("--agents and --mission both say who the agents are; drop one of them");
-    }
-    const bool places = options.start || options.goal || options.air_start || options.air_goal;
-    const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
-    if (mission.is_team() && ways) {
-        throw InputError(
-            "--paper, --select, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground "
-            "and one air agent");
-    }
-    const bool removes = options.removals.value_or(0) > 0 || options.budget || !options.weights.empty();
-    if (mission.is_team() && removes) {
-        throw InputError(
-            "-n, --budget and --weights are not for teams: nothing can be removed for one yet; -n 0 says so");
-    }
-    if (mission.is_team() && places) {
-        throw InputError(
-            "--start and --goal are for one ground and one air agent; the agents have places of their own");
-    }
-}
-
-void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
-    if (!options.agents.empty()) mission.agents = scenario_agents(options, map.map);
-    validate_team_options(options, mission);
-    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
-                              const char* option) {
-        if (given) return *given;
-        if (map.task && (*map.task).*in_file) return *((*map.task).*in_file);
-        throw InputError(fmt::format("{} X,Y is missing, and {} does not say it", option, map.source));
-    };
-    if (mission.agents.empty()) {
-        mission = ground_and_air(place(options.start, &io::MapTask::start, "--start"),
-                                 place(options.goal, &io::MapTask::goal, "--goal"));
-        if (map.task) mission.agents.front().body = map.task->search.body;
-    }
-    for (Agent& agent : mission.agents) {
-        const bool flies = agent.kind == AgentKind::air;
-        if (options.start) agent.start = *options.start;
-        if (options.goal) agent.goal = *options.goal;
-        if (flies) {
-            agent.start = options.air_start.value_or(agent.start);
-            agent.goal = options.air_goal.value_or(agent.goal);
-        } else {
-            agent.body.corners = options.corners.value_or(agent.body.corners);
-            agent.body.radius = options.radius.value_or(agent.body.radius);
-        }
-        agent.speed = (flies ? options.air_speed : options.ground_speed).value_or(agent.speed);
-    }
-}
-
-void set_rules(const PlanOptions& options, const Map& map, Rules& rules) {
-    if (options.budget) {
-        rules.budget = *options.budget;
-        // Without --removals, the budget replaces the count.
-        if (options.mission.empty()) rules.removals = int(std::min<std::size_t>(map.obstacles().size(), INT_MAX));
-    }
-    rules.removals = options.removals.value_or(rules.removals);
-    rules.breach_time.per_obstacle = options.breach_time.value_or(rules.breach_time.per_obstacle);
-    rules.breach_time.per_cell = options.breach_time_per_cell.value_or(rules.breach_time.per_cell);
-    if (!options.protect.empty()) rules.protect = options.protect;
-    if (!options.force.empty()) rules.force = options.force;
-    rules.objective = options.objective.value_or(rules.objective);
-    rules.separation = options.separation.value_or(rules.separation);
-    rules.at_goal = options.at_goal.value_or(rules.at_goal);
-}
-
-void set_method(const PlanOptions& options, Method& method) {
-    method.select = options.select.value_or(method.select);
-    method.flight = options.flight.value_or(method.flight);
-    method.planner = options.planner.value_or(method.planner);
-    if (options.heuristic) method.heuristic = options.heuristic;
-    method.weight = options.weight.value_or(method.weight);
-    method.tie_break = options.tie_break.value_or(method.tie_break);
-    method.diagonal = options.diagonal.value_or(method.diagonal);
-    method.bound = method.bound || options.bound;
-    method.explain = method.explain || options.explain;
-}
-
-}  // namespace
-
-io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map) {
-    const Limits limits{.seconds = default_seconds};
-    io::MissionDocument result{.mission = {}, .limits = limits};
-    if (!options.mission.empty()) result = io::read_mission_file(options.mission, limits);
-    Mission& mission = result.mission;
-    Method& method = result.method;
-    const bool from_map = map.task && options.mission.empty() && options.agents.empty();
-    set_agents(options, map, mission);
-    set_rules(options, map.map, mission.rules);
-    if (options.budget) result.area_budget = options.area_budget;
-    if (from_map) {
-        const SearchOptions& search = map.task->search;
-        method.heuristic = search.heuristic;
-        method.weight = search.weight;
-        method.tie_break = search.tie_break;
-        method.diagonal = search.diagonal;
-        method.planner = search.planner;
-    } else if (needs_search(options)) {
-        method.planner = Planner::theta;
-    }
-    if (options.paper) follow_paper(mission.rules, method);
-    set_method(options, method);
-    mission.rules.timing = options.timing.value_or(mission.rules.timing);
-    result.limits.seconds = options.time_limit.value_or(result.limits.seconds);
-    result.limits.expansions = options.expansion_limit.value_or(result.limits.expansions);
-    const Planner planner = planner_of(method, mission.ground_body());
-    if (options.planner == Planner::optimal && planner != Planner::optimal) {
-        throw InputError(
-            "--planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits; "
-            "drop it, or the option that contradicts it");
-    }
-    method.planner = planner;
-    return result;
 }
 
 }  // namespace waybreaker::apps

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "io/map_file.hpp"
 #include "io/mission_json.hpp"
+#include "measure.hpp"
 #include "plan_exports.hpp"
 #include "waybreaker/method.hpp"
 
@@ -20,31 +21,28 @@ struct PlanOptions {
     std::string mission;  // a mission file
     std::string agents;   // a scenario file
     std::optional<int> count;
-    std::optional<Cell> start;
-    std::optional<Cell> goal;
-    std::optional<Cell> air_start;
-    std::optional<Cell> air_goal;
+    std::optional<GivenPlace> start;
+    std::optional<GivenPlace> goal;
+    std::optional<GivenPlace> air_start;
+    std::optional<GivenPlace> air_goal;
 
-    bool paper = false;
     std::optional<int> removals;
-    bool removals_auto = false;  // as many as gain anything
     std::optional<Selection> select;
     std::optional<double> budget;
-    bool area_budget = false;  // it is one of square metres
     std::string weights;
-    bool bound = false;
-    bool explain = false;
     std::optional<double> time_limit;  // seconds, of the whole call
     std::optional<FlightRule> flight;
     std::optional<Timing> timing;
-    std::optional<double> ground_speed;
-    std::optional<double> air_speed;
-    std::optional<double> breach_time;
-    std::optional<double> breach_time_per_cell;
+    std::optional<Measure> ground_speed;
+    std::optional<Measure> air_speed;
+    std::optional<Measure> breach_time;
+    std::optional<Measure> breach_time_per_cell;
     std::vector<ObstacleId> protect;
+    std::vector<site::TagFilter> protect_tags;  // beside these
     std::vector<ObstacleId> force;
     std::optional<Objective> objective;
-    std::optional<double> separation;
+    std::optional<double> minimise_demolition;
+    std::optional<Measure> separation;
     std::optional<AtGoal> at_goal;
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;
@@ -54,7 +52,7 @@ struct PlanOptions {
     std::optional<double> weight;
     std::optional<TieBreak> tie_break;
     std::optional<Corners> corners;
-    std::optional<double> radius;
+    std::optional<Measure> radius;
     std::optional<bool> diagonal;
     std::optional<std::uint64_t> expansion_limit;
 
@@ -66,10 +64,20 @@ struct PlanOptions {
     std::string html;
     std::string trace;
     PlanExports exports;
+    bool paper = false;
+    bool removals_auto = false;  // as many removals as gain anything
+    bool area_budget = false;    // the budget is one of square metres
+    bool bound = false;
+    bool explain = false;
     bool no_timing = false;
+    bool lon_lat = false;     // places of agents are degrees
+    bool map_metres = false;  // they are metres of the map's frame
 };
 
 void add_plan_options(CLI::App& command, PlanOptions& options);
+
+// Whether an option applies only to a search with a heuristic.
+bool needs_search(const PlanOptions& options);
 
 // Throws InputError, naming the options, if they contradict each other.
 void validate(const PlanOptions& options);

@@ -66,25 +66,41 @@ bool unit_speeds(const Mission& mission) {
         mission.agents, [](double speed) { return speed == 1; }, &Agent::speed);
 }
 
+bool times_are_lengths(const io::PlanContext& context) {
+    return !context.in_seconds && unit_speeds(context.mission);
+}
+
+const char* time_unit(const io::PlanContext& context) {
+    return context.in_seconds ? "seconds" : unit_speeds(context.mission) ? "cells at speed 1" : "units of time";
+}
+
+// "time", in seconds "time (s)".
+std::string timed(const char* what, const io::PlanContext& context) {
+    return what + std::string(context.in_seconds ? " (s)" : "");
+}
+
 // The map, the mission, and what the figures are in.
 std::string heading(const io::PlanContext& context, const TableStyle& style) {
     const Map& map = context.map.map;
     std::string line = fmt::format("{}: {} x {} cells", context.map.source, map.width(), map.height());
     if (style.metres) line += fmt::format(" of {:.6g} m", context.map.cell_size);
     line += fmt::format(", {} {}\n", map.obstacles().size(), map.obstacles().size() == 1 ? "obstacle" : "obstacles");
-    const std::string team_units = fmt::format("lengths in cells, times in {}\n",
-                                               unit_speeds(context.mission) ? "cells at speed 1" : "units of time");
+    const std::string team_units = fmt::format("lengths in cells, times in {}\n", time_unit(context));
     if (context.mission.is_team()) {
         const std::size_t count = context.mission.agents.size();
         return line + fmt::format("{} {}\n", count, count == 1 ? "agent" : "agents") + team_units;
     }
     for (const Agent& agent : context.mission.agents) {
         line += fmt::format("{} agent from {} to {}", agent.id, text(agent.start), text(agent.goal));
-        line += unit_speeds(context.mission) ? "\n" : fmt::format(", {:.6g} cells per unit of time\n", agent.speed);
+        if (context.in_seconds && style.metres) {
+            line += fmt::format(", {:.6g} m/s\n", agent.speed * context.map.cell_size);
+        } else {
+            line += times_are_lengths(context) ? "\n" : fmt::format(", {:.6g} cells per unit of time\n", agent.speed);
+        }
     }
-    if (!unit_speeds(context.mission)) return line + "lengths in cells, times in units of time\n";
-    return line + fmt::format("lengths in cells, times in cells at speed 1{}\n",
-                              style.metres ? " and in seconds at 1 m/s" : "");
+    const bool walking = style.metres && times_are_lengths(context);
+    return line + fmt::format("lengths in cells, times in {}{}\n", time_unit(context),
+                              walking ? " and in seconds at 1 m/s" : "");
 }
 
 // The first column as wide in one table as in the next, so that they stand under each other.
@@ -142,15 +158,16 @@ double waited(const Itinerary& agent) {
 
 // Each agent of a team, and all together: if each were alone, and as planned.
 std::string team(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
-    std::vector<Row> rows{{"agent", "from", "to", "alone", "length", "arrival", "wait"}};
+    std::vector<Row> rows{
+        {"agent", "from", "to", "alone", "length", timed("arrival", context), timed("wait", context)}};
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Itinerary& agent = plan.agents[i];
         rows.push_back({agent.id, text(agent.start), text(agent.goal), text(plan.before.routes[i].length, 3),
                         text(plan.after.routes[i].length, 3), text(agent.path.back().t, 3), text(waited(agent), 3)});
     }
     const double cell_size = context.map.cell_size;
-    const bool seconds = style.metres && unit_speeds(context.mission);
-    std::vector<Row> times{{"time", "alone", "together", "change"}};
+    const bool seconds = style.metres && times_are_lengths(context);
+    std::vector<Row> times{{timed("time", context), "alone", "together", "change"}};
     if (seconds) times.front().push_back("together (s)");
     const auto add = [&](const char* name, std::optional<double> alone, std::optional<double> together) {
         times.push_back({name, text(alone, 3), text(together, 3), change(alone, together)});
@@ -166,12 +183,12 @@ std::string outcomes(const Plan& plan, const io::PlanContext& context, const Tab
     const Outcome& before = plan.before;
     const Outcome& after = plan.after;
     const double cell_size = context.map.cell_size;
-    const bool seconds = style.metres && unit_speeds(context.mission);
+    const bool seconds = style.metres && times_are_lengths(context);
     return quantities("length",
                       {{"path A (ground)", before.ground().length, after.ground().length},
                        {"path B (air)", before.air().length, after.air().length}},
                       style.metres ? "m" : "", cell_size, style.bold) +
-           quantities("time",
+           quantities(timed("time", context),
                       {{"makespan", before.makespan, after.makespan}, {"flowtime", before.flowtime, after.flowtime}},
                       seconds ? "s" : "", cell_size, style.bold) +
            searches(before.ground(), after.ground(), context, style.bold);
@@ -194,6 +211,24 @@ std::string demolition(const Plan& plan, const io::MapFile& map) {
     return site::removals_text(all, map.sections) + ", " + extent + "\n";
 }
 
+// "no plan within 0.5 % of the best demolishes less"
+std::string least_demolition(const Plan& plan, const io::PlanContext& context) {
+    if (!plan.least_demolition) return "";
+    std::uint64_t cells = 0;
+    for (const Breach& breach : plan.breaches) cells += breach.cells;
+    const double percent = 100 * context.mission.rules.minimise_demolition.value_or(0);
+    const std::string as_good =
+        percent == 0 ? "as good as the best" : fmt::format("within {:.3g} % of the best", percent);
+    const std::uint64_t least = *plan.least_demolition;
+    if (least == 0) {
+        return fmt::format("of the plans {} that were found it demolishes least\n", as_good);
+    }
+    const io::MapFile& map = context.map;
+    const std::string extent =
+        map.has_metres() ? site::area_text(map.square_metres(least)) : fmt::format("{} cells", least);
+    return fmt::format("no plan {} demolishes less{}\n", as_good, least == cells ? "" : " than " + extent);
+}
+
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     const auto named = [](const Breach& breach) { return breach.source_id != 0; };
     const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
@@ -202,10 +237,11 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     const auto name_of = [&](const Breach& breach) { return context.map.name_of(breach.obstacle); };
     const bool names = !std::ranges::all_of(plan.breaches, &std::string_view::empty, name_of);
     const bool counted = context.method.select == Selection::hits;
-    std::vector<Row> rows{{"removed", "obstacle", "cells", "breach cell", "breached at", "entered at"}};
+    std::vector<Row> rows{
+        {"removed", "obstacle", "cells", "breach cell", timed("breached at", context), timed("entered at", context)}};
     if (counted) rows.front().insert(rows.front().begin() + 3, "hits");
     if (style.metres) rows.front().insert(rows.front().begin() + 3, "m\u00b2");
-    if (explained) rows.front().emplace_back("saves");
+    if (explained) rows.front().push_back(timed("saves", context));
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     if (names) rows.front().emplace_back("name");
     for (const Breach& breach : plan.breaches) {
@@ -219,9 +255,15 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);
         if (names) rows.back().emplace_back(name_of(breach));
     }
-    if (rows.size() > 1) return aligned(rows, style.bold, names) + demolition(plan, context.map);
+    if (rows.size() > 1) {
+        return aligned(rows, style.bold, names) + demolition(plan, context.map) + least_demolition(plan, context);
+    }
     if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
     if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";
+    if (plan.least_demolition) {
+        return fmt::format("nothing removed: no removal gains more than {:.3g} %\n",
+                           100 * context.mission.rules.minimise_demolition.value_or(0));
+    }
     return counted && context.mission.rules.timing == Timing::ignore
                ? "nothing removed: the search ran into no obstacle\n"
                : "nothing removed: no removal gains anything\n";
@@ -236,16 +278,24 @@ std::string words(Objective objective) {
 // What each further removal saves.
 std::string front(const io::PlanContext& context, const TableStyle& style) {
     if (context.front.empty()) return "";
-    std::vector<Row> rows{{"removals", words(context.mission.rules.objective), "saves", "no plan below", "obstacles"}};
+    std::vector<Row> rows{{"removals", timed(words(context.mission.rules.objective).c_str(), context),
+                           timed("saves", context), "no plan below"}};
+    if (style.metres) rows.front().emplace_back("m\u00b2");
+    rows.front().emplace_back("obstacles");
     std::optional<double> before;
     for (const Plan& plan : context.front) {
         const std::optional<double> reached = value(plan.after, context.mission.rules.objective);
         const std::optional<double> saves = before && reached ? std::optional(*before - *reached) : std::nullopt;
         std::vector<std::uint32_t> ids;
-        for (const Breach& breach : plan.breaches) ids.push_back(breach.obstacle.value);
+        std::uint32_t cells = 0;
+        for (const Breach& breach : plan.breaches) {
+            ids.push_back(breach.obstacle.value);
+            cells += breach.cells;
+        }
         std::ranges::sort(ids);
-        rows.push_back({std::to_string(rows.size() - 1), text(reached, 3), text(saves, 3), text(plan.bound, 3),
-                        ids.empty() ? nothing : fmt::format("{}", fmt::join(ids, " "))});
+        rows.push_back({std::to_string(rows.size() - 1), text(reached, 3), text(saves, 3), text(plan.bound, 3)});
+        if (style.metres) rows.back().push_back(area(cells, context.map));
+        rows.back().push_back(ids.empty() ? nothing : fmt::format("{}", fmt::join(ids, " ")));
         before = reached;
     }
     return aligned(rows, style.bold) + "\n";

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,9 @@ struct Rules {
     BreachTime breach_time = {};
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;
+    // Of the plans whose objective is at most this share above the best one's, the one that demolishes the fewest
+    // cells, 0 to 1; empty: the best plan, whatever it demolishes. For one ground and one air agent.
+    std::optional<double> minimise_demolition = {};
     // Of several ground agents: the room between any two of their discs, in cells, 0 to 32; and whether those that have
     // arrived are in the way of others.
     double separation = 0;

@@ -86,8 +86,10 @@ struct Plan {
     Outcome after = {};
     // A limit ended the choice: the plan is the best one found by then, and the bound what was proven.
     bool limit_reached = false;
-    std::optional<double> bound = {};    // proven lower limit of the objective; empty where the method proves none
-    std::optional<double> gap = {};      // objective / bound - 1; empty without a bound or a plan
+    std::optional<double> bound = {};  // proven lower limit of the objective; empty where the method proves none
+    std::optional<double> gap = {};    // objective / bound - 1; empty without a bound or a plan
+    // With Rules::minimise_demolition: no plan as good as asked for demolishes fewer cells, proven.
+    std::optional<std::uint64_t> least_demolition = {};
     std::vector<Breach> breaches = {};   // in the order of the flight
     std::vector<NextBreach> next = {};   // if asked for: at most one
     std::vector<Itinerary> agents = {};  // one for each agent of the mission, in its order; empty unless solved

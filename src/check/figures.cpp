@@ -102,12 +102,22 @@ void judge_bound_below(const Plan& plan, std::optional<double> reached, const st
     found.push_back({Rule::bound, "the bound, " + text(*plan.bound) + ", is above " + what + ", " + text(*reached)});
 }
 
+// That it is no more than what the plan demolishes.
+void judge_least_demolition(const Plan& plan, Violations& found) {
+    std::uint64_t cells = 0;
+    for (const Breach& breach : plan.breaches) cells += breach.cells;
+    if (plan.least_demolition.value_or(0) <= cells) return;
+    found.push_back({Rule::bound, "no plan is said to demolish less than " + std::to_string(*plan.least_demolition) +
+                                      " cells, but this one demolishes " + std::to_string(cells)});
+}
+
 }  // namespace
 
 void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
     const auto objective = [&](const Outcome& outcome) { return value(outcome, terms.rules.objective); };
     const std::optional<double> reached = objective(plan.after);
     judge_bound_below(plan, reached, "what the plan reaches", terms, found);
+    judge_least_demolition(plan, found);
     // To remove nothing is one of the plans that the bound speaks of, unless something must go.
     if (terms.rules.force.empty()) {
         judge_bound_below(plan, objective(plan.before), "what is reached without removals", terms, found);

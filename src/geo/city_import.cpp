@@ -67,6 +67,7 @@ site::LabelLayer labelled(const std::vector<Seen>& seen, const CellWindow& windo
         const std::string& name = one.footprint->name;
         if (!name.empty()) result.names.emplace(label, name);
         result.kinds.emplace(label, one.footprint->kind);
+        for (const std::string& tag : one.footprint->tags) result.tags[tag].push_back(label);
         result.attributes.push_back(attributes_of(one, choice));
     }
     return result;
@@ -163,7 +164,9 @@ void move_barriers(Ground& ground, const Window& window, std::vector<Footprint>&
                                   .area = area,
                                   .attributes = {.destructible = piece.destructible, .source_id = piece.source_id},
                                   .name = piece.name,
-                                  .kind = piece.use.kind});
+                                  .kind = piece.use.kind,
+                                  .sheltered = piece.sheltered,
+                                  .tags = piece.tags});
         }
         return true;
     });
@@ -216,10 +219,13 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
     if (options.merge_touching) cells = merged(cells, joins(seen), !options.choice.weight.of.empty());
     append_ground(ground, pieces, cells);
     if (!options.names) cells.names.clear();
-    if (options.profile == Profile::paper) cells.kinds.clear();
+    if (options.profile == Profile::paper) {
+        cells.kinds.clear();
+        cells.tags.clear();
+    }
     site::DescribedMap described = site::described(std::move(cells));
     if (const int side = section_side(options); side > 0) {
-        described = site::split(described.map, described.names, described.kinds, {.side = side});
+        described = site::split(described.map, described.names, described.kinds, described.tags, {.side = side});
     }
     LabelTiff tiff{.map = std::move(described.map),
                    .cell_size = options.cell,
@@ -229,16 +235,17 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
                    .names = std::move(described.names),
                    .background = background_within(material.survey.scenery, window.window.bounds, options.cell),
                    .kinds = std::move(described.kinds),
+                   .tags = std::move(described.tags),
                    .sections = std::move(described.sections)};
     ImportReport report{.tiff = std::move(tiff),
                         .covered = material.covered,
                         .profile = *options.profile,
                         .notes = material.survey.ground.notes};
     for (const Seen& one : seen) {
+        if (one.footprint->sheltered) ++report.sheltered;
         if (one.footprint->kind == Kind::barrier) continue;
         ++report.buildings;
         report.area += one.area;
-        if (one.footprint->sheltered) ++report.sheltered;
     }
     return report;
 }

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "geo/ground_rules.hpp"
+#include "geo/obstacle_names.hpp"
+
 namespace waybreaker::geo {
 namespace {
 
@@ -90,6 +93,16 @@ TagSet FeatureTags::all(const OGRFeature& feature) const {
         tags.emplace_back(std::move(*key), std::move(*value));
     }
     return TagSet(std::move(tags));
+}
+
+std::vector<std::string> FeatureTags::kept(const OGRFeature& feature) const {
+    std::vector<std::string> tags;
+    for (const std::string_view key : kept_keys) {
+        const std::optional<std::string> said = value(feature, std::string(key));
+        const std::string text = clean_name(said.value_or("no"));
+        if (!text.empty() && text != "no") tags.push_back(fmt::format("{}={}", key, text));
+    }
+    return tags;
 }
 
 // GDAL's OSM driver gives ways and relations a field each; elsewhere osm_id is what it is. Lines have ways alone.

@@ -32,6 +32,8 @@ class FeatureTags {
     std::optional<std::string> value(const OGRFeature& feature, const std::string& key) const;
     bool matches_any(const OGRFeature& feature, const std::vector<TagFilter>& filters) const;
     TagSet all(const OGRFeature& feature) const;
+    // "key=value" for each of the keys that maps keep and that says something.
+    std::vector<std::string> kept(const OGRFeature& feature) const;
     // The number a tag begins with ("12 m").
     std::optional<double> number(const OGRFeature& feature, const std::string& key) const;
 

@@ -166,6 +166,7 @@ std::vector<Footprint> scan(OGRLayer& layer, Kind kind, const ObstacleChoice& ch
         footprint.attributes = attributes_of(feature, tags, choice);
         footprint.name = name_of(feature, tags);
         footprint.kind = choice.obstacles.empty() ? site::ObstacleKind::building : site::ObstacleKind::unknown;
+        footprint.tags = tags.kept(feature);
         footprint.sheltered = tags.matches_any(feature, choice.shelter);
         if (footprint.sheltered) footprint.attributes.destructible = false;
         footprint.shape.reset(feature.StealGeometry());

@@ -20,7 +20,8 @@ struct Footprint {
     ObstacleAttributes attributes = {};  // of its source; quantities that go by area are not in here
     std::string name = {};               // what people call it, or its address; empty where unknown
     site::ObstacleKind kind = site::ObstacleKind::unknown;
-    bool sheltered = false;  // not destructible because of what it is, though nobody said so
+    bool sheltered = false;              // not destructible because of what it is, though nobody said so
+    std::vector<std::string> tags = {};  // those that maps keep, such as "building=church"
 };
 
 struct Footprints {

@@ -17,7 +17,9 @@ struct GroundPiece {
     std::unique_ptr<OGRGeometry> shape;  // in the window's system, not clipped; an area, or the middle line of a way
     std::int64_t source_id = 0;
     std::string name = {};
-    bool destructible = false;  // of a barrier, as the user wants it
+    bool destructible = false;           // of a barrier, as the user wants it
+    bool sheltered = false;              // of a barrier: not destructible because of what it is, though nobody said so
+    std::vector<std::string> tags = {};  // of a barrier, those that maps keep
 };
 
 struct Ground {

@@ -265,7 +265,7 @@ const Protection& protection(Profile profile) {
                                     {"historic"},
                                     {"heritage"}},
                                    "hospitals, schools, places of worship, heritage"};
-    return profile == Profile::rover ? people : nothing;
+    return profile == Profile::paper ? nothing : people;
 }
 
 const std::vector<TagFilter>& ground_keys() {

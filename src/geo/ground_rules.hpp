@@ -2,6 +2,7 @@
 // explains it in plain words.
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -40,12 +41,16 @@ std::vector<GroundUse> ground_uses(const TagSet& tags, site::Background::Shape s
 // Of a feature with the tag `building`: whether it stands on the ground and bars the way.
 bool stands_in_the_way(const TagSet& building);
 
-// Buildings that a profile does not destroy, and what they are called.
+// Buildings and barriers that a profile does not destroy, and what they are called.
 struct Protection {
     std::vector<TagFilter> filters;
     std::string_view text;
 };
 const Protection& protection(Profile profile);
+
+// Keys of the tags that maps keep of obstacles, so that people can name these by what they are.
+inline constexpr std::array<std::string_view, 6> kept_keys{"amenity",  "barrier",  "building",
+                                                           "heritage", "historic", "tourism"};
 
 // Every key by which a feature can have a use.
 const std::vector<TagFilter>& ground_keys();

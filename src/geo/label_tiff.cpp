@@ -13,6 +13,7 @@
 #include "geo/kinds_item.hpp"
 #include "geo/obstacle_metadata.hpp"
 #include "geo/sections_item.hpp"
+#include "geo/tags_item.hpp"
 #include "site/described_map.hpp"
 #include "waybreaker/error.hpp"
 
@@ -214,7 +215,8 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
                            .height = file->GetRasterYSize(),
                            .attributes = attributes,
                            .names = read_names(*file, name),
-                           .kinds = read_kinds(*file, name)};
+                           .kinds = read_kinds(*file, name),
+                           .tags = read_tags(*file, name)};
     read_sections(*file, name, layer);
     const int width = layer.width;
     const int height = layer.height;
@@ -238,6 +240,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
                    .names = std::move(described.names),
                    .background = std::move(background),
                    .kinds = std::move(described.kinds),
+                   .tags = std::move(described.tags),
                    .sections = std::move(described.sections),
                    .mask = mask};
     return tiff;
@@ -279,6 +282,7 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     for (const auto& [item, text] : obstacle_metadata(tiff.map)) set(item, text);
     set(names_item, names_text(tiff.names));
     set(kinds_item, kinds_text(tiff.kinds));
+    set(tags_item, tags_text(tiff.tags));
     set(sections_item, sections_text(tiff.sections));
     if (tiff.georeference) set(background_item, background_text(tiff.background, *tiff.georeference));
 

@@ -2,8 +2,9 @@
 //
 // What GDAL's tools keep is kept in its own places: coordinate system and cell size, the title as TIFF image
 // description, the attribution as TIFF copyright. What they have no place for, who each obstacle is
-// (obstacle_metadata.hpp, obstacle_names.hpp, kinds_item.hpp), of what it is a part (sections_item.hpp) and what lies
-// around them (background_item.hpp), stands in metadata items, which gdal_translate copies too: see docs/data.md.
+// (obstacle_metadata.hpp, obstacle_names.hpp, kinds_item.hpp, tags_item.hpp), of what it is a part (sections_item.hpp)
+// and what lies around them (background_item.hpp), stands in metadata items, which gdal_translate copies too: see
+// docs/data.md.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include "map/map_size.hpp"
 #include "site/background.hpp"
 #include "site/obstacle_kinds.hpp"
+#include "site/obstacle_tags.hpp"
 #include "site/sections.hpp"
 #include "waybreaker/map.hpp"
 
@@ -32,6 +34,7 @@ struct LabelTiff {
     site::ObstacleNames names = {};  // what people call the obstacles
     site::Background background = {};
     site::ObstacleKinds kinds = {};  // what the obstacles are
+    site::ObstacleTags tags = {};    // what the source says of them
     site::Sections sections = {};    // what they are parts of, where they are cut
     bool mask = false;               // the file says which cells are blocked, but not by which obstacle
 };

@@ -11,7 +11,8 @@ namespace {
 using site::LabelLayer;
 
 // The labels that do not join, with numbers after those of the components.
-void append_others(const LabelLayer& cells, const std::vector<bool>& joins, LabelLayer& result) {
+template <class TakeTags>
+void append_others(const LabelLayer& cells, const std::vector<bool>& joins, LabelLayer& result, TakeTags take_tags) {
     std::vector<std::uint32_t> number(joins.size(), 0);
     for (std::uint32_t label = 1; label < joins.size(); ++label) {
         if (joins[label]) continue;
@@ -20,6 +21,7 @@ void append_others(const LabelLayer& cells, const std::vector<bool>& joins, Labe
         result.kinds[number[label]] = cells.kinds.at(label);
         const auto name = cells.names.find(label);
         if (name != cells.names.end()) result.names[number[label]] = name->second;
+        take_tags(label, number[label]);
     }
     for (std::size_t i = 0; i < cells.labels.size(); ++i) {
         if (number[cells.labels[i]] != 0) result.labels[i] = number[cells.labels[i]];
@@ -39,6 +41,12 @@ LabelLayer merged(const LabelLayer& cells, const std::vector<bool>& joins, bool 
                       .height = cells.height,
                       .labels = label_components(grid, Connectivity::four),
                       .attributes = std::vector<ObstacleAttributes>(1)};
+    const auto tags_of = site::by_label(cells.tags);
+    const auto take_tags = [&](std::uint32_t from, std::uint32_t to) {
+        const auto said = tags_of.find(from);
+        if (said == tags_of.end()) return;
+        for (const std::string* tag : said->second) result.tags[*tag].push_back(to);
+    };
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> shares;  // cells by component and label
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (joins[labels[i]]) ++shares[{result.labels[i], labels[i]}];
@@ -48,6 +56,7 @@ LabelLayer merged(const LabelLayer& cells, const std::vector<bool>& joins, bool 
     for (const auto& [key, count] : shares) {
         const auto [component, label] = key;
         const ObstacleAttributes& part = cells.attributes[label];
+        take_tags(label, component);
         if (component == result.attributes.size()) {
             result.attributes.push_back(part);
             result.kinds[component] = cells.kinds.at(label);
@@ -70,7 +79,7 @@ LabelLayer merged(const LabelLayer& cells, const std::vector<bool>& joins, bool 
             result.names[component] = name->second;
         }
     }
-    append_others(cells, joins, result);
+    append_others(cells, joins, result, take_tags);
     return result;
 }
 

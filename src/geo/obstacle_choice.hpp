@@ -1,25 +1,15 @@
 // Which features of map data are obstacles, which of them are destructible, and what their removal costs.
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "site/tag_filter.hpp"
 
 namespace waybreaker::geo {
 
-// Features by a tag: `building` is every building, `barrier=wall,fence` some barriers, `*` everything. A tag that says
-// `no` does not count.
-struct TagFilter {
-    std::string key;
-    std::vector<std::string> values = {};  // any, if empty
-    bool accepts(const std::string& value) const;
-    std::string text() const;  // KEY or KEY=VALUE,...
-};
-
-// One or more of KEY and KEY=VALUE,... with commas between: what follows a KEY=VALUE and has no = is another value of
-// that key. Throws InputError if it is something else.
-std::vector<TagFilter> parse_tag_filters(const std::string& text);
+using site::parse_tag_filters;
+using site::TagFilter;
 
 // A number of each obstacle: its area in the window, in square metres, or what a tag says, times a factor.
 struct Quantity {

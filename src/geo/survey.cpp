@@ -88,9 +88,10 @@ class SurveyedLayer {
         const std::string* name = tags.find("name");
         for (const GroundUse& use : uses) {
             if (!short_enough(use, *placed)) continue;
-            findings.survey.ground.pieces.push_back({use, std::unique_ptr<OGRGeometry>(placed->clone()),
-                                                     tags_.source_id(feature), clean_name(name ? *name : ""),
-                                                     is_destructible(tags)});
+            GroundPiece piece{use, std::unique_ptr<OGRGeometry>(placed->clone()), tags_.source_id(feature),
+                              clean_name(name ? *name : "")};
+            if (use.layer == GroundLayer::barrier) describe_barrier(feature, tags, piece);
+            findings.survey.ground.pieces.push_back(std::move(piece));
         }
         if (coast) {  // GDAL makes areas of islands
             OGRGeometry* line = *shape == Shape::area ? placed->Boundary() : placed->clone();
@@ -104,12 +105,15 @@ class SurveyedLayer {
     }
 
   private:
-    bool is_destructible(const TagSet& tags) const {
+    void describe_barrier(const OGRFeature& feature, const TagSet& tags, GroundPiece& barrier) const {
         const auto among = [&tags](const std::vector<TagFilter>& filters) {
             return std::any_of(filters.begin(), filters.end(), [&](const auto& one) { return tags.matches(one); });
         };
         const ObstacleChoice& choice = options_.choice;
-        return (choice.destructible.empty() || among(choice.destructible)) && !among(choice.protect);
+        barrier.sheltered = among(choice.shelter);
+        barrier.destructible =
+            (choice.destructible.empty() || among(choice.destructible)) && !among(choice.protect) && !barrier.sheltered;
+        barrier.tags = tags_.kept(feature);
     }
 
     static bool short_enough(const GroundUse& use, const OGRGeometry& shape) {

@@ -14,6 +14,7 @@
 #include "site/georeference.hpp"
 #include "site/obstacle_kinds.hpp"
 #include "site/obstacle_names.hpp"
+#include "site/obstacle_tags.hpp"
 #include "site/sections.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/search.hpp"
@@ -65,6 +66,7 @@ struct MapFile {
     site::ObstacleNames names = {};    // what people call the obstacles
     site::Background background = {};  // streets, water, ...
     site::ObstacleKinds kinds = {};    // what the obstacles are: buildings, water, ...
+    site::ObstacleTags tags = {};      // what the source says of them: amenity=school, ...
     site::Sections sections = {};      // what they are parts of, where they are cut
     std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};

@@ -20,4 +20,8 @@ Point MapFrame::metres(Point cell) const {
     return {origin_.x + (cell.x + 0.5) * cell_size_, origin_.y + (height_ - 0.5 - cell.y) * cell_size_};
 }
 
+Point MapFrame::cell(Point metres) const {
+    return {(metres.x - origin_.x) / cell_size_ - 0.5, height_ - 0.5 - (metres.y - origin_.y) / cell_size_};
+}
+
 }  // namespace waybreaker::io

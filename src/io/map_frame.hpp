@@ -14,6 +14,8 @@ class MapFrame {
 
     // Of a point in cell units.
     Point metres(Point cell) const;
+    // The inverse.
+    Point cell(Point metres) const;
 
   private:
     Point origin_;

@@ -31,13 +31,22 @@ std::size_t memory_of(const site::Sections& sections) {
     return bytes;
 }
 
+std::size_t memory_of(const site::ObstacleTags& tags) {
+    constexpr std::size_t node = 64;  // of the tree
+    std::size_t bytes = 0;
+    for (const auto& [tag, obstacles] : tags) {
+        bytes += node + memory_of(tag) + obstacles.capacity() * sizeof(ObstacleId) + 2 * allocation;
+    }
+    return bytes;
+}
+
 }  // namespace
 
 std::size_t memory_of(const MapFile& file) {
     const Map& map = file.map;
     std::size_t bytes = map_bytes(map.width(), map.height(), map.obstacles().size());
     for (const std::string& name : file.names) bytes += memory_of(name);
-    bytes += memory_of(file.background) + file.kinds.capacity() + memory_of(file.sections);
+    bytes += memory_of(file.background) + file.kinds.capacity() + memory_of(file.sections) + memory_of(file.tags);
     if (file.ros) bytes += memory_of(file.ros->text) + memory_of(file.ros->image);
     return bytes;
 }

@@ -1,11 +1,14 @@
 #include "io/mission_json.hpp"
 
+#include <algorithm>
 #include <climits>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -34,6 +37,25 @@ void read_ids(const JsonField& object, const char* key, std::vector<ObstacleId>&
     if (!field) return;
     ids.clear();
     for (const JsonField& id : field->items()) ids.push_back(read_obstacle(id));
+}
+
+// Ids, and tags such as "amenity=hospital".
+void read_protected(const JsonField& object, std::vector<ObstacleId>& ids, std::vector<site::TagFilter>& tags) {
+    const auto field = object.find("protect");
+    if (!field) return;
+    ids.clear();
+    tags.clear();
+    for (const JsonField& item : field->items()) {
+        if (!item.json().is_string()) {
+            ids.push_back(read_obstacle(item));
+            continue;
+        }
+        try {
+            std::ranges::move(site::parse_tag_filters(item.text()), std::back_inserter(tags));
+        } catch (const InputError& error) {
+            item.fail(std::string("is no tag: ") + error.what());
+        }
+    }
 }
 
 Agent read_agent(const JsonField& field) {
@@ -76,15 +98,19 @@ Json ids_json(const std::vector<ObstacleId>& ids) {
     return json;
 }
 
-Json rules_json(const Rules& rules, bool area_budget) {
+Json rules_json(const MissionDocument& document) {
+    const Rules& rules = document.mission.rules;
+    const bool area_budget = document.area_budget;
     Json json{{"removals", rules.removals}};
     if (std::isfinite(rules.budget)) json[area_budget ? "budget_m2" : "budget"] = number(rules.budget);
     json["protect"] = ids_json(rules.protect);
+    for (const site::TagFilter& tag : document.protect_tags) json["protect"].push_back(tag.text());
     json["force"] = ids_json(rules.force);
     json["breach_time"] = number(rules.breach_time.per_obstacle);
     json["breach_time_per_cell"] = number(rules.breach_time.per_cell);
     json["timing"] = word_of(timing_words, rules.timing);
     json["objective"] = word_of(objective_words, rules.objective);
+    if (rules.minimise_demolition) json["minimise_demolition"] = number(*rules.minimise_demolition);
     if (rules.separation != 0) json["separation"] = number(rules.separation);
     if (rules.at_goal != AtGoal::stay) json["at_goal"] = word_of(at_goal_words, rules.at_goal);
     return json;
@@ -168,15 +194,18 @@ void read_body(const JsonField& field, Body& body) {
     if (body.radius < 0 || body.radius > 32) radius->fail("is not between 0 and 32");
 }
 
-void read_rules(const JsonField& field, Rules& rules, bool& area_budget) {
+void read_rules(const JsonField& field, Rules& rules, bool& area_budget, std::vector<site::TagFilter>& protect_tags) {
     if (const auto count = field.find("removals")) rules.removals = int(count->whole_number(0, INT_MAX));
     read_budget(field, rules, area_budget);
-    read_ids(field, "protect", rules.protect);
+    read_protected(field, rules.protect, protect_tags);
     read_ids(field, "force", rules.force);
     if (const auto time = field.find("breach_time")) rules.breach_time.per_obstacle = read_not_negative(*time);
     if (const auto time = field.find("breach_time_per_cell")) rules.breach_time.per_cell = read_not_negative(*time);
     read_word(field, "timing", timing_words, rules.timing);
     read_word(field, "objective", objective_words, rules.objective);
+    if (const auto tolerance = field.find("minimise_demolition")) {
+        rules.minimise_demolition = read_not_negative(*tolerance);
+    }
     if (const auto room = field.find("separation")) rules.separation = read_not_negative(*room);
     read_word(field, "at_goal", at_goal_words, rules.at_goal);
 }
@@ -199,14 +228,15 @@ void read_method(const JsonField& field, Method& method) {
 
 MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (document["format"].text() != format) document["format"].fail(std::string("is not ") + format);
-    document.allow({"format", "agents", "rules", "method", "limits", "page"});
+    document.allow({"format", "time_unit", "agents", "rules", "method", "limits", "page"});
     MissionDocument result;
+    if (const auto unit = document.find("time_unit")) result.in_seconds = unit->one_of<bool>({{"s", true}});
     result.limits = limits;
     for (const JsonField& agent : document["agents"].items()) result.mission.agents.push_back(read_agent(agent));
     if (const auto rules = document.find("rules")) {
         rules->allow({"removals", "budget", "budget_m2", "protect", "force", "breach_time", "breach_time_per_cell",
-                      "timing", "objective", "separation", "at_goal"});
-        read_rules(*rules, result.mission.rules, result.area_budget);
+                      "timing", "objective", "minimise_demolition", "separation", "at_goal"});
+        read_rules(*rules, result.mission.rules, result.area_budget, result.protect_tags);
     }
     if (const auto method = document.find("method")) {
         method->allow({"select", "flight", "planner", "heuristic", "weight", "tie_break", "moves", "bound", "explain"});
@@ -228,11 +258,13 @@ MissionDocument read_mission_file(const std::string& path, const Limits& limits)
 Json mission_json(const MissionDocument& document) {
     Json agents = Json::array();
     for (const Agent& agent : document.mission.agents) agents.push_back(agent_json(agent));
-    return {{"format", format},
-            {"agents", std::move(agents)},
-            {"rules", rules_json(document.mission.rules, document.area_budget)},
-            {"method", method_json(document.method)},
-            {"limits", limits_json(document.limits)}};
+    Json json{{"format", format}};
+    if (document.in_seconds) json["time_unit"] = "s";
+    json["agents"] = std::move(agents);
+    json["rules"] = rules_json(document);
+    json["method"] = method_json(document.method);
+    json["limits"] = limits_json(document.limits);
+    return json;
 }
 
 std::string mission_text(const MissionDocument& document) {

@@ -13,8 +13,10 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/json_field.hpp"
+#include "site/tag_filter.hpp"
 #include "waybreaker/method.hpp"
 
 namespace waybreaker::io {
@@ -24,6 +26,9 @@ struct MissionDocument {
     Method method = {};
     Limits limits = {};        // seconds and expansions
     bool area_budget = false;  // the budget is one of square metres: obstacles weigh their area (weights.hpp)
+    bool in_seconds = false;   // a unit of time is a second
+    // What is protected beside mission.rules.protect, until the map is known (tagged_obstacles.hpp).
+    std::vector<site::TagFilter> protect_tags = {};
 };
 
 // Larger files are refused.
@@ -50,8 +55,8 @@ Cell read_cell(const JsonField& field);
 ObstacleId read_obstacle(const JsonField& field, std::uint32_t least = 1);
 double read_not_negative(const JsonField& field);
 // Members of `field` that are rules, under the names of Rules, over what is there; budget_m2 is a budget of square
-// metres.
-void read_rules(const JsonField& field, Rules& rules, bool& area_budget);
+// metres, and what is protected may be ids or tags.
+void read_rules(const JsonField& field, Rules& rules, bool& area_budget, std::vector<site::TagFilter>& protect_tags);
 // Members of `field` that say how the mission is planned.
 void read_method(const JsonField& field, Method& method);
 void read_body(const JsonField& field, Body& body);

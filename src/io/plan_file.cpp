@@ -29,7 +29,8 @@ MissionDocument asked(const JsonField& root, const std::vector<Itinerary>& itine
     const JsonField options = root["options"];
     for (const char* member : {"timing", "objective", "corners"}) options[member].text();
     options["radius"].number();
-    read_rules(options, result.mission.rules, result.area_budget);
+    read_rules(options, result.mission.rules, result.area_budget, result.protect_tags);
+    if (!result.protect_tags.empty()) options.fail("protects by tag, where a plan names obstacles by their ids");
     read_method(options, result.method);
     if (!copy) {
         for (const Itinerary& agent : itineraries) {
@@ -157,6 +158,7 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     file.mission = std::move(made_for.mission);
     file.method = made_for.method;
     file.area_budget = made_for.area_budget;
+    file.in_seconds = made_for.in_seconds;
     if (const auto size = root["map"].find("cell_size")) file.cell_size = cell_size(*size);
     file.plan.before = outcome(root["before"], file.mission);
     file.plan.after = outcome(root["after"], file.mission);
@@ -171,6 +173,11 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
             if (!(file.weights.back().weight >= least_weight && file.weights.back().weight <= most_weight)) {
                 weight->fail("is no weight of an obstacle");
             }
+        }
+    }
+    if (const auto demolition = root.find("demolition")) {
+        if (const auto least = demolition->find("least_cells")) {
+            file.plan.least_demolition = std::uint64_t(least->whole_number(0, INT64_MAX));
         }
     }
     if (const auto next = root.find("next")) {

@@ -21,6 +21,7 @@ struct PlanFile {
     };
     std::vector<Weight> weights = {};  // of removed obstacles, where the file says them
     bool area_budget = false;          // the mission's budget is one of square metres
+    bool in_seconds = false;           // a unit of time is a second
     Connectivity connectivity = Connectivity::four;
     ImageReading image;
     // The map it was made for.

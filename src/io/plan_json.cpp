@@ -65,7 +65,10 @@ Json options_json(const PlanContext& context) {
 
 // What was asked and how it was planned; how long that may have taken is nothing that a plan depends on.
 Json mission_copy(const PlanContext& context) {
-    Json json = mission_json({context.mission, context.method, {}, context.area_budget});
+    Json json = mission_json({.mission = context.mission,
+                              .method = context.method,
+                              .area_budget = context.area_budget,
+                              .in_seconds = context.in_seconds});
     json.erase("limits");
     return json;
 }
@@ -126,13 +129,16 @@ void add_structures(Json& json, ObstacleId id, const site::Sections& sections) {
 
 // What all removals destroy; empty where neither area nor structures are known.
 Json demolition_json(const Plan& plan, const MapFile& map) {
-    if (!map.has_metres() && map.sections.empty()) return nullptr;
+    if (!map.has_metres() && map.sections.empty() && !plan.least_demolition) return nullptr;
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
     const site::Demolition demolition = site::demolition(map.map, map.sections, removed);
     Json json{{"removals", demolition.removals}, {"cells", demolition.cells}};
     if (map.has_metres()) json["area_m2"] = number(map.square_metres(demolition.cells));
     if (!map.sections.empty()) json["structures"] = demolition.structures.size();
+    if (!plan.least_demolition) return json;
+    json["least_cells"] = *plan.least_demolition;
+    if (map.has_metres()) json["least_area_m2"] = number(map.square_metres(*plan.least_demolition));
     return json;
 }
 
@@ -171,14 +177,20 @@ Json agent_json(const Itinerary& agent) {
 }
 
 // One step of the front: what so many removals reach.
-Json step_json(const Plan& plan, Objective objective) {
+Json step_json(const Plan& plan, Objective objective, const MapFile& map) {
     Json removed = Json::array();
-    for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle.value);
-    return {{"makespan", number(plan.after.makespan)},
-            {"flowtime", number(plan.after.flowtime)},
-            {"ground_makespan", number(plan.after.ground_makespan)},
-            {"bound", bound_json(plan, objective)},
-            {"removed", std::move(removed)}};
+    std::uint64_t cells = 0;
+    for (const Breach& breach : plan.breaches) {
+        removed.push_back(breach.obstacle.value);
+        cells += breach.cells;
+    }
+    Json json{{"makespan", number(plan.after.makespan)},
+              {"flowtime", number(plan.after.flowtime)},
+              {"ground_makespan", number(plan.after.ground_makespan)},
+              {"bound", bound_json(plan, objective)},
+              {"removed", std::move(removed)}};
+    if (map.has_metres()) json["area_m2"] = number(map.square_metres(cells));
+    return json;
 }
 
 Json seconds_json(const Plan::Seconds& seconds) {
@@ -209,7 +221,9 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     }
     for (const NextBreach& next : plan.next) json["next"].push_back(next_json(next, context.map));
     json["agents"] = Json::array();
-    for (const Plan& step : context.front) json["front"].push_back(step_json(step, context.mission.rules.objective));
+    for (const Plan& step : context.front) {
+        json["front"].push_back(step_json(step, context.mission.rules.objective, context.map));
+    }
     for (const Itinerary& agent : plan.agents) json["agents"].push_back(agent_json(agent));
     if (context.timing_fields) json["seconds"] = seconds_json(plan.seconds);
     return pretty(json) + "\n";

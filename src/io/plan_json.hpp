@@ -20,6 +20,7 @@ struct PlanContext {
     ImageReading image = {};           // how the map was read
     std::span<const Plan> front = {};  // the plans for 0, 1, 2, ... removals, if asked for
     bool area_budget = false;          // the mission's budget is one of square metres
+    bool in_seconds = false;           // a unit of time is a second
 };
 
 // The whole document, indented, with a final newline. Same input, same bytes, `seconds` aside.

@@ -1,5 +1,6 @@
 #include "mapfile/map_info.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "geo/georeference.hpp"
@@ -38,6 +39,16 @@ std::optional<GroundSummary> summarise_ground(const io::MapFile& file) {
     return summary;
 }
 
+std::map<std::string, std::size_t> protected_tags(const io::MapFile& file) {
+    std::map<std::string, std::size_t> counts;
+    for (const auto& [tag, obstacles] : file.tags) {
+        const auto stays = [&](ObstacleId id) { return !file.map.obstacle(id).destructible; };
+        const auto count = std::size_t(std::ranges::count_if(obstacles, stays));
+        if (count > 0) counts.emplace(tag, count);
+    }
+    return counts;
+}
+
 std::array<double, 2> center(const io::MapFile& file) {
     return geo::lon_lat_of(file.georeference)({(file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0});
 }
@@ -60,6 +71,11 @@ std::string map_info_json(const io::MapFile& file) {
     if (!file.sections.empty()) {
         json["obstacles"]["sections"] = site::section_count(file.sections);
         json["obstacles"]["structures"] = site::cut_structures(file.sections).size();
+    }
+    if (!file.tags.empty()) {
+        Json& tags = json["obstacles"]["tags"];
+        for (const auto& [tag, obstacles] : file.tags) tags[tag] = obstacles.size();
+        json["obstacles"]["protected_tags"] = protected_tags(file);
     }
     json["ground"] = nullptr;
     if (const std::optional<GroundSummary> ground = summarise_ground(file)) {

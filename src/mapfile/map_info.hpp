@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -30,6 +32,9 @@ struct GroundSummary {
 
 // Empty if the file does not say what its obstacles are.
 std::optional<GroundSummary> summarise_ground(const io::MapFile& file);
+
+// By tag: how many obstacles have it that cannot be destroyed, though they are no water, cliff or forbidden ground.
+std::map<std::string, std::size_t> protected_tags(const io::MapFile& file);
 
 // Longitude and latitude of the middle of the map. Precondition: it has a georeference.
 std::array<double, 2> center(const io::MapFile& file);

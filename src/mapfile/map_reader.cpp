@@ -80,6 +80,7 @@ io::MapFile read_tiff(std::string_view bytes, const std::string& path, Connectiv
             .names = std::move(tiff.names),
             .background = std::move(tiff.background),
             .kinds = std::move(tiff.kinds),
+            .tags = std::move(tiff.tags),
             .sections = std::move(tiff.sections),
             .notes = std::move(notes)};
 }

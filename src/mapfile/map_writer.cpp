@@ -72,6 +72,7 @@ std::string lost_obstacles(const io::MapFile& file) {
         loss += (loss.empty() ? "" : ", ") + std::string("source ids");
     if (!file.names.empty()) loss += (loss.empty() ? "" : ", ") + std::string("names");
     if (!file.kinds.empty()) loss += (loss.empty() ? "" : ", ") + std::string("kinds");
+    if (!file.tags.empty()) loss += (loss.empty() ? "" : ", ") + std::string("tags");
     if (any([](const Obstacle& o) { return o.weight != 1 || o.breach_time != 0; })) {
         loss += (loss.empty() ? "" : ", ") + std::string("what their removal costs");
     }
@@ -157,6 +158,7 @@ std::string bytes_of(const io::MapFile& map, std::string_view extension) {
                                   .names = map.names,
                                   .background = map.background,
                                   .kinds = map.kinds,
+                                  .tags = map.tags,
                                   .sections = map.sections});
 }
 

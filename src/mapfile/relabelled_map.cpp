@@ -57,13 +57,14 @@ void describe(io::MapFile& file, site::DescribedMap&& described) {
     file.map = std::move(described.map);
     file.names = std::move(described.names);
     file.kinds = std::move(described.kinds);
+    file.tags = std::move(described.tags);
     file.sections = std::move(described.sections);
 }
 
 }  // namespace
 
 void relabel(io::MapFile& file, std::vector<std::uint32_t> labels) {
-    site::LabelLayer layer = site::label_layer(file.map, file.names, file.kinds, file.sections);
+    site::LabelLayer layer = site::label_layer(file.map, file.names, file.kinds, file.tags, file.sections);
     layer.labels = std::move(labels);
     describe(file, site::described(std::move(layer)));
 }
@@ -86,7 +87,7 @@ io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice) {
     if (!file.sections.empty()) {
         throw InputError(file.source + ": is cut into sections already; give the map that it was made from");
     }
-    describe(file, site::split(file.map, file.names, file.kinds, lattice));
+    describe(file, site::split(file.map, file.names, file.kinds, file.tags, lattice));
     file.digest.clear();
     file.ros.reset();  // its cells say nothing of sections
     return file;

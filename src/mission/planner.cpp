@@ -13,11 +13,13 @@
 #include "mission/plan_status.hpp"
 #include "mission/team_plan.hpp"
 #include "select/exact.hpp"
+#include "select/least_demolition.hpp"
 #include "select/selector.hpp"
 
 namespace waybreaker {
 namespace {
 
+constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
 Outcome outcome(const Task& task, const Candidate& candidate) {
@@ -69,8 +71,15 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
     // time.
     const Stopwatch selecting;
     const Candidate start = start_of(task, searchers, baseline);
-    const Selected selected = selector->select(task, start);
-    const Candidate& best = best_of(task, start, selected.candidates);
+    const bool spares = mission.rules.minimise_demolition.has_value();
+    const Selected selected = selector->select(spares ? task.within(share_before_sparing) : task, start);
+    const Candidate* chosen = &best_of(task, start, selected.candidates);
+    std::optional<LeastDemolition> least;
+    if (spares && chosen->opening.ground.length) {
+        least = demolish_least(task, searchers, *selector, baseline, start, selected, *chosen);
+        chosen = &least->candidate;
+    }
+    const Candidate& best = *chosen;
     const double selecting_seconds = selecting.seconds();
 
     // Report both, without removal and with the best.
@@ -92,10 +101,11 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
             plan.bound = std::min(bound, reached);
             plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
         }
+        if (least) plan.least_demolition = least->least;
         if (method.explain) explain(task, searchers, *selector, baseline, best, plan);
     }
     const auto limited = [](const Candidate& candidate) { return candidate.opening.limited; };
-    plan.limit_reached = selected.limited || limited(baseline) || limited(start) ||
+    plan.limit_reached = selected.limited || (least && least->limited) || limited(baseline) || limited(start) ||
                          std::ranges::any_of(selected.candidates, limited) || task.deadline.passed();
     // Whether there is no way was not found out.
     if (plan.status == PlanStatus::no_plan && plan.limit_reached) plan.status = PlanStatus::limit_reached;

@@ -83,6 +83,9 @@ void validate(const Map& map, const Rules& rules) {
     for (const ObstacleId id : rules.protect) require_known(id, "protect");
     for (const ObstacleId id : rules.force) require_known(id, "force");
     validate_forced(map, rules);
+    if (rules.minimise_demolition) {
+        require_range(*rules.minimise_demolition, 0, 1, "the tolerance for a plan that demolishes less");
+    }
     if (!(rules.budget >= 0)) throw InputError("the budget cannot be " + number_text(rules.budget));
 }
 

@@ -23,7 +23,7 @@ bool times_are_lengths(const Mission& mission) {
 }
 
 double time_factor(const Mission& mission, const PictureOptions& options) {
-    return times_are_lengths(mission) ? options.cell_size : 1;
+    return times_are_lengths(mission) && !options.seconds ? options.cell_size : 1;
 }
 
 std::string number(std::optional<double> value, double factor) {
@@ -86,6 +86,7 @@ std::string time_text(double time, const Mission& mission, const PictureOptions&
 }
 
 std::string time_unit(const Mission& mission, const PictureOptions& options) {
+    if (options.seconds) return "s";
     if (!times_are_lengths(mission)) return "units of time";
     return options.metres ? "s at 1 m/s" : "cells at speed 1";
 }

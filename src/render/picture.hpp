@@ -21,6 +21,7 @@ struct PictureOptions {
     int width = 1200;              // pixels, least_width to most_width; the height follows from the map
     double cell_size = 1;          // metres a cell, > 0: lengths are multiplied by it
     bool metres = false;           // what lengths are then called: metres, or cells
+    bool seconds = false;          // a unit of the mission's time is a second
     std::string title = {};        // first line; any bytes
     std::string attribution = {};  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
     Objective objective = Objective::makespan;  // what the plan's bound is one of

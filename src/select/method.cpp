@@ -2,6 +2,7 @@
 #include "waybreaker/method.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "waybreaker/error.hpp"
 
@@ -23,6 +24,7 @@ SearchOptions search_options(const Method& method, const Body& body) {
 
 void follow_paper(Rules& rules, Method& method) {
     rules.timing = Timing::ignore;
+    rules.minimise_demolition.reset();
     method.select = Selection::hits;
     method.planner = Planner::theta;
     // For one obstacle the paper flies the shortest way past it, which is what `optimal` does.
@@ -30,6 +32,25 @@ void follow_paper(Rules& rules, Method& method) {
 }
 
 namespace {
+
+// Whether what obstacles weigh is in proportion to their cells.
+bool weighs_cells(const Map& map) {
+    constexpr double rounding = 1e-6;
+    const auto of_a_cell = [](const Obstacle& o) { return o.weight / o.cells; };
+    const auto obstacles = map.obstacles();
+    return std::ranges::all_of(obstacles, [&](const Obstacle& o) {
+        return std::abs(of_a_cell(o) - of_a_cell(obstacles.front())) <= rounding * of_a_cell(o);
+    });
+}
+
+void validate_demolition(const Map& map, const Mission& mission, const Method& method) {
+    if (!mission.rules.minimise_demolition) return;
+    if (mission.is_team()) throw InputError("demolition is minimised for one ground and one air agent only");
+    if (method.select != Selection::exact) throw InputError("demolition is minimised by exact selection only");
+    if (std::isfinite(mission.rules.budget) && !weighs_cells(map)) {
+        throw InputError("demolition is minimised within a budget of square metres or cells, not of other weights");
+    }
+}
 
 // What cannot be planned for a team yet, or only for one.
 void validate_team(const Mission& mission, const Method& method) {
@@ -67,6 +88,7 @@ void validate(const Map& map, const Mission& mission, const Method& method, cons
     }
     validate(map, mission);
     validate_team(mission, method);
+    validate_demolition(map, mission, method);
 }
 
 }  // namespace waybreaker

@@ -30,6 +30,12 @@ Task Task::under(const Rules& others) const {
     return task;
 }
 
+Task Task::within(double share_of_time) const {
+    Task task = *this;
+    task.deadline = deadline.share(share_of_time);
+    return task;
+}
+
 double Task::objective(double ground_time, double air_time) const {
     switch (rules.objective) {
         case Objective::makespan:

@@ -34,6 +34,8 @@ struct Task {
     }
     // What must be removed, and others.
     std::vector<ObstacleId> with_forced(std::span<const ObstacleId> others) const;
+    // The same task, with that share of the time that is left.
+    Task within(double share_of_time) const;
     // The same mission under other rules, without reports of progress. The rules must outlive it.
     Task under(const Rules& others) const;
 };

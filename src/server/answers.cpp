@@ -82,7 +82,8 @@ io::PlanContext context_of(const Task& task, const PreparedMission& prepared, st
             .connectivity = task.map->connectivity,
             .timing_fields = task.request.timing_fields,
             .front = front,
-            .area_budget = prepared.document.area_budget};
+            .area_budget = prepared.document.area_budget,
+            .in_seconds = prepared.document.in_seconds};
 }
 
 std::string plan_text(const Task& task, const OptionsRequest& wanted, const Worker& worker, double seconds) {
@@ -123,6 +124,7 @@ std::string picture(const io::MapFile& file, const io::PlanFile& plan, bool as_s
     if (plan.plan.agents.empty()) throw Problem(unprocessable, "the plan has no agents to draw", "plan-invalid");
     const render::PictureOptions options{.cell_size = file.cell_size,
                                          .metres = file.has_metres(),
+                                         .seconds = plan.in_seconds,
                                          .title = file.title.empty() ? file.source : file.title,
                                          .attribution = file.attribution,
                                          .objective = plan.mission.rules.objective,

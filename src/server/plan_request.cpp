@@ -5,6 +5,7 @@
 
 #include "io/json_field.hpp"
 #include "io/option_words.hpp"
+#include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "waybreaker/error.hpp"
 
@@ -72,7 +73,7 @@ OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
     field.allow(
         {"paper",   "removals",  "select", "flight",    "timing",  "objective", "breach_time", "breach_time_per_cell",
          "protect", "force",     "budget", "budget_m2", "weights", "bound",     "explain",     "time_limit",
-         "planner", "heuristic", "weight", "tie_break", "corners", "radius",    "moves"});
+         "planner", "heuristic", "weight", "tie_break", "corners", "radius",    "moves",       "minimise_demolition"});
     if (const auto removals = field.find("removals")) {
         result.rules.removals = int(removals->whole_number(0, most_removals));
         result.removals_given = true;
@@ -86,7 +87,7 @@ OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
     }
     if (const auto weights = field.find("weights")) set_weights(*weights, result);
     if (const auto limit = field.find("time_limit")) result.limits.seconds = positive(*limit);
-    io::read_rules(field, result.rules, result.area_budget);
+    io::read_rules(field, result.rules, result.area_budget, result.protect_tags);
     io::read_method(field, result.method);
     result.planner_given = result.planner_given || field.find("planner");
     // What only a search from cell to cell knows asks for one; a mission file names its planner itself.
@@ -107,6 +108,8 @@ void set_document(const JsonField& field, PlanRequest& request) {
     request.options.rules = std::move(document.mission.rules);
     request.options.removals_given = true;
     request.options.area_budget = document.area_budget;
+    request.options.in_seconds = document.in_seconds;
+    request.options.protect_tags = std::move(document.protect_tags);
     request.options.method = document.method;
     request.options.limits = document.limits;
 }
@@ -171,9 +174,13 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) 
 }
 
 io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map) {
-    io::MissionDocument result{
-        {agents_of(mission, map), options.rules}, options.method, options.limits, options.area_budget};
+    io::MissionDocument result{{agents_of(mission, map), options.rules},
+                               options.method,
+                               options.limits,
+                               options.area_budget,
+                               options.in_seconds};
     Rules& rules = result.mission.rules;
+    io::protect_tagged(map, options.protect_tags, rules);
     if (options.budget_given && !options.removals_given)
         rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
     Body body;

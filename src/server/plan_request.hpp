@@ -43,10 +43,12 @@ struct OptionsRequest {
         ObstacleId obstacle;
         double weight = 1;
     };
-    std::vector<Weight> weights;    // of some obstacles; others keep the map's
-    bool weights_of_cells = false;  // weight = number of cells
-    bool area_budget = false;       // weight = area, in square metres
-    bool budget_given = false;      // replaces the number of removals unless that is given too
+    std::vector<Weight> weights;                // of some obstacles; others keep the map's
+    bool weights_of_cells = false;              // weight = number of cells
+    bool area_budget = false;                   // weight = area, in square metres
+    bool in_seconds = false;                    // a unit of time is a second
+    std::vector<site::TagFilter> protect_tags;  // beside rules.protect
+    bool budget_given = false;                  // replaces the number of removals unless that is given too
     bool removals_given = false;
 };
 

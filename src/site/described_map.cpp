@@ -25,15 +25,17 @@ Sections sections_of(const Map& map, std::vector<Structure> structures, std::vec
 DescribedMap described(LabelLayer layer) {
     std::vector<NamedCell> named = named_cells(std::move(layer.names), layer.labels);
     const std::vector<KindOfCell> kinds = kinds_of_cells(std::move(layer.kinds), layer.labels);
+    const std::vector<LabelOfCell> tagged = tagged_cells(layer.tags, layer.labels);
     std::vector<PartsOfCell> parts = first_cells<PartsOfCell>(std::move(layer.parts), layer.labels);
     DescribedMap result{Map::from_labels(layer.width, layer.height, std::move(layer.labels), layer.attributes)};
     result.names = obstacle_names(result.map, std::move(named));
     result.kinds = obstacle_kinds(result.map, kinds);
+    result.tags = obstacle_tags(result.map, layer.tags, tagged);
     result.sections = sections_of(result.map, std::move(layer.structures), std::move(parts));
     return result;
 }
 
-LabelLayer label_layer(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds,
+LabelLayer label_layer(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const ObstacleTags& tags,
                        const Sections& sections) {
     LabelLayer layer{.width = map.width(),
                      .height = map.height(),
@@ -46,6 +48,10 @@ LabelLayer label_layer(const Map& map, const ObstacleNames& names, const Obstacl
         if (!names.empty() && !names[id].empty()) layer.names.emplace(id, names[id]);
         if (!kinds.empty()) layer.kinds.emplace(id, kinds[id]);
         if (!sections.empty() && !sections.parts[id].empty()) layer.parts.emplace(id, sections.parts[id]);
+    }
+    for (const auto& [tag, obstacles] : tags) {
+        std::vector<std::uint32_t>& labels = layer.tags[tag];
+        for (const ObstacleId id : obstacles) labels.push_back(id.value);
     }
     return layer;
 }

@@ -6,6 +6,7 @@
 
 #include "site/obstacle_kinds.hpp"
 #include "site/obstacle_names.hpp"
+#include "site/obstacle_tags.hpp"
 #include "site/sections.hpp"
 #include "waybreaker/map.hpp"
 
@@ -19,6 +20,7 @@ struct LabelLayer {
     std::vector<ObstacleAttributes> attributes = {};  // by label, entry 0 unused
     LabelNames names = {};
     LabelKinds kinds = {};
+    LabelTags tags = {};
     std::vector<Structure> structures = {};  // that the parts below are of
     LabelParts parts = {};
 };
@@ -27,6 +29,7 @@ struct DescribedMap {
     Map map;
     ObstacleNames names = {};
     ObstacleKinds kinds = {};
+    ObstacleTags tags = {};
     Sections sections = {};
 };
 
@@ -34,7 +37,7 @@ struct DescribedMap {
 DescribedMap described(LabelLayer layer);
 
 // The label layer of a map of which that is known; its labels are the obstacles' ids.
-LabelLayer label_layer(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds,
+LabelLayer label_layer(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const ObstacleTags& tags,
                        const Sections& sections = {});
 
 }  // namespace waybreaker::site

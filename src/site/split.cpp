@@ -185,14 +185,17 @@ std::vector<std::uint32_t> append_structures(const Map& map, const ObstacleKinds
 
 }  // namespace
 
-DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const Lattice& lattice) {
+DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const ObstacleTags& tags,
+                   const Lattice& lattice) {
     if (lattice.side < 1) throw InputError("a section needs a side of at least one cell");
     const Squares squares(map, {std::min(lattice.side, max_side), lattice.origin});
     const std::vector<std::uint32_t> goes_to = joined(map, squares);
     const std::vector<Part> parts = parts_of(map, squares, goes_to);
     const bool weighed = std::any_of(map.obstacles().begin(), map.obstacles().end(),
                                      [](const Obstacle& o) { return o.destructible && o.weight != 1; });
-    LabelLayer layer = label_layer(map, names, kinds);
+    LabelLayer layer = label_layer(map, names, kinds, tags);
+    const LabelTags tags_of_whole = layer.tags;
+    const auto tags_of = by_label(tags_of_whole);
     const std::vector<std::uint32_t> structures = append_structures(map, kinds, layer);
     std::vector<std::uint32_t> label_of(squares.count(), 0);
     for (auto first = parts.begin(); first != parts.end();) {
@@ -205,7 +208,12 @@ DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKin
         if (std::string name = name_of(names, section); !name.empty()) layer.names.emplace(label, std::move(name));
         if (!kinds.empty()) layer.kinds.emplace(label, kind_of(kinds, first->of));
         std::vector<std::uint32_t>& of = layer.parts[label];
-        for (const Part& part : section) of.push_back(structures[part.of.value]);
+        for (const Part& part : section) {
+            of.push_back(structures[part.of.value]);
+            const auto said = tags_of.find(part.of.value);
+            if (said == tags_of.end()) continue;
+            for (const std::string* tag : said->second) layer.tags[*tag].push_back(label);
+        }
         std::sort(of.begin(), of.end());
         first = end;
     }

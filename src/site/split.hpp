@@ -12,10 +12,11 @@ namespace waybreaker::site {
 //
 // A section has the source id and kind of the structure that has most cells in it, of the first one among equals, and
 // the names of all, most cells first. It weighs 1 if all that is destructible does; else weights, and breach times in
-// any case, go to the sections of a structure by their share of its cells, and add up.
+// any case, go to the sections of a structure by their share of its cells, and add up. It has the tags of all.
 //
 // Time O(cells + s log s), s being the parts that the lattice cuts structures into. Throws InputError if the side is
 // below 1.
-DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const Lattice& lattice);
+DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const ObstacleTags& tags,
+                   const Lattice& lattice);
 
 }  // namespace waybreaker::site

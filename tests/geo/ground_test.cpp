@@ -319,11 +319,11 @@ TEST_F(Ground, that_is_unknown_is_reported) {
     EXPECT_NE(import(drawing_).notes.front().find("only buildings bar the way"), std::string::npos);
 }
 
-TEST_F(Ground, protects_hospitals_from_a_rover_unless_somebody_says_what_can_be_destroyed) {
+TEST_F(Ground, protects_hospitals_unless_somebody_says_what_can_be_destroyed) {
     drawing_.area("building=yes|amenity=hospital", rectangle(3.6, 2.6, 6.4, 3.4));
     EXPECT_NE(drawn().find("....PPP.......\n"), std::string::npos) << drawn();
     EXPECT_EQ(import(drawing_).sheltered, 1U);
-    EXPECT_NE(drawn(Profile::truck).find("....BBB.......\n"), std::string::npos);
+    EXPECT_NE(drawn(Profile::truck).find("....PPP.......\n"), std::string::npos);
     ImportOptions options = window;
     options.choice.destructible = {{"building"}};
     const ImportReport report = import(drawing_, options);

@@ -47,7 +47,7 @@ TEST_F(ImportedSections, are_those_of_the_whole_map_cut) {
     EXPECT_TRUE(map.sections.empty());
     for (const auto& [metres, cells] : std::vector<std::pair<std::optional<double>, int>>{{{}, 10}, {6.9, 3}, {2, 1}}) {
         const LabelTiff cut = import(metres);
-        const site::DescribedMap expected = site::split(map.map, map.names, map.kinds, {.side = cells});
+        const site::DescribedMap expected = site::split(map.map, map.names, map.kinds, map.tags, {.side = cells});
         EXPECT_TRUE(std::equal(cut.map.labels().begin(), cut.map.labels().end(), expected.map.labels().begin()));
         EXPECT_EQ(cut.sections, expected.sections);
         EXPECT_EQ(cut.names, expected.names);

@@ -51,6 +51,9 @@ MissionDocument any_document() {
                        .bound = *rc::gen::arbitrary<bool>(),
                        .explain = *rc::gen::arbitrary<bool>()};
     document.limits.seconds = *rc::gen::element(10.0, 0.25, infinity);
+    document.mission.rules.minimise_demolition = *rc::gen::element(std::optional<double>(), std::optional(0.01));
+    document.in_seconds = *rc::gen::arbitrary<bool>();
+    if (*rc::gen::arbitrary<bool>()) document.protect_tags = {{"amenity", {"school", "a \"b*"}}, {"historic"}};
     document.area_budget = std::isfinite(document.mission.rules.budget) && *rc::gen::arbitrary<bool>();
     document.limits.expansions = *rc::gen::element<std::uint64_t>(1, 1000, UINT64_MAX);
     return document;
@@ -73,6 +76,12 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(rules.budget == written.mission.rules.budget);
     RC_ASSERT(read.area_budget == written.area_budget);
     RC_ASSERT(rules.protect == written.mission.rules.protect);
+    RC_ASSERT(read.in_seconds == written.in_seconds);
+    RC_ASSERT(rules.minimise_demolition == written.mission.rules.minimise_demolition);
+    RC_ASSERT(read.protect_tags.size() == written.protect_tags.size());
+    for (std::size_t i = 0; i < read.protect_tags.size(); ++i) {
+        RC_ASSERT(read.protect_tags[i].text() == written.protect_tags[i].text());
+    }
     RC_ASSERT(rules.force == written.mission.rules.force);
     RC_ASSERT(rules.breach_time.per_obstacle == written.mission.rules.breach_time.per_obstacle);
     RC_ASSERT(rules.breach_time.per_cell == written.mission.rules.breach_time.per_cell);
@@ -124,9 +133,14 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
         return error.substr(error.find(' ') + 1);
     };
     EXPECT_EQ(says(R"("removals": 2)"),
-              "the document has a member that is none of format, agents, rules, method, limits, page");
+              "the document has a member that is none of format, time_unit, agents, rules, method, limits, page");
     EXPECT_EQ(says(R"("rules": {"removals": -1})"), "rules.removals is not between 0 and 2147483647");
     EXPECT_EQ(says(R"("rules": {"protect": [0]})"), "rules.protect[0] is not between 1 and 4294967295");
+    EXPECT_EQ(says(R"("rules": {"protect": [1, "=b"]})"),
+              "rules.protect[1] is no tag: '=b' is no filter for tags: a filter is KEY or KEY=VALUE,... such as "
+              "barrier=wall,fence");
+    EXPECT_EQ(says(R"("rules": {"minimise_demolition": -0.1})"), "rules.minimise_demolition is below 0");
+    EXPECT_EQ(says(R"("time_unit": "h")"), "time_unit is none of s");
     EXPECT_EQ(says(R"("rules": {"timing": "never"})"), "rules.timing is none of enforce, ignore");
     EXPECT_EQ(says(R"("rules": {"budget": 1, "budget_m2": 1})"),
               "rules.budget_m2 stands beside budget; give one of them");

@@ -137,6 +137,9 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     io::MissionDocument document{ground_and_air({0, 0}, {3, 2})};
     document.mission.rules.budget = 2.5;
     document.mission.rules.protect = {{2}};
+    document.mission.rules.minimise_demolition = 0.01;
+    document.protect_tags = {{"amenity", {"school"}}};
+    document.in_seconds = true;
     document.mission.rules.separation = 0.5;
     document.mission.rules.at_goal = AtGoal::leave;
     document.mission.agents[0].ready_at = 3;

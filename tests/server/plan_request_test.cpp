@@ -128,6 +128,20 @@ TEST(PlanRequest, KeepsThePlannerAndTheRemovalsOfAMissionFile) {
     EXPECT_EQ(asked("{}", R"({"budget": 1})").mission.rules.removals, Rules().removals);
 }
 
+TEST(PlanRequest, ProtectsByTag) {
+    io::MapFile map = three_cells();
+    map.tags = {{"building=church", {{2}}}};
+    const auto kept = [&map](const std::string& protect) {
+        const PlanRequest request = parse_plan_request(fmt::format(
+            R"({{"mission": {{"start": [0, 0], "goal": [2, 0]}}, "options": {{"protect": [{}]}}}})", protect));
+        return document_of(request.mission, request.options, map).mission.rules.protect;
+    };
+    EXPECT_EQ(kept("1"), (std::vector<ObstacleId>{{1}}));
+    EXPECT_EQ(kept(R"("building", 1)"), (std::vector<ObstacleId>{{1}, {2}}));
+    EXPECT_EQ(kept(R"("building=church,chapel")"), (std::vector<ObstacleId>{{2}}));
+    EXPECT_NE(input_error([&] { kept(R"("building=chapel")"); }), "");
+}
+
 TEST(PlanRequest, AVariantMayCountWhereTheOthersHaveABudget) {
     const PlanRequest request = parse_plan_request(
         R"({"mission": {"start": [0, 0], "goal": [2, 0]}, "options": {"budget": 2},

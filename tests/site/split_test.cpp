@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -19,7 +20,7 @@ namespace {
 struct Town {
     DescribedMap whole;
     Lattice lattice;
-    DescribedMap cut() const { return split(whole.map, whole.names, whole.kinds, lattice); }
+    DescribedMap cut() const { return split(whole.map, whole.names, whole.kinds, whole.tags, lattice); }
 };
 
 LabelLayer random_layer(bool weighed) {
@@ -41,6 +42,9 @@ LabelLayer random_layer(bool weighed) {
                                     .breach_time = double(*number(0, 3))});
         if (mostly()) layer.names[label] = "house " + std::to_string(*number(1, 9));
         layer.kinds[label] = *rc::gen::element(ObstacleKind::building, ObstacleKind::barrier);
+        for (const char* tag : {"amenity=school", "building=yes", "historic=ruins"}) {
+            if (!mostly()) layer.tags[tag].push_back(label);
+        }
     }
     return layer;
 }
@@ -184,6 +188,21 @@ RC_GTEST_PROP(Split, KnowsOfWhatEachSectionIsAPart, ()) {
     }
 }
 
+// Who has a tag after the cut has a cell of somebody who had it before.
+RC_GTEST_PROP(Split, GivesTagsToWhoHasAPartOfTheTagged, ()) {
+    const Town town = random_town();
+    const DescribedMap cut = town.cut();
+    RC_ASSERT(cut.tags.size() == town.whole.tags.size());
+    for (const auto& [tag, obstacles] : cut.tags) {
+        std::set<ObstacleId> expected;
+        for_each_cell(cut.map, [&, &whole = town.whole.tags.at(tag)](Cell c) {
+            if (std::ranges::count(whole, town.whole.map.obstacle_at(c)) > 0) expected.insert(cut.map.obstacle_at(c));
+        });
+        RC_ASSERT(std::set<ObstacleId>(obstacles.begin(), obstacles.end()) == expected);
+        RC_ASSERT(std::ranges::is_sorted(obstacles) && obstacles.size() == expected.size());
+    }
+}
+
 RC_GTEST_PROP(Split, SharesWeightsAndBreachTimesByCells, ()) {
     const Town town = random_town();
     const DescribedMap cut = town.cut();
@@ -227,7 +246,7 @@ TEST(Split, CutsAlongTheLatticeAndJoinsSlivers) {
         ...........c.
         ...........c.
         ..d..........)");
-    const DescribedMap cut = split(map, {}, {}, {.side = 5});
+    const DescribedMap cut = split(map, {}, {}, {}, {.side = 5});
     const auto at = [&](Cell c) { return cut.map.obstacle_at(c).value; };
     EXPECT_EQ(cut.map.obstacles().size(), 5U);
     EXPECT_EQ(at({4, 4}), 1U);
@@ -237,7 +256,7 @@ TEST(Split, CutsAlongTheLatticeAndJoinsSlivers) {
     EXPECT_EQ(at({11, 5}), 4U) << "two of 25 cells are no sliver";
     EXPECT_EQ(at({2, 7}), 5U) << "a sliver that touches nothing stays alone";
     EXPECT_EQ(cut.sections.parts[2], (std::vector<std::uint32_t>{0, 1}));
-    const DescribedMap wider = split(map, {}, {}, {.side = 8});
+    const DescribedMap wider = split(map, {}, {}, {}, {.side = 8});
     EXPECT_EQ(wider.map.obstacles().size(), 2U);
     EXPECT_EQ(wider.map.obstacle_at({2, 7}), ObstacleId{1});
 }
@@ -252,13 +271,13 @@ TEST(Split, JoinsASliverToWhatItTouchesMost) {
         aaaaaaaab
         aaaaaaaa.
         aaaaaaaa.)");
-    const DescribedMap cut = split(map, {}, {}, {.side = 8});
+    const DescribedMap cut = split(map, {}, {}, {}, {.side = 8});
     EXPECT_EQ(cut.map.obstacles().size(), 1U);
     EXPECT_EQ(cut.sections.parts[1].size(), 2U);
 }
 
 TEST(Split, RefusesSquaresOfNoCell) {
-    EXPECT_EQ(input_error([] { split(map_from_ascii("#."), {}, {}, {.side = 0}); }),
+    EXPECT_EQ(input_error([] { split(map_from_ascii("#."), {}, {}, {}, {.side = 0}); }),
               "a section needs a side of at least one cell");
 }
 

@@ -57,6 +57,7 @@ export interface FrontPoint {
   ground_makespan?: number | null;
   bound: Bound | null;
   removed: number[];
+  area_m2?: number; // that these cover
 }
 
 export type TimedPoint = [x: number, y: number, t: number];

@@ -52,7 +52,10 @@ export function clockTime(time: number, units: Units): string {
 
 export function area(cells: number, units: Units): string {
   if (!units.metric) return `${grouped(cells)}${space}${cells === 1 ? "cell" : "cells"}`;
-  const size = cells * units.cell * units.cell;
+  return squareMetres(cells * units.cell * units.cell);
+}
+
+export function squareMetres(size: number): string {
   return `${size < 10 ? trimmed(size, 1) : grouped(Math.round(size))}${space}m²`;
 }
 

@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { mostRemovals } from "../domain/mission";
 import { type Objective, valueOf } from "../domain/plan";
-import { clockTime, duration, type Units } from "../domain/units";
+import { clockTime, duration, squareMetres, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import type { Front } from "../planning/curve";
 import { keyOf } from "../planning/request";
@@ -14,6 +14,7 @@ interface Column {
   n: number;
   value: number | null; // null: no way with so few, or not yet known
   bound: number | null;
+  area: number | null; // square metres that are demolished, where they are known
   further: boolean; // beyond where removals gain
   pending: boolean; // still being worked out
 }
@@ -30,6 +31,7 @@ function columnsOf({ points, from, isDone }: Front, objective: Objective): Colum
       n: from + i,
       value: point ? valueOf(point, objective) : null,
       bound: point?.bound ? valueOf(point.bound, objective) : null,
+      area: point?.area_m2 ?? null,
       further: isDone && gains >= 0 && i > gains,
       pending,
     };
@@ -101,6 +103,7 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
           tabIndex={-1}
           class={`front-column ${column.n === count ? "chosen" : ""}`}
           style={{ left: `${place.x(column.n)}px`, width: `${place.step}px` }}
+          title={columnLabel(column, units)}
           disabled={!onChoose}
           onClick={() => onChoose?.(column.n)}
         >
@@ -123,10 +126,11 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
   );
 }
 
-function columnLabel({ n, value, pending }: Column, units: Units): string {
+function columnLabel({ n, value, area, pending }: Column, units: Units): string {
   const what = n === 1 ? "1 removal" : `${n} removals`;
   if (pending) return `${what}: being worked out`;
-  return value === null ? `${what}: no way` : `${what}: ${duration(value, units)}`;
+  const demolished = area ? `, ${squareMetres(area)} demolished` : "";
+  return value === null ? `${what}: no way` : `${what}: ${duration(value, units)}${demolished}`;
 }
 
 interface Placer {

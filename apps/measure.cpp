@@ -1,0 +1,125 @@
+#include "measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "core/range.hpp"
+#include "geo/georeference.hpp"
+#include "io/excerpt.hpp"
+#include "io/map_frame.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+constexpr std::size_t most_shown = 40;  // of what was given, in an error
+
+std::optional<double> number(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+InputError no_metres(const std::string& option, const std::string& text, const io::MapFile& map) {
+    return InputError(fmt::format("{} {}: {} does not say how many metres a cell has; --cell-size METRES does", option,
+                                  text, map.source));
+}
+
+std::string no_cell(const std::string& text) {
+    return fmt::format("'{}' is not a cell: X,Y are two whole numbers from 0 to {}, such as 12,20",
+                       io::excerpt(text, most_shown), max_side - 1);
+}
+
+// The cell that a point in cell units lies in.
+Cell cell_on(const io::MapFile& map, Point point, const GivenPlace& place, const std::string& extent) {
+    const Point rounded(std::floor(point.x + 0.5), std::floor(point.y + 0.5));
+    const bool inside = rounded.x >= 0 && rounded.y >= 0 && rounded.x < map.map.width() && rounded.y < map.map.height();
+    if (!inside) {
+        throw InputError(
+            fmt::format("{} {} is not on {}, which reaches {}", place.option, place.text, map.source, extent));
+    }
+    return {int(rounded.x), int(rounded.y)};
+}
+
+}  // namespace
+
+CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<Measure>& value, Range range,
+                         const std::string& unit, const std::string& type, const std::string& text) {
+    const auto read = [name, range, unit, &value](const std::string& given) {
+        const bool metric = given.ends_with(unit);
+        const auto said = number(std::string_view(given).substr(0, given.size() - (metric ? unit.size() : 0)));
+        if (!said || (metric ? *said < 0 : !(*said >= range.least && *said <= range.most))) {
+            throw CLI::ValidationError(name,
+                                       fmt::format("'{}' is not a number from {} to {}", io::excerpt(given, most_shown),
+                                                   number_text(range.least), number_text(range.most)));
+        }
+        value = Measure{name, given, *said, metric};
+    };
+    return app.add_option_function<std::string>(name, read, text)->type_name(type);
+}
+
+double in_cells(const Measure& measure, const io::MapFile& map, Range range) {
+    if (!measure.metric) return measure.value;
+    if (!map.has_metres()) throw no_metres(measure.option, measure.text, map);
+    const double cells = measure.value / map.cell_size;
+    if (cells >= range.least && cells <= range.most) return cells;
+    throw InputError(fmt::format("{} {} is {:.6g} in cells of {:.6g} m; from {} to {} is possible", measure.option,
+                                 measure.text, cells, map.cell_size, number_text(range.least),
+                                 number_text(range.most)));
+}
+
+CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<GivenPlace>& value,
+                       const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        const std::size_t comma = std::min(given.find(','), given.size());
+        const auto x = number(std::string_view(given).substr(0, comma));
+        const auto y = number(std::string_view(given).substr(std::min(comma + 1, given.size())));
+        if (!x || !y) throw CLI::ValidationError(name, no_cell(given));
+        value = GivenPlace{name, given, {*x, *y}};
+    };
+    return app.add_option_function<std::string>(name, read, text)->type_name("X,Y");
+}
+
+Cell cell_of(const GivenPlace& place) {
+    const auto [x, y] = place.numbers;
+    const auto good = [](double number) { return number >= 0 && number < max_side && number == std::floor(number); };
+    const bool whole = place.text.find_first_not_of("0123456789,") == std::string::npos;
+    if (!good(x) || !good(y) || !whole) {
+        throw InputError(place.option + ": " + no_cell(place.text));
+    }
+    return {int(x), int(y)};
+}
+
+Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map) {
+    const auto [lon, lat] = place.numbers;
+    if (!(std::abs(lon) <= 180) || !(std::abs(lat) <= 90)) {
+        throw InputError(fmt::format("{}: '{}' is not a place: LON,LAT are degrees east and north, such as 13.41,52.52",
+                                     place.option, io::excerpt(place.text, most_shown)));
+    }
+    if (!map.georeference) {
+        throw InputError(fmt::format("--lonlat: {} does not say where on earth it lies", map.source));
+    }
+    const geo::ToLonLat to_lon_lat(*map.georeference);
+    const auto [west, north] = to_lon_lat(-0.5, -0.5);
+    const auto [east, south] = to_lon_lat(map.map.width() - 0.5, map.map.height() - 0.5);
+    const std::string extent =
+        fmt::format("from {:.6f},{:.6f} in the south-west to {:.6f},{:.6f}", west, south, east, north);
+    return cell_on(map, geo::FromLonLat(*map.georeference)({Point(lon, lat)}).front(), place, extent);
+}
+
+Cell cell_at_metres(const GivenPlace& place, const io::MapFile& map) {
+    if (!map.has_metres()) throw no_metres("--map-metres with " + place.option, place.text, map);
+    const io::MapFrame frame(map);
+    const Point low = frame.origin();
+    const std::string extent =
+        fmt::format("from {:.6g},{:.6g} in its lower left to {:.6g},{:.6g}", low.x, low.y,
+                    low.x + map.map.width() * map.cell_size, low.y + map.map.height() * map.cell_size);
+    return cell_on(map, frame.cell({place.numbers[0], place.numbers[1]}), place, extent);
+}
+
+}  // namespace waybreaker::apps

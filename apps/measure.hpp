@@ -1,0 +1,51 @@
+// Lengths, speeds, times and places of a mission as people give them: in cells, or in metres, seconds and degrees.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "io/map_file.hpp"
+#include "option.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker::apps {
+
+// A number of cells, units of time, or cells per unit of time; or of metres, seconds, or metres per second.
+struct Measure {
+    std::string option;  // that gave it
+    std::string text;    // as given
+    double value = 0;
+    bool metric = false;
+};
+
+// "0.8", which must be in the range, or with the unit behind it: "0.8m".
+CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<Measure>& value, Range range,
+                         const std::string& unit, const std::string& type, const std::string& text);
+
+// A length or a speed in cells. Throws InputError, naming the option, if it is metric, and the map has no metres, or
+// they are out of range.
+double in_cells(const Measure& measure, const io::MapFile& map, Range range);
+
+inline constexpr Range radii{0, 32};  // cells, the room between agents as well
+inline constexpr Range speeds{least_speed, most_speed};
+inline constexpr Range breach_times{0, most_breach_time};
+
+// "12,20" or "13.3777,52.5163".
+struct GivenPlace {
+    std::string option;
+    std::string text;
+    std::array<double, 2> numbers{};
+};
+
+CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<GivenPlace>& value,
+                       const std::string& text);
+
+// The cell; or the one that longitude and latitude, or metres of the map's frame, lie in. Throw InputError, naming the
+// option, if the numbers are no such place, or the place is not on the map.
+Cell cell_of(const GivenPlace& place);
+Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map);
+Cell cell_at_metres(const GivenPlace& place, const io::MapFile& map);
+
+}  // namespace waybreaker::apps

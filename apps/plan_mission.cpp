@@ -1,0 +1,250 @@
+// The mission that the options of `waybreaker plan` describe together with a map file.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <utility>
+
+#include "core/range.hpp"
+#include "io/output_file.hpp"
+#include "io/tagged_obstacles.hpp"
+#include "io/weights.hpp"
+#include "plan_options.hpp"
+#include "waybreaker/error.hpp"
+#include "waybreaker/movingai.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+constexpr std::size_t max_scenario_bytes = std::size_t{1} << 26U;
+constexpr double default_seconds = 10;
+
+}  // namespace
+
+std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
+                                              const io::MapFile& map) {
+    if (mission.area_budget && !options.weights.empty()) {
+        throw InputError("a budget of square metres weighs obstacles by their area, which --weights contradicts");
+    }
+    if (mission.area_budget) return io::area_weights(map);
+    if (options.weights.empty()) return std::nullopt;
+    if (options.weights != "cells") return io::read_weights(options.weights, map.map);
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(obstacle.cells);
+    return weights;
+}
+
+namespace {
+
+// The first lines of a scenario file, named by their numbers.
+std::vector<Agent> scenario_agents(const PlanOptions& options, const Map& map) {
+    const std::string text = io::read_whole(options.agents, max_scenario_bytes);
+    std::vector<Scenario> scenarios = read_movingai_scenarios(text, io::input_name(options.agents));
+    const std::size_t count = std::size_t(options.count.value_or(int(std::min(scenarios.size(), most_agents))));
+    if (scenarios.empty()) throw InputError(io::input_name(options.agents), 0, "holds no scenarios");
+    if (count > scenarios.size()) {
+        throw InputError(io::input_name(options.agents), 0,
+                         fmt::format("has {} scenarios; give a smaller --count", scenarios.size()));
+    }
+    std::vector<Agent> agents(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (scenarios[i].width != map.width() || scenarios[i].height != map.height()) {
+            throw InputError(io::input_name(options.agents), 0,
+                             fmt::format("is for a map of {} x {} cells, not {} x {}", scenarios[i].width,
+                                         scenarios[i].height, map.width(), map.height()));
+        }
+        agents[i].id = std::to_string(i + 1);
+        agents[i].start = scenarios[i].start;
+        agents[i].goal = scenarios[i].goal;
+    }
+    return agents;
+}
+
+void validate_team_options(const PlanOptions& options, const Mission& mission) {
+    if (options.count && options.agents.empty()) throw InputError("--count is for --agents FILE");
+    if (!options.agents.empty() && !options.mission.empty()) {
+        throw InputError("--agents and --mission both say who the agents are; drop one of them");
+    }
+    const bool places = options.start || options.goal || options.air_start || options.air_goal;
+    const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
+    if (mission.is_team() && ways) {
+        throw InputError(
+            "--paper, --select, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground "
+            "and one air agent");
+    }
+    const bool removes = options.removals.value_or(0) > 0 || options.budget || !options.weights.empty();
+    if (mission.is_team() && removes) {
+        throw InputError(
+            "-n, --budget and --weights are not for teams: nothing can be removed for one yet; -n 0 says so");
+    }
+    if (mission.is_team() && places) {
+        throw InputError(
+            "--start and --goal are for one ground and one air agent; the agents have places of their own");
+    }
+}
+
+// What options mean on the map.
+struct Places {
+    std::optional<Cell> start, goal, air_start, air_goal;
+};
+
+Places places_of(const PlanOptions& options, const io::MapFile& map) {
+    const auto cell = [&](const std::optional<GivenPlace>& place) -> std::optional<Cell> {
+        if (!place) return std::nullopt;
+        return options.lon_lat      ? cell_at_lon_lat(*place, map)
+               : options.map_metres ? cell_at_metres(*place, map)
+                                    : cell_of(*place);
+    };
+    return {cell(options.start), cell(options.goal), cell(options.air_start), cell(options.air_goal)};
+}
+
+// Thousandths of a cell count; of metres never less than asked for.
+double radius_of(const Measure& radius, const io::MapFile& map) {
+    constexpr double thousandths = 1000;
+    const double cells = in_cells(radius, map, radii) * thousandths;
+    return (radius.metric ? std::ceil(cells * (1 - 1e-12)) : std::round(cells)) / thousandths;
+}
+
+void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
+    const Places places = places_of(options, map);
+    if (!options.agents.empty()) mission.agents = scenario_agents(options, map.map);
+    validate_team_options(options, mission);
+    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
+                              const char* option) {
+        if (given) return *given;
+        if (map.task && (*map.task).*in_file) return *((*map.task).*in_file);
+        throw InputError(fmt::format("{} X,Y is missing, and {} does not say it", option, map.source));
+    };
+    if (mission.agents.empty()) {
+        mission = ground_and_air(place(places.start, &io::MapTask::start, "--start"),
+                                 place(places.goal, &io::MapTask::goal, "--goal"));
+        if (map.task) mission.agents.front().body = map.task->search.body;
+    }
+    for (Agent& agent : mission.agents) {
+        const bool flies = agent.kind == AgentKind::air;
+        agent.start = places.start.value_or(agent.start);
+        agent.goal = places.goal.value_or(agent.goal);
+        if (flies) {
+            agent.start = places.air_start.value_or(agent.start);
+            agent.goal = places.air_goal.value_or(agent.goal);
+        } else {
+            agent.body.corners = options.corners.value_or(agent.body.corners);
+            if (options.radius) agent.body.radius = radius_of(*options.radius, map);
+        }
+    }
+}
+
+// Speeds in metres per second make a unit of time a second, and so do times in seconds: without any speed both agents
+// then move at 1 m/s.
+void set_clock(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
+    const auto metric = [](const std::optional<Measure>& measure) { return measure && measure->metric; };
+    const bool metric_time = metric(options.breach_time) || metric(options.breach_time_per_cell);
+    const bool by_seconds = document.in_seconds;
+    for (Agent& agent : document.mission.agents) {
+        const std::optional<Measure>& speed = agent.kind == AgentKind::air ? options.air_speed : options.ground_speed;
+        if (speed) agent.speed = in_cells(*speed, map, speeds);
+    }
+    if (metric(options.ground_speed) || metric(options.air_speed)) {
+        if (!by_seconds && metric(options.ground_speed) != metric(options.air_speed)) {
+            throw InputError(
+                "with a speed in m/s a unit of time is a second: give --ground-speed and --air-speed in m/s");
+        }
+        document.in_seconds = true;
+    }
+    if (!metric_time || document.in_seconds) return;
+    const Measure time =
+        (metric(options.breach_time) ? options.breach_time : options.breach_time_per_cell).value_or(Measure{});
+    const auto usual = [](const Agent& agent) { return agent.speed == 1; };
+    if (options.ground_speed || options.air_speed || !std::ranges::all_of(document.mission.agents, usual)) {
+        throw InputError(
+            fmt::format("{} {}: give the speeds in m/s, so that a unit of time is a second", time.option, time.text));
+    }
+    const Measure walking{.option = time.option, .text = time.text, .value = 1, .metric = true};
+    for (Agent& agent : document.mission.agents) agent.speed = in_cells(walking, map, speeds);
+    document.in_seconds = true;
+}
+
+double time_of(const Measure& time) {
+    if (time.value <= breach_times.most) return time.value;
+    throw InputError(fmt::format("{} {} is too long: at most {}s are possible", time.option, time.text,
+                                 number_text(breach_times.most)));
+}
+
+void set_rules(const PlanOptions& options, const io::MapFile& file, Rules& rules) {
+    const Map& map = file.map;
+    if (options.budget) {
+        rules.budget = *options.budget;
+        // Without --removals, the budget replaces the count.
+        if (options.mission.empty()) rules.removals = int(std::min<std::size_t>(map.obstacles().size(), INT_MAX));
+    }
+    rules.removals = options.removals.value_or(rules.removals);
+    if (options.breach_time) rules.breach_time.per_obstacle = time_of(*options.breach_time);
+    if (options.breach_time_per_cell) rules.breach_time.per_cell = time_of(*options.breach_time_per_cell);
+    if (!options.force.empty()) rules.force = options.force;
+    rules.objective = options.objective.value_or(rules.objective);
+    if (options.minimise_demolition) rules.minimise_demolition = options.minimise_demolition;
+    if (options.separation) rules.separation = in_cells(*options.separation, file, radii);
+    rules.at_goal = options.at_goal.value_or(rules.at_goal);
+}
+
+void set_protected(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
+    if (!options.protect.empty() || !options.protect_tags.empty()) {
+        document.mission.rules.protect = options.protect;
+        document.protect_tags = options.protect_tags;
+    }
+    io::protect_tagged(map, std::exchange(document.protect_tags, {}), document.mission.rules);
+}
+
+void set_method(const PlanOptions& options, Method& method) {
+    method.select = options.select.value_or(method.select);
+    method.flight = options.flight.value_or(method.flight);
+    method.planner = options.planner.value_or(method.planner);
+    if (options.heuristic) method.heuristic = options.heuristic;
+    method.weight = options.weight.value_or(method.weight);
+    method.tie_break = options.tie_break.value_or(method.tie_break);
+    method.diagonal = options.diagonal.value_or(method.diagonal);
+    method.bound = method.bound || options.bound;
+    method.explain = method.explain || options.explain;
+}
+
+}  // namespace
+
+io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map) {
+    const Limits limits{.seconds = default_seconds};
+    io::MissionDocument result{.mission = {}, .limits = limits};
+    if (!options.mission.empty()) result = io::read_mission_file(options.mission, limits);
+    Mission& mission = result.mission;
+    Method& method = result.method;
+    const bool from_map = map.task && options.mission.empty() && options.agents.empty();
+    set_agents(options, map, mission);
+    set_clock(options, map, result);
+    set_rules(options, map, mission.rules);
+    if (options.budget) result.area_budget = options.area_budget;
+    set_protected(options, map, result);
+    if (from_map) {
+        const SearchOptions& search = map.task->search;
+        method.heuristic = search.heuristic;
+        method.weight = search.weight;
+        method.tie_break = search.tie_break;
+        method.diagonal = search.diagonal;
+        method.planner = search.planner;
+    } else if (needs_search(options)) {
+        method.planner = Planner::theta;
+    }
+    if (options.paper) follow_paper(mission.rules, method);
+    set_method(options, method);
+    mission.rules.timing = options.timing.value_or(mission.rules.timing);
+    result.limits.seconds = options.time_limit.value_or(result.limits.seconds);
+    result.limits.expansions = options.expansion_limit.value_or(result.limits.expansions);
+    const Planner planner = planner_of(method, mission.ground_body());
+    if (options.planner == Planner::optimal && planner != Planner::optimal) {
+        throw InputError(
+            "--planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits; "
+            "drop it, or the option that contradicts it");
+    }
+    method.planner = planner;
+    return result;
+}
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,22 @@
+// Filters of things by their tags, the key=value pairs that map data says of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace waybreaker::site {
+
+// Things by a tag: `building` is every building, `barrier=wall,fence` some barriers, `*` everything. A * in a value
+// stands for any text. A tag that says `no` does not count.
+struct TagFilter {
+    std::string key;
+    std::vector<std::string> values = {};  // any, if empty
+    bool accepts(const std::string& value) const;
+    std::string text() const;  // KEY or KEY=VALUE,...
+};
+
+// One or more of KEY and KEY=VALUE,... with commas between: what follows a KEY=VALUE and has no = is another value of
+// that key. Throws InputError if it is something else.
+std::vector<TagFilter> parse_tag_filters(const std::string& text);
+
+}  // namespace waybreaker::site
