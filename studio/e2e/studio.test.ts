@@ -244,7 +244,7 @@ describe("a link", () => {
     const strokes = Array.from({ length: 32 * 90 }, (_, i): Run => [(i * 7) % 350 + ((i >> 5) % 90), 100 + (i % 300), 3]);
     const mission = freshMission("berlin-mitte.tif", { start: [256, 434], goal: [118, 55] });
     const file = join(scratch, "mission.json");
-    writeFileSync(file, missionFile({ ...mission, walls: union(strokes, []) }, { width: 501, cell: 2.4 }, 3));
+    writeFileSync(file, missionFile({ ...mission, walls: union(strokes, []) }, { width: 501, cell: 2.4, metric: true }, 3));
     const page = await visit({ query: "#map=berlin-mitte.tif&start=256,434&goal=118,55&removals=1" });
     const { digest } = (await page.plan()).map;
     await page.page.getByLabel("File to open").setInputFiles(file);

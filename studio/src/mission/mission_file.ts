@@ -17,6 +17,7 @@ interface FileAgent {
 
 interface MissionDocument {
   format: typeof format;
+  time_unit?: "s"; // on maps with metres
   agents: FileAgent[];
   rules?: Record<string, unknown>;
   method?: Record<string, unknown>;
@@ -34,6 +35,7 @@ export interface MissionQuery {
 export interface MapOfMission {
   width: number;
   cell: number; // metres, or 1
+  metric: boolean;
   file?: string | undefined; // where the person has it
 }
 
@@ -45,6 +47,7 @@ export function missionFile(mission: Mission, map: MapOfMission, removals: numbe
   const obstacles = (mark: "protect" | "force") => marked(mission, mark).filter((key) => key > 0).sort((a, b) => a - b);
   const document: MissionDocument = {
     format,
+    ...(map.metric && { time_unit: "s" as const }),
     agents: [
       { id: "ground", kind: "ground", start: markers.start, goal: markers.goal, speed: mission.groundSpeed / map.cell, radius: mission.radius },
       {
@@ -122,7 +125,7 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   }
   for (const [name, said] of Object.entries(page)) if (name !== "cell_size") query.set(name, String(said));
   for (const mark of ["protect", "force"]) {
-    const ids = [rules[mark], page[mark]].flat().filter((one) => one !== undefined);
+    const ids = [idsIn(rules[mark]), page[mark]].flat().filter((one) => one !== undefined);
     if (ids.length > 0) query.set(mark, ids.join());
   }
   return { query: query.toString(), leftOut: leftOut(document, ground) };
@@ -133,6 +136,10 @@ function speedOf({ speed = 1 }: FileAgent, cell: number): string {
   return String(Number((speed * cell).toPrecision(15)));
 }
 
+function idsIn(obstacles: unknown): number[] {
+  return Array.isArray(obstacles) ? obstacles.filter((one) => typeof one === "number") : [];
+}
+
 const known = {
   rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "timing", "objective"],
   method: ["select", "planner", "flight", "weight", "tie_break", "moves", "bound", "explain"],
@@ -141,7 +148,8 @@ const known = {
 function leftOut({ rules = {}, method = {} }: MissionDocument, ground: FileAgent): string[] {
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
   const corners = (ground as { corners?: string }).corners ?? "none";
-  return [...of(rules, known.rules), ...of(method, known.method), ...(corners === "none" ? [] : ["corners"])];
+  const tags = [rules.protect].flat().some((one) => typeof one === "string") ? ["protection by tag"] : [];
+  return [...of(rules, known.rules), ...of(method, known.method), ...(corners === "none" ? [] : ["corners"]), ...tags];
 }
 
 // As the page once wrote them: what a link says, a line each.

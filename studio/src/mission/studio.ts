@@ -142,7 +142,7 @@ export class Studio extends Editor {
     if (!mission || !shown) return null;
     const removals = this.results.plans.value.after?.plan.removed.length ?? defaults.removals;
     const file = this.uploads.value.get(mission.map)?.name;
-    const map = { width: shown.base.cells.width, cell: this.units.value.cell, file };
+    const map = { width: shown.base.cells.width, cell: this.units.value.cell, metric: this.units.value.metric, file };
     return missionFile({ ...mission, time: this.clock.time.value }, map, removals);
   }
 

@@ -13,7 +13,7 @@ import { height, randomMission, sorted, width } from "./random_mission";
 const file = (name: string, ...parts: BlobPart[]) => Object.assign(new Blob(parts), { name }) as unknown as File;
 const kindOf = async (...files: File[]) => (await understood(files)).kind;
 const yard = freshMission("yard.map", { start: [1, 2], goal: [3, 4] });
-const tenWide = { width: 10, cell: 2 };
+const tenWide = { width: 10, cell: 2, metric: true };
 const query = "map=a.map&start=1,2&goal=3,4&removals=5";
 
 it("tells maps, plans and missions apart by what is in them", async () => {
@@ -87,7 +87,7 @@ it("a mission file brings back every mission", () => {
     const speed = () => random.oneOf([1, 10, 2.5, 0.3]); // cells keep 15 digits of metres
     const mission = { ...randomMission(random), groundSpeed: speed(), airSpeed: speed() };
     const cell = random.oneOf([1, 2, 2.4, 0.05]);
-    const said = queryOfFile(JSON.parse(missionFile(mission, { width, cell }, 3)) as Record<string, unknown>, 7);
+    const said = queryOfFile(JSON.parse(missionFile(mission, { width, cell, metric: true }, 3)) as Record<string, unknown>, 7);
     expect(said?.leftOut).toEqual([]);
     const { mission: back, complaints } = decodeLink(said!.query, mission.map, mission.markers, width, height);
     expect(complaints).toEqual([]);
@@ -99,6 +99,7 @@ it("a mission file is the command line's, in cells", () => {
   const said = JSON.parse(missionFile({ ...yard, groundSpeed: 3, removals: "auto", marks: new Map([[3, "protect"]]) }, tenWide, 4));
   expect(said).toMatchObject({
     format: "waybreaker-mission/1",
+    time_unit: "s",
     agents: [
       { id: "ground", kind: "ground", start: [1, 2], goal: [3, 4], speed: 1.5, radius: 0.5 },
       { id: "air", kind: "air", start: [1, 2], goal: [3, 4] },
@@ -114,11 +115,11 @@ it("a mission file of the command line opens, and what the page cannot ask is sa
     { id: "g", kind: "ground", start: [1, 2], goal: [3, 4], speed: 2, corners: "cut" },
     { id: "a", kind: "air", start: [1, 2], goal: [5, 5] },
   ];
-  const document = { format: "waybreaker-mission/1", agents, rules: { removals: 2, budget: 12, force: [6] } };
+  const document = { format: "waybreaker-mission/1", agents, rules: { removals: 2, budget: 12, force: [6], protect: [5, "amenity=school"] } };
   const found = missionIn(JSON.stringify(document));
   expect(found?.mission).toMatchObject({ removals: 2, groundSpeed: 4, airSpeed: 2, markers: { air_goal: [5, 5] } });
-  expect(found?.mission.marks).toEqual(new Map([[6, "force"]]));
-  expect(found?.leftOut).toEqual(["budget", "corners"]);
+  expect(found?.mission.marks).toEqual(new Map([[5, "protect"], [6, "force"]]));
+  expect(found?.leftOut).toEqual(["budget", "corners", "protection by tag"]);
   expect(missionIn(JSON.stringify({ ...document, agents: [agents[0], agents[0], agents[1]] }))).toBeNull();
 });
 
