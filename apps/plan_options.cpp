@@ -6,11 +6,10 @@
 #include <climits>
 
 #include "io/option_words.hpp"
-#include "io/output_file.hpp"
 #include "io/weights.hpp"
 #include "option.hpp"
+#include "team_options.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/movingai.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -21,8 +20,6 @@ constexpr int most_auto_removals = 32;
 
 constexpr Range speeds{least_speed, most_speed};
 constexpr Range breach_times{0, most_breach_time};
-constexpr double largest_radius = 32;
-constexpr std::size_t max_scenario_bytes = std::size_t{1} << 26U;
 constexpr double default_seconds = 10;
 
 // A whole number, or "auto".
@@ -40,16 +37,7 @@ void add_removals(CLI::App& command, PlanOptions& options) {
 void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--mission", options.mission,
              "Read the mission from a mission file (JSON); other options override what it says");
-    add_file(command, "--agents", options.agents,
-             "Plan for several ground agents: the lines of a MovingAI scenario file, without an aircraft");
-    add_count(
-        command, "--count", [&options](std::int64_t n) { options.count = int(n); }, 1, most_agents,
-        "Only so many of them, the first ones (default: all)");
-    add_number(
-        command, "--separation", [&options](double room) { options.separation = room; }, {0, largest_radius}, "CELLS",
-        "Room between any two ground agents (default: 0)");
-    add_choice(command, "--at-goal", io::at_goal_words, options.at_goal,
-               "Whether ground agents that have arrived stay, in the way of others, or leave (default: stay)");
+    add_team_options(command, options);
     add_cell(command, "--start", options.start, "Cell where both agents start (default: as the map file says)");
     add_cell(command, "--goal", options.goal, "Cell where both agents end (default: as the map file says)");
     add_cell(command, "--air-start", options.air_start, "Cell where the air agent starts, if elsewhere");
@@ -160,12 +148,11 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
                      "Leave out measured times, so that equal input gives equal bytes");
 }
 
-// Whether an option applies only to a search with a heuristic.
+}  // namespace
+
 bool needs_search(const PlanOptions& options) {
     return options.heuristic || options.weight || options.tie_break || !options.trace.empty();
 }
-
-}  // namespace
 
 void add_plan_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "MAP", options.map,
@@ -231,55 +218,8 @@ std::optional<std::vector<double>> weights_of(const PlanOptions& options, const 
 
 namespace {
 
-// The first lines of a scenario file, named by their numbers.
-std::vector<Agent> scenario_agents(const PlanOptions& options, const Map& map) {
-    const std::string text = io::read_whole(options.agents, max_scenario_bytes);
-    std::vector<Scenario> scenarios = read_movingai_scenarios(text, io::input_name(options.agents));
-    const std::size_t count = std::size_t(options.count.value_or(int(std::min(scenarios.size(), most_agents))));
-    if (scenarios.empty()) throw InputError(io::input_name(options.agents), 0, "holds no scenarios");
-    if (count > scenarios.size()) {
-        throw InputError(io::input_name(options.agents), 0,
-                         fmt::format("has {} scenarios; give a smaller --count", scenarios.size()));
-    }
-    std::vector<Agent> agents(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (scenarios[i].width != map.width() || scenarios[i].height != map.height()) {
-            throw InputError(io::input_name(options.agents), 0,
-                             fmt::format("is for a map of {} x {} cells, not {} x {}", scenarios[i].width,
-                                         scenarios[i].height, map.width(), map.height()));
-        }
-        agents[i].id = std::to_string(i + 1);
-        agents[i].start = scenarios[i].start;
-        agents[i].goal = scenarios[i].goal;
-    }
-    return agents;
-}
-
-void validate_team_options(const PlanOptions& options, const Mission& mission) {
-    if (options.count && options.agents.empty()) throw InputError("--count is for --agents FILE");
-    if (!options.agents.empty() && !options.mission.empty()) {
-        throw InputError("--agents and --mission both say who the agents are; drop one of them");
-    }
-    const bool places = options.start || options.goal || options.air_start || options.air_goal;
-    const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
-    if (mission.is_team() && ways) {
-        throw InputError(
-            "--paper, --select, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground "
-            "and one air agent");
-    }
-    const bool removes = options.removals.value_or(0) > 0 || options.budget || !options.weights.empty();
-    if (mission.is_team() && removes) {
-        throw InputError(
-            "-n, --budget and --weights are not for teams: nothing can be removed for one yet; -n 0 says so");
-    }
-    if (mission.is_team() && places) {
-        throw InputError(
-            "--start and --goal are for one ground and one air agent; the agents have places of their own");
-    }
-}
-
 void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
-    if (!options.agents.empty()) mission.agents = scenario_agents(options, map.map);
+    if (!options.agents.empty()) mission.agents = team_of(options, map.map);
     validate_team_options(options, mission);
     const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
                               const char* option) {

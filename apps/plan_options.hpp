@@ -14,12 +14,16 @@
 
 namespace waybreaker::apps {
 
+inline constexpr double largest_radius = 32;
+
 // As given on the command line. What is optional can come from --paper or from the map file.
 struct PlanOptions {
     std::string map;
     std::string mission;  // a mission file
     std::string agents;   // a scenario file
     std::optional<int> count;
+    std::optional<int> aircraft;
+    std::optional<int> breaches;  // of each
     std::optional<Cell> start;
     std::optional<Cell> goal;
     std::optional<Cell> air_start;
@@ -73,6 +77,9 @@ void add_plan_options(CLI::App& command, PlanOptions& options);
 
 // Throws InputError, naming the options, if they contradict each other.
 void validate(const PlanOptions& options);
+
+// Whether an option applies only to a search with a heuristic.
+bool needs_search(const PlanOptions& options);
 
 // What obstacles weigh, by id, where the options or the mission's budget say so; throws InputError as io::read_weights
 // and io::area_weights do.
