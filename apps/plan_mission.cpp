@@ -7,21 +7,13 @@
 #include <utility>
 
 #include "core/range.hpp"
-#include "io/output_file.hpp"
 #include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "plan_options.hpp"
+#include "team_options.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/movingai.hpp"
 
 namespace waybreaker::apps {
-namespace {
-
-constexpr std::size_t max_scenario_bytes = std::size_t{1} << 26U;
-constexpr double default_seconds = 10;
-
-}  // namespace
-
 std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
                                               const io::MapFile& map) {
     if (mission.area_budget && !options.weights.empty()) {
@@ -37,52 +29,7 @@ std::optional<std::vector<double>> weights_of(const PlanOptions& options, const 
 
 namespace {
 
-// The first lines of a scenario file, named by their numbers.
-std::vector<Agent> scenario_agents(const PlanOptions& options, const Map& map) {
-    const std::string text = io::read_whole(options.agents, max_scenario_bytes);
-    std::vector<Scenario> scenarios = read_movingai_scenarios(text, io::input_name(options.agents));
-    const std::size_t count = std::size_t(options.count.value_or(int(std::min(scenarios.size(), most_agents))));
-    if (scenarios.empty()) throw InputError(io::input_name(options.agents), 0, "holds no scenarios");
-    if (count > scenarios.size()) {
-        throw InputError(io::input_name(options.agents), 0,
-                         fmt::format("has {} scenarios; give a smaller --count", scenarios.size()));
-    }
-    std::vector<Agent> agents(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (scenarios[i].width != map.width() || scenarios[i].height != map.height()) {
-            throw InputError(io::input_name(options.agents), 0,
-                             fmt::format("is for a map of {} x {} cells, not {} x {}", scenarios[i].width,
-                                         scenarios[i].height, map.width(), map.height()));
-        }
-        agents[i].id = std::to_string(i + 1);
-        agents[i].start = scenarios[i].start;
-        agents[i].goal = scenarios[i].goal;
-    }
-    return agents;
-}
-
-void validate_team_options(const PlanOptions& options, const Mission& mission) {
-    if (options.count && options.agents.empty()) throw InputError("--count is for --agents FILE");
-    if (!options.agents.empty() && !options.mission.empty()) {
-        throw InputError("--agents and --mission both say who the agents are; drop one of them");
-    }
-    const bool places = options.start || options.goal || options.air_start || options.air_goal;
-    const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
-    if (mission.is_team() && ways) {
-        throw InputError(
-            "--paper, --select, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground "
-            "and one air agent");
-    }
-    const bool removes = options.removals.value_or(0) > 0 || options.budget || !options.weights.empty();
-    if (mission.is_team() && removes) {
-        throw InputError(
-            "-n, --budget and --weights are not for teams: nothing can be removed for one yet; -n 0 says so");
-    }
-    if (mission.is_team() && places) {
-        throw InputError(
-            "--start and --goal are for one ground and one air agent; the agents have places of their own");
-    }
-}
+constexpr double default_seconds = 10;
 
 // What options mean on the map.
 struct Places {
@@ -108,7 +55,7 @@ double radius_of(const Measure& radius, const io::MapFile& map) {
 
 void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
     const Places places = places_of(options, map);
-    if (!options.agents.empty()) mission.agents = scenario_agents(options, map.map);
+    if (!options.agents.empty()) mission.agents = team_of(options, map.map, {places.air_start, places.air_goal});
     validate_team_options(options, mission);
     const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
                               const char* option) {

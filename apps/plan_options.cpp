@@ -11,12 +11,11 @@
 
 #include "io/excerpt.hpp"
 #include "io/option_words.hpp"
-#include "io/output_file.hpp"
 #include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "option.hpp"
+#include "team_options.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/movingai.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -87,15 +86,7 @@ void add_protect(CLI::App& command, PlanOptions& options) {
 void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--mission", options.mission,
              "Read the mission from a mission file (JSON); other options override what it says");
-    add_file(command, "--agents", options.agents,
-             "Plan for several ground agents: the lines of a MovingAI scenario file, without an aircraft");
-    add_count(
-        command, "--count", [&options](std::int64_t n) { options.count = int(n); }, 1, most_agents,
-        "Only so many of them, the first ones (default: all)");
-    add_measure(command, "--separation", options.separation, radii, "m", "LENGTH",
-                "Room between any two ground agents, in cells, or metres such as 2m (default: 0)");
-    add_choice(command, "--at-goal", io::at_goal_words, options.at_goal,
-               "Whether ground agents that have arrived stay, in the way of others, or leave (default: stay)");
+    add_team_options(command, options);
     add_place(command, "--start", options.start, "Where both agents start (default: as the map file says)");
     add_place(command, "--goal", options.goal, "Where both agents end (default: as the map file says)");
     add_place(command, "--air-start", options.air_start, "Where the air agent starts, if elsewhere");

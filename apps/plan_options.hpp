@@ -21,6 +21,8 @@ struct PlanOptions {
     std::string mission;  // a mission file
     std::string agents;   // a scenario file
     std::optional<int> count;
+    std::optional<int> aircraft;
+    std::optional<int> breaches;  // of each
     std::optional<GivenPlace> start;
     std::optional<GivenPlace> goal;
     std::optional<GivenPlace> air_start;
@@ -76,11 +78,11 @@ struct PlanOptions {
 
 void add_plan_options(CLI::App& command, PlanOptions& options);
 
-// Whether an option applies only to a search with a heuristic.
-bool needs_search(const PlanOptions& options);
-
 // Throws InputError, naming the options, if they contradict each other.
 void validate(const PlanOptions& options);
+
+// Whether an option applies only to a search with a heuristic.
+bool needs_search(const PlanOptions& options);
 
 // What obstacles weigh, by id, where the options or the mission's budget say so; throws InputError as io::read_weights
 // and io::area_weights do.

@@ -241,7 +241,9 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         {"removed", "obstacle", "cells", "breach cell", timed("breached at", context), timed("entered at", context)}};
     if (counted) rows.front().insert(rows.front().begin() + 3, "hits");
     if (style.metres) rows.front().insert(rows.front().begin() + 3, "m\u00b2");
+    const bool shared = std::ranges::any_of(plan.breaches, [](const Breach& breach) { return !breach.by.empty(); });
     if (explained) rows.front().push_back(timed("saves", context));
+    if (shared) rows.front().emplace_back("by");
     if (source_ids) rows.front().insert(rows.front().begin() + 2, "OSM id");
     if (names) rows.front().emplace_back("name");
     for (const Breach& breach : plan.breaches) {
@@ -251,6 +253,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(breach.hits));
         if (style.metres) rows.back().insert(rows.back().begin() + 3, area(breach.cells, context.map));
         if (explained) rows.back().push_back(text(breach.saves, 3));
+        if (shared) rows.back().push_back(breach.by);
         const std::string source_id = named(breach) ? std::to_string(breach.source_id) : nothing;
         if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);
         if (names) rows.back().emplace_back(name_of(breach));
@@ -367,7 +370,11 @@ std::string warning(const Plan& plan, const io::PlanContext& context) {
 
 std::string plan_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     if (context.mission.is_team()) {
-        return heading(context, style) + "\n" + team(plan, context, style) + bound(plan, context) + limit(plan);
+        const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
+        const bool may_remove =
+            context.mission.rules.removals > 0 && std::ranges::any_of(context.mission.agents, flies);
+        return heading(context, style) + "\n" + front(context, style) + team(plan, context, style) +
+               (may_remove ? "\n" + removals(plan, context, style) : "") + bound(plan, context) + limit(plan);
     }
     return heading(context, style) + "\n" + front(context, style) + outcomes(plan, context, style) +
            removals(plan, context, style) + next(plan, context) + waits(plan) + bound(plan, context) + limit(plan) +

@@ -34,10 +34,10 @@ enum class Rule {
     budget,      // ... or so heavy
     cells,       // and is what the plan says it is
     boundary,    // it is breached from its boundary
-    breach,      // the air agent is there as long as the breach takes
-    order,       // one breach after the other, listed in that order
+    breach,      // an air agent of the plan is there as long as the breach takes
+    order,       // each air agent makes one breach after the other, listed in that order
     next,        // what would be removed next may be, and is not yet
-    entered,     // entered_at is when the ground agent first touches the obstacle
+    entered,     // entered_at is when a ground agent first touches the obstacle
     length,
     makespan,
     flowtime,
@@ -46,6 +46,7 @@ enum class Rule {
     bound,   // not above what the plan reaches, nor what is reached without removals
     gap,
     separation,  // no two ground agents overlap, at any time
+    capacity,    // no air agent breaches more obstacles than it may
 };
 
 // As written in reports: the word above.

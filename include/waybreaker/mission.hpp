@@ -28,15 +28,18 @@ enum class AtGoal { stay, leave };
 // Speeds of agents, in cells per unit of time: within these every time is a number one can use.
 inline constexpr double least_speed = 1e-6;
 inline constexpr double most_speed = 1e6;
+// Of obstacles that an air agent may breach: as many as the rules allow to all of them.
+inline constexpr int any_number = std::numeric_limits<int>::max();
 
 struct Agent {
     std::string id = {};  // as plans name it
     AgentKind kind = AgentKind::ground;
     Cell start = {};
     Cell goal = {};
-    double speed = 1;     // cells per unit of time, least_speed to most_speed
-    Body body = {};       // of a ground agent; an air agent has none
-    double ready_at = 0;  // a ground agent of a team stands at its start until then, 0 to most_breach_time
+    double speed = 1;           // cells per unit of time, least_speed to most_speed
+    Body body = {};             // of a ground agent; an air agent has none
+    double ready_at = 0;        // a ground agent of a team stands at its start until then, 0 to most_breach_time
+    int breaches = any_number;  // how many obstacles an air agent of a team may breach, >= 0
 };
 
 // How long the air agent stays at a breach point until the obstacle is gone, in units of time: what the map says of the
@@ -72,7 +75,7 @@ inline constexpr std::size_t most_agents = 10000;
 
 struct Mission {
     // One ground and one air agent, in any order; or a team (docs/coalition.md): any number of ground agents, and
-    // aircraft. Nothing can be removed for a team yet.
+    // aircraft. Without aircraft nothing is removed, whatever the rules allow.
     std::vector<Agent> agents = {};
     Rules rules = {};
 

@@ -29,7 +29,7 @@ struct Itinerary {
     Cell goal = {};
 };
 
-// One obstacle the air agent removes.
+// One obstacle an air agent removes.
 struct Breach {
     ObstacleId obstacle = {};
     std::int64_t source_id = 0;
@@ -40,6 +40,9 @@ struct Breach {
     std::optional<double> entered_at = {};  // when the ground agent first touches a cell of it
     // What the objective would lose if this one had to stay; if asked for (below 0: it gains).
     std::optional<double> saves = {};
+    // Of a team's plan: the air agent that breaches it, and when it begins to.
+    std::string by = {};
+    std::optional<double> begun_at = {};
 };
 
 // The obstacle that one removal more would take, and what the objective would gain.
@@ -90,7 +93,7 @@ struct Plan {
     std::optional<double> gap = {};    // objective / bound - 1; empty without a bound or a plan
     // With Rules::minimise_demolition: no plan as good as asked for demolishes fewer cells, proven.
     std::optional<std::uint64_t> least_demolition = {};
-    std::vector<Breach> breaches = {};   // in the order of the flight
+    std::vector<Breach> breaches = {};   // in the order of the flight; of several flights, of cleared_at
     std::vector<NextBreach> next = {};   // if asked for: at most one
     std::vector<Itinerary> agents = {};  // one for each agent of the mission, in its order; empty unless solved
     struct Seconds {

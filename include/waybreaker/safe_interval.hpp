@@ -68,7 +68,7 @@ struct SafeIntervalOptions {
     bool stays = true;                            // for ever at its goal: nobody else may come by later
     std::span<const TimedOpening> openings = {};  // in units of time
     // A way from start to goal known beforehand, its turning points, legal for the body; found by Theta* where there is
-    // none. Ways near it are tried first.
+    // none. Ways near it are tried first. Where an obstacle on it opens late, it is waited for at the last turn before.
     std::span<const Cell> known = {};
     // Arrivals that late are not looked for.
     double arrive_before = std::numeric_limits<double>::infinity();
@@ -88,11 +88,12 @@ class SafeIntervalSearcher {
     SafeIntervalSearcher(SafeIntervalSearcher&&) noexcept;
     SafeIntervalSearcher& operator=(SafeIntervalSearcher&&) noexcept;
 
-    // An early way from start to goal that meets nobody: the known one without a stop, if it is free; else the best of
-    // a search near it, else, on maps of up to four million cells, of one over the whole map; that one is left out
-    // where there is `arrive_before`. So `no_path` means that no way was found, not that there is none. The same query
-    // has the same answer, time limits aside. Throws InputError if options are out of range. Memory: about 24 bytes a
-    // cell that is searched, and 128 MB of distances kept for later queries. Not for use by two threads at once.
+    // An early way from start to goal that meets nobody: the known one, stopping only for what opens late, if it is
+    // free; else the best of a search near it, else, on maps of up to four million cells, of one over the whole map;
+    // that one is left out where there is `arrive_before`. So `no_path` means that no way was found, not that there is
+    // none. The same query has the same answer, time limits aside. Throws InputError if options are out of range.
+    // Memory: about 24 bytes a cell that is searched, and 128 MB of distances kept for later queries. Not for use by
+    // two threads at once.
     SafeIntervalResult find(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goal,
                             const SafeIntervalOptions& options = {});
 

@@ -87,8 +87,12 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
         return std::any_of(violations.begin(), violations.end(),
                            [](const Violation& v) { return v.rule == Rule::agents || v.rule == Rule::time; });
     };
-    if (!broken(ground_times)) append(all, judge_ground(map, plan, *ground, terms));
-    if (!broken(air_times)) append(all, judge_breaches(map, plan, *air, terms));
+    if (!broken(ground_times)) {
+        Drive drive = judge_ground(map, plan, *ground, terms);
+        append(all, std::move(drive.found));
+        if (drive.followed) append(all, judge_entries(map, plan, drive.entries, ground->id, terms));
+    }
+    if (!broken(air_times)) append(all, judge_breaches(map, plan.breaches, *air, terms));
     if (!broken(ground_times) && !broken(air_times)) append(all, judge_figures(plan, ground, air, terms));
     return all;
 }
@@ -111,11 +115,11 @@ std::string text(ObstacleId obstacle) {
 }  // namespace checker
 
 std::string_view name(Rule rule) {
-    constexpr std::array<std::string_view, 27> names{
-        "map",      "status",          "agents",   "start",      "goal",     "time",   "speed",
-        "vertex",   "collision",       "obstacle", "repetition", "removals", "budget", "cells",
-        "boundary", "breach",          "order",    "next",       "entered",  "length", "makespan",
-        "flowtime", "ground_makespan", "before",   "bound",      "gap"};
+    constexpr std::array<std::string_view, 28> names{
+        "map",      "status",          "agents",   "start",      "goal",     "time",       "speed",
+        "vertex",   "collision",       "obstacle", "repetition", "removals", "budget",     "cells",
+        "boundary", "breach",          "order",    "next",       "entered",  "length",     "makespan",
+        "flowtime", "ground_makespan", "before",   "bound",      "gap",      "separation", "capacity"};
     return names.at(std::size_t(rule));
 }
 

@@ -1,8 +1,6 @@
 // The ground agent's way: what it touches, and whether that stands at the moment.
 #include <limits>
-#include <map>
 
-#include "check/contact.hpp"
 #include "check/judge.hpp"
 
 namespace waybreaker::checker {
@@ -43,20 +41,18 @@ class GroundJudge {
   public:
     GroundJudge(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms)
         : map_(map),
-          plan_(plan),
           ground_(ground),
           terms_(terms),
           body_(shape_of(terms.body)),
           standing_(standing_until(map, plan, terms)) {}
 
-    Violations judge() {
-        if (!read_legs()) return std::move(found_);
+    Drive judge() {
+        if (!read_legs()) return {std::move(found_)};
         for (const Leg& leg : legs_) {
             judge_leg(leg);
-            if (found_.size() > enough_violations) return std::move(found_);
+            if (found_.size() > enough_violations) return {std::move(found_)};
         }
-        judge_entries();
-        return std::move(found_);
+        return {std::move(found_), true, std::move(entries_)};
     }
 
   private:
@@ -140,33 +136,13 @@ class GroundJudge {
                obstacle);
     }
 
-    void judge_entries() {
-        for (const Breach& breach : plan_.breaches) {
-            if (!names_obstacle(map_, breach.obstacle)) continue;
-            const auto entry = entries_.find(breach.obstacle);
-            const bool never = entry == entries_.end();
-            if (never && !breach.entered_at) continue;
-            if (!never && breach.entered_at && agree(terms_, entry->second.time, *breach.entered_at)) continue;
-            const std::string stated = breach.entered_at ? text(*breach.entered_at) : "never";
-            const std::string true_time = never ? "never" : text(entry->second.time);
-            found_.push_back({Rule::entered,
-                              text(breach.obstacle) + " is said to be entered " + at_time(stated) + "; it is entered " +
-                                  at_time(true_time),
-                              ground_.id, breach.obstacle, never ? std::optional<Point>() : entry->second.place,
-                              never ? breach.entered_at : entry->second.time});
-        }
-    }
-
-    static std::string at_time(const std::string& when) { return when == "never" ? when : "at " + when; }
-
     const Map& map_;
-    const Plan& plan_;
     const Itinerary& ground_;
     const Terms& terms_;
     const Shape body_;
     const std::vector<double> standing_;
     std::vector<Leg> legs_;
-    std::map<ObstacleId, Contact> entries_;  // the first contact with each obstacle met
+    Entries entries_;
     Violations found_;
 };
 
@@ -182,8 +158,28 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms
     return until;
 }
 
-Violations judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms) {
+Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms) {
     return GroundJudge(map, plan, ground, terms).judge();
+}
+
+Violations judge_entries(const Map& map, const Plan& plan, const Entries& entries, const std::string& who,
+                         const Terms& terms) {
+    const auto at_time = [](std::optional<double> when) { return when ? "at " + text(*when) : "never"; };
+    Violations found;
+    for (const Breach& breach : plan.breaches) {
+        if (!names_obstacle(map, breach.obstacle)) continue;
+        const auto entry = entries.find(breach.obstacle);
+        const std::optional<Contact> first = entry == entries.end() ? std::nullopt : std::optional(entry->second);
+        const std::optional<double> truth = first ? std::optional(first->time) : std::nullopt;
+        if (!truth && !breach.entered_at) continue;
+        if (truth && breach.entered_at && agree(terms, *truth, *breach.entered_at)) continue;
+        found.push_back({Rule::entered,
+                         text(breach.obstacle) + " is said to be entered " + at_time(breach.entered_at) +
+                             "; it is entered " + at_time(truth),
+                         who, breach.obstacle, first ? std::optional(first->place) : std::nullopt,
+                         truth ? truth : breach.entered_at});
+    }
+    return found;
 }
 
 }  // namespace waybreaker::checker

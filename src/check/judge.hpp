@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "check/contact.hpp"
 #include "waybreaker/check.hpp"
 
 namespace waybreaker::checker {
@@ -53,15 +56,28 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms
 // A path from start to goal, in time and at the agent's speed.
 Violations judge_timetable(const Itinerary& agent, const Terms& terms);
 
-// The ground agent's way, and when it enters what is removed. Precondition: its timetable is in order.
-Violations judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms);
+// The first contact with each obstacle that is met.
+using Entries = std::map<ObstacleId, Contact>;
+
+struct Drive {
+    Violations found;
+    bool followed = false;  // to its end
+    Entries entries = {};
+};
+
+// The ground agent's way. Precondition: its timetable is in order.
+Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms);
+
+// That what is removed is entered when the plan says. `who` has entered it; empty where there are several.
+Violations judge_entries(const Map& map, const Plan& plan, const Entries& entries, const std::string& who,
+                         const Terms& terms);
 
 // What is removed: whether it may be, and is as described.
 Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms);
 
 // That the air agent is where it breaches, as long as it takes, one after the other. Precondition: its timetable is in
 // order.
-Violations judge_breaches(const Map& map, const Plan& plan, const Itinerary& air, const Terms& terms);
+Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& air, const Terms& terms);
 
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
 Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Terms& terms);

@@ -148,10 +148,10 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) 
     return found;
 }
 
-Violations judge_breaches(const Map& map, const Plan& plan, const Itinerary& air, const Terms& terms) {
+Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& air, const Terms& terms) {
     Violations found;
     double free_from = 0;  // the breach before is over
-    for (const Breach& breach : plan.breaches) {
+    for (const Breach& breach : breaches) {
         if (!names_obstacle(map, breach.obstacle)) continue;
         if (found.size() > enough_violations) break;
         const double until = breach.cleared_at;

@@ -15,9 +15,8 @@ class TeamJudge {
     }
 
     Violations judge() {
-        if (!plan_.breaches.empty() || !plan_.next.empty()) {
-            report(Rule::removals, "nothing can be removed in a plan of a team");
-        }
+        append(found_, judge_removals(map_, plan_, terms_));
+        judge_sharing();
         if (!has_routes(plan_.before) || !has_routes(plan_.after)) return std::move(found_);
         if (plan_.agents.empty()) {
             judge_without_paths();
@@ -44,16 +43,54 @@ class TeamJudge {
         return false;
     }
 
+    // Each obstacle is removed by an aircraft of the mission, and none removes more than it may.
+    void judge_sharing() {
+        const auto flies = [](const auto& agent) { return agent.second->kind == AgentKind::air; };
+        if (!plan_.breaches.empty() && std::none_of(agents_.begin(), agents_.end(), flies)) {
+            report(Rule::removals, "obstacles are removed, and there is no air agent");
+        }
+        std::map<std::string, int> count;
+        double before = 0;
+        for (const Breach& breach : plan_.breaches) {
+            const std::string what = text(breach.obstacle);
+            const auto fault = [&](Rule rule, const std::string& message) {
+                found_.push_back({rule, message, breach.by, breach.obstacle, breach.at, breach.cleared_at});
+            };
+            const auto agent = agents_.find(breach.by);
+            if (agent == agents_.end() || agent->second->kind != AgentKind::air) {
+                fault(Rule::breach, what + " is breached by '" + breach.by + "', which is no air agent of the mission");
+            } else if (++count[breach.by] == agent->second->breaches + 1LL) {
+                fault(Rule::capacity, "the " + breach.by + " agent breaches more than " +
+                                          std::to_string(agent->second->breaches) + " obstacles");
+            }
+            if (names_obstacle(map_, breach.obstacle)) {
+                const double time = terms_.rules.breach_time.of(map_.obstacle(breach.obstacle));
+                const bool stated = breach.begun_at && agree(terms_, *breach.begun_at, breach.cleared_at - time);
+                if (!stated)
+                    fault(Rule::breach, what + "'s breach does not begin " + text(time) + " before it is over");
+            }
+            if (breach.cleared_at < before - slack(terms_, before)) {
+                fault(Rule::order, what + " is cleared before the one listed before it");
+            }
+            before = breach.cleared_at;
+        }
+    }
+
     // Each agent of the mission has one path.
     bool is_complete() {
         std::set<std::string> planned;
+        bool complete = plan_.agents.size() == mission_.agents.size();
         for (const Itinerary& agent : plan_.agents) {
-            if (!planned.insert(agent.id).second) report(Rule::agents, "there are two paths for " + agent.id, agent.id);
+            if (planned.insert(agent.id).second) continue;
+            report(Rule::agents, "there are two paths for " + agent.id, agent.id);
+            complete = false;
         }
         for (const Agent& agent : mission_.agents) {
-            if (!planned.contains(agent.id)) report(Rule::agents, "there is no path for " + agent.id, agent.id);
+            if (planned.contains(agent.id)) continue;
+            report(Rule::agents, "there is no path for " + agent.id, agent.id);
+            complete = false;
         }
-        return plan_.agents.size() == mission_.agents.size() && found_.empty();
+        return complete;
     }
 
     void judge_without_paths() {
@@ -66,7 +103,9 @@ class TeamJudge {
     void judge_paths() {
         if (plan_.status != PlanStatus::solved) report(Rule::status, "there is no plan, but agents have paths");
         bool broken = false;
+        bool followed = true;
         std::vector<Disc> discs;
+        Entries entries;
         for (const Itinerary& path : plan_.agents) {
             const Agent& agent = *agents_.at(path.id);
             const Terms terms{terms_.rules, agent.body, terms_.tolerance};
@@ -76,13 +115,31 @@ class TeamJudge {
                 return v.rule == Rule::agents || v.rule == Rule::time;
             });
             broken = broken || unreadable;
-            if (unreadable || agent.kind == AgentKind::air) continue;
-            append(found_, judge_ground(map_, plan_, path, terms));
+            if (unreadable) continue;
+            if (agent.kind == AgentKind::air) {
+                append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms_));
+                continue;
+            }
+            Drive drive = judge_ground(map_, plan_, path, terms);
+            append(found_, std::move(drive.found));
+            followed = followed && drive.followed;
+            for (const auto& [obstacle, contact] : drive.entries) {
+                const auto [known, is_new] = entries.emplace(obstacle, contact);
+                if (!is_new && contact.time < known->second.time) known->second = contact;
+            }
             judge_ready(agent, path);
             discs.push_back({&path, agent.body.reach()});
         }
+        if (!broken && followed) append(found_, judge_entries(map_, plan_, entries, "", terms_));
         append(found_, judge_separation(discs, terms_));
         if (!broken) judge_figures();
+    }
+
+    std::vector<Breach> breaches_by(const std::string& id) const {
+        std::vector<Breach> own;
+        std::copy_if(plan_.breaches.begin(), plan_.breaches.end(), std::back_inserter(own),
+                     [&](const Breach& breach) { return breach.by == id; });
+        return own;
     }
 
     // It stands at its start until then.
@@ -110,6 +167,7 @@ class TeamJudge {
         double flowtime = 0;
         double alone = 0;
         double alone_sum = 0;
+        bool all_alone = true;  // get there without removals
         for (std::size_t i = 0; i < mission_.agents.size(); ++i) {
             const Itinerary& path = plan_.agents[i];
             const Agent& agent = *agents_.at(path.id);
@@ -124,7 +182,8 @@ class TeamJudge {
             expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
             const double straight =
                 std::hypot(double(agent.goal.x) - agent.start.x, double(agent.goal.y) - agent.start.y);
-            const double length = plan_.before.routes[i].length.value_or(-1);
+            all_alone = all_alone && plan_.before.routes[i].length;
+            const double length = plan_.before.routes[i].length.value_or(straight);
             if (length < straight - slack(terms_, straight)) {
                 report(Rule::before, "alone, the " + agent.id + " agent's length is below the straight line's");
             }
@@ -135,6 +194,12 @@ class TeamJudge {
         expect(Rule::makespan, "the makespan", plan_.after.makespan, makespan);
         expect(Rule::flowtime, "the flowtime", plan_.after.flowtime, flowtime);
         expect(Rule::ground_makespan, "the ground agents' arrival", plan_.after.ground_makespan, ground_makespan);
+        if (!all_alone) {
+            if (plan_.before.makespan || plan_.before.flowtime || plan_.breaches.empty()) {
+                report(Rule::before, "some agents have no way alone, and there are figures all the same");
+            }
+            return;
+        }
         expect(Rule::before, "the makespan of all, each alone,", plan_.before.makespan, alone);
         expect(Rule::before, "the flowtime of all, each alone,", plan_.before.flowtime, alone_sum);
     }

@@ -59,7 +59,7 @@ void read_protected(const JsonField& object, std::vector<ObstacleId>& ids, std::
 }
 
 Agent read_agent(const JsonField& field) {
-    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at"});
+    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "breaches"});
     Agent agent;
     agent.id = field["id"].text();
     agent.kind = field["kind"].one_of(agent_words);
@@ -67,6 +67,7 @@ Agent read_agent(const JsonField& field) {
     agent.goal = read_cell(field["goal"]);
     if (const auto speed = field.find("speed")) agent.speed = read_positive(*speed);
     if (const auto time = field.find("ready_at")) agent.ready_at = read_not_negative(*time);
+    if (const auto count = field.find("breaches")) agent.breaches = int(count->whole_number(0, INT_MAX));
     read_body(field, agent.body);
     return agent;
 }
@@ -86,6 +87,7 @@ Json agent_json(const Agent& agent) {
               {"goal", place(agent.goal)},
               {"speed", number(agent.speed)}};
     if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
+    if (agent.breaches != any_number) json["breaches"] = agent.breaches;
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
     json["corners"] = word_of(corner_words, agent.body.corners);

@@ -28,6 +28,7 @@ std::string breach_at(const Plan& plan, const MapFile& map, const Itinerary& age
     const Waypoint& point = agent.path[i];
     if (agent.kind != AgentKind::air || (i + 1 < agent.path.size() && agent.path[i + 1] == point)) return ",";
     for (const Breach& breach : plan.breaches) {
+        if (!breach.by.empty() && breach.by != agent.id) continue;
         if (point == Waypoint{double(breach.at.x), double(breach.at.y), breach.cleared_at}) {
             return std::to_string(breach.obstacle.value) + "," +
                    (map.has_metres() ? decimals(map.square_metres(breach.cells), square_millimetres) : "");

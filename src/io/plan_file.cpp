@@ -93,6 +93,8 @@ Breach breach(const JsonField& field) {
     if (const auto id = field.find("source_id")) result.source_id = id->whole_number(INT64_MIN, INT64_MAX);
     if (const auto hits = field.find("hits")) result.hits = std::uint32_t(hits->whole_number(0, UINT32_MAX));
     result.saves = number_or_null(field.find("saves"));
+    if (const auto agent = field.find("by")) result.by = agent->text();
+    result.begun_at = number_or_null(field.find("begun_at"));
     return result;
 }
 

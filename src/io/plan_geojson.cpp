@@ -40,6 +40,8 @@ Json properties_of(const Breach& breach, const MapFile& map, const char* role, s
     if (const std::string_view name = map.name_of(breach.obstacle); !name.empty()) properties["name"] = name;
     properties["cells"] = breach.cells;
     if (map.has_metres()) properties["area_m2"] = map.square_metres(breach.cells);
+    if (!breach.by.empty()) properties["by"] = breach.by;
+    if (breach.begun_at) properties["begun_at"] = *breach.begun_at;
     properties["cleared_at"] = breach.cleared_at;
     properties["entered_at"] = breach.entered_at ? Json(*breach.entered_at) : Json();
     return properties;

@@ -150,6 +150,8 @@ Json breach_json(const Breach& breach, const PlanContext& context) {
     const double weight = context.map.map.obstacle(breach.obstacle).weight;
     if (weight != 1 || std::isfinite(context.mission.rules.budget)) json["weight"] = number(weight);
     json["at"] = place(breach.at);
+    if (!breach.by.empty()) json["by"] = breach.by;
+    if (breach.begun_at) json["begun_at"] = number(breach.begun_at);
     json["cleared_at"] = number(breach.cleared_at);
     json["entered_at"] = number(breach.entered_at);
     if (breach.saves) json["saves"] = number(breach.saves);

@@ -59,7 +59,7 @@ std::vector<Breach> breaches(const Task& task, const Schedule& schedule, std::sp
 
 Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
-    if (mission.is_team()) return plan_team(map, mission, limits, searcher_, crossing_);
+    if (mission.is_team()) return plan_team(map, mission, method, limits, searcher_, crossing_);
     const Task task = task_of(map, mission, method, limits);
     const Stopwatch total;
     const Searchers searchers{searcher_, crossing_};
@@ -125,7 +125,8 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
 std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const Method& method,
                                         const Limits& limits) {
     validate(map, mission, method, limits);
-    if (mission.is_team()) return {plan(map, mission, method, limits)};
+    const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
+    if (std::ranges::none_of(mission.agents, flies)) return {plan(map, mission, method, limits)};
     const Rules& rules = mission.rules;
     const Deadline deadline(limits.seconds);
     const auto plan_with = [&](int removals, bool explained) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "coalition/coalition.hpp"
 #include "core/stopwatch.hpp"
 #include "mission/plan_status.hpp"
 #include "plan/timeline.hpp"
@@ -58,12 +59,13 @@ std::vector<Point> places(std::span<const Waypoint> path) {
     return places;
 }
 
-// Every agent as if it were alone, and the earliest that each can arrive.
-void add_alone(const Mission& mission, const team::TeamPlan& team, Plan& plan) {
+// Every agent as if it were alone, and the earliest that each can arrive; no figures of all where one has no way.
+void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, Plan& plan) {
     Arrivals alone;
     Arrivals least;
+    bool all = true;
     plan.before.routes.clear();
-    auto vehicle = team.vehicles.begin();
+    auto vehicle = vehicles.begin();
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::air) {
             plan.before.routes.push_back(flight(agent));
@@ -74,24 +76,43 @@ void add_alone(const Mission& mission, const team::TeamPlan& team, Plan& plan) {
             plan.before.routes.push_back(drive(*vehicle, {vehicle->way.begin(), vehicle->way.end()}));
             alone.add(AgentKind::ground, vehicle->alone);
             least.add(AgentKind::ground, vehicle->bound);
+            if (vehicle->way.empty()) plan.before.routes.back().length.reset();
+            all = all && !vehicle->way.empty();
             ++vehicle;
         }
     }
+    if (!all) return;
     alone.fill(plan.before);
     Outcome bound;
     least.fill(bound);
     plan.bound = value(bound, mission.rules.objective);
 }
 
-void add_paths(const Mission& mission, team::TeamPlan& team, Plan& plan) {
+// Where the aircraft fly: in the mission's order, each straight unless it breaches.
+using Flights = std::vector<team::Path>;
+
+Flights straight_flights(const Mission& mission) {
+    Flights flights;
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::air) flights.push_back(timed(flight(agent).path, agent.speed));
+    }
+    return flights;
+}
+
+void add_paths(const Mission& mission, team::TeamPlan& team, Flights flights, Plan& plan) {
     Arrivals arrivals;
     plan.after.routes.clear();
     std::size_t vehicle = 0;
+    std::size_t aircraft = 0;
     for (const Agent& agent : mission.agents) {
         std::vector<Waypoint> path;
         if (agent.kind == AgentKind::air) {
-            plan.after.routes.push_back(flight(agent));
-            path = timed(plan.after.routes.back().path, agent.speed);
+            path = std::move(flights[aircraft++]);
+            Route& route = plan.after.routes.emplace_back();
+            route.kind = AgentKind::air;
+            // Who stays at home has a start and a goal all the same.
+            route.path = path.size() == 2 ? flight(agent).path : places(path);
+            route.length = path_length(route.path);
         } else {
             path = std::move(team.paths[vehicle]);
             plan.after.routes.push_back(drive(team.vehicles[vehicle], places(path)));
@@ -115,10 +136,61 @@ void add_nothing(const Mission& mission, Outcome& outcome) {
     }
 }
 
+// When the first vehicle touches what is removed.
+void add_entries(const Map& map, const Mission& mission, Plan& plan) {
+    for (Breach& breach : plan.breaches) {
+        for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+            if (plan.agents[i].kind == AgentKind::air) continue;
+            const auto entered = first_touch(map, breach.obstacle, plan.agents[i].path, mission.agents[i].body.reach());
+            if (entered && (!breach.entered_at || *entered < *breach.entered_at)) breach.entered_at = entered;
+        }
+        if (breach.entered_at && mission.rules.timing == Timing::enforce) {
+            breach.entered_at = std::max(*breach.entered_at, breach.cleared_at);
+        }
+    }
+}
+
+Plan plan_coalition(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                    Searcher& searcher, CrossingSearcher& crossing) {
+    const Stopwatch total;
+    const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions};
+    const auto tell = [&](double objective, double bound) {
+        if (limits.progress) limits.progress({.best = objective, .bound = bound});
+    };
+    coalition::CoalitionPlan made =
+        coalition::plan_coalition(map, mission, method.select != Selection::none, interrupts, crossing, searcher, tell);
+    Plan plan;
+    plan.status = plan_status(made.status);
+    const std::size_t vehicles = std::size_t(std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind));
+    if (made.closed.size() == vehicles) {
+        add_alone(mission, made.closed, plan);
+    } else {
+        add_nothing(mission, plan.before);
+    }
+    plan.bound = made.bound;
+    if (plan.status == PlanStatus::solved) {
+        plan.breaches = std::move(made.breaches);
+        add_paths(mission, made.team, std::move(made.flights), plan);
+        add_entries(map, mission, plan);
+    } else {
+        plan.bound.reset();
+        add_nothing(mission, plan.after);
+    }
+    plan.limit_reached = made.limited || plan.status == PlanStatus::limit_reached;
+    for (const team::Vehicle& vehicle : made.closed) plan.seconds.search += vehicle.seconds;
+    plan.seconds.total = total.seconds();
+    plan.seconds.select = plan.seconds.total - plan.seconds.search;
+    return plan;
+}
+
 }  // namespace
 
-Plan plan_team(const Map& map, const Mission& mission, const Limits& limits, Searcher& searcher,
+Plan plan_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits, Searcher& searcher,
                CrossingSearcher& crossing) {
+    const bool has_aircraft = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind) > 0;
+    if (has_aircraft && mission.rules.removals > 0) {
+        return plan_coalition(map, mission, method, limits, searcher, crossing);
+    }
     const Stopwatch total;
     const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions};
     Plan plan;
@@ -129,12 +201,12 @@ Plan plan_team(const Map& map, const Mission& mission, const Limits& limits, Sea
     plan.status = plan_status(team.status);
     const bool all_alone = std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
     if (all_alone) {
-        add_alone(mission, team, plan);
+        add_alone(mission, team.vehicles, plan);
     } else {
         add_nothing(mission, plan.before);
     }
     if (plan.status == PlanStatus::solved) {
-        add_paths(mission, team, plan);
+        add_paths(mission, team, straight_flights(mission), plan);
     } else {
         add_nothing(mission, plan.after);
     }

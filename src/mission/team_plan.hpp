@@ -1,4 +1,4 @@
-// Missions of teams: several ground agents, and aircraft that only fly.
+// Missions of teams: several ground agents, and aircraft.
 #pragma once
 
 #include "waybreaker/planner.hpp"
@@ -6,7 +6,7 @@
 namespace waybreaker {
 
 // REQUIRES: the mission is a team's, and valid.
-Plan plan_team(const Map& map, const Mission& mission, const Limits& limits, Searcher& searcher,
+Plan plan_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits, Searcher& searcher,
                CrossingSearcher& crossing);
 
 }  // namespace waybreaker

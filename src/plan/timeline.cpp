@@ -122,6 +122,11 @@ double path_length(std::span<const Point> path) {
     return length;
 }
 
+double standing_radius(const Body& body) {
+    constexpr double hair = 1e-5;
+    return body.passes() == Corners::cut ? hair : body.reach();
+}
+
 std::vector<Waypoint> timed(std::span<const Point> path, double speed) {
     std::vector<Waypoint> points;
     double driven = 0;

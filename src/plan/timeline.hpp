@@ -21,4 +21,8 @@ std::vector<Waypoint> timed(std::span<const Point> path, double speed);
 // touches both. Empty if it never does.
 std::optional<double> first_touch(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path, double radius);
 
+// The radius of what must be clear of an obstacle that stands. A point touches nothing when it passes between two
+// diagonal neighbours; one that may not do so has a hair's breadth.
+double standing_radius(const Body& body);
+
 }  // namespace waybreaker

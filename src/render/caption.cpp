@@ -95,9 +95,10 @@ std::string headline(const Map& map, const Mission& mission, const Plan& plan, c
     if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(map, plan, options);
     const double factor = time_factor(mission, options);
     if (mission.is_team()) {
-        return fmt::format("{} agents: makespan {}, flowtime {} {}{}", mission.agents.size(),
+        return fmt::format("{} agents: makespan {}, flowtime {} {}{}{}", mission.agents.size(),
                            number(plan.after.makespan, factor), number(plan.after.flowtime, factor),
-                           time_unit(mission, options), gap(plan, options));
+                           time_unit(mission, options),
+                           plan.breaches.empty() ? "" : ", " + removals(map, plan, options), gap(plan, options));
     }
     const std::string after = number(plan.after.makespan, factor) + " " + time_unit(mission, options);
     if (plan.breaches.empty())

@@ -1,12 +1,11 @@
 #include "safe_interval/search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
 #include "core/range.hpp"
-#include "plan/timeline.hpp"
+#include "safe_interval/driven.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -71,7 +70,7 @@ SafeIntervalResult SafeIntervalSearcher::Search::run(const OpenedMap& map, const
     std::vector<Cell> way;
     result.status = find_way(way);
     if (result.status != SearchStatus::found) return result;
-    if (std::vector<Waypoint> path = driven(way); !path.empty() && meets_nobody(path)) {
+    if (std::vector<Waypoint> path = safe_interval::driven(map.map(), way, options); meets_nobody(path)) {
         result.status = path.back().t < options.arrive_before ? SearchStatus::found : SearchStatus::no_path;
         if (result.status == SearchStatus::found) result.path = std::move(path);
         return result;
@@ -101,21 +100,6 @@ SearchStatus SafeIntervalSearcher::Search::find_way(std::vector<Cell>& way) {
     SearchResult found = searcher_.find(*map_, start_, goal_, options);
     way = std::move(found.path);
     return found.status;
-}
-
-// Without a stop, once it is ready; nothing where an obstacle on the way opens too late for that.
-std::vector<Waypoint> SafeIntervalSearcher::Search::driven(std::span<const Cell> way) const {
-    std::vector<Waypoint> path{{double(start_.x), double(start_.y), 0}};
-    double time = options_->ready_at;
-    if (time > 0 && start_ != goal_) path.push_back({path[0].x, path[0].y, time});
-    for (std::size_t i = 1; i < way.size(); ++i) {
-        if (way[i] == way[i - 1]) continue;
-        const double duration = distance(way[i - 1], way[i]) / options_->speed;
-        if (time < opened_for(way[i - 1], way[i], duration)) return {};
-        time += duration;
-        path.push_back({double(way[i].x), double(way[i].y), time});
-    }
-    return path;
 }
 
 bool SafeIntervalSearcher::Search::meets_nobody(std::span<const Waypoint> path) const {
@@ -302,15 +286,8 @@ double SafeIntervalSearcher::Search::safe_departure(const Move& move, double ear
     return departure;
 }
 
-// The earliest departure at which every obstacle that the move touches is gone by then.
 double SafeIntervalSearcher::Search::opened_for(Cell from, Cell to, double duration) const {
-    double earliest = 0;
-    const std::array<Waypoint, 2> path{{{double(from.x), double(from.y), 0}, {double(to.x), double(to.y), duration}}};
-    for (const TimedOpening& opening : options_->openings) {
-        const auto touched = first_touch(map_->map(), opening.obstacle, path, radius_);
-        if (touched) earliest = std::max(earliest, opening.at - *touched);
-    }
-    return earliest;
+    return safe_interval::opened_for(map_->map(), from, to, duration, *options_);
 }
 
 std::vector<Waypoint> SafeIntervalSearcher::Search::path_to(std::uint32_t node) const {

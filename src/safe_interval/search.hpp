@@ -51,7 +51,6 @@ class SafeIntervalSearcher::Search {
     static constexpr std::uint32_t none = UINT32_MAX;
 
     SearchStatus find_way(std::vector<Cell>& way);
-    std::vector<Waypoint> driven(std::span<const Cell> way) const;
     bool meets_nobody(std::span<const Waypoint> path) const;
     SearchStatus search();
     std::optional<SearchStatus> interrupted() const;

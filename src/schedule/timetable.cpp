@@ -22,10 +22,9 @@ Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const
     Breaching breaching{first_touch(map, obstacle, driven, task.driver.body.reach()),
                         std::numeric_limits<double>::infinity(), task.rules.breach_time.of(map.obstacle(obstacle))};
     if (task.rules.timing == Timing::ignore) return breaching;
-    // A point touches nothing when it passes between two diagonal neighbours.
-    constexpr double hair = 1e-5;
+    const double radius = standing_radius(task.driver.body);
     const auto needed_by =
-        task.driver.body.passes() != Corners::cut ? breaching.touched : first_touch(map, obstacle, driven, hair);
+        radius == task.driver.body.reach() ? breaching.touched : first_touch(map, obstacle, driven, radius);
     if (needed_by) breaching.needed_by = *needed_by;
     return breaching;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 #include "waybreaker/error.hpp"
 
@@ -52,25 +54,42 @@ void validate_demolition(const Map& map, const Mission& mission, const Method& m
     }
 }
 
-// What cannot be planned for a team yet, or only for one.
+// What cannot be planned for a team, or only for one.
 void validate_team(const Mission& mission, const Method& method) {
     const auto is_ready_later = [](const Agent& agent) { return agent.ready_at > 0; };
+    const auto is_limited = [](const Agent& agent) { return agent.breaches != any_number; };
     if (!mission.is_team()) {
         if (std::ranges::any_of(mission.agents, is_ready_later)) {
             throw InputError("ready_at is for several ground agents: leave it out for one ground and one air agent");
         }
+        if (std::ranges::any_of(mission.agents, is_limited)) {
+            throw InputError("breaches is for teams: for one ground and one air agent give removals");
+        }
         return;
     }
+    std::int64_t capacity = 0;
     for (const Agent& agent : mission.agents) {
-        if (agent.kind != AgentKind::air) continue;
-        if (is_ready_later(agent)) throw InputError("ready_at is for ground agents: the " + agent.id + " agent flies");
-        if (mission.rules.removals > 0) {
-            throw InputError(
-                "for other teams than one ground and one air agent nothing can be removed yet: set removals to 0, or "
-                "leave out the air agents");
+        if (agent.kind == AgentKind::ground) {
+            if (is_limited(agent)) throw InputError("breaches is for air agents: the " + agent.id + " agent drives");
+            continue;
         }
+        if (is_ready_later(agent)) throw InputError("ready_at is for ground agents: the " + agent.id + " agent flies");
+        if (agent.breaches < 0) throw InputError("the " + agent.id + " agent cannot breach less than no obstacle");
+        capacity += agent.breaches;
     }
-    if (!mission.rules.force.empty()) throw InputError("there is no air agent to remove what must be removed");
+    const auto forced = std::int64_t(mission.rules.force.size());
+    if (forced > capacity) {
+        throw InputError(capacity == 0 ? "there is no air agent to remove what must be removed"
+                                       : "the air agents may breach " + std::to_string(capacity) + " obstacles, but " +
+                                             std::to_string(forced) + " must be removed");
+    }
+    if (capacity > 0 && mission.rules.removals > 0) {
+        if (method.select == Selection::hits || method.select == Selection::greedy) {
+            throw InputError("what is removed for a team is selected by exact, or none is");
+        }
+        if (method.flight != FlightRule::optimal)
+            throw InputError("the aircraft of a team fly by optimal, not nearest");
+    }
     if (!method.diagonal) throw InputError("several ground agents move by eight neighbours, not by four");
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "safe_interval/driven.hpp"
+
 namespace waybreaker::team {
 namespace {
 
@@ -19,12 +21,12 @@ bool better(const Cost& a, const Cost& b) {
     return !less(b.first, a.first) && less(a.second, b.second);
 }
 
-Fleet::Fleet(const OpenedMap& map, std::span<const Vehicle> vehicles, const Rules& rules, const Interrupts& interrupts)
-    : map_(map),
+Fleet::Fleet(const Ground& ground, std::span<const Vehicle> vehicles, const Rules& rules, const Interrupts& interrupts)
+    : ground_(ground),
       vehicles_(vehicles),
       rules_(rules),
       interrupts_(interrupts),
-      traffic_(map.width(), map.height(), rules.separation),
+      traffic_(ground.map.width(), ground.map.height(), rules.separation),
       paths_(vehicles.size()),
       hold_(vehicles.size()) {
     hold_as_at_first();
@@ -73,18 +75,25 @@ void Fleet::stand_at_start(std::uint32_t i) {
     traffic_.add(i, standing, agent.body.reach(), false);
 }
 
-bool Fleet::plan(std::uint32_t i, double arrive_before) {
+SafeIntervalOptions Fleet::options_for(std::uint32_t i) const {
     const Vehicle& vehicle = vehicles_[i];
     SafeIntervalOptions options;
     options.body = vehicle.agent.body;
     options.speed = vehicle.agent.speed;
     options.ready_at = vehicle.agent.ready_at;
     options.stays = rules_.at_goal == AtGoal::stay;
+    options.openings = ground_.openings;
     options.known = vehicle.way;
+    return options;
+}
+
+bool Fleet::plan(std::uint32_t i, double arrive_before) {
+    const Agent& agent = vehicles_[i].agent;
+    SafeIntervalOptions options = options_for(i);
     options.arrive_before = arrive_before;
     options.limits = interrupts_.limits();
     traffic_.remove(i);
-    SafeIntervalResult found = searcher_.find(map_, traffic_, vehicle.agent.start, vehicle.agent.goal, options);
+    SafeIntervalResult found = searcher_.find(ground_.map, traffic_, agent.start, agent.goal, options);
     if (found.status != SearchStatus::found) {
         stand_at_start(i);
         return false;
@@ -106,16 +115,9 @@ void Fleet::put(std::uint32_t i, Path path) {
 }
 
 std::vector<std::uint32_t> Fleet::in_its_way(std::uint32_t i) const {
-    const Vehicle& vehicle = vehicles_[i];
-    const Agent& agent = vehicle.agent;
-    Path path{{double(agent.start.x), double(agent.start.y), 0}};
-    double time = agent.ready_at;
-    if (time > 0) path.push_back({path[0].x, path[0].y, time});
-    for (std::size_t k = 1; k < vehicle.way.size(); ++k) {
-        time += distance(vehicle.way[k - 1], vehicle.way[k]) / agent.speed;
-        path.push_back({double(vehicle.way[k].x), double(vehicle.way[k].y), time});
-    }
-    std::vector<std::uint32_t> met = traffic_.met(path, agent.body.reach(), rules_.at_goal == AtGoal::stay);
+    const SafeIntervalOptions options = options_for(i);
+    const Path path = safe_interval::driven(ground_.map.map(), options.known, options);
+    std::vector<std::uint32_t> met = traffic_.met(path, options.body.reach(), options.stays);
     std::erase(met, i);
     return met;
 }

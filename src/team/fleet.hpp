@@ -22,10 +22,16 @@ struct Cost {
 // By more than rounding.
 bool better(const Cost& a, const Cost& b);
 
+// A map with obstacles removed, and when those of them that stand at first are gone.
+struct Ground {
+    OpenedMap map;
+    std::vector<TimedOpening> openings = {};
+};
+
 class Fleet {
   public:
-    // Vehicles stand at their starts, all without a path. Map and vehicles must outlive it.
-    Fleet(const OpenedMap& map, std::span<const Vehicle> vehicles, const Rules& rules, const Interrupts& interrupts);
+    // Vehicles stand at their starts, all without a path. All arguments must outlive it.
+    Fleet(const Ground& ground, std::span<const Vehicle> vehicles, const Rules& rules, const Interrupts& interrupts);
 
     std::size_t size() const { return vehicles_.size(); }
     const Vehicle& vehicle(std::uint32_t i) const { return vehicles_[i]; }
@@ -54,8 +60,9 @@ class Fleet {
 
   private:
     void stand_at_start(std::uint32_t i);
+    SafeIntervalOptions options_for(std::uint32_t i) const;
 
-    const OpenedMap& map_;
+    const Ground& ground_;
     std::span<const Vehicle> vehicles_;
     const Rules& rules_;
     const Interrupts& interrupts_;

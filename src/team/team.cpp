@@ -53,13 +53,21 @@ TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupt
         plan.status = go_alone(map, interrupts, crossing, theta, plan.vehicles.back());
         if (plan.status != SearchStatus::found) return plan;
     }
-    Fleet fleet(map, plan.vehicles, mission.rules, interrupts);
+    return plan_paths({map}, std::move(plan.vehicles), mission.rules, interrupts, improved);
+}
+
+TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const Rules& rules,
+                    const Interrupts& interrupts, const std::function<void(const Cost&)>& improved) {
+    TeamPlan plan;
+    plan.vehicles = std::move(vehicles);
+    Fleet fleet(ground, plan.vehicles, rules, interrupts);
     NeighbourhoodSearch search(fleet, interrupts);
-    plan_all(plan, mission.rules.objective, interrupts, fleet, search);
+    plan_all(plan, rules.objective, interrupts, fleet, search);
     if (fleet.cost().missing > 0) {
         plan.status = interrupts.stop.stop_requested() ? SearchStatus::stopped : SearchStatus::limit_reached;
         return plan;
     }
+    plan.status = SearchStatus::found;
     improved(fleet.cost());
     search.improve([&] { improved(fleet.cost()); });
     plan.limited = interrupts.due();

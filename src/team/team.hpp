@@ -1,4 +1,4 @@
-// A team: paths for any number of ground agents that never collide, on a map as it stands.
+// A team: paths for any number of ground agents that never collide.
 //
 // Most vehicles in a city have nobody in the way of their shortest path. The rest are planned one after the other past
 // those planned before (safe_interval.hpp), which a large neighbourhood search then mends where it found no way, and
@@ -25,5 +25,9 @@ struct TeamPlan {
 // same plan, time limits aside.
 TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
                    CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved);
+
+// The same for vehicles that know their ways, on ground that opens in time.
+TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const Rules& rules,
+                    const Interrupts& interrupts, const std::function<void(const Cost&)>& improved);
 
 }  // namespace waybreaker::team

@@ -5,18 +5,6 @@
 namespace waybreaker::team {
 namespace {
 
-// No shorter way is known than by cells' centres, so no bend lies elsewhere.
-std::vector<Cell> cells(std::span<const Point> path) {
-    std::vector<Cell> cells;
-    for (const Point& p : path) cells.push_back({int(p.x), int(p.y)});
-    return cells;
-}
-
-// The crossing search bends at corners of cells for a point, and needs room to spare for a wide disc.
-bool drives_by_crossing(const Body& body) {
-    return body.corners == Corners::none && body.radius > 0 && body.radius <= 0.5;
-}
-
 double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing,
                    const Vehicle& vehicle) {
     const Agent& agent = vehicle.agent;
@@ -33,6 +21,16 @@ double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingS
 
 }  // namespace
 
+bool drives_by_crossing(const Body& body) {
+    return body.corners == Corners::none && body.radius > 0 && body.radius <= 0.5;
+}
+
+std::vector<Cell> cells_of(std::span<const Point> path) {
+    std::vector<Cell> cells;
+    for (const Point& p : path) cells.push_back({int(p.x), int(p.y)});
+    return cells;
+}
+
 SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
                       Vehicle& vehicle) {
     const Stopwatch watch;
@@ -44,7 +42,7 @@ SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, Crossi
         const CrossingResult found = crossing.find(map.map(), agent.start, agent.goal, options);
         status = found.status;
         length = found.best.length;
-        vehicle.way = cells(found.best.path);
+        vehicle.way = cells_of(found.best.path);
         vehicle.expanded = found.expanded;
         vehicle.generated = found.generated;
     } else {

@@ -31,6 +31,13 @@ struct Interrupts {
     Limits limits() const { return {.seconds = deadline.left(), .expansions = expansions, .stop = stop}; }
 };
 
+// Whether the crossing search drives such a body: for a point it bends at corners of cells, and a wide disc needs room
+// to spare.
+bool drives_by_crossing(const Body& body);
+
+// The cells of a path that bends at centres.
+std::vector<Cell> cells_of(std::span<const Point> path);
+
 // Its shortest way, by the crossing search where that drives it and by Theta* where not. `found`: the vehicle is
 // complete. Anything else is why it is not.
 SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,

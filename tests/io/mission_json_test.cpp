@@ -30,6 +30,7 @@ MissionDocument any_document() {
                                            .start = {*number(-3, 9), *number(0, 9)},
                                            .goal = {*number(0, 9), *number(0, 9)},
                                            .speed = *rc::gen::element(1.0, 0.1, 3e5)});
+        if (kind == AgentKind::air) document.mission.agents.back().breaches = *rc::gen::element(any_number, 0, 3);
         if (kind == AgentKind::ground)
             document.mission.agents.back().body = {*rc::gen::element(0.5, 0.0, 1.25), any_corners()};
     }
@@ -69,7 +70,7 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
         const Agent& a = read.mission.agents[i];
         const Agent& b = written.mission.agents[i];
         RC_ASSERT(a.id == b.id && a.kind == b.kind && a.start == b.start && a.goal == b.goal);
-        RC_ASSERT(a.speed == b.speed && a.body == b.body);
+        RC_ASSERT(a.speed == b.speed && a.body == b.body && a.breaches == b.breaches);
     }
     const Rules& rules = read.mission.rules;
     RC_ASSERT(rules.removals == written.mission.rules.removals);

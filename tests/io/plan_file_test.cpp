@@ -46,6 +46,8 @@ void expect_same(const Breach& written, const Breach& read) {
     RC_ASSERT(read.cleared_at == written.cleared_at);
     RC_ASSERT(read.entered_at == written.entered_at);
     RC_ASSERT(read.saves == written.saves);
+    RC_ASSERT(read.by == written.by);
+    RC_ASSERT(read.begun_at == written.begun_at);
 }
 
 void expect_same(const Itinerary& written, const Itinerary& read) {
@@ -87,7 +89,11 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
                         .diagonal = *rc::gen::arbitrary<bool>(),
                         .bound = *rc::gen::arbitrary<bool>()};
     Plan plan = MissionPlanner().plan(file.map, mission, method);
-    for (Breach& breach : plan.breaches) breach.saves = 0.1;
+    for (Breach& breach : plan.breaches) {
+        breach.saves = 0.1;
+        breach.by = *rc::gen::element<std::string>("", "air 1");
+        breach.begun_at = *rc::gen::element(std::optional<double>(), std::optional(0.3));
+    }
     plan.next = {{.obstacle = {7}, .source_id = -7, .saves = 0.7}};
     const PlanFile read = parse_plan(plan_json(plan, {file, mission, method, Connectivity::eight, true}), "plan.json");
 

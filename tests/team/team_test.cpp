@@ -198,11 +198,22 @@ TEST(Team, RefusesWhatCannotBePlanned) {
     mission.rules.at_goal = AtGoal::leave;
     EXPECT_EQ(refusal(map, mission), "");
     mission.agents.push_back({"air", AgentKind::air, {0, 0}, {4, 0}});
-    refused(mission, "nothing can be removed yet");
-    mission.rules.removals = 0;
     EXPECT_EQ(refusal(map, mission), "");
     mission.agents[2].ready_at = 1;
     refused(mission, "the air agent flies");
+    mission.agents[2].ready_at = 0;
+    mission.agents[2].breaches = -1;
+    refused(mission, "cannot breach less than no obstacle");
+    mission.agents[2].breaches = 1;
+    Method greedy;
+    greedy.select = Selection::greedy;
+    EXPECT_NE(refusal(map, mission, greedy).find("selected by exact"), std::string::npos);
+    Method nearest;
+    nearest.flight = FlightRule::nearest;
+    EXPECT_NE(refusal(map, mission, nearest).find("fly by optimal"), std::string::npos);
+    mission.agents[0].breaches = 1;
+    refused(mission, "the a agent drives");
+    mission.agents[0].breaches = any_number;
     mission.agents.pop_back();
     mission.agents[0].ready_at = -1;
     refused(mission, "ready");
@@ -212,6 +223,9 @@ TEST(Team, RefusesWhatCannotBePlanned) {
     Mission pair = ground_and_air({0, 0}, {4, 0});
     pair.agents[0].ready_at = 1;
     refused(pair, "ready_at is for several ground agents");
+    pair.agents[0].ready_at = 0;
+    pair.agents[1].breaches = 2;
+    refused(pair, "breaches is for teams");
 }
 
 }  // namespace

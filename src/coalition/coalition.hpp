@@ -1,0 +1,30 @@
+// A coalition: vehicles that never collide, and aircraft that breach obstacles for all of them together.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "coalition/sorties.hpp"
+#include "team/team.hpp"
+
+namespace waybreaker::coalition {
+
+struct CoalitionPlan {
+    // `found`: every agent has a path. `no_path`: some vehicle has no way, whatever is removed. Else: a limit.
+    SearchStatus status = SearchStatus::no_path;
+    std::vector<team::Vehicle> closed;  // each vehicle alone, nothing removed; without a way where it has none
+    team::TeamPlan team;                // the vehicles; their ways those that they would drive if they were alone
+    std::vector<team::Path> flights;    // of the aircraft; in the mission's order
+    std::vector<Breach> breaches;       // in order of time; entered_at is not known yet
+    double bound = 0;                   // no plan has a smaller objective
+    bool limited = false;
+};
+
+// Chooses obstacles by relaxation.hpp and picks.hpp, puts the best sets in time by sorties.hpp, and plans the vehicles
+// past each other. "Remove nothing" is one of the sets unless something must be. Calls `improved` as team::plan_paths
+// does. The same mission has the same plan, time limits aside. REQUIRES: the mission is a team's with an aircraft.
+CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool selects, const team::Interrupts& interrupts,
+                             CrossingSearcher& crossing, Searcher& theta,
+                             const std::function<void(double objective, double bound)>& improved);
+
+}  // namespace waybreaker::coalition

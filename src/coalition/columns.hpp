@@ -1,0 +1,70 @@
+// Columns: for each vehicle, sets of obstacles that are worth having open, and when it can arrive then at the earliest.
+// A few of very many: those that matter are found by a search in which each obstacle has a price.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coalition/problem.hpp"
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker::coalition {
+
+struct Column {
+    std::vector<std::uint32_t> opened;  // positions in the vehicle's list of obstacles, sorted
+    double arrival = 0;                 // no earlier, whatever else is open; units of time
+};
+
+// What is known of one vehicle.
+struct Wishes {
+    std::vector<ObstacleId> obstacles;  // of all columns, as they came
+    std::vector<Column> columns;        // the first: nothing is opened
+    double least = 0;                   // no column at all arrives earlier; 0 where that does not matter
+    double found = 0;                   // by the last search
+};
+
+// Of what body: `relaxed` for lower limits of all plans; `own` for what the vehicle can drive, or nearly so, which may
+// need obstacles gone where a point slips through.
+enum class Shape { relaxed, own };
+
+class Columns {
+  public:
+    // Each vehicle with nothing opened but what must be, and with what is best for it alone.
+    Columns(const Problem& problem, CrossingSearcher& crossing, Shape shape);
+
+    std::size_t size() const { return wishes_.size(); }
+    const Wishes& of(std::size_t vehicle) const { return wishes_[vehicle]; }
+    // Whether a limit has ended a search.
+    bool limited() const { return limited_; }
+
+    // The least arrival plus prices over all sets, also those that are not known: a lower limit, the exact value unless
+    // a limit ends the search. Prices as wishes.obstacles, in units of time; others are free. Adds columns near it.
+    double search(std::size_t vehicle, const std::vector<double>& prices);
+
+  private:
+    CrossingResult find(std::size_t vehicle, int crossings, double length_limit);
+    void begin(std::size_t vehicle);
+    void note(const CrossingResult& search);
+    void add(std::size_t vehicle, std::span<const ObstacleId> opened, double length);
+    CrossingOptions options_for(const Agent& agent) const;
+    std::vector<ObstacleId> useless(const Agent& agent, const std::map<ObstacleId, double>& price_of,
+                                    double known) const;
+    static double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
+    double arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const;
+
+    const Problem& problem_;
+    CrossingSearcher& crossing_;
+    Shape shape_;
+    std::vector<Wishes> wishes_;
+    bool limited_ = false;
+};
+
+// The least arrival plus prices over the known columns, and the first column that has it.
+struct Cheapest {
+    double cost = infinity;
+    std::size_t column = 0;
+};
+Cheapest cheapest(const Wishes& wishes, double weight, const std::vector<double>& prices);
+
+}  // namespace waybreaker::coalition

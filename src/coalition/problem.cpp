@@ -1,0 +1,74 @@
+#include "coalition/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace waybreaker::coalition {
+
+Set united(const Set& a, const Set& b) {
+    Set both;
+    std::ranges::set_union(a, b, std::back_inserter(both));
+    return both;
+}
+
+double gap(const Box& box, Cell to) {
+    const int dx = std::max({box.min.x - to.x, to.x - box.max.x, 0});
+    const int dy = std::max({box.min.y - to.y, to.y - box.max.y, 0});
+    return std::hypot(dx, dy);
+}
+
+bool contains(const Set& set, ObstacleId id) {
+    return std::ranges::binary_search(set, id);
+}
+
+Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts& interrupts)
+    : map_(map), mission_(mission), interrupts_(interrupts), forced_(mission.rules.force) {
+    std::int64_t capacity = 0;
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::ground) {
+            vehicles_.push_back(&agent);
+        } else {
+            aircraft_.push_back(&agent);
+            capacity += agent.breaches;
+        }
+    }
+    std::ranges::sort(forced_);
+    const std::int64_t most =
+        std::min({capacity, std::int64_t{mission.rules.removals}, std::int64_t(map.obstacles().size())});
+    spare_removals_ = int(std::max<std::int64_t>(most - std::int64_t(forced_.size()), 0));
+    spare_budget_ = mission.rules.budget;
+    for (const ObstacleId id : forced_) spare_budget_ -= map.obstacle(id).weight;
+    least_openings_.assign(map.obstacles().size() + 1, 0);
+    if (mission.rules.timing == Timing::ignore) return;
+    for (const Obstacle& obstacle : map.obstacles()) {
+        double& least = least_openings_[obstacle.id.value];
+        least = infinity;
+        for (const Agent* agent : aircraft_) {
+            const double way = std::max(gap(obstacle.bounds, agent->start) - 1.5, 0.0);
+            least = std::min(least, way / agent->speed + breach_time(obstacle.id));
+        }
+    }
+}
+
+const Problem::Earliest& Problem::earliest(ObstacleId id) const {
+    const auto [known, is_new] = earliest_.try_emplace(id);
+    if (!is_new) return known->second;
+    Earliest& earliest = known->second;
+    const double stay = breach_time(id);
+    const std::vector<Cell> boundary = map_.boundary(id);
+    for (const Agent* agent : aircraft_) {
+        for (const Cell at : boundary) {
+            const double there = distance(agent->start, at) / agent->speed + stay;
+            earliest.opening = std::min(earliest.opening, there);
+            const double home = there + distance(at, agent->goal) / agent->speed;
+            earliest.home = std::min(earliest.home, home);
+            earliest.detour = std::min(earliest.detour, home - stay - straight_flight(*agent));
+        }
+    }
+    earliest.detour = std::max(earliest.detour, 0.0);
+    if (rules().timing == Timing::ignore) earliest.opening = 0;
+    return earliest;
+}
+
+}  // namespace waybreaker::coalition

@@ -1,0 +1,78 @@
+// The problem of a coalition: vehicles, aircraft, and what may be removed for all of them together.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "team/vehicle.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker::coalition {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Obstacles, in rising order, each once.
+using Set = std::vector<ObstacleId>;
+
+Set united(const Set& a, const Set& b);
+bool contains(const Set& set, ObstacleId id);
+
+// From the cells of a box to a cell, in cells.
+double gap(const Box& box, Cell to);
+
+class Problem {
+  public:
+    // REQUIRES: the mission is a team's, and valid. All arguments must outlive it.
+    Problem(const Map& map, const Mission& mission, const team::Interrupts& interrupts);
+
+    const Map& map() const { return map_; }
+    const Rules& rules() const { return mission_.rules; }
+    const team::Interrupts& interrupts() const { return interrupts_; }
+    std::span<const Agent* const> vehicles() const { return vehicles_; }
+    std::span<const Agent* const> aircraft() const { return aircraft_; }
+
+    // What must be removed.
+    const Set& forced() const { return forced_; }
+    // How many obstacles may be removed beside those, and what they may weigh.
+    int spare_removals() const { return spare_removals_; }
+    double spare_budget() const { return spare_budget_; }
+    bool sums() const { return rules().objective == Objective::flowtime; }
+
+    double breach_time(ObstacleId id) const { return rules().breach_time.of(map_.obstacle(id)); }
+    // No aircraft has it open earlier; 0 where obstacles do not stand in time.
+    double earliest_opening(ObstacleId id) const { return earliest(id).opening; }
+    // The same, a little less and faster.
+    double least_opening(ObstacleId id) const { return least_openings_[id.value]; }
+    // No aircraft that breaches it is at its goal earlier.
+    double earliest_return(ObstacleId id) const { return earliest(id).home; }
+    // So much longer, at least, an aircraft flies that passes by it.
+    double least_detour(ObstacleId id) const { return earliest(id).detour; }
+    // When an aircraft is at its goal if it breaches nothing.
+    static double straight_flight(const Agent& aircraft) {
+        return distance(aircraft.start, aircraft.goal) / aircraft.speed;
+    }
+
+  private:
+    struct Earliest {
+        double opening = infinity;
+        double home = infinity;
+        double detour = infinity;
+    };
+    const Earliest& earliest(ObstacleId id) const;
+
+    const Map& map_;
+    const Mission& mission_;
+    const team::Interrupts& interrupts_;
+    std::vector<const Agent*> vehicles_;
+    std::vector<const Agent*> aircraft_;
+    Set forced_;
+    int spare_removals_ = 0;
+    double spare_budget_ = infinity;
+    std::vector<double> least_openings_;               // by id
+    mutable std::map<ObstacleId, Earliest> earliest_;  // of those that were asked for
+};
+
+}  // namespace waybreaker::coalition

@@ -1,0 +1,68 @@
+// Ways: what a vehicle can drive with some obstacles open, and when it arrives if these open in time.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "coalition/problem.hpp"
+#include "waybreaker/search.hpp"
+
+namespace waybreaker::coalition {
+
+// On a way, an obstacle that has to be gone: first touched after driving so long without a stop.
+struct Gate {
+    ObstacleId obstacle;
+    double after = 0;
+};
+
+struct Way {
+    std::vector<Cell> path;
+    double drive = 0;  // without a stop, from when the vehicle is ready
+    std::vector<Gate> gates;
+    std::uint64_t expanded = 0;
+    std::uint64_t generated = 0;
+};
+
+// When obstacles of a set are gone.
+using Openings = std::map<ObstacleId, double>;
+
+// Alone, with a stop before every gate that is not open yet; without openings, all are.
+double arrival(const Agent& agent, const Way& way, const Openings& openings);
+
+class Ways {
+  public:
+    // The vehicles, each with its way past all obstacles, or with none.
+    Ways(const Problem& problem, std::span<const team::Vehicle> closed, CrossingSearcher& crossing, Searcher& theta);
+
+    // Of a vehicle with a set removed sooner or later: a way for each part of the set that is worth having open. Stays
+    // where it is.
+    const std::vector<Way>& of(std::size_t vehicle, const Set& set);
+
+    // Finds ways through many sets at once: those through some of the obstacles, as many as may be removed.
+    void stock(std::size_t vehicle, const Set& obstacles);
+    // Those of the stock that need no more open than a set, and the one past all obstacles: quickly, and maybe not all.
+    std::vector<const Way*> in_stock(std::size_t vehicle, const Set& set) const;
+
+    // Looks for a way of a vehicle that is earlier than that, obstacles of a set being gone at certain times: who has
+    // to wait anyway waits where the rest of the way is shortest. Whether there is one; it is among its ways from then
+    // on.
+    bool find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before);
+
+  private:
+    Set near(std::size_t vehicle, const Set& set) const;
+    std::vector<Way> search(std::size_t vehicle, const Set& set);
+    std::vector<Way> search_crossing(std::size_t vehicle, const Set& set, std::size_t crossings, std::size_t most,
+                                     std::uint64_t expansions);
+    Way closed_way(std::size_t vehicle) const;
+    Way way_of(const Agent& agent, std::span<const Point> path, std::span<const ObstacleId> set) const;
+    std::vector<Point> shorter(const Agent& agent, std::vector<Point> path, std::span<const ObstacleId> crossed) const;
+
+    const Problem& problem_;
+    std::span<const team::Vehicle> closed_;
+    CrossingSearcher& crossing_;
+    Searcher& theta_;
+    std::vector<std::map<Set, std::vector<Way>>> known_;  // by vehicle and the part of a set that is near its way
+    std::vector<std::vector<Way>> stock_;                 // by vehicle
+};
+
+}  // namespace waybreaker::coalition

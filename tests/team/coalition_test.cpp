@@ -1,0 +1,209 @@
+// Coalitions: vehicles for which aircraft remove obstacles. Judge and simulation pass every plan.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+
+#include "ascii_map.hpp"
+#include "checked_plan.hpp"
+#include "random_map.hpp"
+#include "waybreaker/error.hpp"
+#include "waybreaker/planner.hpp"
+
+namespace waybreaker {
+namespace {
+
+Agent vehicle(const std::string& id, Cell start, Cell goal, double radius = 0.5) {
+    Agent agent;
+    agent.id = id;
+    agent.start = start;
+    agent.goal = goal;
+    agent.body.radius = radius;
+    return agent;
+}
+
+Agent aircraft(const std::string& id, Cell start, Cell goal, double speed = 1) {
+    Agent agent;
+    agent.id = id;
+    agent.kind = AgentKind::air;
+    agent.start = start;
+    agent.goal = goal;
+    agent.speed = speed;
+    return agent;
+}
+
+// Random vehicles with room at their starts and goals, and aircraft.
+Mission any_coalition(const PlainMap& plain, const Map& map) {
+    Mission mission;
+    Rules& rules = mission.rules;
+    rules.objective = *rc::gen::element(Objective::flowtime, Objective::makespan, Objective::ground_makespan);
+    rules.separation = *rc::gen::element(0.0, 0.0, 0.5);
+    rules.at_goal = *rc::gen::element(AtGoal::stay, AtGoal::stay, AtGoal::leave);
+    rules.timing = *rc::gen::element(Timing::enforce, Timing::enforce, Timing::enforce, Timing::ignore);
+    rules.removals = *number(1, 4);
+    rules.breach_time = {*rc::gen::element(0.0, 0.0, 2.0), *rc::gen::element(0.0, 0.5)};
+    if (*number(0, 3) == 0) rules.budget = *number(0, 3);
+    if (*number(0, 3) == 0) rules.protect = some_obstacles(map, 2);
+    const int vehicles = *number(1, 5);
+    const int flyers = *number(vehicles == 1 ? 2 : 1, 3);
+    for (int i = 0; i < flyers; ++i) {
+        mission.agents.push_back(
+            aircraft("bird" + std::to_string(i), any_cell(plain), any_cell(plain), *rc::gen::element(0.5, 1.0, 3.0)));
+        if (*number(0, 2) == 0) mission.agents.back().breaches = *number(0, 2);
+    }
+    for (int tries = 0; tries < 40 && int(mission.agents.size()) < vehicles + flyers; ++tries) {
+        Agent agent = vehicle(std::to_string(tries), any_free_cell(plain), any_free_cell(plain),
+                              *rc::gen::element(0.0, 0.25, 0.5, 0.5, 1.1));
+        agent.speed = *rc::gen::element(1.0, 1.0, 0.5, 3.0);
+        agent.ready_at = *rc::gen::element(0.0, 0.0, 2.5);
+        if (*number(0, 7) == 0) agent.body = {.corners = *rc::gen::element(Corners::cut, Corners::squeeze)};
+        mission.agents.push_back(agent);
+        try {
+            validate(map, mission);
+        } catch (const InputError&) {
+            mission.agents.pop_back();
+        }
+    }
+    RC_PRE(int(mission.agents.size()) > flyers && mission.is_team());
+    std::vector<ObstacleId> forced = some_obstacles(map, 1);
+    if (*number(0, 3) == 0) rules.force = forced;
+    return mission;
+}
+
+RC_GTEST_PROP(Coalition, PlansAreValid, ()) {
+    const PlainMap plain = *random_map(16, 16);
+    const Map map(plain.grid());
+    Mission mission = any_coalition(plain, map);
+    try {
+        validate(map, mission, {});
+    } catch (const InputError&) {
+        mission.rules.force.clear();
+    }
+    const Plan plan = MissionPlanner().plan(map, mission);
+    RC_TAG(plan.status == PlanStatus::solved ? "solved" : "not solved");
+    RC_TAG(std::to_string(plan.breaches.size()) + " removed");
+    RC_ASSERT(plan_faults(map, mission, plan) == "");
+    if (plan.status != PlanStatus::solved) return;
+    RC_ASSERT(*plan.bound <= *value(plan.after, mission.rules.objective) + 1e-9);
+}
+
+TEST(Coalition, OpensAWallForTwo) {
+    const Map map = map_from_ascii(R"(
+        .........
+        .#######.
+        .........
+        .........)");
+    Mission mission;
+    mission.rules.objective = Objective::flowtime;
+    mission.rules.removals = 1;
+    mission.agents = {vehicle("a", {3, 0}, {3, 2}), vehicle("b", {5, 0}, {5, 2}), aircraft("air", {4, 0}, {4, 0})};
+    const Plan plan = MissionPlanner().plan(map, mission);
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    ASSERT_EQ(plan.breaches.size(), 1U);
+    EXPECT_EQ(plan.breaches[0].by, "air");
+    EXPECT_DOUBLE_EQ(*plan.after.flowtime, 4);
+    EXPECT_DOUBLE_EQ(*plan.bound, 4);
+}
+
+const Map& two_walls() {
+    static const Map map = map_from_ascii(R"(
+        ...a...b...
+        ...a...b...
+        ...a...b...
+        ...a...b...)");
+    return map;
+}
+
+Mission through_two_walls() {
+    Mission mission;
+    mission.rules.objective = Objective::flowtime;
+    mission.agents = {vehicle("up", {0, 0}, {10, 0}), vehicle("down", {0, 3}, {10, 3}),
+                      aircraft("west", {0, 2}, {0, 2}), aircraft("east", {10, 2}, {10, 2})};
+    return mission;
+}
+
+std::set<std::string> breachers(const Plan& plan) {
+    std::set<std::string> ids;
+    for (const Breach& breach : plan.breaches) ids.insert(breach.by);
+    return ids;
+}
+
+TEST(Coalition, SharesBreachesOut) {
+    Mission mission = through_two_walls();
+    mission.rules.breach_time.per_obstacle = 3;
+    const Plan plan = MissionPlanner().plan(two_walls(), mission);
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(two_walls(), mission, plan));
+    EXPECT_FALSE(plan.before.makespan.has_value());
+    EXPECT_EQ(breachers(plan), (std::set<std::string>{"east", "west"}));
+    mission.agents[3].breaches = 0;
+    const Plan alone = MissionPlanner().plan(two_walls(), mission);
+    ASSERT_EQ(alone.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(two_walls(), mission, alone));
+    EXPECT_EQ(breachers(alone), std::set<std::string>{"west"});
+    EXPECT_GT(*alone.after.flowtime, *plan.after.flowtime);
+}
+
+TEST(Coalition, HasNoPlanWhereNotEnoughMayBeRemoved) {
+    Mission mission = through_two_walls();
+    mission.rules.removals = 1;
+    EXPECT_EQ(MissionPlanner().plan(two_walls(), mission).status, PlanStatus::no_plan);
+    mission.rules.removals = 2;
+    mission.agents[2].breaches = mission.agents[3].breaches = 0;
+    EXPECT_EQ(MissionPlanner().plan(two_walls(), mission).status, PlanStatus::no_plan);
+    mission.agents[2].breaches = 2;
+    mission.rules.protect = {{1}};
+    EXPECT_EQ(MissionPlanner().plan(two_walls(), mission).status, PlanStatus::no_plan);
+}
+
+TEST(Coalition, RemovesWhatItMust) {
+    const Map map = map_from_ascii(R"(
+        .....
+        .....
+        ..a..
+        .....)");
+    Mission mission;
+    mission.agents = {vehicle("a", {0, 0}, {4, 0}), vehicle("b", {4, 1}, {0, 1}), aircraft("air", {0, 0}, {0, 0}, 2)};
+    mission.rules.force = {{1}};
+    const Plan plan = MissionPlanner().plan(map, mission);
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    EXPECT_EQ(plan.breaches.size(), 1U);
+    mission.agents[2].breaches = 0;
+    EXPECT_THROW(MissionPlanner().plan(map, mission), InputError);
+}
+
+TEST(Coalition, IsPlannedTheSameEachTime) {
+    const Mission mission = through_two_walls();
+    MissionPlanner used;
+    const Plan first = used.plan(two_walls(), mission);
+    ASSERT_EQ(first.status, PlanStatus::solved);
+    for (const Plan& again : {used.plan(two_walls(), mission), MissionPlanner().plan(two_walls(), mission)}) {
+        EXPECT_EQ(again.bound, first.bound);
+        for (std::size_t i = 0; i < first.agents.size(); ++i) EXPECT_EQ(again.agents[i].path, first.agents[i].path);
+    }
+}
+
+TEST(Coalition, StopsInTime) {
+    const Mission mission = through_two_walls();
+    StopSource source;
+    source.request_stop();
+    const Plan stopped = MissionPlanner().plan(two_walls(), mission, {}, {.stop = source.get_token()});
+    EXPECT_NE(stopped.status, PlanStatus::no_plan);
+    EXPECT_EQ(plan_faults(two_walls(), mission, stopped), "");
+    const Plan hasty = MissionPlanner().plan(two_walls(), mission, {}, {.expansions = 1});
+    EXPECT_NE(hasty.status, PlanStatus::no_plan);
+    EXPECT_EQ(plan_faults(two_walls(), mission, hasty), "");
+}
+
+TEST(Coalition, GainsWithEachRemoval) {
+    Mission mission = through_two_walls();
+    const std::vector<Plan> front = MissionPlanner().front(two_walls(), mission);
+    ASSERT_EQ(front.size(), 3U);  // nobody arrives with less than two
+    EXPECT_EQ(front[1].status, PlanStatus::no_plan);
+    EXPECT_EQ(front[2].status, PlanStatus::solved);
+}
+
+}  // namespace
+}  // namespace waybreaker
