@@ -106,8 +106,9 @@ void judge_bound_below(const Plan& plan, std::optional<double> reached, const st
 void judge_least_demolition(const Plan& plan, Violations& found) {
     std::uint64_t cells = 0;
     for (const Breach& breach : plan.breaches) cells += breach.cells;
-    if (plan.least_demolition.value_or(0) <= cells) return;
-    found.push_back({Rule::bound, "no plan is said to demolish less than " + std::to_string(*plan.least_demolition) +
+    const std::uint64_t least = plan.least_demolition.value_or(0);
+    if (least <= cells) return;
+    found.push_back({Rule::bound, "no plan is said to demolish less than " + std::to_string(least) +
                                       " cells, but this one demolishes " + std::to_string(cells)});
 }
 
