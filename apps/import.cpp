@@ -110,7 +110,7 @@ void import_one(const ImportOptions& options) {
 }
 
 // Files ROW_COLUMN.tif in a folder.
-void import_folder(const ImportOptions& options) {
+void import_folder(const ImportOptions& options, double tile_side) {
     namespace fs = std::filesystem;
     std::error_code failure;
     fs::create_directories(options.output, failure);
@@ -132,7 +132,7 @@ void import_folder(const ImportOptions& options) {
     std::size_t all = 0;
     {
         const Progress progress("reading " + options.source);
-        all = geo::import_tiles(options.source, options.window, *options.tile, write);
+        all = geo::import_tiles(options.source, options.window, tile_side, write);
     }
     warn_of_gaps(options, covered, notes);
     io::write_whole("-", lines + fmt::format("{}: {} maps; {} of {} tiles have no obstacle\n", options.output, count,
@@ -146,7 +146,7 @@ void run(const ImportOptions& options) {
     }
     if (!options.tile) return import_one(options);
     if (options.output == "-") throw InputError("--tile writes a folder: give its name as --output");
-    import_folder(options);
+    import_folder(options, *options.tile);
 }
 
 void add_filters(CLI::App& command, const std::string& name, std::vector<geo::TagFilter>& filters,

@@ -168,7 +168,7 @@ std::string team(const Plan& plan, const io::PlanContext& context, const TableSt
     const double cell_size = context.map.cell_size;
     const bool seconds = style.metres && times_are_lengths(context);
     std::vector<Row> times{{timed("time", context), "alone", "together", "change"}};
-    if (seconds) times.front().push_back("together (s)");
+    if (seconds) times.front().emplace_back("together (s)");
     const auto add = [&](const char* name, std::optional<double> alone, std::optional<double> together) {
         times.push_back({name, text(alone, 3), text(together, 3), change(alone, together)});
         if (seconds) times.back().push_back(fmt::format("{:.1f}", together.value_or(0) * cell_size));
@@ -337,7 +337,7 @@ std::string waits(const Plan& plan) {
 // How far the plan can be from the best.
 std::string bound(const Plan& plan, const io::PlanContext& context) {
     const std::optional<double> reached = value(plan.after, context.mission.rules.objective);
-    if (!plan.bound || !reached) return "";
+    if (!plan.bound || !plan.gap || !reached) return "";
     const std::string objective = words(context.mission.rules.objective);
     const double gap = *plan.gap;
     const int n = context.mission.rules.removals;

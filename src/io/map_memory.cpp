@@ -26,7 +26,7 @@ std::size_t memory_of(const site::Sections& sections) {
     std::size_t bytes = sections.structures.capacity() * sizeof(site::Structure);
     for (const site::Structure& one : sections.structures) bytes += memory_of(one.name) - sizeof(std::string);
     for (const auto& parts : sections.parts) {
-        bytes += sizeof(parts) + parts.capacity() * sizeof(std::uint32_t) + allocation;
+        bytes += sizeof(std::vector<std::uint32_t>) + parts.capacity() * sizeof(std::uint32_t) + allocation;
     }
     return bytes;
 }

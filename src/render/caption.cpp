@@ -45,7 +45,7 @@ std::string removals(const Map& map, const Plan& plan, const PictureOptions& opt
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
     const site::Demolition demolition = site::demolition(map, options.sections, removed);
-    const std::string text = site::removals_text(demolition);
+    std::string text = site::removals_text(demolition);
     if (!options.metres || removed.empty()) return text;
     return text + ", " + site::area_text(double(demolition.cells) * (options.cell_size * options.cell_size));
 }
