@@ -71,6 +71,6 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name =
 // The mission on a map. Throws InputError if it does not fit the map.
 io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map);
 // Weights of obstacles by id, if the request sets any. Throws InputError if they do not fit the map, or its budget.
-std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const io::MapFile& map);
+std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const io::MapFile& file);
 
 }  // namespace waybreaker::server
