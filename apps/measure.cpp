@@ -54,9 +54,10 @@ CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<M
         const bool metric = given.ends_with(unit);
         const auto said = number(std::string_view(given).substr(0, given.size() - (metric ? unit.size() : 0)));
         if (!said || (metric ? *said < 0 : !(*said >= range.least && *said <= range.most))) {
-            throw CLI::ValidationError(name,
-                                       fmt::format("'{}' is not a number from {} to {}", io::excerpt(given, most_shown),
-                                                   number_text(range.least), number_text(range.most)));
+            throw CLI::ValidationError(
+                name,
+                fmt::format("'{}' is not a number from {} to {}, nor one with the unit {} behind it",
+                            io::excerpt(given, most_shown), number_text(range.least), number_text(range.most), unit));
         }
         value = Measure{name, given, *said, metric};
     };

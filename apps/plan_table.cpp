@@ -229,6 +229,12 @@ std::string least_demolition(const Plan& plan, const io::PlanContext& context) {
     return fmt::format("no plan {} demolishes less{}\n", as_good, least == cells ? "" : " than " + extent);
 }
 
+// Whether the bound proves that no plan is better.
+bool is_best(const Plan& plan) {
+    constexpr double rounding = 1e-9;
+    return plan.gap.value_or(1) < rounding;
+}
+
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     const auto named = [](const Breach& breach) { return breach.source_id != 0; };
     const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
@@ -267,9 +273,11 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         return fmt::format("nothing removed: no removal gains more than {:.3g} %\n",
                            100 * context.mission.rules.minimise_demolition.value_or(0));
     }
-    return counted && context.mission.rules.timing == Timing::ignore
-               ? "nothing removed: the search ran into no obstacle\n"
-               : "nothing removed: no removal gains anything\n";
+    if (counted && context.mission.rules.timing == Timing::ignore) {
+        return "nothing removed: the search ran into no obstacle\n";
+    }
+    return is_best(plan) ? "nothing removed: no removal gains anything\n"
+                         : "nothing removed: no removal was found that gains anything\n";
 }
 
 // The objective as a person says it.
@@ -343,10 +351,10 @@ std::string bound(const Plan& plan, const io::PlanContext& context) {
     const int n = context.mission.rules.removals;
     const std::string removals = n == 1 ? "1 removal" : fmt::format("{} removals", n);
     if (context.mission.is_team()) {
-        if (gap < 1e-9) return fmt::format("\nno plan has a smaller {}\n", objective);
+        if (is_best(plan)) return fmt::format("\nno plan has a smaller {}\n", objective);
         return fmt::format("\nno {} is below {:.3f}: the gap is {:.2f} %\n", objective, *plan.bound, 100 * gap);
     }
-    if (gap < 1e-9) return fmt::format("\nno plan with at most {} has a smaller {}\n", removals, objective);
+    if (is_best(plan)) return fmt::format("\nno plan with at most {} has a smaller {}\n", removals, objective);
     return fmt::format("\nno {} is below {:.3f} with at most {}: the gap is {:.2f} %\n", objective, *plan.bound,
                        removals, 100 * gap);
 }

@@ -1,6 +1,7 @@
 #include "coalition/coalition.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "coalition/picks.hpp"
 #include "coalition/relaxation.hpp"
@@ -226,15 +227,7 @@ class Planning {
             sum += path.back().t;
             last = std::max(last, path.back().t);
         }
-        switch (problem_.rules().objective) {
-            case Objective::makespan:
-                return last;
-            case Objective::flowtime:
-                return sum;
-            case Objective::ground_makespan:
-                break;
-        }
-        return last_on_ground;
+        return problem_.objective(sum, last, last_on_ground);
     }
 
     std::vector<Breach> breaches(const Draft& draft, const Openings& begun) const {

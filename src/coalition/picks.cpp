@@ -136,11 +136,6 @@ Set Picks::opened() const {
     return set;
 }
 
-double Picks::value(const Set& set) {
-    set_open(set);
-    return objective();
-}
-
 Set Picks::best_from(const Set& start) {
     const auto fill = [this] {
         while (!problem_.interrupts().due() && add_best()) {

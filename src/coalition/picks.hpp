@@ -16,8 +16,6 @@ class Picks {
     // Greedy by gain for each obstacle, whole columns at a time, from a set on; then exchanges of one obstacle for
     // others, while that gains. The same each time.
     Set best_from(const Set& start);
-    // The objective with a set open, as far as is known: what must be removed aside.
-    double value(const Set& set);
 
   private:
     bool is_open(std::size_t number) const { return open_[number] != 0; }

@@ -40,6 +40,11 @@ class Problem {
     int spare_removals() const { return spare_removals_; }
     double spare_budget() const { return spare_budget_; }
     bool sums() const { return rules().objective == Objective::flowtime; }
+    // The objective where all arrivals add up to that, and the last ones are these.
+    double objective(double sum, double last, double last_on_ground) const {
+        if (sums()) return sum;
+        return rules().objective == Objective::makespan ? last : last_on_ground;
+    }
 
     double breach_time(ObstacleId id) const { return rules().breach_time.of(map_.obstacle(id)); }
     // No aircraft has it open earlier; 0 where obstacles do not stand in time.

@@ -68,15 +68,7 @@ double Relaxation::fixed() const {
         sum += problem_.breach_time(id);
         if (problem_.rules().timing == Timing::enforce) last = std::max(last, problem_.earliest_return(id));
     }
-    switch (problem_.rules().objective) {
-        case Objective::makespan:
-            return last;
-        case Objective::flowtime:
-            return sum;
-        case Objective::ground_makespan:
-            break;
-    }
-    return 0;
+    return problem_.objective(sum, last, 0);
 }
 
 void Relaxation::number_obstacles() {
