@@ -53,7 +53,7 @@ void show(const experiment::RunProgress& progress) {
     fmt::print(stderr, "\r\033[K{} of {} results{}{}", progress.stored, progress.jobs, unsolved, left);
 }
 
-std::string summary(const std::string& file, const experiment::RunProgress& progress) {
+std::string run_summary(const std::string& file, const experiment::RunProgress& progress) {
     std::string text = fmt::format("{}: {} of {} results", file, progress.stored, progress.jobs);
     if (progress.begun_with > 0) text += fmt::format(", {} of them from before", progress.begun_with);
     if (progress.unsolved > 0) text += fmt::format("; {} timed out, failed or crashed", progress.unsolved);
@@ -84,7 +84,7 @@ void run(const ExperimentRunOptions& options) {
         experiment, store,
         {.threads = options.threads, .stop = stop.get_token(), .progress = on_progress, .evaluators = {}});
     if (watched) fmt::print(stderr, "\r\033[K");
-    io::write_whole("-", summary(options.output, progress));
+    io::write_whole("-", run_summary(options.output, progress));
     if (asked_to_end != 0 && progress.stored < progress.jobs) {
         // Shells and batch systems expect a program to die of the signal that ended it.
         std::signal(asked_to_end, SIG_DFL);

@@ -22,7 +22,7 @@
 namespace waybreaker::apps {
 namespace {
 
-constexpr Range metres{0.001, 1e6};
+constexpr Range lengths{0.001, 1e6};
 
 struct ImportOptions {
     std::string source;
@@ -187,14 +187,14 @@ void add_window_options(CLI::App& command, const std::shared_ptr<ImportOptions>&
                 "Centre of the window, in degrees east and north")
         ->each([options](const std::string&) { options->center = true; });
     add_number(
-        command, "--size", [options](double size) { options->window.size = size; }, metres, "METRES",
+        command, "--size", [options](double size) { options->window.size = size; }, lengths, "METRES",
         fmt::format("Side of the window around the centre (default: {})", window.size));
     add_box(command, "--bbox", window.box, "The window by its edges, in degrees, in place of centre and size");
     add_number(
-        command, "--cell", [options](double cell) { options->window.cell = cell; }, metres, "METRES",
+        command, "--cell", [options](double cell) { options->window.cell = cell; }, lengths, "METRES",
         fmt::format("Side of a cell (default: {})", window.cell));
     add_number(
-        command, "--tile", [options](double side) { options->tile = side; }, metres, "METRES",
+        command, "--tile", [options](double side) { options->tile = side; }, lengths, "METRES",
         "Cut the window into squares of that side, and write a folder with a map of each, ROW_COLUMN.tif");
 }
 
@@ -210,7 +210,7 @@ void add_profile(CLI::App& command, std::optional<geo::Profile>& profile) {
 // A number of metres, or "none".
 void add_section(CLI::App& command, std::optional<double>& section) {
     add_number(
-        command, "--section", [&section](double side) { section = side; }, {0, metres.most}, "METRES|none",
+        command, "--section", [&section](double side) { section = side; }, {0, lengths.most}, "METRES|none",
         "One breach clears what can be destroyed in one square of that side, rounded to whole cells; none: a whole "
         "building or barrier (default: 20; for paper none)")
         ->transform([](const std::string& given) { return given == "none" ? "0" : given; });
@@ -225,7 +225,7 @@ void add_choice_options(CLI::App& command, geo::ObstacleChoice& choice) {
              "The layer with the obstacles, of a source that has several, such as a folder of shapefiles")
         ->type_name("NAME");
     add_number(
-        command, "--wall-width", [&choice](double width) { choice.wall_width = width; }, metres, "METRES",
+        command, "--wall-width", [&choice](double width) { choice.wall_width = width; }, lengths, "METRES",
         "Width of obstacles that are lines in the source, such as walls (default, and least: a cell)");
     add_filters(command, "--destructible", choice.destructible,
                 "Only obstacles with this tag can be destroyed; can be given several times");

@@ -41,7 +41,7 @@ std::string argument(const CLI::Option& option) {
     return fmt::format(" \\f{}{}\\fR", words ? "B" : "I", plain(option.get_type_name()));
 }
 
-std::string option_entry(const CLI::Option& option) {
+std::string option_item(const CLI::Option& option) {
     std::string names;
     if (option.get_positional()) {
         names = "\\fI" + plain(option.get_name(true, false)) + "\\fR";
@@ -55,12 +55,12 @@ std::string option_entry(const CLI::Option& option) {
 
 std::string options(const CLI::App& app) {
     std::string out;
-    for (const CLI::Option* option : positionals_of(app)) out += option_entry(*option);
+    for (const CLI::Option* option : positionals_of(app)) out += option_item(*option);
     std::string group = "Options";
     for (const CLI::Option* option : options_of(app)) {
         if (option->get_group() != group) out += fmt::format(".SS {}\n", plain(option->get_group()));
         group = option->get_group();
-        out += option_entry(*option);
+        out += option_item(*option);
     }
     return out;
 }

@@ -49,7 +49,7 @@ void require_format(const std::string& path) {
     throw InputError(path + ": its format does not hold which cell belongs to which section; end the name in .tif");
 }
 
-std::string summary(const io::MapFile& file, const std::string& path, int side) {
+std::string split_summary(const io::MapFile& file, const std::string& path, int side) {
     const std::string length =
         file.has_metres() ? fmt::format("{:.6g} m", side * file.cell_size) : fmt::format("{} cells", side);
     const std::string sections = file.sections.empty() ? "nothing to cut" : site::sections_summary(file.sections);
@@ -65,7 +65,7 @@ void run(const MapSplitOptions& options) {
     const mapfile::WrittenMap written = mapfile::write_map(file, options.out);
     for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
     report_losses(options.out, written.losses);
-    io::write_whole("-", summary(file, options.out, side));
+    io::write_whole("-", split_summary(file, options.out, side));
 }
 
 }  // namespace

@@ -9,14 +9,11 @@
 
 #include "core/range.hpp"
 #include "geo/georeference.hpp"
-#include "io/excerpt.hpp"
 #include "io/map_frame.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
 namespace {
-
-constexpr std::size_t most_shown = 40;  // of what was given, in an error
 
 std::optional<double> number(std::string_view text) {
     double value = 0;
@@ -31,8 +28,8 @@ InputError no_metres(const std::string& option, const std::string& text, const i
 }
 
 std::string no_cell(const std::string& text) {
-    return fmt::format("'{}' is not a cell: X,Y are two whole numbers from 0 to {}, such as 12,20",
-                       io::excerpt(text, most_shown), max_side - 1);
+    return fmt::format("'{}' is not a cell: X,Y are two whole numbers from 0 to {}, such as 12,20", shown(text),
+                       max_side - 1);
 }
 
 // The cell that a point in cell units lies in.
@@ -55,9 +52,8 @@ CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<M
         const auto said = number(std::string_view(given).substr(0, given.size() - (metric ? unit.size() : 0)));
         if (!said || (metric ? *said < 0 : !(*said >= range.least && *said <= range.most))) {
             throw CLI::ValidationError(
-                name,
-                fmt::format("'{}' is not a number from {} to {}, nor one with the unit {} behind it",
-                            io::excerpt(given, most_shown), number_text(range.least), number_text(range.most), unit));
+                name, fmt::format("'{}' is not a number from {} to {}, nor one with the unit {} behind it",
+                                  shown(given), number_text(range.least), number_text(range.most), unit));
         }
         value = Measure{name, given, *said, metric};
     };
@@ -100,7 +96,7 @@ Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map) {
     const auto [lon, lat] = place.numbers;
     if (!(std::abs(lon) <= 180) || !(std::abs(lat) <= 90)) {
         throw InputError(fmt::format("{}: '{}' is not a place: LON,LAT are degrees east and north, such as 13.41,52.52",
-                                     place.option, io::excerpt(place.text, most_shown)));
+                                     place.option, shown(place.text)));
     }
     if (!map.georeference) {
         throw InputError(fmt::format("--lonlat: {} does not say where on earth it lies", map.source));

@@ -37,18 +37,17 @@ std::string long_name(const std::string& names) {
     return names.substr(names.rfind(',') + 1);
 }
 
-// What was given, in an error.
-std::string shown(const std::string& given) {
-    constexpr std::size_t most = 40;
-    return io::excerpt(given, most);
-}
-
 CLI::Option* add(CLI::App& app, const std::string& name, const std::function<void(const std::string&)>& read,
                  const std::string& type, const std::string& text) {
     return app.add_option_function<std::string>(name, read, text)->type_name(type);
 }
 
 }  // namespace
+
+std::string shown(std::string_view given) {
+    constexpr std::size_t most = 40;
+    return io::excerpt(given, most);
+}
 
 CLI::Option* add_cell(CLI::App& app, const std::string& name, std::optional<Cell>& value, const std::string& text) {
     const auto read = [name, &value](const std::string& given) {

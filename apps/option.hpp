@@ -19,6 +19,9 @@
 
 namespace waybreaker::apps {
 
+// What was given, in an error: its beginning.
+std::string shown(std::string_view given);
+
 // "12,20"
 CLI::Option* add_cell(CLI::App& app, const std::string& name, std::optional<Cell>& value, const std::string& text);
 

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "io/excerpt.hpp"
 #include "io/option_words.hpp"
 #include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
@@ -23,7 +22,6 @@ namespace {
 const Choices<bool> move_counts{{"8", true}, {"4", false}};
 
 constexpr int most_auto_removals = 32;
-constexpr std::size_t most_shown = 40;  // of what was given, in an error
 
 // A whole number, or "auto".
 void add_removals(CLI::App& command, PlanOptions& options) {
@@ -67,7 +65,7 @@ void add_protect(CLI::App& command, PlanOptions& options) {
                 throw InputError(
                     fmt::format("'{}' is not a list of obstacles: give their numbers, such as 17,4, or tags, such as "
                                 "amenity=hospital,school",
-                                io::excerpt(given, most_shown)));
+                                shown(given)));
             }
             std::ranges::move(site::parse_tag_filters(std::string(tags)), std::back_inserter(options.protect_tags));
         } catch (const InputError& error) {
@@ -113,7 +111,7 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_connectivity(command, options.connectivity);
     add_image_reading(command, options.image);
     add_number(
-        command, "--cell-size", [&options](double metres) { options.cell_size = metres; },
+        command, "--cell-size", [&options](double size) { options.cell_size = size; },
         {io::least_cell_size, io::most_cell_size}, "METRES",
         "Side of a cell, for lengths in metres (default: as the map file says)");
 }
@@ -146,8 +144,7 @@ void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
         if (given.empty()) share = usual;
         if (!given.empty() && (error != std::errc() || end != last || !(share >= 0 && share <= 1))) {
             throw CLI::ValidationError(
-                std::string(name),
-                fmt::format("'{}' is not a share from 0 to 1, such as 0.005 or 0.5%", io::excerpt(given, most_shown)));
+                std::string(name), fmt::format("'{}' is not a share from 0 to 1, such as 0.005 or 0.5%", shown(given)));
         }
         options.minimise_demolition = share;
     };

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "help.hpp"
-#include "io/excerpt.hpp"
+#include "option.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -37,9 +37,7 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
 }  // namespace
 
 std::string unexpected(const CLI::App& command, std::string given) {
-    // Too far from every known word to be a typing error.
-    constexpr std::size_t most = 40;
-    given = io::excerpt(given, most);
+    given = shown(given);
     std::vector<std::string> words;
     if (given.starts_with("-")) {
         given = given.substr(0, given.find('='));

@@ -16,7 +16,7 @@ namespace {
 using Element = XmlFile::Element;
 
 std::string described(const Element& element) {
-    return std::string(element.tag()).append(" is ").append(quoted(element.trimmed_text()));
+    return std::string(element.tag()).append(" is ").append(in_quotes(element.trimmed_text()));
 }
 
 int whole_number_of(const Element& element, int least, int most) {

@@ -59,7 +59,7 @@ std::optional<XmlFile::Element> XmlFile::Element::find(std::string_view tag) con
 
 XmlFile::Element XmlFile::Element::get(std::string_view tag) const {
     const std::optional<Element> found = find(tag);
-    if (!found) throw error("<" + std::string(tag) + "> is missing in " + quoted(node_.name()));
+    if (!found) throw error("<" + std::string(tag) + "> is missing in " + in_quotes(node_.name()));
     return *found;
 }
 

@@ -82,8 +82,8 @@ Violations judge_amount(const Map& map, const Plan& plan, const Terms& terms) {
 bool leads_past(const Waypoint& a, const Waypoint& b, Cell at, const Terms& terms) {
     const double dx = b.x - a.x;
     const double dy = b.y - a.y;
-    const double square = dx * dx + dy * dy;
-    const double share = square > 0 ? std::clamp(((at.x - a.x) * dx + (at.y - a.y) * dy) / square, 0.0, 1.0) : 0;
+    const double squared = dx * dx + dy * dy;
+    const double share = squared > 0 ? std::clamp(((at.x - a.x) * dx + (at.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
     return std::hypot(a.x + share * dx - at.x, a.y + share * dy - at.y) <= terms.tolerance;
 }
 

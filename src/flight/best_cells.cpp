@@ -7,7 +7,6 @@
 namespace waybreaker {
 namespace {
 
-constexpr double least_gain = 1e-9;          // in cells; less is rounding
 constexpr std::size_t most_pairs = 1 << 20;  // of cells of neighbouring stops
 
 // By stop: the cells that a tour of this length could visit, were each its only stop.

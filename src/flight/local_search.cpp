@@ -9,9 +9,6 @@
 namespace waybreaker {
 namespace {
 
-// A gain below this, in cells, is rounding: without it the search could turn in circles.
-constexpr double least_gain = 1e-9;
-
 class LocalSearch {
   public:
     LocalSearch(Cell start, Tour tour, Cell goal, std::span<const Target> targets)

@@ -10,8 +10,6 @@
 namespace waybreaker {
 namespace {
 
-constexpr double least_gain = 1e-9;  // in cells; less is rounding
-
 // The tour's stops, inserted one after another, in order of target, where each lengthens the tour least.
 Tour by_insertion(Cell start, Tour stops, Cell goal) {
     std::ranges::sort(stops, {}, &Stop::target);

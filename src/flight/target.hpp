@@ -25,6 +25,9 @@ struct Stop {
 };
 using Tour = std::vector<Stop>;
 
+// A gain below this, in cells, is rounding: without it a search could turn in circles.
+inline constexpr double least_gain = 1e-9;
+
 double tour_length(Cell start, const Tour& tour, Cell goal);
 
 Flight flight_of(Cell start, const Tour& tour, Cell goal, std::span<const Target> targets);

@@ -17,7 +17,7 @@
 namespace waybreaker::geo {
 namespace {
 
-using Kind = site::Background::Kind;
+using FeatureKind = site::Background::Kind;
 using Shape = site::Background::Shape;
 using Parts = std::vector<std::vector<Point>>;
 
@@ -113,7 +113,7 @@ Parts place_of(const std::vector<const Sight*>& sights, const Extent& extent) {
 }
 
 Shape shape_of(const Sight& sight) {
-    if (sight.kind == Kind::place) return Shape::point;
+    if (sight.kind == FeatureKind::place) return Shape::point;
     return is_area(sight.shape->getGeometryType()) ? Shape::area : Shape::line;
 }
 
@@ -132,7 +132,7 @@ site::Background background_within(const std::vector<Sight>& scenery, const OGRE
     const GdalScope gdal;
     const Extent extent{bounds, cell};
     // Sights of one name and class are one feature.
-    std::map<std::tuple<Kind, int, std::string, Shape, std::string>, std::vector<const Sight*>> groups;
+    std::map<std::tuple<FeatureKind, int, std::string, Shape, std::string>, std::vector<const Sight*>> groups;
     for (const Sight& sight : scenery) {
         OGREnvelope box;
         sight.shape->getEnvelope(&box);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/quoted.hpp"
+#include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -38,7 +38,7 @@ void FilterUse::require_all(const std::string& source) const {
                                 : filter.number                ? "no obstacle of {} says a number above 0 there"
                                                                : "no obstacle of {} is that";
     throw InputError(fmt::format("{} {}: {}; is it spelt as the source has it?", filter.option,
-                                 quoted(filter.tag.text()), fmt::format(fmt::runtime(nothing), source)));
+                                 in_quotes(filter.tag.text()), fmt::format(fmt::runtime(nothing), source)));
 }
 
 }  // namespace waybreaker::geo

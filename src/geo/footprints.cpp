@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/quoted.hpp"
+#include "core/in_quotes.hpp"
 #include "geo/feature_tags.hpp"
 #include "geo/filter_use.hpp"
 #include "geo/gdal_scope.hpp"
@@ -18,10 +18,10 @@ namespace waybreaker::geo {
 namespace {
 
 // What a layer is read for.
-enum class Kind { areas, lines };
+enum class Shapes { areas, lines };
 
-bool is_of(Kind kind, OGRwkbGeometryType type) {
-    return kind == Kind::areas ? is_area(type) : is_line(type);
+bool is_of(Shapes kind, OGRwkbGeometryType type) {
+    return kind == Shapes::areas ? is_area(type) : is_line(type);
 }
 
 std::string names_of(const std::vector<OGRLayer*>& layers) {
@@ -52,10 +52,10 @@ void choose_layer(std::vector<OGRLayer*>& layers, const std::string& name, const
     const std::vector<OGRLayer*> all = layers;
     std::erase_if(layers, [&](OGRLayer* layer) { return layer->GetName() != name; });
     if (!layers.empty()) return;
-    throw refusal(source, fmt::format("has no layer {}; it has {}", quoted(name), names_of(all)));
+    throw refusal(source, fmt::format("has no layer {}; it has {}", in_quotes(name), names_of(all)));
 }
 
-std::vector<OGRLayer*> layers_of(GDALDataset& file, Kind kind, const ObstacleChoice& choice,
+std::vector<OGRLayer*> layers_of(GDALDataset& file, Shapes kind, const ObstacleChoice& choice,
                                  const std::string& source) {
     std::vector<OGRLayer*> layers(file.GetLayers().begin(), file.GetLayers().end());
     if (!choice.layer.empty()) choose_layer(layers, choice.layer, source);
@@ -66,7 +66,7 @@ std::vector<OGRLayer*> layers_of(GDALDataset& file, Kind kind, const ObstacleCho
     // The OSM driver sorts a file's objects into five layers at once and would buffer those that are not read. Other
     // lines than those of its layer `lines` come in layers of relations.
     if (EQUAL(file.GetDriverName(), "OSM")) {
-        const char* const name = kind == Kind::areas ? "multipolygons" : "lines";
+        const char* const name = kind == Shapes::areas ? "multipolygons" : "lines";
         std::erase_if(layers, [&](OGRLayer* layer) { return !EQUAL(layer->GetName(), name); });
         const std::string only = std::string("SET interest_layers = ") + name;
         file.ReleaseResultSet(file.ExecuteSQL(only.c_str(), nullptr, nullptr));
@@ -83,14 +83,14 @@ const std::vector<TagFilter>& buildings() {
 // Which features of a layer are obstacles. By default buildings; in a layer that knows no such tag everything is one.
 class Selection {
   public:
-    Selection(const FeatureTags& tags, const ObstacleChoice& choice, Kind kind)
+    Selection(const FeatureTags& tags, const ObstacleChoice& choice, Shapes kind)
         : tags_(tags),
           kind_(kind),
           filters_(choice.obstacles.empty() ? buildings() : choice.obstacles),
           only_in_the_way_(choice.only_in_the_way && choice.obstacles.empty()) {
         all_ = choice.obstacles.empty() && !tags.can_have("building");
         // A building that is a line is an unclosed outline.
-        if (kind == Kind::lines)
+        if (kind == Shapes::lines)
             std::erase_if(filters_, [](const TagFilter& filter) { return filter.key == "building"; });
     }
 
@@ -105,7 +105,7 @@ class Selection {
 
   private:
     const FeatureTags& tags_;
-    Kind kind_;
+    Shapes kind_;
     std::vector<TagFilter> filters_;
     bool all_;
     bool only_in_the_way_;
@@ -113,7 +113,7 @@ class Selection {
 
 // Calls visit(feature, tags) for the obstacles of a layer.
 template <typename Visit>
-void for_each_obstacle(OGRLayer& layer, Kind kind, const ObstacleChoice& choice, const std::string& source,
+void for_each_obstacle(OGRLayer& layer, Shapes kind, const ObstacleChoice& choice, const std::string& source,
                        Visit visit) {
     const GdalScope gdal;
     const FeatureTags tags(layer);
@@ -156,7 +156,7 @@ std::string name_of(const OGRFeature& feature, const FeatureTags& tags) {
 }
 
 // The obstacles of a layer whose bounding boxes meet `bounds`, in the layer's own coordinates, not measured yet.
-std::vector<Footprint> scan(OGRLayer& layer, Kind kind, const ObstacleChoice& choice, const OGREnvelope& bounds,
+std::vector<Footprint> scan(OGRLayer& layer, Shapes kind, const ObstacleChoice& choice, const OGREnvelope& bounds,
                             const std::string& source, FilterUse& use) {
     std::vector<Footprint> found;
     layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);
@@ -193,11 +193,11 @@ std::vector<Footprint> placed(std::vector<Footprint> footprints, const OGRSpatia
 }
 
 // For error messages, if the window contains none of them.
-std::string whereabouts(const std::vector<Kind>& kinds, const ObstacleChoice& choice, const std::string& source) {
+std::string whereabouts(const std::vector<Shapes>& kinds, const ObstacleChoice& choice, const std::string& source) {
     OGRSpatialReference wgs84;
     wgs84.SetWellKnownGeogCS("WGS84");
     OGREnvelope everywhere;
-    for (const Kind kind : kinds) {
+    for (const Shapes kind : kinds) {
         const GDALDatasetUniquePtr file = open_source(source);
         for (OGRLayer* layer : layers_of(*file, kind, choice, source)) {
             OGREnvelope extent;
@@ -217,9 +217,9 @@ std::string whereabouts(const std::vector<Kind>& kinds, const ObstacleChoice& ch
 }
 
 // A filter without a match in the window may have one elsewhere: searches the whole source.
-void require_matches(const std::vector<Kind>& kinds, const ObstacleChoice& choice, const std::string& source,
+void require_matches(const std::vector<Shapes>& kinds, const ObstacleChoice& choice, const std::string& source,
                      FilterUse& use) {
-    for (const Kind kind : kinds) {
+    for (const Shapes kind : kinds) {
         if (use.all_used()) return;
         const GDALDatasetUniquePtr file = open_source(source);
         for (OGRLayer* layer : layers_of(*file, kind, choice, source)) {
@@ -245,7 +245,7 @@ OGREnvelope extent_of(GDALDataset& file, const Window& window) {
 }
 
 // Appends what one scan finds; false if the source has no layer of that kind.
-bool read(Kind kind, const std::string& source, const Window& window, const ObstacleChoice& choice, double line_width,
+bool read(Shapes kind, const std::string& source, const Window& window, const ObstacleChoice& choice, double line_width,
           FilterUse& use, Footprints& result) {
     const GDALDatasetUniquePtr file = open_source(source);
     const std::vector<OGRLayer*> layers = layers_of(*file, kind, choice, source);
@@ -279,12 +279,12 @@ double area_inside(const OGRGeometry& shape, const OGREnvelope& bounds) {
 }
 
 Footprints read_footprints(const std::string& source, const Window& window, const ObstacleChoice& choice, double cell) {
-    std::vector<Kind> kinds{Kind::areas};
-    if (choice.wants_lines()) kinds.push_back(Kind::lines);
+    std::vector<Shapes> kinds{Shapes::areas};
+    if (choice.wants_lines()) kinds.push_back(Shapes::lines);
     Footprints result;
     FilterUse use(choice);
     bool any = false;
-    for (const Kind kind : kinds) {
+    for (const Shapes kind : kinds) {
         any = read(kind, source, window, choice, std::max(choice.wall_width, cell), use, result) || any;
     }
     if (!any) throw refusal(source, "has no polygons; buildings are expected as polygons");

@@ -30,10 +30,6 @@ constexpr std::size_t most_cells_per_byte = 16384;
 // Cells may deviate from squares by this share of their side.
 constexpr double square_tolerance = 1e-3;
 
-InputError refusal(const std::string& name, const std::string& message) {
-    return InputError(name + ": " + message);
-}
-
 std::string metadata(GDALDataset& file, const char* item) {
     const char* text = file.GetMetadataItem(item);
     return text ? text : "";
@@ -42,17 +38,19 @@ std::string metadata(GDALDataset& file, const char* item) {
 // Reads only the header, so that nothing large is allocated for a map that is refused.
 void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name, std::size_t most_cells) {
     if (file.GetRasterCount() != 1) {
-        throw refusal(name, fmt::format("has {} bands, a label map has one; pick one with 'gdal_translate -b 1'",
-                                        file.GetRasterCount()));
+        throw InputError(name, 0,
+                         fmt::format("has {} bands, a label map has one; pick one with 'gdal_translate -b 1'",
+                                     file.GetRasterCount()));
     }
     GDALRasterBand& band = *file.GetRasterBand(1);
     const GDALDataType type = band.GetRasterDataType();
     const bool fits =
         type == GDT_Byte || type == GDT_UInt16 || type == GDT_Int16 || type == GDT_UInt32 || type == GDT_Int32;
     if (!fits) {
-        throw refusal(name, fmt::format("has cells of type {}, obstacle ids are integers of up to 32 bits; convert it "
-                                        "with 'gdal_translate -ot UInt32'",
-                                        GDALGetDataTypeName(type)));
+        throw InputError(name, 0,
+                         fmt::format("has cells of type {}, obstacle ids are integers of up to 32 bits; convert it "
+                                     "with 'gdal_translate -ot UInt32'",
+                                     GDALGetDataTypeName(type)));
     }
     const auto width = std::size_t(band.GetXSize());
     const auto height = std::size_t(band.GetYSize());
@@ -63,18 +61,18 @@ void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name,
                         name, width, height, max_side, most_cells));
     }
     if (width * height > most_cells_per_byte * bytes) {
-        throw refusal(name,
-                      fmt::format("is damaged or cut short: {} bytes cannot hold {} x {} cells", bytes, width, height));
+        throw InputError(
+            name, 0, fmt::format("is damaged or cut short: {} bytes cannot hold {} x {} cells", bytes, width, height));
     }
     int block_width = 0;
     int block_height = 0;
     band.GetBlockSize(&block_width, &block_height);
     const std::size_t block = std::size_t(block_width) * std::size_t(block_height);
     if (block > std::max(4 * width * height, std::size_t{4096} * 4096)) {
-        throw refusal(name,
-                      fmt::format("is cut into tiles of {} x {} cells, far larger than itself; write it anew with "
-                                  "'gdal_translate -co TILED=NO'",
-                                  block_width, block_height));
+        throw InputError(name, 0,
+                         fmt::format("is cut into tiles of {} x {} cells, far larger than itself; write it anew with "
+                                     "'gdal_translate -co TILED=NO'",
+                                     block_width, block_height));
     }
 }
 
@@ -96,7 +94,7 @@ std::vector<std::uint32_t> read_labels(GDALDataset& file, const MemoryFile& memo
         const CPLErr outcome = band.RasterIO(GF_Read, 0, y, width, rows, &labels[std::size_t(y) * std::size_t(width)],
                                              width, rows, is_signed ? GDT_Int32 : GDT_UInt32, 0, 0, nullptr);
         if (outcome != CE_None || gdal.failed()) {
-            throw refusal(name, "is damaged or cut short: " + memory.nameless(gdal.failure()));
+            throw InputError(name, 0, "is damaged or cut short: " + memory.nameless(gdal.failure()));
         }
         band.FlushCache(false);
     }
@@ -111,8 +109,9 @@ std::vector<std::uint32_t> read_labels(GDALDataset& file, const MemoryFile& memo
     const auto negative = std::find_if(labels.begin(), labels.end(), [](std::uint32_t l) { return l >> 31 != 0; });
     if (is_signed && negative != labels.end()) {
         const std::ptrdiff_t at = negative - labels.begin();
-        throw refusal(name, fmt::format("has the negative obstacle id {} at cell {},{}; ids start at 1, 0 is free",
-                                        std::int32_t(*negative), at % width, at / width));
+        throw InputError(name, 0,
+                         fmt::format("has the negative obstacle id {} at cell {},{}; ids start at 1, 0 is free",
+                                     std::int32_t(*negative), at % width, at / width));
     }
     return labels;
 }
@@ -154,14 +153,14 @@ Place read_place(GDALDataset& file, const std::string& name) {
     if (file.GetGeoTransform(transform.data()) != CE_None) return place;
     const auto [west, cell_x, skew_x, north, skew_y, cell_y] = transform;
     if (!std::all_of(transform.begin(), transform.end(), [](double t) { return std::isfinite(t); })) {
-        throw refusal(name, "has a georeference that is not a number; give it one with 'gdal_edit.py -a_ullr'");
+        throw InputError(name, 0, "has a georeference that is not a number; give it one with 'gdal_edit.py -a_ullr'");
     }
     if (skew_x != 0 || skew_y != 0 || !(cell_x > 0) || !(cell_y < 0)) {
-        throw refusal(name, "is rotated or not north-up; straighten it with 'gdalwarp -r near'");
+        throw InputError(name, 0, "is rotated or not north-up; straighten it with 'gdalwarp -r near'");
     }
     if (!(std::abs(cell_x + cell_y) <= square_tolerance * cell_x)) {
-        throw refusal(
-            name,
+        throw InputError(
+            name, 0,
             fmt::format("has cells of {:.6g} x {:.6g}, cells must be square; resample it with 'gdalwarp -r near -tr'",
                         cell_x, -cell_y));
     }
@@ -173,9 +172,9 @@ Place read_place(GDALDataset& file, const std::string& name) {
         return place;
     }
     if (system->IsGeographic()) {
-        throw refusal(name,
-                      "has cells in degrees, which are not square on the ground; project it with "
-                      "'gdalwarp -r near -t_srs EPSG:326ZZ', ZZ being its UTM zone");
+        throw InputError(name, 0,
+                         "has cells in degrees, which are not square on the ground; project it with "
+                         "'gdalwarp -r near -t_srs EPSG:326ZZ', ZZ being its UTM zone");
     }
     place.cell_size = cell_x * system->GetLinearUnits();
     char* text = nullptr;
@@ -207,7 +206,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     const MemoryFile memory(bytes);
     const char* const only_tiff[] = {"GTiff", nullptr};
     const GDALDatasetUniquePtr file(GDALDataset::Open(memory.path().c_str(), GDAL_OF_RASTER, only_tiff));
-    if (!file) throw refusal(name, "is no GeoTIFF map: " + memory.nameless(gdal.failure()));
+    if (!file) throw InputError(name, 0, "is no GeoTIFF map: " + memory.nameless(gdal.failure()));
     check_layout(*file, bytes.size(), name, limits.cells);
     Place place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);

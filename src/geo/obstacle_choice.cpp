@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/quoted.hpp"
+#include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -18,7 +18,7 @@ Quantity parse_quantity(const std::string& text) {
         if (error != std::errc() || rest != end) quantity.factor = 0;
     }
     if (quantity.of.empty() || !std::isfinite(quantity.factor) || !(quantity.factor > 0)) {
-        throw InputError(quoted(text) + " is no quantity: area or a tag, with *FACTOR if it is to be scaled");
+        throw InputError(in_quotes(text) + " is no quantity: area or a tag, with *FACTOR if it is to be scaled");
     }
     return quantity;
 }

@@ -8,12 +8,12 @@
 namespace waybreaker::geo {
 namespace {
 
-using Kind = site::Background::Kind;
+using FeatureKind = site::Background::Kind;
 using Shape = site::Background::Shape;
 
 // Features of a shape with a tag are scenery.
 struct Rule {
-    Kind kind;
+    FeatureKind kind;
     int rank;
     std::vector<Shape> shapes;
     TagFilter filter;
@@ -23,37 +23,47 @@ struct Rule {
 // The first matching rule applies.
 const std::vector<Rule>& rules() {
     static const std::vector<Rule> all{
-        {Kind::street,
+        {FeatureKind::street,
          0,
          {Shape::line},
          {"highway",
           {"motorway", "motorway_link", "trunk", "trunk_link", "primary", "primary_link", "secondary",
            "secondary_link"}}},
-        {Kind::street, 1, {Shape::line}, {"highway", {"tertiary", "tertiary_link"}}},
-        {Kind::street,
+        {FeatureKind::street, 1, {Shape::line}, {"highway", {"tertiary", "tertiary_link"}}},
+        {FeatureKind::street,
          2,
          {Shape::line},
          {"highway", {"unclassified", "residential", "living_street", "pedestrian", "road"}}},
-        {Kind::street, 2, {Shape::area}, {"highway", {"pedestrian"}}, true},
-        {Kind::street,
+        {FeatureKind::street, 2, {Shape::area}, {"highway", {"pedestrian"}}, true},
+        {FeatureKind::street,
          3,
          {Shape::line},
          {"highway", {"service", "track", "footway", "path", "cycleway", "steps", "bridleway"}},
          true},
-        {Kind::rail, 0, {Shape::line}, {"railway", {"rail", "light_rail", "narrow_gauge", "monorail", "funicular"}}},
-        {Kind::rail, 1, {Shape::line}, {"railway", {"subway", "tram"}}},
-        {Kind::water, 0, {Shape::area}, {"natural", {"water"}}},
-        {Kind::water, 0, {Shape::area}, {"waterway", {"riverbank", "dock"}}},
-        {Kind::water, 0, {Shape::area}, {"landuse", {"reservoir", "basin"}}},
-        {Kind::water, 0, {Shape::line}, {"waterway", {"river", "canal"}}},
-        {Kind::water, 0, {Shape::line}, {"natural", {"coastline"}}},
-        {Kind::water, 2, {Shape::line}, {"waterway", {"stream"}}},
-        {Kind::green, 1, {Shape::area}, {"leisure", {"park", "garden", "golf_course", "nature_reserve"}}},
-        {Kind::green, 1, {Shape::area}, {"natural", {"wood", "scrub", "heath", "grassland"}}},
-        {Kind::green, 1, {Shape::area}, {"landuse", {"forest", "cemetery", "recreation_ground", "village_green"}}},
-        {Kind::green, 3, {Shape::area}, {"landuse", {"grass", "meadow", "allotments", "orchard", "vineyard"}}},
-        {Kind::place, 0, {Shape::point}, {"place", {"city", "town", "borough", "suburb", "village", "island"}}, true},
-        {Kind::place,
+        {FeatureKind::rail,
+         0,
+         {Shape::line},
+         {"railway", {"rail", "light_rail", "narrow_gauge", "monorail", "funicular"}}},
+        {FeatureKind::rail, 1, {Shape::line}, {"railway", {"subway", "tram"}}},
+        {FeatureKind::water, 0, {Shape::area}, {"natural", {"water"}}},
+        {FeatureKind::water, 0, {Shape::area}, {"waterway", {"riverbank", "dock"}}},
+        {FeatureKind::water, 0, {Shape::area}, {"landuse", {"reservoir", "basin"}}},
+        {FeatureKind::water, 0, {Shape::line}, {"waterway", {"river", "canal"}}},
+        {FeatureKind::water, 0, {Shape::line}, {"natural", {"coastline"}}},
+        {FeatureKind::water, 2, {Shape::line}, {"waterway", {"stream"}}},
+        {FeatureKind::green, 1, {Shape::area}, {"leisure", {"park", "garden", "golf_course", "nature_reserve"}}},
+        {FeatureKind::green, 1, {Shape::area}, {"natural", {"wood", "scrub", "heath", "grassland"}}},
+        {FeatureKind::green,
+         1,
+         {Shape::area},
+         {"landuse", {"forest", "cemetery", "recreation_ground", "village_green"}}},
+        {FeatureKind::green, 3, {Shape::area}, {"landuse", {"grass", "meadow", "allotments", "orchard", "vineyard"}}},
+        {FeatureKind::place,
+         0,
+         {Shape::point},
+         {"place", {"city", "town", "borough", "suburb", "village", "island"}},
+         true},
+        {FeatureKind::place,
          2,
          {Shape::point, Shape::area},
          {"place", {"quarter", "neighbourhood", "square", "hamlet", "islet", "locality"}},
@@ -84,7 +94,7 @@ std::optional<Sight> sight_of(const TagSet& tags, Shape shape) {
     if (rule == rules().end()) return std::nullopt;
     const std::string* said = tags.find("name");
     std::string name = clean_name(said ? *said : "");
-    const bool siding = rule->kind == Kind::rail && tags.says("service");
+    const bool siding = rule->kind == FeatureKind::rail && tags.says("service");
     if ((rule->only_named && name.empty()) || siding) return std::nullopt;
     return Sight{rule->kind, rule->rank, *tags.find(rule->filter.key), std::move(name), nullptr};
 }

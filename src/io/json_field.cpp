@@ -8,23 +8,21 @@
 
 namespace waybreaker::io {
 
-using Json = nlohmann::json;
-
 JsonDocument parse_json(std::string_view text, const std::string& file, int max_depth) {
     const auto fail = [&](std::size_t byte, const std::string& what) {
         throw InputError(file_position(file, text, byte), 0, what);
     };
-    const auto not_too_deep = [&](int depth, Json::parse_event_t, Json&) {
+    const auto not_too_deep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
         if (depth > max_depth) fail(depth_at(text, max_depth), "its values are nested too deep");
         return true;
     };
     try {
-        return {text, file, Json::parse(text, not_too_deep)};
-    } catch (const Json::parse_error& error) {
+        return {text, file, nlohmann::json::parse(text, not_too_deep)};
+    } catch (const nlohmann::json::parse_error& error) {
         // `byte` is the last one that was read, counted from 1.
         const bool whole = error.byte <= text.size();
         fail(std::min(error.byte - 1, text.size()), whole ? "this is not JSON" : "this is not JSON: it ends too early");
-    } catch (const Json::exception&) {
+    } catch (const nlohmann::json::exception&) {
         fail(overflow_at(text), "this number is too large");
     }
     return {};
@@ -63,7 +61,7 @@ bool JsonField::truth() const {
 std::vector<JsonField> JsonField::items() const {
     if (!json_->is_array()) fail("is not an array");
     std::vector<JsonField> fields;
-    for (const Json& value : *json_) {
+    for (const nlohmann::json& value : *json_) {
         fields.push_back({value, place_ + "[" + std::to_string(fields.size()) + "]", document_});
     }
     return fields;

@@ -72,10 +72,6 @@ Agent read_agent(const JsonField& field) {
     return agent;
 }
 
-Json place(Cell c) {
-    return {c.x, c.y};
-}
-
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -83,8 +79,8 @@ Json number(double value) {
 Json agent_json(const Agent& agent) {
     Json json{{"id", agent.id},
               {"kind", word_of(agent_words, agent.kind)},
-              {"start", place(agent.start)},
-              {"goal", place(agent.goal)},
+              {"start", cell_json(agent.start)},
+              {"goal", cell_json(agent.goal)},
               {"speed", number(agent.speed)}};
     if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
     if (agent.breaches != any_number) json["breaches"] = agent.breaches;
@@ -171,6 +167,10 @@ std::string pretty(const Json& json, const std::string& indent) {
 }
 
 }  // namespace
+
+Json cell_json(Cell c) {
+    return {c.x, c.y};
+}
 
 Cell read_cell(const JsonField& field) {
     const std::vector<JsonField> parts = field.items();

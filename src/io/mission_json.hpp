@@ -51,6 +51,7 @@ std::string pretty(const nlohmann::ordered_json& json);
 
 // Parts that other documents have as well.
 Cell read_cell(const JsonField& field);
+nlohmann::ordered_json cell_json(Cell c);
 // `least`: 0 where a wrong id is judged, not refused.
 ObstacleId read_obstacle(const JsonField& field, std::uint32_t least = 1);
 double read_not_negative(const JsonField& field);

@@ -16,10 +16,6 @@ Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-Json place(Cell c) {
-    return {c.x, c.y};
-}
-
 // A whole number of cells stands without a decimal point.
 Json coordinate(double value) {
     return value == std::floor(value) && std::abs(value) < 1e9 ? Json(std::int64_t(value)) : number(value);
@@ -149,7 +145,7 @@ Json breach_json(const Breach& breach, const PlanContext& context) {
     add_structures(json, breach.obstacle, context.map.sections);
     const double weight = context.map.map.obstacle(breach.obstacle).weight;
     if (weight != 1 || std::isfinite(context.mission.rules.budget)) json["weight"] = number(weight);
-    json["at"] = place(breach.at);
+    json["at"] = cell_json(breach.at);
     if (!breach.by.empty()) json["by"] = breach.by;
     if (breach.begun_at) json["begun_at"] = number(breach.begun_at);
     json["cleared_at"] = number(breach.cleared_at);
@@ -173,8 +169,8 @@ Json agent_json(const Itinerary& agent) {
     return {{"id", agent.id},
             {"kind", word_of(agent_words, agent.kind)},
             {"speed", number(agent.speed)},
-            {"start", place(agent.start)},
-            {"goal", place(agent.goal)},
+            {"start", cell_json(agent.start)},
+            {"goal", cell_json(agent.goal)},
             {"path", std::move(path)}};
 }
 

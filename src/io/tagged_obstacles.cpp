@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/quoted.hpp"
+#include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
@@ -48,15 +48,15 @@ std::string values_of(const MapFile& map, const std::string& key) {
 InputError nothing_matches(const MapFile& map, const site::TagFilter& filter) {
     const std::string what = fmt::format("nothing to protect: no obstacle of {} ", map.source);
     if (filter.key == name_key) {
-        return InputError(what + "is called " + quoted(filter.text().substr(name_key.size() + 1)) +
+        return InputError(what + "is called " + in_quotes(filter.text().substr(name_key.size() + 1)) +
                           "; a * stands for any text");
     }
     if (map.tags.empty()) {
-        return InputError(what + "has tags such as " + quoted(filter.text()) +
+        return InputError(what + "has tags such as " + in_quotes(filter.text()) +
                           ": maps that waybreaker import makes for a rover, truck or walker keep them");
     }
     const std::string values = values_of(map, filter.key);
-    return InputError(what + "has the tag " + quoted(filter.text()) +
+    return InputError(what + "has the tag " + in_quotes(filter.text()) +
                       (values.empty()
                            ? "; maps keep amenity, barrier, building, heritage, historic and tourism, and names"
                            : "; of " + filter.key + " it has " + values));

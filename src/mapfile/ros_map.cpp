@@ -74,14 +74,14 @@ io::RosMode mode_of(const Document& document, const YAML::Node& node) {
     if (word == "trinary") return io::RosMode::trinary;
     if (word == "scale") return io::RosMode::scale;
     if (word == "raw") return io::RosMode::raw;
-    throw document.error(node.Mark(), "mode is " + quoted(word) + ", but must be trinary, scale or raw");
+    throw document.error(node.Mark(), "mode is " + in_quotes(word) + ", but must be trinary, scale or raw");
 }
 
 bool negate_of(const Document& document, const YAML::Node& node) {
     const std::string word = node.IsScalar() ? node.Scalar() : "";
     if (word == "0" || word == "false") return false;
     if (word == "1" || word == "true") return true;
-    throw document.error(node.Mark(), "negate is " + quoted(word) + ", but must be 0 or 1");
+    throw document.error(node.Mark(), "negate is " + in_quotes(word) + ", but must be 0 or 1");
 }
 
 std::array<double, 2> origin_of(const Document& document, const YAML::Node& node) {

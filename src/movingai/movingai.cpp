@@ -34,7 +34,7 @@ struct Size {
 int header_number(const TextLines& lines, std::string_view key, std::string_view word) {
     const std::optional<int> value = number<int>(word);
     if (!value || *value < 1 || *value > max_side) {
-        throw lines.error("the " + std::string(key) + " is " + quoted(word) + ", but must be a number from 1 to " +
+        throw lines.error("the " + std::string(key) + " is " + in_quotes(word) + ", but must be a number from 1 to " +
                           std::to_string(max_side));
     }
     return *value;
@@ -57,7 +57,7 @@ Size read_header(TextLines& lines) {
             return {*width, *height};
         }
         if (parts.size() != 2 || (parts[0] != "width" && parts[0] != "height")) {
-            throw lines.error("unexpected header line " + quoted(lines.line()) + ": " + form);
+            throw lines.error("unexpected header line " + in_quotes(lines.line()) + ": " + form);
         }
         std::optional<int>& side = parts[0] == "width" ? width : height;
         if (side) throw lines.error("the " + std::string(parts[0]) + " is given twice");
@@ -99,7 +99,7 @@ Cell cell_of(const TextLines& lines, std::string_view x_word, std::string_view y
     const std::optional<int> x = number<int>(x_word);
     const std::optional<int> y = number<int>(y_word);
     if (!x || !y || *x < 0 || *y < 0 || *x >= scenario.width || *y >= scenario.height) {
-        throw lines.error("the cell " + quoted(x_word) + ", " + quoted(y_word) + " does not lie on a map of " +
+        throw lines.error("the cell " + in_quotes(x_word) + ", " + in_quotes(y_word) + " does not lie on a map of " +
                           std::to_string(scenario.width) + " x " + std::to_string(scenario.height) + " cells");
     }
     return {*x, *y};
@@ -113,7 +113,7 @@ Scenario read_scenario(const TextLines& lines, const std::vector<std::string_vie
     }
     Scenario scenario;
     const std::optional<int> bucket = number<int>(columns[0]);
-    if (!bucket) throw lines.error("the bucket is " + quoted(columns[0]) + ", but must be a whole number");
+    if (!bucket) throw lines.error("the bucket is " + in_quotes(columns[0]) + ", but must be a whole number");
     scenario.bucket = *bucket;
     scenario.map = columns[1];
     scenario.width = header_number(lines, "width", columns[2]);
@@ -122,7 +122,7 @@ Scenario read_scenario(const TextLines& lines, const std::vector<std::string_vie
     scenario.goal = cell_of(lines, columns[6], columns[7], scenario);
     const std::optional<double> length = number<double>(columns[8]);
     if (!length || !std::isfinite(*length) || *length < 0) {
-        throw lines.error("the length is " + quoted(columns[8]) + ", but must be a number, 0 or more");
+        throw lines.error("the length is " + in_quotes(columns[8]) + ", but must be a number, 0 or more");
     }
     scenario.optimal_length = *length;
     return scenario;
@@ -164,7 +164,7 @@ std::vector<Scenario> read_movingai_scenarios(std::string_view bytes, const std:
         if (!is_version) {
             scenarios.push_back(read_scenario(lines, columns));
         } else if (columns[1] != "1" && columns[1] != "1.0") {
-            throw lines.error("scenarios of version " + quoted(columns[1]) + " cannot be read, only of version 1");
+            throw lines.error("scenarios of version " + in_quotes(columns[1]) + " cannot be read, only of version 1");
         }
     }
     return scenarios;

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/quoted.hpp"
+#include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {

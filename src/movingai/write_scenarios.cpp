@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-#include "core/quoted.hpp"
+#include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 void require_one_word(const std::string& map) {
     const auto ends_a_column = [](char c) { return static_cast<unsigned char>(c) <= ' '; };
     if (!map.empty() && std::ranges::none_of(map, ends_a_column)) return;
-    throw InputError("the map " + quoted(map) +
+    throw InputError("the map " + in_quotes(map) +
                      " cannot stand in a scenario file, whose columns end at blanks: rename the file or its folder");
 }
 

@@ -1,7 +1,6 @@
 #include "select/candidate.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/stopwatch.hpp"
 #include "select/shortened.hpp"
@@ -99,7 +98,7 @@ Candidate candidate_of(const Task& task, Opening opening) {
 }
 
 double cost(const Task& task, const Candidate& candidate) {
-    if (!candidate.opening.ground.length) return std::numeric_limits<double>::infinity();
+    if (!candidate.opening.ground.length) return infinity;
     return task.objective(candidate.schedule.ground.back().t, candidate.schedule.air.back().t);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "select/hits.hpp"
 #include "select/opening_times.hpp"
@@ -12,9 +11,6 @@
 
 namespace waybreaker {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;  // relative: what is less is no gain
 
 // Sets to try after the first, and expansions to look for them. A search for each takes long, and so do schedules of
 // many obstacles; where breaching takes time, there are very many sets that could be better and hardly one that is.

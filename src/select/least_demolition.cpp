@@ -8,7 +8,6 @@ namespace waybreaker {
 namespace {
 
 constexpr double share_of_selection = 0.5;  // of the time that is left
-constexpr double rounding = 1e-9;           // relative, as best_of has it
 
 std::uint64_t cells_of(const Task& task, std::span<const ObstacleId> removed) {
     std::uint64_t cells = 0;

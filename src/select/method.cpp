@@ -37,11 +37,11 @@ namespace {
 
 // Whether what obstacles weigh is in proportion to their cells.
 bool weighs_cells(const Map& map) {
-    constexpr double rounding = 1e-6;
+    constexpr double tolerance = 1e-6;
     const auto of_a_cell = [](const Obstacle& o) { return o.weight / o.cells; };
     const auto obstacles = map.obstacles();
     return std::ranges::all_of(obstacles, [&](const Obstacle& o) {
-        return std::abs(of_a_cell(o) - of_a_cell(obstacles.front())) <= rounding * of_a_cell(o);
+        return std::abs(of_a_cell(o) - of_a_cell(obstacles.front())) <= tolerance * of_a_cell(o);
     });
 }
 

@@ -4,14 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "flight/target.hpp"
 
 namespace waybreaker {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_toured = 8;  // obstacles
 
 // Between cells beside two obstacles, at least.

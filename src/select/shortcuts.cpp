@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_places = 128;  // beside the turns
 constexpr int most_removals = 32;
-constexpr double rounding = 1e-6;
+constexpr double slack = 1e-6;
 
 Point between(Point a, Point b, double share) {
     return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
@@ -63,7 +63,7 @@ class Shortcuts {
     void extend(std::size_t from, std::size_t to) {
         const double step = distance(places_[from], places_[to]);
         const auto gains = [&](std::size_t count, std::size_t more) {
-            return ways_[from][count].length + step < shortest(to, count + more) - rounding;
+            return ways_[from][count].length + step < shortest(to, count + more) - slack;
         };
         std::vector<ObstacleId> crossed;
         if (from + 1 < to) {
@@ -95,7 +95,7 @@ class Shortcuts {
     std::optional<std::vector<ObstacleId>> in_the_way(Point a, Point b) const {
         std::vector<ObstacleId> met;
         const int steps = int(distance(a, b)) + 1;
-        const double reach = 0.5 + task_.driver.body.reach() - rounding;
+        const double reach = 0.5 + task_.driver.body.reach() - slack;
         for (int i = 0; i <= steps; ++i) {
             const Point at = between(a, b, double(i) / steps);
             for (Cell c{0, int(std::ceil(at.y - reach))}; c.y <= at.y + reach; ++c.y) {

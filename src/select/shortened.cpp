@@ -10,31 +10,31 @@
 namespace waybreaker {
 namespace {
 
-constexpr int farthest = 2;  // cells that a bend is moved at once
-constexpr double rounding = 1e-9;
-
-Cell cell_of(Point p) {
-    return {int(std::lround(p.x)), int(std::lround(p.y))};
-}
+constexpr int farthest = 2;          // cells that a bend is moved at once
+constexpr double least_gain = 1e-9;  // in cells
 
 // The best place for a bend near to where it is, its neighbours staying where they are.
 Cell best_near(const LineOfSight& sight, const OpenedMap& map, Cell before, Cell bend, Cell after) {
     const auto detour = [&](Cell c) { return distance(before, c) + distance(c, after); };
     Cell best = bend;
-    double least = detour(bend) - rounding;
+    double least = detour(bend) - least_gain;
     for (int dy = -farthest; dy <= farthest; ++dy) {
         for (int dx = -farthest; dx <= farthest; ++dx) {
             const Cell c{bend.x + dx, bend.y + dy};
             if (!map.map().grid().contains(c) || detour(c) >= least) continue;
             if (!sight.fits(c) || !sight.clear(before, c) || !sight.clear(c, after)) continue;
             best = c;
-            least = detour(c) - rounding;
+            least = detour(c) - least_gain;
         }
     }
     return best;
 }
 
 }  // namespace
+
+Cell cell_of(Point p) {
+    return {int(std::lround(p.x)), int(std::lround(p.y))};
+}
 
 std::vector<Point> shortened(const OpenedMap& map, const Body& body, std::vector<Point> path) {
     const LineOfSight sight(map, body);

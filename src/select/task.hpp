@@ -1,6 +1,7 @@
 // Task: what all steps of a mission's planning work on.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,10 @@
 #include "waybreaker/method.hpp"
 
 namespace waybreaker {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+// Relative: what is less is no gain.
+inline constexpr double rounding = 1e-9;
 
 struct Task {
     const Map& map;

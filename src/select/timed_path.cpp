@@ -6,21 +6,17 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "select/shortened.hpp"
 
 namespace waybreaker {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative
 constexpr int most_rounds = 8;
 
 bool waits(const Task& task, const Candidate& candidate) {
     if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
     const double driven = *candidate.opening.ground.length / task.driver.speed;
     return candidate.schedule.ground.back().t > driven * (1 + rounding);
-}
-
-Cell cell_of(Point p) {
-    return {int(std::lround(p.x)), int(std::lround(p.y))};
 }
 
 CrossingOptions options_for(const Task& task, std::span<const ObstacleId> crossed) {

@@ -183,7 +183,7 @@ io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequ
     io::protect_tagged(map, options.protect_tags, rules);
     if (options.budget_given && !options.removals_given)
         rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
-    Body body;
+    waybreaker::Body body;
     for (Agent& agent : result.mission.agents) {
         if (agent.kind == AgentKind::air) continue;
         agent.body.radius = options.radius.value_or(agent.body.radius);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/quoted.hpp"
+#include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::site {
@@ -46,7 +46,7 @@ std::string TagFilter::text() const {
 
 std::vector<TagFilter> parse_tag_filters(const std::string& text) {
     const auto refuse = [&](const std::string& why) {
-        throw InputError(quoted(text) + why + ": a filter is KEY or KEY=VALUE,... such as barrier=wall,fence");
+        throw InputError(in_quotes(text) + why + ": a filter is KEY or KEY=VALUE,... such as barrier=wall,fence");
     };
     std::vector<TagFilter> filters;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -56,7 +56,7 @@ std::vector<TagFilter> parse_tag_filters(const std::string& text) {
         const std::size_t equals = part.find('=');
         if (equals == std::string::npos && !filters.empty() && !filters.back().values.empty()) {
             if (part == "building") {
-                refuse(" takes building for a value of " + quoted(filters.back().key) +
+                refuse(" takes building for a value of " + in_quotes(filters.back().key) +
                        "; put it first, or in an option of its own");
             }
             filters.back().values.push_back(part);

@@ -11,7 +11,7 @@
 namespace waybreaker {
 namespace {
 
-struct Case {
+struct CoalitionPlan {
     Mission mission;
     Plan plan;
     Breach& first() { return plan.breaches[0]; }
@@ -38,8 +38,8 @@ Agent agent(const std::string& id, AgentKind kind, Cell start, Cell goal) {
 }
 
 // Vehicles 0 and 1, aircraft 2 (west) and 3 (east), a wall for each of these.
-Case planned() {
-    Case made;
+CoalitionPlan planned_coalition() {
+    CoalitionPlan made;
     made.mission.rules.removals = 2;
     made.mission.rules.breach_time.per_obstacle = 3;
     made.mission.rules.objective = Objective::flowtime;
@@ -50,49 +50,51 @@ Case planned() {
     return made;
 }
 
-std::set<Rule> broken(const Case& made) {
+std::set<Rule> broken(const CoalitionPlan& made) {
     std::set<Rule> rules;
     for (const Violation& violation : check(walls(), made.mission, made.plan)) rules.insert(violation.rule);
     return rules;
 }
 
 TEST(CoalitionCheck, AcceptsThePlan) {
-    const Case made = planned();
+    const CoalitionPlan made = planned_coalition();
     ASSERT_EQ(made.plan.breaches.size(), 2U);
     ASSERT_NE(made.plan.breaches[0].by, made.plan.breaches[1].by);
     EXPECT_TRUE(is_valid(walls(), made.mission, made.plan));
 }
 
 TEST(CoalitionCheck, RejectsEachFault) {
-    const std::map<std::string, std::pair<Rule, std::function<void(Case&)>>> faults{
-        {"by nobody", {Rule::breach, [](Case& made) { made.first().by.clear(); }}},
-        {"by a vehicle", {Rule::breach, [](Case& made) { made.first().by = "up"; }}},
+    const std::map<std::string, std::pair<Rule, std::function<void(CoalitionPlan&)>>> faults{
+        {"by nobody", {Rule::breach, [](CoalitionPlan& made) { made.first().by.clear(); }}},
+        {"by a vehicle", {Rule::breach, [](CoalitionPlan& made) { made.first().by = "up"; }}},
         {"by the other aircraft, which is elsewhere",
-         {Rule::breach, [](Case& made) { made.first().by = made.second().by; }}},
+         {Rule::breach, [](CoalitionPlan& made) { made.first().by = made.second().by; }}},
         {"more than an aircraft may",
-         {Rule::capacity, [](Case& made) { made.mission.agents[made.first().by == "west" ? 2 : 3].breaches = 0; }}},
-        {"begins too late", {Rule::breach, [](Case& made) { *made.first().begun_at += 1; }}},
-        {"begins some time", {Rule::breach, [](Case& made) { made.first().begun_at.reset(); }}},
-        {"breaches take longer", {Rule::breach, [](Case& made) { made.mission.rules.breach_time.per_obstacle = 4; }}},
-        {"too many", {Rule::removals, [](Case& made) { made.mission.rules.removals = 1; }}},
-        {"too heavy", {Rule::budget, [](Case& made) { made.mission.rules.budget = 1; }}},
-        {"one is protected", {Rule::obstacle, [](Case& made) { made.mission.rules.protect = {{1}}; }}},
-        {"one is removed twice", {Rule::repetition, [](Case& made) { made.second() = made.first(); }}},
+         {Rule::capacity,
+          [](CoalitionPlan& made) { made.mission.agents[made.first().by == "west" ? 2 : 3].breaches = 0; }}},
+        {"begins too late", {Rule::breach, [](CoalitionPlan& made) { *made.first().begun_at += 1; }}},
+        {"begins some time", {Rule::breach, [](CoalitionPlan& made) { made.first().begun_at.reset(); }}},
+        {"breaches take longer",
+         {Rule::breach, [](CoalitionPlan& made) { made.mission.rules.breach_time.per_obstacle = 4; }}},
+        {"too many", {Rule::removals, [](CoalitionPlan& made) { made.mission.rules.removals = 1; }}},
+        {"too heavy", {Rule::budget, [](CoalitionPlan& made) { made.mission.rules.budget = 1; }}},
+        {"one is protected", {Rule::obstacle, [](CoalitionPlan& made) { made.mission.rules.protect = {{1}}; }}},
+        {"one is removed twice", {Rule::repetition, [](CoalitionPlan& made) { made.second() = made.first(); }}},
         {"one has to go and stays",
          {Rule::removals,
-          [](Case& made) {
+          [](CoalitionPlan& made) {
               made.mission.rules.force = {made.second().obstacle};
               made.plan.breaches.pop_back();
           }}},
-        {"one still stands", {Rule::collision, [](Case& made) { made.plan.breaches.pop_back(); }}},
+        {"one still stands", {Rule::collision, [](CoalitionPlan& made) { made.plan.breaches.pop_back(); }}},
         {"not from the boundary",
          {Rule::boundary,
-          [](Case& made) {
+          [](CoalitionPlan& made) {
               made.first().at = {5, 2};
           }}},
         {"cleared later than vehicles come",
          {Rule::collision,
-          [](Case& made) {
+          [](CoalitionPlan& made) {
               for (Breach& breach : made.plan.breaches) {
                   breach.cleared_at += 50;
                   *breach.begun_at += 50;
@@ -100,23 +102,24 @@ TEST(CoalitionCheck, RejectsEachFault) {
           }}},
         {"in another order",
          {Rule::order,
-          [](Case& made) {
+          [](CoalitionPlan& made) {
               made.second().cleared_at += 1;
               std::swap(made.first(), made.second());
           }}},
-        {"entered by nobody", {Rule::entered, [](Case& made) { made.first().entered_at.reset(); }}},
-        {"entered later", {Rule::entered, [](Case& made) { *made.first().entered_at += 1; }}},
+        {"entered by nobody", {Rule::entered, [](CoalitionPlan& made) { made.first().entered_at.reset(); }}},
+        {"entered later", {Rule::entered, [](CoalitionPlan& made) { *made.first().entered_at += 1; }}},
         {"an aircraft does not wait",
          {Rule::breach,
-          [](Case& made) {
+          [](CoalitionPlan& made) {
               std::vector<Waypoint>& path = made.path(made.first().by == "west" ? 2 : 3);
               path.erase(path.begin() + 2);
               path.back().t -= 3;
           }}},
-        {"figures for all without removals", {Rule::before, [](Case& made) { made.plan.before.flowtime = 100; }}},
+        {"figures for all without removals",
+         {Rule::before, [](CoalitionPlan& made) { made.plan.before.flowtime = 100; }}},
     };
     for (const auto& [name, fault] : faults) {
-        Case made = planned();
+        CoalitionPlan made = planned_coalition();
         fault.second(made);
         EXPECT_TRUE(broken(made).contains(fault.first)) << name;
     }

@@ -13,7 +13,7 @@ namespace waybreaker {
 namespace {
 
 // A valid plan; agents[0] is the ground agent, which enters removed[entered].
-struct Case {
+struct LonePlan {
     const Map& map;
     Mission mission;
     Plan plan;
@@ -27,7 +27,7 @@ struct Case {
 struct Mutation {
     std::string name;
     Rule broken;
-    std::function<bool(Case&)> mutate;  // false if it cannot be made in this case
+    std::function<bool(LonePlan&)> mutate;  // false if it cannot be made in this case
 };
 
 // The agent drives or flies on without a stop, so that nothing but its way is new.
@@ -55,7 +55,7 @@ bool is_removed(const Plan& plan, ObstacleId obstacle) {
                        [obstacle](const Breach& breach) { return breach.obstacle == obstacle; });
 }
 
-bool through_a_wall(Case& c) {
+bool through_a_wall(LonePlan& c) {
     const auto wall = find_cell(c.map, [&](Cell cell) {
         const ObstacleId obstacle = c.map.obstacle_at(cell);
         return obstacle && !is_removed(c.plan, obstacle);
@@ -67,7 +67,7 @@ bool through_a_wall(Case& c) {
     return true;
 }
 
-bool off_the_boundary(Case& c) {
+bool off_the_boundary(LonePlan& c) {
     const std::vector<Cell> boundary = c.map.boundary(c.breach().obstacle);
     const auto elsewhere =
         find_cell(c.map, [&](Cell cell) { return std::count(boundary.begin(), boundary.end(), cell) == 0; });
@@ -85,82 +85,82 @@ bool add(std::optional<double>& number, double amount) {
 const std::vector<Mutation> mutations{
     {"drives through a wall", Rule::collision, through_a_wall},
     {"drives through what is not removed any more", Rule::collision,
-     [](Case& c) { return c.plan.breaches.erase(c.plan.breaches.begin() + std::ptrdiff_t(c.entered)), true; }},
+     [](LonePlan& c) { return c.plan.breaches.erase(c.plan.breaches.begin() + std::ptrdiff_t(c.entered)), true; }},
     {"enters too early", Rule::collision,
-     [](Case& c) {
+     [](LonePlan& c) {
          c.mission.rules.timing = Timing::enforce;
          return c.breach().cleared_at > *c.breach().entered_at + 0.01;
      }},
     {"is cleared after it is entered", Rule::collision,
-     [](Case& c) {
+     [](LonePlan& c) {
          c.mission.rules.timing = Timing::enforce;
          c.breach().cleared_at = *c.breach().entered_at + 1;
          return true;
      }},
     {"bends between cells", Rule::vertex,
-     [](Case& c) {
+     [](LonePlan& c) {
          return c.ground().path.insert(c.ground().path.begin() + 1, {0.25, 0, 0}), true;
      }},
     {"bends off the map", Rule::vertex,
-     [](Case& c) {
+     [](LonePlan& c) {
          return c.ground().path.insert(c.ground().path.begin() + 1, {-1, 0, 0}), true;
      }},
     {"drives backwards in time", Rule::time,
-     [](Case& c) {
+     [](LonePlan& c) {
          std::vector<Waypoint>& path = c.ground().path;
          if (path.size() < 3) return false;
          std::swap(path[1].t, path[2].t);
          return path[2].t < path[1].t;
      }},
     {"drives faster than it can", Rule::speed,
-     [](Case& c) {
+     [](LonePlan& c) {
          for (Waypoint& point : c.ground().path) point.t *= 0.9;
          return true;
      }},
-    {"drives slower than it does", Rule::speed, [](Case& c) { return c.ground().speed *= 1.1, true; }},
+    {"drives slower than it does", Rule::speed, [](LonePlan& c) { return c.ground().speed *= 1.1, true; }},
     {"flies faster than it can", Rule::speed,
-     [](Case& c) {
+     [](LonePlan& c) {
          const std::vector<Waypoint>& path = c.air().path;
          c.air().path.back().t -= 0.1;
          return path[path.size() - 2].t < path.back().t;
      }},
     {"leaves something of the way out", Rule::speed,
-     [](Case& c) { return c.ground().path.front().x -= 100, c.ground().path.size() > 1; }},
-    {"starts elsewhere", Rule::start, [](Case& c) { return c.ground().start.x += 1, true; }},
+     [](LonePlan& c) { return c.ground().path.front().x -= 100, c.ground().path.size() > 1; }},
+    {"starts elsewhere", Rule::start, [](LonePlan& c) { return c.ground().start.x += 1, true; }},
     {"starts later", Rule::start,
-     [](Case& c) {
+     [](LonePlan& c) {
          for (Waypoint& point : c.air().path) point.t += 0.5;
          return true;
      }},
-    {"ends elsewhere", Rule::goal, [](Case& c) { return c.air().goal.y += 1, true; }},
-    {"has nobody to fly", Rule::agents, [](Case& c) { return c.plan.agents.pop_back(), true; }},
-    {"has two to drive", Rule::agents, [](Case& c) { return c.plan.agents.push_back(c.ground()), true; }},
-    {"has no path", Rule::agents, [](Case& c) { return c.ground().path.clear(), true; }},
-    {"is another than the mission's", Rule::agents, [](Case& c) { return c.air().id = "else", true; }},
-    {"has no route", Rule::agents, [](Case& c) { return c.plan.after.routes.pop_back(), true; }},
-    {"has no speed", Rule::agents, [](Case& c) { return c.ground().speed = 0, true; }},
+    {"ends elsewhere", Rule::goal, [](LonePlan& c) { return c.air().goal.y += 1, true; }},
+    {"has nobody to fly", Rule::agents, [](LonePlan& c) { return c.plan.agents.pop_back(), true; }},
+    {"has two to drive", Rule::agents, [](LonePlan& c) { return c.plan.agents.push_back(c.ground()), true; }},
+    {"has no path", Rule::agents, [](LonePlan& c) { return c.ground().path.clear(), true; }},
+    {"is another than the mission's", Rule::agents, [](LonePlan& c) { return c.air().id = "else", true; }},
+    {"has no route", Rule::agents, [](LonePlan& c) { return c.plan.after.routes.pop_back(), true; }},
+    {"has no speed", Rule::agents, [](LonePlan& c) { return c.ground().speed = 0, true; }},
     {"removes what there is not", Rule::obstacle,
-     [](Case& c) { return c.breach().obstacle.value = std::uint32_t(c.map.obstacles().size()) + 1, true; }},
-    {"removes nothing", Rule::obstacle, [](Case& c) { return c.breach().obstacle.value = 0, true; }},
+     [](LonePlan& c) { return c.breach().obstacle.value = std::uint32_t(c.map.obstacles().size()) + 1, true; }},
+    {"removes nothing", Rule::obstacle, [](LonePlan& c) { return c.breach().obstacle.value = 0, true; }},
     {"removes what is protected", Rule::obstacle,
-     [](Case& c) { return c.mission.rules.protect.push_back(c.breach().obstacle), true; }},
+     [](LonePlan& c) { return c.mission.rules.protect.push_back(c.breach().obstacle), true; }},
     {"removes it twice", Rule::repetition,
-     [](Case& c) { return c.plan.breaches.push_back(c.plan.breaches.back()), true; }},
+     [](LonePlan& c) { return c.plan.breaches.push_back(c.plan.breaches.back()), true; }},
     {"removes too many", Rule::removals,
-     [](Case& c) { return c.mission.rules.removals = int(c.plan.breaches.size()) - 1, true; }},
+     [](LonePlan& c) { return c.mission.rules.removals = int(c.plan.breaches.size()) - 1, true; }},
     {"removes what is too heavy", Rule::budget,
-     [](Case& c) { return c.mission.rules.budget = double(c.plan.breaches.size()) - 0.5, true; }},
+     [](LonePlan& c) { return c.mission.rules.budget = double(c.plan.breaches.size()) - 0.5, true; }},
     {"leaves what must go", Rule::removals,
-     [](Case& c) {
+     [](LonePlan& c) {
          c.mission.rules.force = {c.breach().obstacle};
          c.plan.breaches.erase(std::ranges::find(c.plan.breaches, c.mission.rules.force[0], &Breach::obstacle));
          return true;
      }},
-    {"counts cells wrongly", Rule::cells, [](Case& c) { return c.breach().cells += 1, true; }},
-    {"names the source wrongly", Rule::cells, [](Case& c) { return c.breach().source_id += 1, true; }},
+    {"counts cells wrongly", Rule::cells, [](LonePlan& c) { return c.breach().cells += 1, true; }},
+    {"names the source wrongly", Rule::cells, [](LonePlan& c) { return c.breach().source_id += 1, true; }},
     {"breaches off the boundary", Rule::boundary, off_the_boundary},
     {"breaches off the flight", Rule::breach,
-     [](Case& c) {
+     [](LonePlan& c) {
          const auto off = [&](Cell cell) {
              const auto& path = c.air().path;
              return std::none_of(path.begin(), path.end(),
@@ -171,77 +171,78 @@ const std::vector<Mutation> mutations{
          return cell.has_value();
      }},
     {"is breached later", Rule::breach,
-     [](Case& c) { return c.breach().cleared_at += 0.2, c.air().path.back().t > c.breach().cleared_at + 1; }},
-    {"is breached before the mission", Rule::breach, [](Case& c) { return c.breach().cleared_at = -1, true; }},
-    {"takes time to breach", Rule::breach, [](Case& c) { return c.mission.rules.breach_time.per_cell = 0.01, true; }},
+     [](LonePlan& c) { return c.breach().cleared_at += 0.2, c.air().path.back().t > c.breach().cleared_at + 1; }},
+    {"is breached before the mission", Rule::breach, [](LonePlan& c) { return c.breach().cleared_at = -1, true; }},
+    {"takes time to breach", Rule::breach,
+     [](LonePlan& c) { return c.mission.rules.breach_time.per_cell = 0.01, true; }},
     {"lists the last breach first", Rule::order,
-     [](Case& c) {
+     [](LonePlan& c) {
          std::reverse(c.plan.breaches.begin(), c.plan.breaches.end());
          return c.plan.breaches.front().cleared_at > c.plan.breaches.back().cleared_at + 0.01;
      }},
     {"would remove it again next", Rule::next,
-     [](Case& c) { return c.plan.next.push_back({.obstacle = c.breach().obstacle}), true; }},
+     [](LonePlan& c) { return c.plan.next.push_back({.obstacle = c.breach().obstacle}), true; }},
     {"would remove next what there is not", Rule::next,
-     [](Case& c) { return c.plan.next.push_back({.obstacle = {}}), true; }},
-    {"says it is entered later", Rule::entered, [](Case& c) { return add(c.breach().entered_at, 0.01); }},
-    {"says it is never entered", Rule::entered, [](Case& c) { return c.breach().entered_at.reset(), true; }},
+     [](LonePlan& c) { return c.plan.next.push_back({.obstacle = {}}), true; }},
+    {"says it is entered later", Rule::entered, [](LonePlan& c) { return add(c.breach().entered_at, 0.01); }},
+    {"says it is never entered", Rule::entered, [](LonePlan& c) { return c.breach().entered_at.reset(), true; }},
     {"says it is entered", Rule::entered,
-     [](Case& c) {
+     [](LonePlan& c) {
          for (Breach& breach : c.plan.breaches) {
              if (!breach.entered_at) return breach.entered_at = 1, true;
          }
          return false;
      }},
-    {"drives farther than it says", Rule::length, [](Case& c) { return add(c.plan.after.ground().length, -0.01); }},
-    {"flies farther than it says", Rule::length, [](Case& c) { return add(c.plan.after.air().length, -0.01); }},
-    {"has no length", Rule::length, [](Case& c) { return c.plan.after.ground().length.reset(), true; }},
-    {"ends later than it says", Rule::makespan, [](Case& c) { return add(c.plan.after.makespan, -0.01); }},
-    {"ends earlier than it says", Rule::makespan, [](Case& c) { return add(c.plan.after.makespan, 0.01); }},
-    {"adds up wrongly", Rule::flowtime, [](Case& c) { return add(c.plan.after.flowtime, 0.01); }},
+    {"drives farther than it says", Rule::length, [](LonePlan& c) { return add(c.plan.after.ground().length, -0.01); }},
+    {"flies farther than it says", Rule::length, [](LonePlan& c) { return add(c.plan.after.air().length, -0.01); }},
+    {"has no length", Rule::length, [](LonePlan& c) { return c.plan.after.ground().length.reset(), true; }},
+    {"ends later than it says", Rule::makespan, [](LonePlan& c) { return add(c.plan.after.makespan, -0.01); }},
+    {"ends earlier than it says", Rule::makespan, [](LonePlan& c) { return add(c.plan.after.makespan, 0.01); }},
+    {"adds up wrongly", Rule::flowtime, [](LonePlan& c) { return add(c.plan.after.flowtime, 0.01); }},
     {"is there at another time than it says", Rule::ground_makespan,
-     [](Case& c) { return add(c.plan.after.ground_makespan, 0.01); }},
+     [](LonePlan& c) { return add(c.plan.after.ground_makespan, 0.01); }},
     {"was there at another time before", Rule::before,
-     [](Case& c) { return add(c.plan.before.ground_makespan, 0.01); }},
+     [](LonePlan& c) { return add(c.plan.before.ground_makespan, 0.01); }},
     {"was shorter before than straight", Rule::before,
-     [](Case& c) { return c.plan.before.ground().length ? (c.plan.before.ground().length = -1, true) : false; }},
-    {"added up wrongly before", Rule::before, [](Case& c) { return add(c.plan.before.flowtime, 0.01); }},
-    {"ended at another time before", Rule::before, [](Case& c) { return add(c.plan.before.makespan, 0.01); }},
+     [](LonePlan& c) { return c.plan.before.ground().length ? (c.plan.before.ground().length = -1, true) : false; }},
+    {"added up wrongly before", Rule::before, [](LonePlan& c) { return add(c.plan.before.flowtime, 0.01); }},
+    {"ended at another time before", Rule::before, [](LonePlan& c) { return add(c.plan.before.makespan, 0.01); }},
     {"had no end before", Rule::before,
-     [](Case& c) { return c.plan.before.makespan ? (c.plan.before.makespan.reset(), true) : false; }},
-    {"flew another way before", Rule::before, [](Case& c) { return add(c.plan.before.air().length, 0.01); }},
+     [](LonePlan& c) { return c.plan.before.makespan ? (c.plan.before.makespan.reset(), true) : false; }},
+    {"flew another way before", Rule::before, [](LonePlan& c) { return add(c.plan.before.air().length, 0.01); }},
     {"is better than its bound", Rule::bound,
-     [](Case& c) { return c.plan.bound = *c.plan.after.makespan + 0.01, true; }},
+     [](LonePlan& c) { return c.plan.bound = *c.plan.after.makespan + 0.01, true; }},
     {"is better than its bound on the flowtime", Rule::bound,
-     [](Case& c) {
+     [](LonePlan& c) {
          c.mission.rules.objective = Objective::flowtime;
          c.plan.bound = *c.plan.after.flowtime + 0.01;
          return true;
      }},
     {"is better than its bound on the ground agent's arrival", Rule::bound,
-     [](Case& c) {
+     [](LonePlan& c) {
          c.mission.rules.objective = Objective::ground_makespan;
          c.plan.bound = *c.plan.after.ground_makespan + 0.01;
          return true;
      }},
     {"has a bound above doing nothing", Rule::bound,
-     [](Case& c) {
+     [](LonePlan& c) {
          if (!c.plan.before.makespan || *c.plan.before.makespan + 0.1 > *c.plan.after.makespan) return false;
          c.plan.bound = *c.plan.before.makespan + 0.1;
          return true;
      }},
     {"has another gap", Rule::gap,
-     [](Case& c) {
+     [](LonePlan& c) {
          c.plan.bound = *c.plan.after.makespan / 1.5;
          c.plan.gap = 0.4;
          return *c.plan.bound > 0;
      }},
-    {"has a gap to nothing", Rule::gap, [](Case& c) { return c.plan.gap = 0.1, true; }},
-    {"says there is no plan", Rule::status, [](Case& c) { return c.plan.status = PlanStatus::no_plan, true; }},
-    {"has no agents", Rule::status, [](Case& c) { return c.plan.agents.clear(), true; }},
+    {"has a gap to nothing", Rule::gap, [](LonePlan& c) { return c.plan.gap = 0.1, true; }},
+    {"says there is no plan", Rule::status, [](LonePlan& c) { return c.plan.status = PlanStatus::no_plan, true; }},
+    {"has no agents", Rule::status, [](LonePlan& c) { return c.plan.agents.clear(), true; }},
 };
 
 // A map, a mission and the paper's plan for it, in which some removed obstacle is entered.
-void for_any_case(const std::function<void(const Case&)>& visit) {
+void for_any_case(const std::function<void(const LonePlan&)>& visit) {
     const PlainMap plain = *random_map(24, 20);
     const Map map(plain.grid());
     Mission mission = ground_and_air(any_free_cell(plain), any_free_cell(plain));
@@ -261,10 +262,10 @@ void for_any_case(const std::function<void(const Case&)>& visit) {
 TEST(Mutation, IsRejectedForTheRightReason) {
     std::map<std::string, int> made;
     const bool all_rejected = rc::check("every mutation of every plan is rejected", [&] {
-        for_any_case([&](const Case& valid) {
+        for_any_case([&](const LonePlan& valid) {
             RC_ASSERT(broken_rules(valid.map, valid.mission, valid.plan).empty());
             for (const Mutation& mutation : mutations) {
-                Case mutant = valid;
+                LonePlan mutant = valid;
                 if (!mutation.mutate(mutant)) continue;
                 ++made[mutation.name];
                 const std::set<Rule> broken = broken_rules(mutant.map, mutant.mission, mutant.plan);

@@ -8,25 +8,18 @@
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
+#include "vehicle.hpp"
 
 namespace waybreaker {
 namespace {
 
-Agent vehicle(const std::string& id, Cell start, Cell goal) {
-    Agent agent;
-    agent.id = id;
-    agent.start = start;
-    agent.goal = goal;
-    return agent;
-}
-
-struct Case {
+struct TeamPlan {
     Mission mission;
     Plan plan;
 };
 
 // Figures and lengths that follow from the paths.
-void set_figures(Case& made) {
+void set_figures(TeamPlan& made) {
     double makespan = 0;
     double flowtime = 0;
     for (std::size_t i = 0; i < made.plan.agents.size(); ++i) {
@@ -56,8 +49,8 @@ const Map& yard() {
     return map;
 }
 
-Case planned() {
-    Case made;
+TeamPlan planned_team() {
+    TeamPlan made;
     made.mission.rules.objective = Objective::flowtime;
     made.mission.agents = {vehicle("a", {0, 0}, {8, 4}), vehicle("b", {8, 0}, {0, 4}), vehicle("c", {4, 4}, {4, 0})};
     made.mission.agents[2].ready_at = 1;
@@ -65,23 +58,23 @@ Case planned() {
     return made;
 }
 
-std::set<Rule> broken(const Case& made) {
+std::set<Rule> broken(const TeamPlan& made) {
     std::set<Rule> rules;
     for (const Violation& violation : check(yard(), made.mission, made.plan)) rules.insert(violation.rule);
     return rules;
 }
 
 TEST(TeamCheck, AcceptsThePlan) {
-    const Case made = planned();
+    const TeamPlan made = planned_team();
     ASSERT_EQ(made.plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(yard(), made.mission, made.plan));
 }
 
 TEST(TeamCheck, RejectsEachFault) {
-    const std::map<std::string, std::pair<Rule, std::function<void(Case&)>>> faults{
+    const std::map<std::string, std::pair<Rule, std::function<void(TeamPlan&)>>> faults{
         {"all drive as if alone",
          {Rule::separation,
-          [](Case& made) {
+          [](TeamPlan& made) {
               for (std::size_t i = 0; i < 3; ++i) {
                   std::vector<Waypoint>& path = made.plan.agents[i].path;
                   double time = made.mission.agents[i].ready_at;
@@ -94,53 +87,53 @@ TEST(TeamCheck, RejectsEachFault) {
                   }
               }
           }}},
-        {"more room is asked for", {Rule::separation, [](Case& made) { made.mission.rules.separation = 3; }}},
+        {"more room is asked for", {Rule::separation, [](TeamPlan& made) { made.mission.rules.separation = 3; }}},
         {"a wider body",
          {Rule::separation,
-          [](Case& made) {
+          [](TeamPlan& made) {
               for (Agent& agent : made.mission.agents) agent.body.radius = 1.5;
           }}},
-        {"not ready yet", {Rule::start, [](Case& made) { made.mission.agents[2].ready_at = 500; }}},
-        {"an agent is missing", {Rule::agents, [](Case& made) { made.plan.agents.pop_back(); }}},
-        {"an agent is there twice", {Rule::agents, [](Case& made) { made.plan.agents[1] = made.plan.agents[0]; }}},
-        {"an agent is another one", {Rule::agents, [](Case& made) { made.plan.agents[1].id = "x"; }}},
-        {"a route is missing", {Rule::agents, [](Case& made) { made.plan.after.routes.pop_back(); }}},
-        {"too fast", {Rule::speed, [](Case& made) { made.plan.agents[0].path.back().t -= 1; }}},
-        {"back in time", {Rule::time, [](Case& made) { made.plan.agents[0].path.back().t = -1; }}},
-        {"no goal", {Rule::goal, [](Case& made) { made.plan.agents[0].path.pop_back(); }}},
+        {"not ready yet", {Rule::start, [](TeamPlan& made) { made.mission.agents[2].ready_at = 500; }}},
+        {"an agent is missing", {Rule::agents, [](TeamPlan& made) { made.plan.agents.pop_back(); }}},
+        {"an agent is there twice", {Rule::agents, [](TeamPlan& made) { made.plan.agents[1] = made.plan.agents[0]; }}},
+        {"an agent is another one", {Rule::agents, [](TeamPlan& made) { made.plan.agents[1].id = "x"; }}},
+        {"a route is missing", {Rule::agents, [](TeamPlan& made) { made.plan.after.routes.pop_back(); }}},
+        {"too fast", {Rule::speed, [](TeamPlan& made) { made.plan.agents[0].path.back().t -= 1; }}},
+        {"back in time", {Rule::time, [](TeamPlan& made) { made.plan.agents[0].path.back().t = -1; }}},
+        {"no goal", {Rule::goal, [](TeamPlan& made) { made.plan.agents[0].path.pop_back(); }}},
         {"through a wall",
          {Rule::collision,
-          [](Case& made) {
+          [](TeamPlan& made) {
               const double time = std::sqrt(8 * 8 + 4 * 4);
               made.plan.agents[0].path = {{0, 0, 0}, {8, 4, time}};
           }}},
         {"no centre",
          {Rule::vertex,
-          [](Case& made) {
+          [](TeamPlan& made) {
               made.plan.agents[0].path.insert(made.plan.agents[0].path.begin() + 1, {0.5, 0, 0.5});
           }}},
-        {"no path", {Rule::agents, [](Case& made) { made.plan.agents[0].path.clear(); }}},
-        {"something is removed", {Rule::removals, [](Case& made) { made.plan.breaches.emplace_back(); }}},
-        {"makespan", {Rule::makespan, [](Case& made) { *made.plan.after.makespan += 1; }}},
-        {"flowtime", {Rule::flowtime, [](Case& made) { *made.plan.after.flowtime -= 1; }}},
-        {"ground makespan", {Rule::ground_makespan, [](Case& made) { made.plan.after.ground_makespan.reset(); }}},
-        {"length", {Rule::length, [](Case& made) { *made.plan.after.routes[1].length += 1; }}},
-        {"alone", {Rule::before, [](Case& made) { made.plan.before.routes[1].length = 1; }}},
-        {"alone, all", {Rule::before, [](Case& made) { *made.plan.before.flowtime += 1; }}},
-        {"bound", {Rule::bound, [](Case& made) { made.plan.bound = 1e6; }}},
-        {"gap", {Rule::gap, [](Case& made) { made.plan.gap = 0.7; }}},
-        {"status", {Rule::status, [](Case& made) { made.plan.status = PlanStatus::no_plan; }}},
+        {"no path", {Rule::agents, [](TeamPlan& made) { made.plan.agents[0].path.clear(); }}},
+        {"something is removed", {Rule::removals, [](TeamPlan& made) { made.plan.breaches.emplace_back(); }}},
+        {"makespan", {Rule::makespan, [](TeamPlan& made) { *made.plan.after.makespan += 1; }}},
+        {"flowtime", {Rule::flowtime, [](TeamPlan& made) { *made.plan.after.flowtime -= 1; }}},
+        {"ground makespan", {Rule::ground_makespan, [](TeamPlan& made) { made.plan.after.ground_makespan.reset(); }}},
+        {"length", {Rule::length, [](TeamPlan& made) { *made.plan.after.routes[1].length += 1; }}},
+        {"alone", {Rule::before, [](TeamPlan& made) { made.plan.before.routes[1].length = 1; }}},
+        {"alone, all", {Rule::before, [](TeamPlan& made) { *made.plan.before.flowtime += 1; }}},
+        {"bound", {Rule::bound, [](TeamPlan& made) { made.plan.bound = 1e6; }}},
+        {"gap", {Rule::gap, [](TeamPlan& made) { made.plan.gap = 0.7; }}},
+        {"status", {Rule::status, [](TeamPlan& made) { made.plan.status = PlanStatus::no_plan; }}},
     };
     for (const auto& [name, fault] : faults) {
-        Case made = planned();
+        TeamPlan made = planned_team();
         fault.second(made);
         EXPECT_TRUE(broken(made).contains(fault.first)) << name;
     }
 }
 
 // Two that drive along rows beside each other, and one that stands.
-Case hand_made(double row_apart) {
-    Case made;
+TeamPlan hand_made(double row_apart) {
+    TeamPlan made;
     made.mission.agents = {vehicle("a", {0, 0}, {8, 0}), vehicle("b", {0, 1}, {8, 1}), vehicle("c", {4, 4}, {4, 4})};
     made.mission.rules.separation = row_apart - 1;
     made.plan.status = PlanStatus::solved;
@@ -168,7 +161,7 @@ TEST(TeamCheck, LetsDiscsTouch) {
 }
 
 TEST(TeamCheck, LooksAtThoseWhoStandAtTheirGoals) {
-    Case made = hand_made(1);
+    TeamPlan made = hand_made(1);
     // From below to above, over the goal of one that has arrived long ago.
     made.mission.agents[2] = vehicle("c", {8, 3}, {8, 0});
     made.plan.agents[2].start = {8, 3};

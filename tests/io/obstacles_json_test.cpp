@@ -12,7 +12,7 @@
 namespace waybreaker::io {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 TEST(ObstaclesJson, DescribesEachObstacle) {
     MapFile file{.map = map_from_ascii(".#...\n.#..#\n....."), .names = {"", "", "Dom \"A\""}};

@@ -172,7 +172,7 @@ std::string without(const std::string& pointer) {
     return json.dump();
 }
 // What stands behind the place in the text, which json_field_test.cpp sees to.
-std::string refusal(const std::string& bytes) {
+std::string plan_refusal(const std::string& bytes) {
     const std::string error = input_error([&] { parse_plan(bytes, "p.json"); });
     std::smatch parts;
     if (!std::regex_match(error, parts, std::regex("p\\.json:[1-9][0-9]*:[1-9][0-9]*: (.*)"))) return error;
@@ -212,27 +212,29 @@ TEST(PlanFile, MaySayMore) {
 }
 
 TEST(PlanFile, IsRefusedWithPlaceAndReason) {
-    EXPECT_EQ(refusal("[]"), "the document is not an object");
-    EXPECT_EQ(refusal("{}"), "the document has no member format");
-    EXPECT_EQ(refusal(std::string(1000, '[')), "its values are nested too deep");
-    EXPECT_EQ(refusal(with("/format", "waybreaker-plan/2")), "format is not waybreaker-plan/1");
-    EXPECT_EQ(refusal(with("/status", "well")), "status is none of solved, no_plan, limit_reached, stopped");
-    EXPECT_EQ(refusal(with("/map/width", 1e9)), "map.width is not between 1 and 32768");
-    EXPECT_EQ(refusal(with("/options/radius", -1)), "options.radius is not between 0 and 32");
-    EXPECT_EQ(refusal(with("/options/breach_time", -1)), "options.breach_time is below 0");
-    EXPECT_EQ(refusal(without("/options/timing")), "options has no member timing");
-    EXPECT_EQ(refusal(with("/after/air/length", nullptr)), "after.air.length is not a number");
-    EXPECT_EQ(refusal(with("/removed", "none")), "removed is not an array");
-    EXPECT_EQ(refusal(with("/removed/0/obstacle", 4294967296)), "removed[0].obstacle is not between 0 and 4294967295");
-    EXPECT_EQ(refusal(with("/removed/0/obstacle", UINT64_MAX)), "removed[0].obstacle is not between 0 and 4294967295");
-    EXPECT_EQ(refusal(with("/removed/0/cells", 1.5)), "removed[0].cells is not a whole number");
-    EXPECT_EQ(refusal(with("/removed/0/source_id", 1e300)), "removed[0].source_id is not a whole number");
-    EXPECT_EQ(refusal(with("/removed/0/at", {1, 2, 3})), "removed[0].at is not a cell, [x, y]");
-    EXPECT_EQ(refusal(with("/agents/1/id", "a\nb")), "agents[1].id holds control characters");
-    EXPECT_EQ(refusal(with("/agents/1/kind", 3)), "agents[1].kind is none of ground, air");
-    EXPECT_EQ(refusal(with("/agents/1/path", Json::array())), "agents[1].path is empty");
-    EXPECT_EQ(refusal(with("/agents/1/path/1", {1, 2})), "agents[1].path[1] is not [x, y, t]");
-    EXPECT_EQ(refusal(with("/agents/1/path/1/2", "late")), "agents[1].path[1][2] is not a number");
+    EXPECT_EQ(plan_refusal("[]"), "the document is not an object");
+    EXPECT_EQ(plan_refusal("{}"), "the document has no member format");
+    EXPECT_EQ(plan_refusal(std::string(1000, '[')), "its values are nested too deep");
+    EXPECT_EQ(plan_refusal(with("/format", "waybreaker-plan/2")), "format is not waybreaker-plan/1");
+    EXPECT_EQ(plan_refusal(with("/status", "well")), "status is none of solved, no_plan, limit_reached, stopped");
+    EXPECT_EQ(plan_refusal(with("/map/width", 1e9)), "map.width is not between 1 and 32768");
+    EXPECT_EQ(plan_refusal(with("/options/radius", -1)), "options.radius is not between 0 and 32");
+    EXPECT_EQ(plan_refusal(with("/options/breach_time", -1)), "options.breach_time is below 0");
+    EXPECT_EQ(plan_refusal(without("/options/timing")), "options has no member timing");
+    EXPECT_EQ(plan_refusal(with("/after/air/length", nullptr)), "after.air.length is not a number");
+    EXPECT_EQ(plan_refusal(with("/removed", "none")), "removed is not an array");
+    EXPECT_EQ(plan_refusal(with("/removed/0/obstacle", 4294967296)),
+              "removed[0].obstacle is not between 0 and 4294967295");
+    EXPECT_EQ(plan_refusal(with("/removed/0/obstacle", UINT64_MAX)),
+              "removed[0].obstacle is not between 0 and 4294967295");
+    EXPECT_EQ(plan_refusal(with("/removed/0/cells", 1.5)), "removed[0].cells is not a whole number");
+    EXPECT_EQ(plan_refusal(with("/removed/0/source_id", 1e300)), "removed[0].source_id is not a whole number");
+    EXPECT_EQ(plan_refusal(with("/removed/0/at", {1, 2, 3})), "removed[0].at is not a cell, [x, y]");
+    EXPECT_EQ(plan_refusal(with("/agents/1/id", "a\nb")), "agents[1].id holds control characters");
+    EXPECT_EQ(plan_refusal(with("/agents/1/kind", 3)), "agents[1].kind is none of ground, air");
+    EXPECT_EQ(plan_refusal(with("/agents/1/path", Json::array())), "agents[1].path is empty");
+    EXPECT_EQ(plan_refusal(with("/agents/1/path/1", {1, 2})), "agents[1].path[1] is not [x, y, t]");
+    EXPECT_EQ(plan_refusal(with("/agents/1/path/1/2", "late")), "agents[1].path[1][2] is not a number");
 }
 
 }  // namespace

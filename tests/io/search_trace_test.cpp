@@ -12,7 +12,7 @@
 namespace waybreaker::io {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr std::string_view picture = R"(
     S.......

@@ -7,6 +7,7 @@
 
 #include "ascii_map.hpp"
 #include "input_error.hpp"
+#include "mapfile/sums.hpp"
 
 namespace waybreaker::mapfile {
 namespace {
@@ -25,12 +26,6 @@ std::string png_of(int width, int height, png_uint_32 format, const std::vector<
     EXPECT_NE(png_image_write_to_memory(&image, bytes.data(), &size, 0, samples.data(), 0, nullptr), 0);
     bytes.resize(size);
     return bytes;
-}
-
-std::vector<int> sums(const GreyImage& image) {
-    std::vector<int> result;
-    for (const GreyImage::Pixel& pixel : image.pixels) result.push_back(pixel.sum);
-    return result;
 }
 
 TEST(Images, OfAllNetpbmFormatsAreRead) {

@@ -7,6 +7,7 @@
 
 #include "input_error.hpp"
 #include "mapfile/grey_image.hpp"
+#include "mapfile/sums.hpp"
 
 namespace waybreaker::mapfile {
 namespace {
@@ -43,12 +44,6 @@ std::string png(const Header& header, const std::string& rows, const std::string
     const std::string start = big_endian(std::uint32_t(header.width)) + big_endian(std::uint32_t(header.height)) +
                               char(header.depth) + char(header.colour) + '\0' + '\0' + char(header.interlaced ? 1 : 0);
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", start) + others + chunk("IDAT", deflated(rows)) + chunk("IEND", "");
-}
-
-std::vector<int> sums(const GreyImage& image) {
-    std::vector<int> result;
-    for (const GreyImage::Pixel& pixel : image.pixels) result.push_back(pixel.sum);
-    return result;
 }
 
 TEST(PngImage, WithMorePixelsThanItsHeaderSaysIsRefused) {

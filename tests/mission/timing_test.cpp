@@ -12,7 +12,7 @@
 namespace waybreaker {
 namespace {
 
-struct World {
+struct TimedMission {
     Map map;
     Mission mission;
     Method method;
@@ -30,9 +30,9 @@ struct World {
     }
 };
 
-World any_world() {
+TimedMission any_timed_mission() {
     const PlainMap plain = *random_map(24, 20);
-    World world{Map(plain.grid()), ground_and_air(any_free_cell(plain), any_free_cell(plain)), {}, {}};
+    TimedMission world{Map(plain.grid()), ground_and_air(any_free_cell(plain), any_free_cell(plain)), {}, {}};
     if (*rc::gen::arbitrary<bool>()) world.mission.agents[1].start = any_cell(plain);
     if (*rc::gen::arbitrary<bool>()) world.mission.agents[1].goal = any_cell(plain);
     world.mission.agents[0].speed = *rc::gen::element(0.3, 1.0, 1.0, 3.0);
@@ -51,27 +51,27 @@ bool no_more(double a, double b) {
 }
 
 RC_GTEST_PROP(Timing, NeverMakesAPlanWorseThanToRemoveNothing, ()) {
-    const World world = any_world();
+    const TimedMission world = any_timed_mission();
     const Plan plan = world.plan();
     RC_ASSERT(no_more(world.cost(plan.after), world.cost(plan.before)));
 }
 
 RC_GTEST_PROP(Timing, MoreRemovalsNeverCostMore, ()) {
-    World world = any_world();
+    TimedMission world = any_timed_mission();
     const double few = world.cost();
     world.mission.rules.removals += *number(1, 5);
     RC_ASSERT(no_more(world.cost(), few));
 }
 
 RC_GTEST_PROP(Timing, OnlyWhatIsNeededIsRemoved, ()) {
-    const World world = any_world();
+    const TimedMission world = any_timed_mission();
     const Plan plan = world.plan();
     if (plan.status != PlanStatus::solved) return;
     for (const Breach& breach : plan.breaches) RC_ASSERT(breach.entered_at.has_value());
 }
 
 RC_GTEST_PROP(Timing, ALongerBreachOrASlowerFlightNeverHelps, ()) {
-    World world = any_world();
+    TimedMission world = any_timed_mission();
     const double before = world.cost();
     if (*rc::gen::arbitrary<bool>()) {
         world.mission.rules.breach_time.per_obstacle += 1.5;
@@ -82,7 +82,7 @@ RC_GTEST_PROP(Timing, ALongerBreachOrASlowerFlightNeverHelps, ()) {
 }
 
 RC_GTEST_PROP(Timing, WhatIsProtectedOrTooDearStays, ()) {
-    World world = any_world();
+    TimedMission world = any_timed_mission();
     world.mission.rules.removals = 4;
     world.mission.rules.protect = some_obstacles(world.map, 3);
     world.map = world.map.with_weights(std::vector<double>(world.map.obstacles().size() + 1, 1.5));
@@ -95,7 +95,7 @@ RC_GTEST_PROP(Timing, WhatIsProtectedOrTooDearStays, ()) {
 }
 
 RC_GTEST_PROP(Timing, WhatMustGoGoes, ()) {
-    World world = any_world();
+    TimedMission world = any_timed_mission();
     std::vector<ObstacleId> force = some_obstacles(world.map, 2);
     std::ranges::sort(force);
     force.erase(std::unique(force.begin(), force.end()), force.end());
@@ -107,7 +107,7 @@ RC_GTEST_PROP(Timing, WhatMustGoGoes, ()) {
     }
 }
 
-constexpr std::string_view wall = R"(
+constexpr std::string_view one_wall = R"(
     .............
     ......aa.....
     ......aa.....
@@ -117,7 +117,7 @@ constexpr std::string_view wall = R"(
     .............)";
 
 Plan plan_past_the_wall(double air_speed, double breach_time) {
-    const Map map = map_from_ascii(wall);
+    const Map map = map_from_ascii(one_wall);
     Mission mission = ground_and_air({0, 3}, {12, 3});
     mission.agents[1].speed = air_speed;
     mission.rules.breach_time.per_obstacle = breach_time;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::string_literals;
 
-Grid read(std::string_view text) {
+Grid grid_in(std::string_view text) {
     return read_movingai_map(text, "a.map");
 }
 
@@ -37,7 +37,7 @@ RC_GTEST_PROP(MovingaiMap, IsReadAsItWasWritten, ()) {
         grid.set_blocked({int(i % width), int(i / width)}, blocked[i]);
     }
     const std::string text = text_of(grid, *rc::gen::element("\n"s, "\r\n"s));
-    RC_ASSERT(read(text) == grid);
+    RC_ASSERT(grid_in(text) == grid);
     std::istringstream stream(text);
     RC_ASSERT(read_movingai_map(stream, "a.map") == grid);
 }
@@ -46,22 +46,22 @@ RC_GTEST_PROP(MovingaiMap, IsReadAsItWasWritten, ()) {
 RC_GTEST_PROP(MovingaiMap, IsRefusedWhenCutOff, ()) {
     const std::string text = text_of(Grid(*rc::gen::inRange(1, 9), *rc::gen::inRange(1, 9)), "\n");
     const auto size = *rc::gen::inRange<std::size_t>(0, text.size() - 1);
-    RC_ASSERT(!input_error([&] { read(text.substr(0, size)); }).empty());
+    RC_ASSERT(!input_error([&] { grid_in(text.substr(0, size)); }).empty());
 }
 
 // Any bytes at all are read or refused.
 RC_GTEST_PROP(MovingaiMap, IsReadOrRefused, (const std::string& junk)) {
-    input_error([&] { read(junk); });
-    input_error([&] { read("type octile\nheight 2\nwidth 2\nmap\n" + junk); });
+    input_error([&] { grid_in(junk); });
+    input_error([&] { grid_in("type octile\nheight 2\nwidth 2\nmap\n" + junk); });
 }
 
 TEST(MovingaiMap, ReadsTerrain) {
-    const Grid grid = read("type octile\nheight 1\nwidth 10\nmap\n.GS@OTW# \xff\n");
+    const Grid grid = grid_in("type octile\nheight 1\nwidth 10\nmap\n.GS@OTW# \xff\n");
     for (int x = 0; x < 10; ++x) EXPECT_EQ(grid.blocked({x, 0}), x > 2) << "cell " << x;
 }
 
 TEST(MovingaiMap, MayStateItsSizeInEitherOrder) {
-    const Grid grid = read("type octile\nwidth 3\nheight 2\nmap\n..@\n...\n");
+    const Grid grid = grid_in("type octile\nwidth 3\nheight 2\nmap\n..@\n...\n");
     EXPECT_EQ(grid.width(), 3);
     EXPECT_EQ(grid.height(), 2);
     EXPECT_TRUE(grid.blocked({2, 0}));
@@ -69,14 +69,14 @@ TEST(MovingaiMap, MayStateItsSizeInEitherOrder) {
 
 TEST(MovingaiMap, MayLackTheLastLineEndOrHaveEmptyLinesAfterIt) {
     const std::string map = "type octile\nheight 1\nwidth 2\nmap\n.@";
-    EXPECT_EQ(read(map), read(map + "\n"));
-    EXPECT_EQ(read(map), read(map + "\r\n\r\n  \n"));
+    EXPECT_EQ(grid_in(map), grid_in(map + "\n"));
+    EXPECT_EQ(grid_in(map), grid_in(map + "\r\n\r\n  \n"));
 }
 
 TEST(MovingaiMap, MayBeOneCellWideOrAllBlocked) {
-    EXPECT_EQ(read("type octile\nheight 3\nwidth 1\nmap\n.\n@\n.\n").height(), 3);
-    EXPECT_EQ(read("type octile\nheight 1\nwidth 3\nmap\n.@.\n").width(), 3);
-    EXPECT_TRUE(read("type octile\nheight 1\nwidth 1\nmap\n@\n").blocked({0, 0}));
+    EXPECT_EQ(grid_in("type octile\nheight 3\nwidth 1\nmap\n.\n@\n.\n").height(), 3);
+    EXPECT_EQ(grid_in("type octile\nheight 1\nwidth 3\nmap\n.@.\n").width(), 3);
+    EXPECT_TRUE(grid_in("type octile\nheight 1\nwidth 1\nmap\n@\n").blocked({0, 0}));
 }
 
 struct BadMap {
@@ -110,7 +110,7 @@ TEST(MovingaiMap, IsRefusedWithFileLineAndRemedy) {
         {header + "...\n...\n\n...\n", "a.map:8: more lines follow the 2 rows"},
     };
     for (const BadMap& bad : table) {
-        EXPECT_EQ(input_error([&] { read(bad.text); }).substr(0, bad.message.size()), bad.message) << bad.text;
+        EXPECT_EQ(input_error([&] { grid_in(bad.text); }).substr(0, bad.message.size()), bad.message) << bad.text;
     }
 }
 

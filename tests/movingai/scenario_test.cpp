@@ -14,12 +14,13 @@ namespace {
 
 using namespace std::string_literals;
 
-std::vector<Scenario> read(std::string_view text) {
+std::vector<Scenario> scenarios_in(std::string_view text) {
     return read_movingai_scenarios(text, "a.scen");
 }
 
 TEST(MovingaiScenarios, HaveNineColumns) {
-    const std::vector<Scenario> scenarios = read("version 1\n16\tden312d.map\t65\t81\t61\t40\t8\t14\t66.69848480\n");
+    const std::vector<Scenario> scenarios =
+        scenarios_in("version 1\n16\tden312d.map\t65\t81\t61\t40\t8\t14\t66.69848480\n");
     ASSERT_EQ(scenarios.size(), 1U);
     const Scenario& scenario = scenarios[0];
     EXPECT_EQ(scenario.bucket, 16);
@@ -37,20 +38,20 @@ TEST(MovingaiScenarios, MayVaryInVersionLineSeparatorsAndLineEnds) {
             for (const std::string end : {"\n", "\r\n", "", "\n\n"}) {
                 std::string line = "3";
                 for (const char* column : {"m.map", "9", "8", "7", "6", "5", "4", "2.5"}) line += separator + column;
-                const std::vector<Scenario> scenarios = read(version + line + end);
+                const std::vector<Scenario> scenarios = scenarios_in(version + line + end);
                 ASSERT_EQ(scenarios.size(), 1U);
                 EXPECT_EQ(scenarios[0].goal, (Cell{5, 4}));
                 EXPECT_EQ(scenarios[0].optimal_length, 2.5);
             }
         }
     }
-    EXPECT_TRUE(read("version 1\n").empty());
-    EXPECT_TRUE(read("").empty());
+    EXPECT_TRUE(scenarios_in("version 1\n").empty());
+    EXPECT_TRUE(scenarios_in("").empty());
 }
 
 RC_GTEST_PROP(MovingaiScenarios, AreReadOrRefused, (const std::string& junk)) {
-    input_error([&] { read(junk); });
-    input_error([&] { read("version 1\n0\tm\t" + junk); });
+    input_error([&] { scenarios_in(junk); });
+    input_error([&] { scenarios_in("version 1\n0\tm\t" + junk); });
 }
 
 TEST(MovingaiScenarios, AreRefusedWithFileLineAndReason) {
@@ -72,7 +73,8 @@ TEST(MovingaiScenarios, AreRefusedWithFileLineAndReason) {
         {"0 m 9 9 1 1 2 2 1.4\nversion 1\n", "a.scen:2: a scenario has 9 columns"},
     };
     for (const auto& [text, message] : table) {
-        EXPECT_EQ(input_error([&, bytes = std::string_view(text)] { read(bytes); }).substr(0, message.size()), message);
+        EXPECT_EQ(input_error([&, bytes = std::string_view(text)] { scenarios_in(bytes); }).substr(0, message.size()),
+                  message);
     }
 }
 

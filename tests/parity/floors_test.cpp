@@ -18,23 +18,23 @@ namespace fs = std::filesystem;
 
 constexpr int most_crossings = 5;
 
-struct Row {
+struct Floors {
     std::string map;
     Cell start;
     Cell goal;
     std::array<double, most_crossings + 1> floors;
 };
 
-std::vector<Row> read_rows(const fs::path& file) {
+std::vector<Floors> read_floors(const fs::path& file) {
     std::ifstream in(file);
     std::string line;
     std::getline(in, line);
     EXPECT_EQ(line, "map,start_x,start_y,goal_x,goal_y,straight,floor_0,floor_1,floor_2,floor_3,floor_4,floor_5");
-    std::vector<Row> rows;
+    std::vector<Floors> rows;
     while (std::getline(in, line)) {
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream fields(line);
-        Row& row = rows.emplace_back();
+        Floors& row = rows.emplace_back();
         double straight = 0;
         fields >> row.map >> row.start.x >> row.start.y >> row.goal.x >> row.goal.y >> straight;
         for (double& floor : row.floors) fields >> floor;
@@ -46,11 +46,11 @@ std::vector<Row> read_rows(const fs::path& file) {
 TEST(Floors, AreTheShortestPathsOfAPoint) {
     const auto shared = shared_folder();
     if (!shared || !fs::exists(*shared / "reference" / "floors.csv")) GTEST_SKIP() << no_shared_folder;
-    const std::vector<Row> rows = read_rows(*shared / "reference" / "floors.csv");
+    const std::vector<Floors> rows = read_floors(*shared / "reference" / "floors.csv");
     EXPECT_EQ(rows.size(), 144U);
     std::map<std::string, Map> maps;
     CrossingSearcher searcher;
-    for (const Row& row : rows) {
+    for (const Floors& row : rows) {
         if (!maps.contains(row.map)) {
             const fs::path file = *shared / "data" / "cities" / (row.map + ".map");
             std::ifstream in(file, std::ios::binary);

@@ -18,7 +18,6 @@
 namespace waybreaker {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int width = 14;
 constexpr int height = 9;
 

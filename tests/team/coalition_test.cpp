@@ -7,20 +7,12 @@
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
+#include "vehicle.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
-
-Agent vehicle(const std::string& id, Cell start, Cell goal, double radius = 0.5) {
-    Agent agent;
-    agent.id = id;
-    agent.start = start;
-    agent.goal = goal;
-    agent.body.radius = radius;
-    return agent;
-}
 
 Agent aircraft(const std::string& id, Cell start, Cell goal, double speed = 1) {
     Agent agent;

@@ -8,20 +8,12 @@
 #include "checked_plan.hpp"
 #include "random_map.hpp"
 #include "team/simulation.hpp"
+#include "vehicle.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
-
-Agent vehicle(const std::string& id, Cell start, Cell goal, double radius = 0.5) {
-    Agent agent;
-    agent.id = id;
-    agent.start = start;
-    agent.goal = goal;
-    agent.body.radius = radius;
-    return agent;
-}
 
 // Random vehicles with room at their starts and goals, and now and then an aircraft.
 Mission any_team(const PlainMap& plain, const Map& map) {

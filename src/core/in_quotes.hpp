@@ -7,7 +7,7 @@
 namespace waybreaker {
 
 // A word from outside for an error message: its first characters, without control characters.
-inline std::string quoted(std::string_view word) {
+inline std::string in_quotes(std::string_view word) {
     constexpr std::size_t most = 32;
     std::string text = "'";
     for (const char c : word.substr(0, most)) text += c >= ' ' && c <= '~' ? c : '?';

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+
+inline Agent vehicle(const std::string& id, Cell start, Cell goal, double radius = 0.5) {
+    Agent agent;
+    agent.id = id;
+    agent.start = start;
+    agent.goal = goal;
+    agent.body.radius = radius;
+    return agent;
+}
+
+}  // namespace waybreaker
