@@ -235,6 +235,15 @@ bool is_best(const Plan& plan) {
     return plan.gap.value_or(1) < rounding;
 }
 
+// What all removals save: what each saves does not add up to it, as others take the place of one that stays.
+std::string saved_together(const Plan& plan, const io::PlanContext& context) {
+    const Objective objective = context.mission.rules.objective;
+    const std::optional<double> before = value(plan.before, objective);
+    const std::optional<double> after = value(plan.after, objective);
+    if (plan.breaches.size() < 2 || !before || !after) return "";
+    return fmt::format("together they save {:.3f}\n", *before - *after);
+}
+
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     const auto named = [](const Breach& breach) { return breach.source_id != 0; };
     const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
@@ -265,7 +274,8 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         if (names) rows.back().emplace_back(name_of(breach));
     }
     if (rows.size() > 1) {
-        return aligned(rows, style.bold, names) + demolition(plan, context.map) + least_demolition(plan, context);
+        return aligned(rows, style.bold, names) + demolition(plan, context.map) + least_demolition(plan, context) +
+               (explained ? saved_together(plan, context) : "");
     }
     if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
     if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";
