@@ -1,6 +1,8 @@
 // How the ground agent is shaped and moves (contract, section 2).
 #pragma once
 
+#include <cstdint>
+
 #include "waybreaker/map.hpp"
 
 namespace waybreaker {
@@ -10,7 +12,7 @@ enum class Corners { none, cut, squeeze };
 
 // What an agent is, to the ground it moves on.
 struct Body {
-    // Of the disc, in cells: 0.001 to 32, thousandths count. 0 is a point that slips between diagonal neighbours.
+    // Of the disc, in cells: 0.001 to 32, rounded to thousandths. 0 is a point that slips between diagonal neighbours.
     double radius = 0.5;
     // Other than `none` the agent is a point, and its radius is left at 0.5.
     Corners corners = Corners::none;
@@ -18,8 +20,14 @@ struct Body {
     // What its diagonal steps pass: a point of radius 0 squeezes through.
     constexpr Corners passes() const { return radius == 0 ? Corners::squeeze : corners; }
     constexpr bool is_point() const { return passes() != Corners::none; }
-    // The radius of the disc, in cells; 0 for a point.
-    constexpr double reach() const { return is_point() ? 0 : radius; }
+    // The radius of the disc, in thousandths of a cell; 0 for a point.
+    constexpr std::int64_t thousandths() const {
+        if (is_point()) return 0;
+        const auto whole = std::int64_t(radius * 1000);
+        return whole + (radius * 1000 - double(whole) >= 0.5 ? 1 : 0);  // std::llround is no constant expression
+    }
+    // The same in cells.
+    constexpr double reach() const { return double(thousandths()) / 1000; }
     friend bool operator==(const Body&, const Body&) = default;
 };
 

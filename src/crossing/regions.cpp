@@ -15,7 +15,7 @@ constexpr std::int64_t unit = 1000;  // a radius is exact to thousandths of a ce
 // The cells around a blocked one where the body cannot be, as half widths of rows. Of the square: where the disc around
 // a cell's centre meets the blocked cell. Relaxed: cells that lie in the disc's way as a whole.
 std::vector<int> growth_of(const CrossingOptions& options) {
-    const std::int64_t radius = std::llround(options.body.reach() * double(unit));
+    const std::int64_t radius = options.body.thousandths();
     const auto relaxed_row = [radius](std::int64_t y) {
         int x = -1;
         while ((std::int64_t(x + 1) * (x + 1) + y * y) * unit * unit <= radius * radius) ++x;

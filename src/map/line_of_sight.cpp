@@ -49,8 +49,7 @@ bool line_of_sight(const OpenedMap& map, Cell from, Cell to, const Body& body) {
     return sight.fits(from) && sight.fits(to) && sight.clear(from, to);
 }
 
-LineOfSight::LineOfSight(const OpenedMap& map, const Body& body)
-    : map_(&map), radius_(std::llround(body.radius * double(unit))) {
+LineOfSight::LineOfSight(const OpenedMap& map, const Body& body) : map_(&map), radius_(body.thousandths()) {
     switch (body.passes()) {
         case Corners::none:
             model_ = 2 * radius_ == unit ? Model::disc : Model::wide_disc;

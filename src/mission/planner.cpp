@@ -115,7 +115,7 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
         plan.seconds.flight += candidate.flight_seconds;
     }
     // The map grown for a wide body takes as much memory as the map itself.
-    const bool grown = mission.ground_body().radius > 0.5;
+    const bool grown = mission.ground_body().reach() > 0.5;
     if (grown && map.grid().cell_count() > most_grown_cells_kept) crossing_ = CrossingSearcher();
     plan.seconds.select = selecting_seconds;
     plan.seconds.total = total.seconds();

@@ -69,7 +69,7 @@ Opening open(const Task& task, const Searchers& searchers, std::vector<ObstacleI
                                  found.expanded < options.limits.expansions;
         // A wide disc may pass where its square does not.
         const bool squeezes_through =
-            found.status == SearchStatus::no_path && task.driver.body.radius > 0.5 &&
+            found.status == SearchStatus::no_path && task.driver.body.reach() > 0.5 &&
             searchers.crossing.has_steps(task.map, task.driver.start, task.driver.goal, options);
         if (!out_of_time && !squeezes_through) return opening_of(task, std::move(removed), found, watch.seconds());
         limited = out_of_time;

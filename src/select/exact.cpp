@@ -40,8 +40,8 @@ constexpr double least_radius_of_square = 0.36;
 
 bool square_bounds(const Task& task, const OpeningTimes& opening_times) {
     const Body& body = task.driver.body;
-    return drives_by_crossing(task) && !body.is_point() && body.radius >= least_radius_of_square &&
-           body.radius <= 0.5 && !opening_times.matter();
+    return drives_by_crossing(task) && !body.is_point() && body.reach() >= least_radius_of_square &&
+           body.reach() <= 0.5 && !opening_times.matter();
 }
 
 // What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the

@@ -22,7 +22,7 @@ double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingS
 }  // namespace
 
 bool drives_by_crossing(const Body& body) {
-    return body.corners == Corners::none && body.radius > 0 && body.radius <= 0.5;
+    return body.corners == Corners::none && body.radius > 0 && body.reach() <= 0.5;
 }
 
 std::vector<Cell> cells_of(std::span<const Point> path) {

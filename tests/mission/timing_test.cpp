@@ -56,6 +56,20 @@ RC_GTEST_PROP(Timing, NeverMakesAPlanWorseThanToRemoveNothing, ()) {
     RC_ASSERT(no_more(world.cost(plan.after), world.cost(plan.before)));
 }
 
+// What is finer than a thousandth of a cell counts nowhere.
+RC_GTEST_PROP(Timing, IsOfTheRadiusInThousandths, ()) {
+    TimedMission fine = any_timed_mission();
+    TimedMission coarse = fine;
+    const int thousandths = *number(1, 1500);
+    coarse.mission.agents[0].body.radius = thousandths / 1000.0;
+    fine.mission.agents[0].body.radius = (thousandths + *number(-4, 4) / 10.0) / 1000.0;
+    RC_PRE(fine.mission.agents[0].body.radius >= 0.001);
+    const Agent& driver = coarse.mission.agents[0];
+    const OpenedMap ground(coarse.map, {});
+    RC_PRE(fits(ground, driver.start, driver.body) && fits(ground, driver.goal, driver.body));
+    RC_ASSERT(fine.cost() == coarse.cost());
+}
+
 RC_GTEST_PROP(Timing, MoreRemovalsNeverCostMore, ()) {
     TimedMission world = any_timed_mission();
     const double few = world.cost();
