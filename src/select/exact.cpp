@@ -30,6 +30,8 @@ constexpr double close = 5e-4;
 constexpr double share_of_proof = 0.8;
 // Of the proof's time: for the bound of the relaxed body. The square's comes after it.
 constexpr double share_of_relaxed = 0.5;
+// Likewise, where obstacles open in time: for what can be said as if they did not.
+constexpr double share_of_waitless = 0.3;
 // Seconds: a search among few obstacles is short, so that it may be a little late.
 constexpr double grace = 0.01;
 
@@ -97,15 +99,16 @@ CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::sp
 // One selection, in the order of its steps.
 class ExactSelection {
   public:
-    ExactSelection(const Task& task, const Searchers& searchers, const Candidate& start, const Bound& bound,
-                   const Deadline& deadline, OpeningTimes& opening_times)
+    // `reached`: the objective of the best plan so far.
+    ExactSelection(const Task& task, const Searchers& searchers, const Candidate& start, double reached,
+                   const Bound& bound, const Deadline& deadline, OpeningTimes& opening_times)
         : task_(task),
           searchers_(searchers),
           start_(start),
           bound_(bound),
           deadline_(deadline),
           opening_times_(opening_times),
-          best_(cost(task, start)),
+          best_(reached),
           proven_(bound.objective) {}
 
     Selected run() && {
@@ -118,6 +121,20 @@ class ExactSelection {
         }
         selected_.bound = proven_;
         return std::move(selected_);
+    }
+
+    // The set whose shortest path is shortest, and nothing else. `best`: no other choice can be better than its plan.
+    struct Tried {
+        Selected selected;
+        bool best = false;
+    };
+    Tried run_first() && {
+        try_within(bound_.removed);
+        const CrossingResult first = find_first();
+        raise_bound(first);
+        selected_.bound = proven_;
+        const bool beaten = !first.best.path.empty() && beats_best(first.best);
+        return {std::move(selected_), first.status != SearchStatus::limit_reached && !beaten};
     }
 
   private:
@@ -267,7 +284,8 @@ class ExactSelection {
         Rules fewer = task_.rules;
         --fewer.removals;
         const Task less = task_.under(fewer);
-        Selected selected = ExactSelection(less, searchers_, start_, bound_, deadline_, opening_times_).run();
+        Selected selected =
+            ExactSelection(less, searchers_, start_, cost(less, start_), bound_, deadline_, opening_times_).run();
         std::ranges::move(selected.candidates, std::back_inserter(selected_.candidates));
         selected_.limited = selected_.limited || selected.limited;
     }
@@ -291,10 +309,29 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     const Deadline deadline = task.deadline.share(share_of_proof);
     task.report(cost(task, start), 0);
     OpeningTimes opening_times(task);
-    const Bound bound =
-        prove_bound(task, searchers_.crossing, cost(task, start), deadline.share(share_of_relaxed), opening_times);
-    task.report(cost(task, start), bound.objective);
-    Selected selected = ExactSelection(task, searchers_, start, bound, deadline, opening_times).run();
+    if (!opening_times.matter() || task.spare_removals() == 0) {
+        return select(task, start, cost(task, start), 0, deadline, opening_times);
+    }
+    // Often nobody has to wait; and what is proven as if nobody did makes the search in time short.
+    OpeningTimes at_once = OpeningTimes::at_once(task);
+    const Deadline soon = deadline.share(share_of_waitless);
+    const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), soon, at_once);
+    auto [first, is_best] =
+        ExactSelection(task, searchers_, start, cost(task, start), bound, soon, at_once).run_first();
+    if (is_best) return std::move(first);
+    const double reached = cost(task, best_of(task, start, first.candidates));
+    Selected selected = select(task, start, reached, first.bound.value_or(0), deadline, opening_times);
+    std::ranges::move(selected.candidates, std::back_inserter(first.candidates));
+    selected.candidates = std::move(first.candidates);
+    return selected;
+}
+
+Selected ExactSelector::select(const Task& task, const Candidate& start, double reached, double proven,
+                               const Deadline& deadline, OpeningTimes& opening_times) {
+    Bound bound = prove_bound(task, searchers_.crossing, reached, deadline.share(share_of_relaxed), opening_times);
+    bound.objective = std::max(bound.objective, proven);
+    task.report(reached, bound.objective);
+    Selected selected = ExactSelection(task, searchers_, start, reached, bound, deadline, opening_times).run();
     selected.limited = selected.limited || bound.limited;
     return selected;
 }

@@ -32,6 +32,10 @@ class ExactSelector : public Selector {
     Selected select(const Task& task, const Candidate& start) override;
 
   private:
+    // `reached`: by a plan that is known; `proven`: no plan is below.
+    Selected select(const Task& task, const Candidate& start, double reached, double proven, const Deadline& deadline,
+                    OpeningTimes& opening_times);
+
     Searchers searchers_;
 };
 

@@ -28,7 +28,11 @@ bool may_matter(const Task& task) {
 
 }  // namespace
 
-OpeningTimes::OpeningTimes(const Task& task) : task_(task), matter_(may_matter(task)) {}
+OpeningTimes::OpeningTimes(const Task& task) : OpeningTimes(task, may_matter(task)) {}
+
+OpeningTimes OpeningTimes::at_once(const Task& task) {
+    return {task, false};
+}
 
 double OpeningTimes::cells(std::span<const ObstacleId> obstacles) {
     return times(obstacles).open * task_.driver.speed;

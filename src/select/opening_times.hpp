@@ -13,6 +13,8 @@ class OpeningTimes {
   public:
     // The task must outlive it.
     explicit OpeningTimes(const Task& task);
+    // As if nobody ever waited: what is proven so holds with waits as well.
+    static OpeningTimes at_once(const Task& task);
 
     // Whether the ground agent may ever have to wait longer than the air agent's detour to a breach cell takes. Not if
     // both start at the same place, the air agent is no slower, and breaches take no time.
@@ -37,6 +39,7 @@ class OpeningTimes {
         double done;
     };
     const Legs& legs(ObstacleId id);
+    OpeningTimes(const Task& task, bool matter) : task_(task), matter_(matter) {}
     const Times& times(std::span<const ObstacleId> obstacles);
     Times times_of(std::span<const ObstacleId> obstacles);
 
