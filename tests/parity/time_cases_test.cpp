@@ -53,6 +53,27 @@ TEST_F(TimeCases, OtherPlannersFindAPlanWhereTheOptimalOneDoes) {
     }
 }
 
+// Cut along a lattice, as maps of sections are: thousands of obstacles.
+TEST_F(TimeCases, BreachesThatNobodyWaitsForCostNothing) {
+    const Map boston = map((*shared_folder() / "data/cities/Boston_0_512.map").string());
+    std::vector<std::uint32_t> squares(boston.grid().cell_count());
+    constexpr int side = 8;
+    std::size_t cell = 0;
+    for (Cell c; c.y < boston.height(); ++c.y) {
+        for (c.x = 0; c.x < boston.width(); ++c.x, ++cell) {
+            const auto square = std::uint32_t(c.y / side * boston.width() + c.x / side + 1);
+            if (boston.grid().blocked(c)) squares[cell] = square;
+        }
+    }
+    const Map sections = Map::from_labels(boston.width(), boston.height(), squares);
+    Mission mission = ground_and_air({79, 503}, {264, 13});
+    mission.agents[1].speed = 5;
+    mission.rules.removals = 2;
+    const double instant = makespan(sections, mission);
+    mission.rules.breach_time.per_obstacle = 2;
+    EXPECT_NEAR(makespan(sections, mission), instant, rounding);
+}
+
 TEST_F(TimeCases, TheGroundAgentWaitsWhereTheRestIsShortest) {
     const Map boston = map((*shared_folder() / "data/cities/Boston_0_512.map").string());
     Mission mission = ground_and_air({262, 23}, {30, 457});
