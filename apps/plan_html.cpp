@@ -8,13 +8,8 @@
 #include "io/plan_file.hpp"
 #include "mapfile/map_info.hpp"
 #include "studio/plan_page.hpp"
-#include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
-
-void require_page(const Mission& mission) {
-    if (mission.is_team()) throw InputError("--html plays one ground and one air agent; --svg draws any number");
-}
 
 std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front) {
     using Json = nlohmann::ordered_json;

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "io/map_file.hpp"
-#include "waybreaker/mission.hpp"
 
 namespace waybreaker::apps {
 
@@ -14,9 +13,6 @@ struct NamedPlan {
     std::string name;
     std::string json;
 };
-
-// Throws InputError where the page cannot play such a mission.
-void require_page(const Mission& mission);
 
 // `front`: a plan file that holds one, or nothing.
 std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front = "");

@@ -30,9 +30,12 @@ inline constexpr std::string_view air_edge = "#6b4300";      // gives orange its
 inline constexpr std::string_view ink = "#26231f";
 inline constexpr std::string_view faded_ink = "#6a635a";
 inline constexpr std::string_view halo = "#ffffff";
-// Of a team's vehicles; those after the last begin again with another pattern.
-inline constexpr std::array<std::string_view, 7> vehicles{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                          "#e69f00", "#56b4e9", "#26231f"};
+// Of a team's vehicles; those after the last begin again with another pattern. Searched for: as far from each other as
+// can be for all kinds of colour vision (studio/tests/map/viewport/theme.test.ts).
+inline constexpr std::array<std::string_view, 10> vehicles{"#0072b2", "#d41972", "#065605", "#6c2787", "#816339",
+                                                           "#8150ea", "#34080a", "#2c39ca", "#690a36", "#110d72"};
+// Of its aircraft, dashed and with an edge; those after the last begin again.
+inline constexpr std::array<std::string_view, 4> fleet{air, "#f7d454", "#c9843f", "#f2a38f"};
 }  // namespace colour
 
 namespace size {

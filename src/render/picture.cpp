@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "render/caption.hpp"
 #include "render/ground.hpp"
 #include "render/layout.hpp"
+#include "render/name_places.hpp"
 #include "render/palette.hpp"
 #include "render/sample.hpp"
 #include "render/signs.hpp"
@@ -77,11 +79,12 @@ std::string draw_obstacles(const Scene& scene) {
 // Each ground agent in a colour of its own; no paths before, which would hide the others.
 std::string draw_team(const Scene& scene) {
     std::string out;
-    std::size_t number = 0;
+    std::size_t vehicle = 0;
+    std::size_t aircraft = 0;
     for (const Itinerary& agent : scene.plan.agents) {
         const std::vector<Point> path = scene.on_map(agent.path);
-        out += agent.kind == AgentKind::air ? path_sign(PathSign::air, path, scene.unit())
-                                            : vehicle_sign(number++, path, scene.unit());
+        out += agent.kind == AgentKind::air ? aircraft_sign(aircraft++, path, scene.unit())
+                                            : vehicle_sign(vehicle++, path, scene.unit());
     }
     return out;
 }
@@ -118,6 +121,24 @@ std::vector<Wait> waits(const Plan& plan) {
     return found;
 }
 
+// Of several aircraft the one that breaches, in the mission's order; empty if there is no doubt.
+std::optional<std::size_t> opener(const Scene& scene, const Breach& breach) {
+    std::size_t count = 0;
+    std::optional<std::size_t> found;
+    for (const Agent& agent : scene.mission.agents) {
+        if (agent.kind != AgentKind::air) continue;
+        if (agent.id == breach.by) found = count;
+        ++count;
+    }
+    return count > 1 ? found : std::nullopt;
+}
+
+// When it is over, and by whom.
+std::string breach_note(const Scene& scene, const Breach& breach) {
+    const std::string time = time_text(breach.cleared_at, scene.mission, scene.options);
+    return opener(scene, breach) ? fmt::format("{} {}", time, xml_text(breach.by, 12)) : time;
+}
+
 // Breaches with their times, then waits with theirs. Many are neither numbered nor timed.
 std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
     const std::vector<Breach>& removed = scene.plan.breaches;
@@ -135,10 +156,15 @@ std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
     for (std::size_t i = 0; i < points.size(); ++i) out += breach_leader(points[i], labels[i], scene.unit());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool breach = i < removed.size();
-        const double time = breach ? removed[i].cleared_at : waiting[i - removed.size()].time;
         if (with_times) {
-            const std::string said = time_text(time, scene.mission, scene.options);
-            out += note(labels[i], breach ? said : fmt::format("+{}", said), scene.unit());
+            const auto waited = [&] {
+                const double time = waiting[i - removed.size()].time;
+                return fmt::format("+{}", time_text(time, scene.mission, scene.options));
+            };
+            out += note(labels[i], breach ? breach_note(scene, removed[i]) : waited(), scene.unit());
+        }
+        if (const auto aircraft = breach && numbered ? opener(scene, removed[i]) : std::nullopt) {
+            out += opener_sign(labels[i], *aircraft, scene.unit());
         }
         out += breach ? breach_label(labels[i], numbered ? std::to_string(i + 1) : "", scene.unit())
                       : wait_sign(labels[i], scene.unit());
@@ -150,11 +176,10 @@ std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
 std::string draw_names(const Scene& scene) {
     constexpr std::size_t most_named = 30;
     if (scene.mission.agents.size() > most_named) return "";
+    const std::vector<Name> names = names_at_places(scene.mission, scene.layout);
+    const std::vector<Point> begins = name_places(names, size::small_text * scene.unit());
     std::string out;
-    for (const Agent& agent : scene.mission.agents) {
-        const std::string name = xml_text(agent.id, 12);
-        for (const Cell at : {agent.start, agent.goal}) out += note(scene.layout.at(at), name, scene.unit());
-    }
+    for (std::size_t i = 0; i < names.size(); ++i) out += words(begins[i], names[i].text, scene.unit());
     return out;
 }
 
@@ -236,7 +261,8 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     if (std::ranges::any_of(all, is_water)) entries.push_back({swatch(Style::water), "water"});
     if (!scene.plan.breaches.empty()) {
         entries.push_back({swatch(Style::removed), "removed obstacle"});
-        entries.push_back({breach_label(middle, "1", unit), "breach, when"});
+        const bool has_opener = opener(scene, scene.plan.breaches.front()).has_value();
+        entries.push_back({breach_label(middle, "1", unit), has_opener ? "breach, when, by whom" : "breach, when"});
     }
     if (!waits(scene.plan).empty()) entries.push_back({wait_sign(middle, unit), "wait, how long"});
     return entries;

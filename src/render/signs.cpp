@@ -87,6 +87,12 @@ std::string vehicle_sign(std::size_t number, const std::vector<Point>& points, d
     return path_sign(style, points, unit);
 }
 
+std::string aircraft_sign(std::size_t number, const std::vector<Point>& points, double unit) {
+    LineStyle style = style_of(PathSign::air);
+    style.colour = colour::fleet[number % colour::fleet.size()];
+    return path_sign(style, points, unit);
+}
+
 std::string start_sign(Point at, double unit, bool is_goal) {
     const double radius = (is_goal ? size::start_at_goal : size::start) * unit;
     return disc(at, radius + 2 * unit, colour::halo, colour::halo, unit) +
@@ -115,6 +121,11 @@ std::string breach_label(Point at, std::string_view number, double unit) {
     return sign + text({at.x, at.y + 0.36 * pixels}, number, pixels, colour::halo, Anchor::middle, true);
 }
 
+std::string opener_sign(Point at, std::size_t aircraft, double unit) {
+    const double radius = (size::breach_label + 3.5) * unit;
+    return disc(at, radius, colour::fleet[aircraft % colour::fleet.size()], colour::air_edge, 1.2 * unit);
+}
+
 std::string wait_sign(Point at, double unit) {
     const auto bar = [&](double x) {
         return fmt::format(R"(<rect x="{:.6g}" y="{:.6g}" width="{:.4g}" height="{:.4g}" fill="{}"/>)"
@@ -125,12 +136,14 @@ std::string wait_sign(Point at, double unit) {
 }
 
 std::string note(Point at, std::string_view content, double unit) {
-    const double pixels = size::small_text * unit;
+    return words({at.x + (size::breach_label + 4) * unit, at.y + 0.36 * size::small_text * unit}, content, unit);
+}
+
+std::string words(Point begin, std::string_view content, double unit) {
     return fmt::format(
         R"(<text x="{:.6g}" y="{:.6g}" font-size="{:.4g}" fill="{}" stroke="{}" stroke-width="{:.4g}" paint-order="stroke">{}</text>)"
         "\n",
-        at.x + (size::breach_label + 4) * unit, at.y + 0.36 * pixels, pixels, colour::ink, colour::halo, 4 * unit,
-        content);
+        begin.x, begin.y, size::small_text * unit, colour::ink, colour::halo, 4 * unit, content);
 }
 
 std::string obstacle_sign(Style style, std::string_view data, Point origin, double scale, double unit) {

@@ -17,8 +17,9 @@ enum class PathSign { ground, air, ground_before, air_before };
 // a thousandth of the picture's width in all of these.
 std::string path_sign(PathSign sign, const std::vector<Point>& points, double unit);
 
-// The path of a team's vehicle: number 0 is the first.
+// The path of a team's vehicle, of its aircraft: number 0 is the first.
 std::string vehicle_sign(std::size_t number, const std::vector<Point>& points, double unit);
+std::string aircraft_sign(std::size_t number, const std::vector<Point>& points, double unit);
 
 // A ring; a wide one around the goal if that is at the same place.
 std::string start_sign(Point at, double unit, bool is_goal = false);
@@ -28,11 +29,15 @@ std::string goal_sign(Point at, double unit);
 std::string breach_leader(Point at, Point label, double unit);
 std::string breach_label(Point at, std::string_view number, double unit);
 
+// A ring around such a disc, in the colour of the aircraft that breaches.
+std::string opener_sign(Point at, std::size_t aircraft, double unit);
+
 // A disc with two bars where the ground agent waits; as large as a breach's.
 std::string wait_sign(Point at, double unit);
 
-// A few words to the right of a disc.
+// A few words to the right of a disc; words that begin at a place, on their baseline.
 std::string note(Point at, std::string_view content, double unit);
+std::string words(Point begin, std::string_view content, double unit);
 
 // Obstacles of one style, given as path data; `scale` is the size of the data's unit in pixels, `origin` its (0, 0).
 std::string obstacle_sign(Style style, std::string_view path_data, Point origin, double scale, double unit);

@@ -1,5 +1,6 @@
 // A made-up city of 4096² cells and about nine thousand buildings, with streets and a mission across it: as large as
 // maps of the studio get.
+import { type Aircraft, looksOf, type MissionAgent, pair, type Vehicle } from "../src/domain/agents";
 import { CellMap } from "../src/domain/cell_map";
 import type { Feature, Obstacle } from "../src/domain/map";
 import type { Agent, Plan, TimedPoint } from "../src/domain/plan";
@@ -53,7 +54,9 @@ export function city(): Scene {
     },
     cells,
     background: { features: streets() },
-    markers: { start: [66, 4030], goal: [4030, 66] },
+    agents: pair([66, 4030], [4030, 66]),
+    looks: new Map(),
+    chosen: null,
     layers: [
       { name: "before", plan: before },
       { name: "after", plan: after },
@@ -70,6 +73,29 @@ export function city(): Scene {
     editable: true,
     formatTime: (time) => `${time.toFixed(0)} s`,
   };
+}
+
+// The same with so many vehicles and three aircraft, each on a winding way of 200 turns.
+export function withTeam(scene: Scene, vehicles: number): Scene {
+  const [vehicle, craft] = scene.agents;
+  const ids = [...Array.from({ length: vehicles }, (_, i) => String(i + 1)), "air1", "air2", "air3"];
+  const agents = ids.map((id, i): MissionAgent => {
+    const end = (k: number): [number, number] => [66 + ((k * 977) % 3900), 66 + ((k * 1637) % 3900)];
+    return i < vehicles
+      ? { ...(vehicle as Vehicle), id, start: end(2 * i), goal: end(2 * i + 1) }
+      : { ...(craft as Aircraft), id, start: end(2 * i), goal: end(2 * i + 1) };
+  });
+  const plan = { ...scene.layers.at(-1)!.plan };
+  plan.agents = agents.map(({ id, kind, start, goal }, i): Agent => {
+    const [[ax, ay], [bx, by]] = [start!, goal!];
+    const path = Array.from({ length: 200 }, (_, k): TimedPoint => {
+      const share = k / 199;
+      const away = 40 * Math.sin(20 * share + i);
+      return [ax + share * (bx - ax) + away, ay + share * (by - ay) + away, 6000 * share];
+    });
+    return { id, kind, speed: 1, start: start!, goal: goal!, path };
+  });
+  return { ...scene, agents, looks: looksOf(agents), layers: [{ name: "after", plan }] };
 }
 
 // A building with ragged walls around a yard, wall to wall with its neighbours or not.

@@ -1,7 +1,7 @@
 // Moves, zooms and plays the map of a large city. `node bench/frames.mjs` runs it and measures the frames.
 import type { Scene } from "../src/domain/scene";
 import { MapView } from "../src/map/map_view";
-import { city } from "./city";
+import { city, withTeam } from "./city";
 
 declare global {
   interface Window {
@@ -21,7 +21,7 @@ async function frames(name: string, count: number, step: (i: number) => void): P
 const scene = city();
 const canvas = document.querySelector("canvas")!;
 const nothing = (): void => {};
-const view = new MapView(canvas, { drag: nothing, select: nothing, hover: nothing, draw: nothing });
+const view = new MapView(canvas, { drag: nothing, select: nothing, hover: nothing, choose: nothing, draw: nothing });
 const middle: [number, number] = [canvas.clientWidth / 2, canvas.clientHeight / 2];
 const show = (change: Partial<Scene>): void => view.show({ ...scene, ...change });
 const pan = (i: number): void => view.panBy(i % 120 < 60 ? 24 : -24, i % 60 < 30 ? 14 : -14);
@@ -37,5 +37,10 @@ await frames("glide back to all", 40, (i) => i === 0 && view.fit());
 await frames("play, whole city", 180, (i) => show({ time: 33 * i }));
 await frames("glide to the agents", 40, (i) => i === 0 && view.zoom(4, middle));
 await frames("play, near", 180, (i) => show({ time: 33 * i }));
+const team = withTeam(scene, 100);
+await frames("glide back again", 40, (i) => i === 0 && view.fit());
+await frames("play 100 vehicles", 180, (i) => view.show({ ...team, time: 33 * i }));
+await frames("glide to some", 40, (i) => i === 0 && view.zoom(4, middle));
+await frames("play them, near", 180, (i) => view.show({ ...team, time: 33 * i }));
 performance.mark("bench: end");
 window.done = true;

@@ -260,6 +260,30 @@ TEST(Picture, AStartThatIsTheGoalIsARingAroundIt) {
     EXPECT_GT(radius_of_start({4, 4}), 1.5 * radius_of_start({8, 8}));
 }
 
+TEST(Picture, SaysWhichOfSeveralAircraftOpensWhat) {
+    World world = wall();
+    world.mission.agents.push_back({.id = "heli", .kind = AgentKind::air, .start = {0, 6}, .goal = {7, 6}});
+    world.plan.breaches[0].by = "heli";
+    for (Outcome* const outcome : {&world.plan.before, &world.plan.after}) {
+        outcome->routes.push_back({.kind = AgentKind::air, .length = 7, .path = {{0, 6}, {7, 6}}});
+    }
+    for (const Agent& agent : world.mission.agents) {
+        world.plan.agents.push_back({.id = agent.id,
+                                     .kind = agent.kind,
+                                     .path = {{double(agent.start.x), double(agent.start.y), 0},
+                                              {double(agent.goal.x), double(agent.goal.y), 7}}});
+    }
+    const auto picture = parsed(svg_of(world));
+    EXPECT_TRUE(says(picture, "0.0 heli"));
+    EXPECT_EQ(count(picture, "//circle[@fill='#f7d454']"), 1U);  // the second aircraft's colour
+    EXPECT_EQ(count(picture, "//path[@stroke='#f7d454']"), 1U);
+
+    world.mission.agents.erase(world.mission.agents.begin() + 1);  // one aircraft alone needs no mark
+    world.plan.agents.erase(world.plan.agents.begin() + 1);
+    world.mission.agents.push_back({.id = "2", .start = {0, 0}, .goal = {7, 0}});
+    EXPECT_FALSE(says(parsed(svg_of(world)), "0.0 heli"));
+}
+
 TEST(Picture, ManyRemovalsAreNotNumbered) {
     World world = wall();
     world.plan.breaches.assign(5000, world.plan.breaches.front());

@@ -1,5 +1,7 @@
 // The documents of the service besides maps and plans, as docs/server.md and its OpenAPI description have them.
+import type { AgentDocument } from "../domain/agent_document";
 import type { Cell } from "../domain/geometry";
+import type { AtGoal } from "../domain/mission";
 import type { Plan, PlanOptions } from "../domain/plan";
 
 export interface MapEntry {
@@ -9,16 +11,26 @@ export interface MapEntry {
 }
 
 export interface PlanRequest {
-  mission: {
-    start: Cell;
-    goal: Cell;
-    air_start?: Cell;
-    air_goal?: Cell;
-    ground_speed?: number;
-    air_speed?: number;
-  };
+  mission: PairMission | TeamMission;
   options?: PlanOptions;
   methods?: { name: string; options: PlanOptions }[]; // for compare
+}
+
+export interface PairMission {
+  start: Cell;
+  goal: Cell;
+  air_start?: Cell;
+  air_goal?: Cell;
+  ground_speed?: number;
+  air_speed?: number;
+}
+
+// A mission file; what options say is not in its rules.
+export interface TeamMission {
+  format: "waybreaker-mission/1";
+  time_unit?: "s"; // on maps with metres
+  agents: AgentDocument[];
+  rules: { separation: number; at_goal: AtGoal };
 }
 
 export interface Comparison {

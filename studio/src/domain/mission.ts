@@ -1,33 +1,15 @@
 // What is asked, as one immutable value: undo keeps old ones, a link holds one.
+import { type Agents, pair } from "./agents";
 import type { Cell, Run } from "./geometry";
 import type { Objective } from "./plan";
 
 // A way to end up at the goal: what the layers of the map are.
 export type LayerName = "before" | "after" | "paper";
 
-export type Handle = "start" | "goal" | "air_start" | "air_goal";
-
-// Markers to drag. An air marker that is absent stands where the ground agent's does.
-export interface Markers {
-  start: Cell;
-  goal: Cell;
-  air_start?: Cell;
-  air_goal?: Cell;
-}
-
-export const handles: readonly Handle[] = ["start", "goal", "air_start", "air_goal"];
-
-export function cellOf(markers: Markers, handle: Handle): Cell {
-  if (handle === "air_start") return markers.air_start ?? markers.start;
-  if (handle === "air_goal") return markers.air_goal ?? markers.goal;
-  return markers[handle];
-}
-
-export function isAir(handle: Handle): boolean {
-  return handle === "air_start" || handle === "air_goal";
-}
-
 export type Method = "exact" | "paper";
+
+// What the vehicles of a team do once they have arrived: stand in the way of others, or vanish.
+export type AtGoal = "stay" | "leave";
 
 export type Mark = "protect" | "force" | "exclude";
 
@@ -39,16 +21,15 @@ export const mostRemovals = 8;
 // Speeds and times as people say them: metres and seconds, or cells and steps where the map has no scale.
 export interface Mission {
   map: string; // the map as it was before anything is drawn; obstacle ids are those of this map
-  markers: Markers;
+  agents: Agents;
   removals: number | "auto"; // auto: as many as save at least the price each
   price: number;
   method: Method;
   objective: Objective;
-  groundSpeed: number;
-  airSpeed: number;
   breachTime: number;
   breachTimePerCell: number;
-  radius: number; // of the ground agent, in cells
+  separation: number; // cells that the vehicles of a team keep between them
+  atGoal: AtGoal;
   marks: ReadonlyMap<number, Choice>; // by obstacle, or by key of a drawn wall
   walls: readonly Run[]; // drawn
   erased: readonly Run[];
@@ -61,20 +42,25 @@ export const defaults = {
   price: 10,
   method: "exact",
   objective: "makespan",
-  groundSpeed: 1,
-  airSpeed: 1,
   breachTime: 0,
   breachTimePerCell: 0,
-  radius: 0.5,
+  separation: 0,
+  atGoal: "stay",
   marks: new Map<number, Choice>() as ReadonlyMap<number, Choice>,
   walls: [] as readonly Run[],
   erased: [] as readonly Run[],
   layers: ["before", "after"] as readonly LayerName[],
   time: null,
-} satisfies Omit<Mission, "map" | "markers">;
+} satisfies Omit<Mission, "map" | "agents">;
 
-export function freshMission(map: string, markers: Markers): Mission {
-  return { ...defaults, map, markers };
+// Where a mission begins and ends.
+export interface Ends {
+  start: Cell;
+  goal: Cell;
+}
+
+export function freshMission(map: string, { start, goal }: Ends): Mission {
+  return { ...defaults, map, agents: pair(start, goal) };
 }
 
 // A drawn wall has no id that lasts: it is called by one of its cells, as a number below 0.
@@ -104,7 +90,7 @@ export function withEnoughRemovals(mission: Mission): Mission {
 // Whether a plan of one mission is a plan of the other: how a mission is displayed does not matter.
 export function asksTheSame(a: Mission, b: Mission): boolean {
   const names = Object.keys(defaults).filter((name) => name !== "layers" && name !== "time");
-  return ["map", "markers", ...names].every((name) => {
+  return ["map", "agents", ...names].every((name) => {
     const [one, other] = [a[name as keyof Mission], b[name as keyof Mission]];
     return one === other || text(one) === text(other);
   });

@@ -23,9 +23,16 @@ export interface PlanOptions {
   radius?: number;
 }
 
+export interface Route {
+  id: string;
+  length: number | null;
+}
+
 export interface Outcome {
-  ground: { length: number | null; expanded: number; generated: number; seconds?: number };
-  air: { length: number };
+  // One vehicle and one aircraft have the first two, a team has the third: one for each agent, in the plan's order.
+  ground?: { length: number | null; expanded: number; generated: number; seconds?: number };
+  air?: { length: number };
+  routes?: Route[];
   makespan: number | null;
   flowtime: number | null;
   ground_makespan: number | null;
@@ -49,6 +56,7 @@ export interface Removed {
   cleared_at: number;
   entered_at: number | null;
   saves?: number | null; // with options.explain: how much later the mission ends without this one
+  by?: string; // of a team: the aircraft that breaches it
 }
 
 export interface FrontPoint {
@@ -76,6 +84,8 @@ export interface Plan {
   status: "solved" | "no_plan" | "limit_reached" | "stopped";
   map: { source: string; width: number; height: number; cell_size: number; digest: string };
   options: PlanOptions & Record<string, unknown>;
+  mission?: { agents: unknown[]; rules?: Record<string, unknown> } & Record<string, unknown>; // a mission file
+  limit_reached?: boolean;
   before: Outcome;
   after: Outcome;
   bound: Bound | null;
@@ -85,6 +95,11 @@ export interface Plan {
   front?: FrontPoint[];
   agents: Agent[]; // none where there is no plan
   seconds?: Record<string, number>;
+}
+
+// Whether the plan is for others than one vehicle and one aircraft. Those that cannot get there are in its mission.
+export function isTeam({ after }: Plan): boolean {
+  return after.routes !== undefined;
 }
 
 export function objectiveOf(plan: Plan): Objective {

@@ -1,9 +1,10 @@
 // What the map shows, as a value, and what people do to it. The map draws scenes and knows no server, no URL and no
 // panel.
+import type { Agents, Handle, Look } from "./agents";
 import type { CellMap } from "./cell_map";
 import type { Cell, Run } from "./geometry";
 import type { Background, MapDescription } from "./map";
-import type { Handle, LayerName, Mark, Markers } from "./mission";
+import type { LayerName, Mark } from "./mission";
 import type { Plan } from "./plan";
 
 export interface Layer {
@@ -17,7 +18,9 @@ export interface Scene {
   map: MapDescription;
   cells: CellMap;
   background: Background;
-  markers: Markers;
+  agents: Agents;
+  looks: ReadonlyMap<string, Look>; // of a team: by id
+  chosen: number | null; // the agent that is chosen in a list
   layers: Layer[]; // those shown; the last is on top
   marks: ReadonlyMap<number, Mark>; // by obstacle
   highlighted: number | null; // obstacle pointed at in a table
@@ -33,6 +36,7 @@ export interface SceneEvents {
   // While a marker is dragged, once for each cell it comes to; `done` when it is let go.
   drag(handle: Handle, cell: Cell, done: boolean): void;
   select(obstacle: number | null, at: Cell | null): void;
+  choose(agent: number): void; // a click on a marker of it
   hover(obstacle: number | null): void;
   draw(tool: "wall" | "erase", runs: Run[]): void; // one stroke, when it ends
 }

@@ -1,9 +1,9 @@
 // The map as part of the page: the canvas, and for the keyboard a button for each marker, moved with the arrow keys.
 import type { ReadonlySignal } from "@preact/signals";
-import { useSignalEffect } from "@preact/signals";
+import { useComputed, useSignalEffect } from "@preact/signals";
 import { useEffect, useId, useRef } from "preact/hooks";
+import { type Agents, cellOf, type Handle, handlesOf, isPair } from "../domain/agents";
 import type { Cell } from "../domain/geometry";
-import { cellOf, type Handle, handles, isAir } from "../domain/mission";
 import type { Scene, SceneEvents } from "../domain/scene";
 import { nearestFree, onMap } from "./interaction/snap";
 import "./map.css";
@@ -16,12 +16,12 @@ export interface MapCanvasProps {
   view?: (view: MapView | null) => void; // called with the view, for buttons that zoom, fit or centre
 }
 
-const names: Record<Handle, string> = {
-  start: "Ground start",
-  goal: "Ground goal",
-  air_start: "Air start",
-  air_goal: "Air goal",
-};
+const names = { ground: { start: "Ground start", goal: "Ground goal" }, air: { start: "Air start", goal: "Air goal" } };
+
+function nameOf(agents: Agents, { agent, end }: Handle): string {
+  const { id, kind } = agents[agent]!;
+  return isPair(agents) ? names[kind][end] : `${end === "start" ? "Start" : "Goal"} of ${id}`;
+}
 
 export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCanvasProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -35,6 +35,7 @@ export function MapCanvas({ scene, events, label = "Map", view: onView }: MapCan
       drag: (handle, cell, done) => latest.current.drag(handle, cell, done),
       select: (obstacle, at) => latest.current.select(obstacle, at),
       hover: (obstacle) => latest.current.hover(obstacle),
+      choose: (agent) => latest.current.choose(agent),
       draw: (tool, runs) => latest.current.draw(tool, runs),
     });
     view.current = made;
@@ -97,21 +98,22 @@ interface MarkerButtonsProps {
 
 // Not to be seen: the view draws a ring around the marker whose button has the focus.
 function MarkerButtons({ scene, events, focus }: MarkerButtonsProps) {
-  if (!scene.value?.editable) return null;
-  const { markers } = scene.value;
+  const agents = useComputed(() => (scene.value?.editable ? scene.value.agents : null)).value; // not once a frame
+  if (!agents) return null;
   return (
     <div class="map-markers" role="group" aria-label="Markers">
-      {handles.map((handle) => {
-        const [x, y] = cellOf(markers, handle);
+      {handlesOf(agents).map((handle) => {
+        const [x, y] = cellOf(agents, handle);
         return (
           <button
-            key={handle}
+            key={`${handle.agent} ${handle.end}`}
             type="button"
-            aria-label={`${names[handle]}, column ${x}, row ${y}. Arrow keys move it.`}
+            aria-label={`${nameOf(agents, handle)}, column ${x}, row ${y}. Arrow keys move it.`}
             onFocus={() => focus(handle)}
             onBlur={() => focus(null)}
             onKeyDown={(event) => {
-              const cell = scene.value && moved(scene.value, handle, event);
+              const now = scene.peek();
+              const cell = now && moved(now, handle, event);
               if (!cell) return;
               event.preventDefault();
               events.drag(handle, cell, true);
@@ -130,9 +132,9 @@ function moved(scene: Scene, handle: Handle, event: KeyboardEvent): Cell | null 
   const step = steps[event.key];
   if (!step || event.ctrlKey || event.metaKey || event.altKey) return null;
   const length = event.shiftKey ? 10 : 1;
-  const [x, y] = cellOf(scene.markers, handle);
+  const [x, y] = cellOf(scene.agents, handle);
   const to: Cell = [x + length * step[0], y + length * step[1]];
-  if (isAir(handle)) return onMap(scene.cells, to);
+  if (scene.agents[handle.agent]!.kind === "air") return onMap(scene.cells, to);
   const { cells } = scene;
   while (cells.at(...to) !== 0) {
     to[0] += step[0];

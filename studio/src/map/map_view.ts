@@ -1,6 +1,6 @@
 // The map on a canvas: shows scenes, and reports user actions. Draws only when something has changed.
+import { cellOf, type Handle, isSameHandle } from "../domain/agents";
 import type { Cell, Point } from "../domain/geometry";
-import { cellOf, type Handle, isAir } from "../domain/mission";
 import type { Scene, SceneEvents } from "../domain/scene";
 import { duration, positionAt } from "../play/motion";
 import { Gestures, type GestureTarget } from "./interaction/gestures";
@@ -12,7 +12,7 @@ import { drawEvents } from "./layers/event_layer";
 import { drawMarkers } from "./layers/marker_layer";
 import { type Spot, spotAt, spots } from "./layers/marker_spots";
 import { ObstacleLayer } from "./layers/obstacle_layer";
-import { drawPaths, faint } from "./layers/path_layer";
+import { faint, PathLayer } from "./layers/path_layer";
 import { drawScaleBar } from "./layers/scale_bar";
 import { FeatureIndex } from "./tiles/ground_features";
 import { TileCache } from "./tiles/tile_cache";
@@ -31,6 +31,7 @@ export class MapView implements GestureTarget {
   readonly #tiles = new TileCache();
   readonly #obstacles = new ObstacleLayer();
   readonly #labels = new LabelLayer();
+  readonly #paths = new PathLayer();
   readonly #sketch = new Sketch();
 
   #scene: Scene | null = null;
@@ -66,7 +67,7 @@ export class MapView implements GestureTarget {
       if (!edited) this.#untouched = true;
       if (!edited) this.fit();
     }
-    if (scene.markers !== before?.markers) this.#keepFocusInView();
+    if (scene.agents !== before?.agents) this.#keepFocusInView();
     this.#surface.ask();
   }
 
@@ -120,7 +121,7 @@ export class MapView implements GestureTarget {
     if (scene.tool !== "move") return "draw";
     const spot = scene.editable ? spotAt(this.#spots(), at) : null;
     if (!spot) return "pan";
-    const cell = cellOf(scene.markers, spot.handle);
+    const cell = cellOf(scene.agents, spot.handle);
     this.#dragged = { spot, cell, before: cell };
     this.#untouched = false; // the map keeps still under the marker, whatever comes up around it
     this.#surface.cursor = "grabbing";
@@ -165,8 +166,8 @@ export class MapView implements GestureTarget {
     const dragged = this.#dragged;
     if (!scene || !dragged) return;
     const point = this.#toMap(at);
-    const { handle } = dragged.spot;
-    const cell = isAir(handle) ? onMap(scene.cells, cellAt(point)) : nearestFree(scene.cells, point);
+    const { handle, agent } = dragged.spot;
+    const cell = agent.kind === "air" ? onMap(scene.cells, cellAt(point)) : nearestFree(scene.cells, point);
     const moved = cell[0] !== dragged.cell[0] || cell[1] !== dragged.cell[1];
     dragged.cell = cell;
     if (done) this.#dragged = null;
@@ -186,7 +187,9 @@ export class MapView implements GestureTarget {
     this.#surface.ask();
   }
 
+  // A marker that was not moved was clicked.
   abandon(): void {
+    if (this.#dragged && this.#dragged.cell === this.#dragged.before) this.events.choose(this.#dragged.spot.handle.agent);
     if (this.#dragged && this.#dragged.cell !== this.#dragged.before) {
       this.events.drag(this.#dragged.spot.handle, this.#dragged.before, true);
     }
@@ -204,11 +207,11 @@ export class MapView implements GestureTarget {
   }
 
   #keepFocusInView(): void {
-    const spot = this.#scene && this.#spots().find(({ handle }) => handle === this.#focused);
+    const spot = this.#scene && this.#focused && this.#spots().find(({ handle }) => isSameHandle(handle, this.#focused));
     if (!spot) return;
     const { width, height } = this.#surface.view;
     const [x, y] = spot.at;
-    if (Math.min(x, y, width - x, height - y) < 30) this.centerOn(cellOf(this.#scene!.markers, spot.handle));
+    if (Math.min(x, y, width - x, height - y) < 30) this.centerOn(cellOf(this.#scene!.agents, spot.handle));
   }
 
   #toMap(at: Point): Point {
@@ -220,7 +223,7 @@ export class MapView implements GestureTarget {
   }
 
   #spots(): Spot[] {
-    return spots(this.#scene!.markers, (point) => toScreen(this.#camera, this.#surface.view, point));
+    return spots(this.#scene!.agents, (point) => toScreen(this.#camera, this.#surface.view, point));
   }
 
   #move(change: (camera: Camera) => Camera): void {
@@ -261,11 +264,11 @@ export class MapView implements GestureTarget {
     drawGrid(frame, scene);
     this.#obstacles.draw(frame, scene, fadeSpan);
     const moreLabels = this.#labels.draw(frame, scene);
-    drawPaths(frame, scene);
+    this.#paths.draw(frame, scene);
     frame.context.globalAlpha = scene.old ? faint : 1;
     drawEvents(frame, scene, fadeSpan);
     frame.context.globalAlpha = 1;
-    drawMarkers(frame, scene.markers, this.#dragged?.spot.handle ?? this.#focused, scene.editable);
+    drawMarkers(frame, scene, this.#dragged?.spot.handle ?? this.#focused);
     this.#sketch.draw(frame, scene);
     if (this.#surface.hasKeyboard) drawCross(frame);
     drawScaleBar(frame, scene.map);

@@ -25,7 +25,7 @@ export async function missionAt({ hash, search }: Place): Promise<string> {
 
 export function holdsMission(query: string): boolean {
   const given = new URLSearchParams(query);
-  return given.has("map") || given.has("start") || given.has("goal");
+  return ["map", "start", "goal", "vehicles"].some((name) => given.has(name));
 }
 
 async function pack(text: string): Promise<string> {

@@ -3,10 +3,10 @@
 import type { CellMap } from "../domain/cell_map";
 import type { Cell } from "../domain/geometry";
 import type { MapDescription } from "../domain/map";
-import { freshMission, type Markers, type Mission } from "../domain/mission";
+import { freshMission, type Ends, type Mission } from "../domain/mission";
 
 // The first map is shown with a mission that removals help.
-const ready: Record<string, Markers> = { "berlin-adlershof.tif": { start: [130, 104], goal: [466, 105] } };
+const ready: Record<string, Ends> = { "berlin-adlershof.tif": { start: [130, 104], goal: [466, 105] } };
 
 export function defaultMission(map: MapDescription, cells: CellMap): Mission {
   const said = map.start && map.goal ? { start: map.start, goal: map.goal } : null;
@@ -25,7 +25,7 @@ interface FreeRun {
   end: number;
 }
 
-export function farApart(cells: CellMap): Markers {
+export function farApart(cells: CellMap): Ends {
   const region = largestRegion(cells);
   const inset = 0.08;
   const [right, bottom] = [cells.width - 1, cells.height - 1];

@@ -1,9 +1,19 @@
 // What people change about a mission: each change is a step that can be undone, and the plan follows it.
 import { computed, signal } from "@preact/signals";
+import {
+  type Aircraft,
+  changed,
+  type Handle,
+  isPair,
+  joined,
+  left,
+  type MissionAgent,
+  type Vehicle,
+  vehiclesOf,
+} from "../domain/agents";
 import type { Cell, Run } from "../domain/geometry";
 import {
   type Choice,
-  type Handle,
   type LayerName,
   type Mark,
   marked,
@@ -16,6 +26,7 @@ import type { Tool } from "../domain/scene";
 import { drawn } from "./edited";
 import { endGesture, type History, redo, step, undo } from "./history";
 import { PageState } from "./page_state";
+import { oneAircraftMore, oneVehicleMore } from "./placing";
 
 export abstract class Editor extends PageState {
   readonly canUndo = computed(() => (this.history.value?.past.length ?? 0) > 0);
@@ -57,17 +68,56 @@ export abstract class Editor extends PageState {
     void this.follow();
   }
 
-  // The map sees to it that the ground robot's markers stand on free cells.
-  drag(handle: Handle, cell: Cell, done: boolean): void {
-    const old = this.mission.value?.markers[handle];
-    if (old?.[0] !== cell[0] || old?.[1] !== cell[1]) {
-      this.change((mission) => ({ ...mission, markers: { ...mission.markers, [handle]: cell } }), `drag ${handle}`);
-    }
+  // The map sees to it that the vehicles' markers stand on free cells.
+  drag({ agent, end }: Handle, cell: Cell, done: boolean): void {
+    const old = this.mission.value?.agents[agent]?.[end];
+    if (old?.[0] !== cell[0] || old?.[1] !== cell[1]) this.changeAgent(agent, { [end]: cell }, `drag ${agent} ${end}`);
     if (done) this.endGesture();
   }
 
-  bringAircraftBack(): void {
-    this.change((mission) => ({ ...mission, markers: { start: mission.markers.start, goal: mission.markers.goal } }));
+  bringAircraftBack(agent: number): void {
+    this.changeAgent(agent, { start: null, goal: null });
+  }
+
+  changeAgent(agent: number, part: Partial<Vehicle> | Partial<Aircraft>, gesture: string | null = null): void {
+    this.change((mission) => ({ ...mission, agents: changed(mission.agents, agent, part) }), gesture);
+  }
+
+  // Names are those of plans: no two are the same.
+  renameAgent(agent: number, name: string): void {
+    const [id, agents] = [name.trim(), this.mission.value?.agents ?? []];
+    if (id === "" || id === agents[agent]?.id) return;
+    if (agents.some((one) => one.id === id)) return this.notify("bad", `Another agent is called “${id}”.`);
+    this.changeAgent(agent, { id });
+  }
+
+  addVehicle(): void {
+    const [mission, shown] = [this.mission.value, this.shown.value];
+    if (!mission || !shown) return;
+    const one = oneVehicleMore(mission.agents, shown.map.cells, mission.separation);
+    if (!one) return this.notify("bad", "There is no room for another vehicle beside the last one.");
+    this.#join(one);
+  }
+
+  addAircraft(): void {
+    const mission = this.mission.value;
+    if (mission) this.#join(oneAircraftMore(mission.agents));
+  }
+
+  // The last vehicle stays: a mission is about somebody who drives.
+  removeAgent(agent: number): void {
+    const agents = this.mission.value?.agents ?? [];
+    if (agents[agent]?.kind === "ground" && vehiclesOf(agents).length === 1) return;
+    this.chosenAgent.value = null;
+    this.change((mission) => ({ ...mission, agents: left(mission.agents, agent) }));
+  }
+
+  #join(one: MissionAgent): void {
+    const before = new Set(this.mission.value!.agents.map(({ id }) => id));
+    this.change((mission) => ({ ...mission, agents: joined(mission.agents, one) }));
+    const { agents } = this.mission.value!;
+    const isNew = ({ id, kind }: MissionAgent) => kind === one.kind && !before.has(id);
+    this.chosenAgent.value = isPair(agents) ? null : agents.findLastIndex(isNew);
   }
 
   draw(tool: "wall" | "erase", runs: readonly Run[]): void {

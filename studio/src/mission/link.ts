@@ -1,16 +1,19 @@
 // A mission as the query of an address, and back. Defaults are left out.
+import { type Agents, changed, ofPair, usualAircraft, usualVehicle } from "../domain/agents";
 import type { Cell, Run } from "../domain/geometry";
 import {
+  type AtGoal,
   type Choice,
   defaults,
+  type Ends,
   freshMission,
   type LayerName,
-  type Markers,
   type Mission,
   mostRemovals,
   wallCell,
   wallKey,
 } from "../domain/mission";
+import { decodeAgents, encodeAgents } from "./agent_code";
 import { decodeRuns, encodeRuns } from "./run_code";
 import { clipped } from "./run_set";
 
@@ -19,29 +22,26 @@ const layerNames: LayerName[] = ["before", "after", "paper"];
 
 // Numbers that are written as they are, and the least and greatest that make sense.
 const numbers = [
-  ["ground_speed", "groundSpeed", 1e-3, 1e4],
-  ["air_speed", "airSpeed", 1e-3, 1e4],
   ["breach_time", "breachTime", 0, 1e6],
   ["breach_time_per_cell", "breachTimePerCell", 0, 1e6],
-  ["radius", "radius", 0, 100],
+  ["separation", "separation", 0, 32],
   ["price", "price", 0, 1e6],
 ] as const;
 
+// The same of the robot and the aircraft of a pair, which are the first and the second agent.
+const numbersOfPair = [
+  ["ground_speed", 0, "speed", 1e-3, 1e4],
+  ["air_speed", 1, "speed", 1e-3, 1e4],
+  ["radius", 0, "radius", 0, 100],
+] as const;
+
 export function encodeLink(mission: Mission, width: number): string {
-  const query: [string, string][] = [["map", mission.map]];
-  const cells: [string, Cell | undefined][] = [
-    ["start", mission.markers.start],
-    ["goal", mission.markers.goal],
-    ["air_start", mission.markers.air_start],
-    ["air_goal", mission.markers.air_goal],
-  ];
-  for (const [name, cell] of cells) if (cell) query.push([name, cell.join()]);
+  const query: [string, string][] = [["map", mission.map], ...placesOf(mission.agents)];
   query.push(["removals", String(mission.removals)]);
   if (mission.method !== defaults.method) query.push(["method", mission.method]);
   if (mission.objective !== defaults.objective) query.push(["objective", mission.objective]);
-  for (const [name, member] of numbers) {
-    if (mission[member] !== defaults[member]) query.push([name, String(mission[member])]);
-  }
+  if (mission.atGoal !== defaults.atGoal) query.push(["at_goal", mission.atGoal]);
+  for (const [name, value, usual] of numbersIn(mission)) if (value !== usual) query.push([name, String(value)]);
   for (const mark of marks) {
     const keys = [...mission.marks].filter(([, has]) => has === mark).map(([key]) => key);
     if (keys.length > 0) query.push([mark, keys.map((key) => markText(key, width)).join()]);
@@ -52,6 +52,28 @@ export function encodeLink(mission: Mission, width: number): string {
   if (mission.time !== null) query.push(["time", String(Math.round(mission.time * 100) / 100)]);
   // Commas need no escape in a query, and are easier to read without.
   return query.map(([name, value]) => `${name}=${encodeURIComponent(value).replaceAll("%2C", ",")}`).join("&");
+}
+
+function placesOf(agents: Agents): [string, string][] {
+  const two = ofPair(agents);
+  if (!two) {
+    const { vehicles, aircraft } = encodeAgents(agents);
+    return aircraft ? [["vehicles", vehicles], ["aircraft", aircraft]] : [["vehicles", vehicles]];
+  }
+  const { ground, air } = two;
+  const cells = [["start", ground.start], ["goal", ground.goal], ["air_start", air.start], ["air_goal", air.goal]] as const;
+  return cells.flatMap(([name, cell]): [string, string][] => (cell ? [[name, cell.join()]] : []));
+}
+
+// With what they usually are.
+function numbersIn(mission: Mission): [name: string, value: number, usual: number][] {
+  const two = ofPair(mission.agents);
+  const speeds: [string, number, number][] = two
+    ? [["ground_speed", two.ground.speed, usualVehicle.speed], ["air_speed", two.air.speed, usualAircraft.speed]]
+    : [];
+  const radius: [string, number, number][] = two ? [["radius", two.ground.radius, usualVehicle.radius]] : [];
+  const others = numbers.map(([name, member]): [string, number, number] => [name, mission[member], defaults[member]]);
+  return [...speeds, ...others.slice(0, 2), ...radius, ...others.slice(2)];
 }
 
 export interface Decoded {
@@ -68,12 +90,14 @@ export function fileOfLink(query: string): string | null {
   return new URLSearchParams(query).get("file");
 }
 
-// What the link does not say, or says wrongly, is as usual; `markers` stand where it names no place.
-export function decodeLink(query: string, map: string, markers: Markers, width: number, height: number): Decoded {
+type Take = <T>(name: string, read: (text: string) => T | null, keep: (value: T) => void) => void;
+
+// What the link does not say, or says wrongly, is as usual; `ends` hold where it names no place.
+export function decodeLink(query: string, map: string, ends: Ends, width: number, height: number): Decoded {
   const given = new URLSearchParams(query);
   const complaints: string[] = [];
-  const mission = freshMission(map, markers);
-  const take = <T>(name: string, read: (text: string) => T | null, keep: (value: T) => void) => {
+  const mission = freshMission(map, ends);
+  const take: Take = (name, read, keep) => {
     const text = given.get(name);
     if (text === null) return;
     const value = attempt(() => read(text));
@@ -81,14 +105,20 @@ export function decodeLink(query: string, map: string, markers: Markers, width: 
     else keep(value);
   };
 
-  mission.markers = { ...markers };
-  for (const handle of ["start", "goal", "air_start", "air_goal"] as const) {
+  if (given.has("vehicles")) {
     take(
-      handle,
-      (text) => cellOf(text, width, height),
-      (cell) => (mission.markers[handle] = cell),
+      "vehicles",
+      (vehicles) => decodeAgents({ vehicles, aircraft: given.get("aircraft") ?? "" }, { width, height }),
+      (agents) => (mission.agents = agents),
     );
+  } else {
+    takePair(mission, take, width, height);
   }
+  take(
+    "at_goal",
+    (text) => oneOf<AtGoal>(["stay", "leave"], text),
+    (value) => (mission.atGoal = value),
+  );
   take("removals", removalsOf, (value) => (mission.removals = value));
   take(
     "method",
@@ -130,6 +160,24 @@ export function decodeLink(query: string, map: string, markers: Markers, width: 
     (time) => (mission.time = time),
   );
   return { mission, complaints };
+}
+
+function takePair(mission: Mission, take: Take, width: number, height: number): void {
+  const places = [["start", 0, "start"], ["goal", 0, "goal"], ["air_start", 1, "start"], ["air_goal", 1, "goal"]] as const;
+  for (const [name, agent, end] of places) {
+    take(
+      name,
+      (text) => cellOf(text, width, height),
+      (cell) => (mission.agents = changed(mission.agents, agent, { [end]: cell })),
+    );
+  }
+  for (const [name, agent, member, least, most] of numbersOfPair) {
+    take(
+      name,
+      (text) => numberOf(text, least, most),
+      (value) => (mission.agents = changed(mission.agents, agent, { [member]: value })),
+    );
+  }
 }
 
 function attempt<T>(read: () => T | null): T | null {

@@ -1,24 +1,18 @@
 // Mission files: waybreaker-mission/1 (docs/contract.md), as the command and the service read them. What only the page
 // knows, such as drawn walls, stands in `page`, which they pass by.
+import { type AgentDocument, agentDocuments, agentsOf, speedOf } from "../domain/agent_document";
+import { isPair } from "../domain/agents";
 import { marked, type Method, type Mission, mostRemovals } from "../domain/mission";
 import { holdsMission } from "./address";
+import { encodeAgents } from "./agent_code";
 import { encodeLink } from "./link";
 
 const format = "waybreaker-mission/1";
 
-interface FileAgent {
-  id: string;
-  kind: "ground" | "air";
-  start: [number, number];
-  goal: [number, number];
-  speed?: number; // cells per unit of time
-  radius?: number;
-}
-
 interface MissionDocument {
   format: typeof format;
   time_unit?: "s"; // on maps with metres
-  agents: FileAgent[];
+  agents: AgentDocument[];
   rules?: Record<string, unknown>;
   method?: Record<string, unknown>;
   limits?: unknown;
@@ -41,23 +35,15 @@ export interface MapOfMission {
 
 // `removals`: their number, where the mission leaves it open.
 export function missionFile(mission: Mission, map: MapOfMission, removals: number): string {
-  const { markers, method } = mission;
+  const { agents, method } = mission;
   const count = mission.removals === "auto" ? removals : mission.removals;
-  const { timing, ...how } = methodOf(method, count);
+  const isTeam = !isPair(agents);
+  const { timing, ...how } = methodOf(isTeam ? "exact" : method, count);
   const obstacles = (mark: "protect" | "force") => marked(mission, mark).filter((key) => key > 0).sort((a, b) => a - b);
   const document: MissionDocument = {
     format,
     ...(map.metric && { time_unit: "s" as const }),
-    agents: [
-      { id: "ground", kind: "ground", start: markers.start, goal: markers.goal, speed: mission.groundSpeed / map.cell, radius: mission.radius },
-      {
-        id: "air",
-        kind: "air",
-        start: markers.air_start ?? markers.start,
-        goal: markers.air_goal ?? markers.goal,
-        speed: mission.airSpeed / map.cell,
-      },
-    ],
+    agents: agentDocuments(agents, map.cell),
     rules: {
       removals: count,
       protect: obstacles("protect"),
@@ -66,6 +52,7 @@ export function missionFile(mission: Mission, map: MapOfMission, removals: numbe
       breach_time_per_cell: mission.breachTimePerCell,
       timing,
       objective: mission.objective,
+      ...(isTeam && { separation: mission.separation, at_goal: mission.atGoal }),
     },
     method: how,
     page: pageOf(mission, map),
@@ -77,7 +64,7 @@ export function isMissionFile(value: unknown): value is Record<string, unknown> 
   return isObject(value) && value.format === format;
 }
 
-// Null where it is not about one ground agent and one air agent. `cell` is that of the map on the page.
+// Null where nobody drives in it. `cell` is that of the map on the page.
 export function queryOfFile(value: Record<string, unknown>, cell: number): MissionQuery | null {
   return Array.isArray(value.agents) ? queryOfDocument(value as unknown as MissionDocument, cell) : queryOfFormerFile(value);
 }
@@ -97,30 +84,26 @@ function methodOf(method: Method, removals: number) {
 function pageOf(mission: Mission, { width, cell, file }: MapOfMission): Record<string, string | number> {
   const walls = new Map([...mission.marks].filter(([key, mark]) => key < 0 || mark === "exclude" || mark === "allow"));
   const link = new URLSearchParams(encodeLink({ ...mission, marks: walls }, width));
-  const elsewhere = ["start", "goal", "air_start", "air_goal", "ground_speed", "air_speed", "method", "objective", "radius"];
-  for (const name of [...elsewhere, "breach_time", "breach_time_per_cell"]) link.delete(name);
+  const pair = ["start", "goal", "air_start", "air_goal", "ground_speed", "air_speed", "radius"];
+  const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal"];
+  for (const name of [...pair, "vehicles", "aircraft", "method", ...rules]) link.delete(name);
   if (mission.removals !== "auto") link.delete("removals");
   return { ...Object.fromEntries(link), cell_size: cell, ...(file !== undefined && { file }) };
 }
 
 function queryOfDocument(document: MissionDocument, shown: number): MissionQuery | null {
   const { agents, rules = {}, method = {}, page = {} } = document;
-  const [ground, air] = [agents.find((agent) => agent.kind === "ground"), agents.find((agent) => agent.kind === "air")];
-  if (agents.length !== 2 || !ground || !air) return null;
+  const ground = agents.find((agent) => agent.kind === "ground");
+  const air = agents.find((agent) => agent.kind === "air");
+  if (!ground) return null;
   const cell = typeof page.cell_size === "number" ? page.cell_size : shown;
+  const isOfTwo = agents.length === 2 && air !== undefined;
   const query = new URLSearchParams({
-    start: ground.start.join(),
-    goal: ground.goal.join(),
-    ground_speed: speedOf(ground, cell),
-    air_speed: speedOf(air, cell),
+    ...(isOfTwo ? pairInQuery(ground, air, cell) : encodeAgents(agentsOf(agents, cell))),
     removals: String(Math.min(Number(rules.removals ?? 3), mostRemovals)),
-    method: method.select === "hits" ? "paper" : "exact",
+    method: !isOfTwo || method.select !== "hits" ? "exact" : "paper",
   });
-  if (ground.radius !== undefined) query.set("radius", String(ground.radius));
-  for (const place of ["start", "goal"] as const) {
-    if (air[place].join() !== ground[place].join()) query.set(`air_${place}`, air[place].join());
-  }
-  for (const name of ["objective", "breach_time", "breach_time_per_cell"]) {
+  for (const name of ["objective", "breach_time", "breach_time_per_cell", ...(isOfTwo ? [] : ["separation", "at_goal"])]) {
     if (rules[name] !== undefined) query.set(name, String(rules[name]));
   }
   for (const [name, said] of Object.entries(page)) if (name !== "cell_size") query.set(name, String(said));
@@ -128,12 +111,21 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
     const ids = [idsIn(rules[mark]), page[mark]].flat().filter((one) => one !== undefined);
     if (ids.length > 0) query.set(mark, ids.join());
   }
-  return { query: query.toString(), leftOut: leftOut(document, ground) };
+  return { query: query.toString(), leftOut: leftOut(document) };
 }
 
-// As it was said: dividing by the size of a cell and multiplying again leaves something in the last digits.
-function speedOf({ speed = 1 }: FileAgent, cell: number): string {
-  return String(Number((speed * cell).toPrecision(15)));
+function pairInQuery(ground: AgentDocument, air: AgentDocument, cell: number): Record<string, string> {
+  const query: Record<string, string> = {
+    start: ground.start.join(),
+    goal: ground.goal.join(),
+    ground_speed: String(speedOf(ground, cell)),
+    air_speed: String(speedOf(air, cell)),
+  };
+  if (ground.radius !== undefined) query.radius = String(ground.radius);
+  for (const place of ["start", "goal"] as const) {
+    if (air[place].join() !== ground[place].join()) query[`air_${place}`] = air[place].join();
+  }
+  return query;
 }
 
 function idsIn(obstacles: unknown): number[] {
@@ -141,15 +133,15 @@ function idsIn(obstacles: unknown): number[] {
 }
 
 const known = {
-  rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "timing", "objective"],
+  rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "timing", "objective", "separation", "at_goal"],
   method: ["select", "planner", "flight", "weight", "tie_break", "moves", "bound", "explain"],
 };
 
-function leftOut({ rules = {}, method = {} }: MissionDocument, ground: FileAgent): string[] {
+function leftOut({ agents, rules = {}, method = {} }: MissionDocument): string[] {
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
-  const corners = (ground as { corners?: string }).corners ?? "none";
+  const cuts = agents.some(({ corners = "none" }) => corners !== "none");
   const tags = [rules.protect].flat().some((one) => typeof one === "string") ? ["protection by tag"] : [];
-  return [...of(rules, known.rules), ...of(method, known.method), ...(corners === "none" ? [] : ["corners"]), ...tags];
+  return [...of(rules, known.rules), ...of(method, known.method), ...(cuts ? ["corners"] : []), ...tags];
 }
 
 // As the page once wrote them: what a link says, a line each.

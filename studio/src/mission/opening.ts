@@ -33,7 +33,7 @@ export async function openMission(studio: Studio, query: string): Promise<void> 
 
 async function openMissionFile(studio: Studio, value: Record<string, unknown>): Promise<void> {
   const said = queryOfFile(value, studio.units.value.cell);
-  if (!said) throw new NotUnderstood("The page plans for one ground robot and one aircraft; this mission is about others.");
+  if (!said) throw new NotUnderstood("Nobody drives in this mission: it has no ground agent.");
   await openMission(studio, said.query);
   if (said.leftOut.length > 0 && !studio.notice.value) {
     studio.notify("info", `The page does not know what the file says about ${said.leftOut.join(", ")}.`);

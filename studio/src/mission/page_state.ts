@@ -1,6 +1,7 @@
 // What the page shows: a mission, its map and its plans. Enough for the viewer of a plan; the studio adds what can be
 // done about it.
 import { computed, effect, signal, type Signal } from "@preact/signals";
+import { looksOf } from "../domain/agents";
 import { asksTheSame, type LayerName, type Mark, type Mission } from "../domain/mission";
 import { type Units, unitsOf } from "../domain/units";
 import type { Results } from "../planning/results";
@@ -33,7 +34,9 @@ export class PageState {
   readonly loading = signal(true); // a map is on its way
   readonly selected = signal<number | null>(null);
   readonly highlighted = signal<number | null>(null);
+  readonly chosenAgent = signal<number | null>(null); // its place in the mission's list
   readonly notice = signal<Notice | null>(null);
+  readonly looks = computed(() => looksOf(this.mission.value?.agents ?? []));
   readonly clock = new Clock();
 
   // Whether what is shown answers an older question, and has for a moment: what follows the mouse does so within it.

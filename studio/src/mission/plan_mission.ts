@@ -1,7 +1,8 @@
 // The mission that a plan file answers, as far as the page can ask it.
-import type { Cell } from "../domain/geometry";
-import { defaults, type Mark, type Markers, type Mission, mostRemovals } from "../domain/mission";
-import type { Agent, Plan } from "../domain/plan";
+import { type AgentDocument, agentsOf } from "../domain/agent_document";
+import { type Agents, ofPair, usualVehicle } from "../domain/agents";
+import { defaults, type Mark, type Mission, mostRemovals } from "../domain/mission";
+import type { Plan } from "../domain/plan";
 import { isObject } from "./mission_file";
 
 export function isPlan(value: unknown): value is Plan {
@@ -20,36 +21,38 @@ export function mapsOfPlan({ map }: Plan): string[] {
 
 // Null where there was no plan: such a file does not say where from and where to.
 export function missionOfPlan(plan: Plan, map: string): Mission | null {
-  const ground = plan.agents.find((agent) => agent.kind === "ground");
-  const air = plan.agents.find((agent) => agent.kind === "air");
-  if (!ground) return null;
+  const agents = agentsOfPlan(plan);
+  if (!agents) return null;
   const { options } = plan;
+  const rules = plan.mission?.rules ?? {};
   const marks = (ids: number[] | undefined, mark: Mark) => (ids ?? []).map((id): [number, Mark] => [id, mark]);
   return {
     ...defaults,
     map,
-    markers: markersOf(ground, air),
+    agents,
     removals: Math.min(options.removals ?? defaults.removals, mostRemovals),
     method: options.select === "hits" ? "paper" : "exact",
     objective: options.objective ?? defaults.objective,
-    groundSpeed: ground.speed * plan.map.cell_size,
-    airSpeed: (air?.speed ?? 1) * plan.map.cell_size,
     breachTime: options.breach_time ?? 0,
     breachTimePerCell: options.breach_time_per_cell ?? 0,
-    radius: options.radius ?? defaults.radius,
+    separation: Number(rules.separation ?? defaults.separation),
+    atGoal: rules.at_goal === "leave" ? "leave" : "stay",
     marks: new Map([...marks(options.protect, "protect"), ...marks(options.force, "force")]),
   };
 }
 
-export function markersOf(ground: Agent, air: Agent | undefined): Markers {
-  return {
-    start: ground.start,
-    goal: ground.goal,
-    ...(air && !isSame(air.start, ground.start) && { air_start: air.start }),
-    ...(air && !isSame(air.goal, ground.goal) && { air_goal: air.goal }),
-  };
-}
-
-function isSame([ax, ay]: Cell, [bx, by]: Cell): boolean {
-  return ax === bx && ay === by;
+// Of a pair what the options say, of a team what its mission says.
+function agentsOfPlan({ agents, options, mission, map }: Plan): Agents | null {
+  if (!agents.some((agent) => agent.kind === "ground")) return null;
+  const said = (mission?.agents ?? []) as Partial<AgentDocument>[];
+  const known = agentsOf(
+    agents.map(({ id, kind, start, goal, speed }, i) => ({ ...said[i], id, kind, start, goal, speed })),
+    map.cell_size,
+  );
+  const two = ofPair(known);
+  if (!two) return known;
+  return [
+    { ...two.ground, id: "ground", radius: options.radius ?? usualVehicle.radius, readyAt: 0 },
+    { ...two.air, id: "air", breaches: null },
+  ];
 }

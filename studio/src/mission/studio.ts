@@ -2,6 +2,7 @@
 import { batch, effect, signal, untracked } from "@preact/signals";
 import { type Client, ServiceError } from "../api/client";
 import type { MapEntry } from "../api/documents";
+import { vehiclesOf } from "../domain/agents";
 import { defaults, hasEdits, type Mission, withEnoughRemovals } from "../domain/mission";
 import { Planner } from "../planning/planner";
 import { questionOf } from "../planning/request";
@@ -77,7 +78,8 @@ export class Studio extends Editor {
     return this.#reach({ ...wanted, name, digest }, async (base) => {
         const usual = defaultMission(base.description, base.cells);
         const { width, height } = base.cells;
-        const { mission, complaints } = decodeLink(query, id, usual.markers, width, height);
+        const { start, goal } = vehiclesOf(usual.agents)[0]!;
+        const { mission, complaints } = decodeLink(query, id, { start, goal }, width, height);
         if (complaints.length > 0) this.notify("bad", `${complaints.join("; ")}. The rest of the link is shown.`);
         batch(() => {
           this.#show(base);

@@ -3,12 +3,13 @@ import { signal } from "@preact/signals";
 import type { CheckReport } from "../api/client";
 import { CellMap } from "../domain/cell_map";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
-import { defaults, type LayerName, type Mission } from "../domain/mission";
-import type { FrontPoint, Plan } from "../domain/plan";
+import { freshMission, type LayerName, type Mission } from "../domain/mission";
+import { type FrontPoint, objectiveOf, type Plan, valueOf } from "../domain/plan";
+import { consistent } from "../planning/curve";
 import { type Judged, type Results, verdictOf } from "../planning/results";
 import { begin } from "./history";
 import { PageState } from "./page_state";
-import { markersOf } from "./plan_mission";
+import { missionOfPlan } from "./plan_mission";
 import { Translation } from "./translate";
 
 export interface PlanDocument {
@@ -25,7 +26,7 @@ export function viewerOf(document: PlanDocument): PageState {
     plans[name === "plan" ? "after" : name] = { plan, verdict: check ? verdictOf(check) : null };
   }
   const plan = plans.after?.plan;
-  const front = document.front ?? plan?.front ?? [];
+  const front = plan ? frontOf(document.front ?? plan.front ?? [], plan) : [];
   const results: Results = {
     plans: signal(plans),
     front: signal(front.length > 0 ? { points: front, from: plan?.options.force?.length ?? 0, key: "", isDone: true } : null),
@@ -43,15 +44,22 @@ export function viewerOf(document: PlanDocument): PageState {
   return page;
 }
 
+// The plan itself may have had more time than its point of the curve.
+function frontOf(points: readonly FrontPoint[], plan: Plan): FrontPoint[] {
+  const objective = objectiveOf(plan);
+  const own: FrontPoint = { ...plan.after, bound: plan.bound, removed: plan.removed.map((one) => one.obstacle) };
+  const index = (plan.options.removals ?? 0) - (plan.options.force?.length ?? 0);
+  const isBetter = (point: FrontPoint) => (valueOf(own, objective) ?? Infinity) < (valueOf(point, objective) ?? Infinity);
+  return consistent(points.map((point, i) => (i === index && isBetter(point) ? { ...point, ...own } : point)), objective);
+}
+
 function missionOf(map: string, plan: Plan | undefined, layers: LayerName[]): Mission {
-  const ground = plan?.agents.find((agent) => agent.kind === "ground");
-  const air = plan?.agents.find((agent) => agent.kind === "air");
+  const mission = (plan && missionOfPlan(plan, map)) ?? freshMission(map, { start: [0, 0], goal: [0, 0] });
   return {
-    ...defaults,
-    map,
-    markers: ground ? markersOf(ground, air) : { start: [0, 0], goal: [0, 0] },
+    ...mission,
     removals: Math.min(plan?.options.removals ?? 0, 8),
-    objective: plan?.options.objective ?? "makespan",
+    method: "exact",
+    marks: new Map(),
     layers: (["before", "after", "paper"] as const).filter((name) => layers.includes(name) && name !== "paper"),
   };
 }

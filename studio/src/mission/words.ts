@@ -1,5 +1,5 @@
 // Plans in plain words: what the person reads first.
-import { objectiveOf, type Plan, valueOf } from "../domain/plan";
+import { isTeam, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { duration, percent, percentUp, type Units } from "../domain/units";
 import { agentOf, arrival } from "../play/motion";
 
@@ -30,6 +30,7 @@ export function counted(count: number, buildings: boolean): string {
 
 // What all removals together save; null where there is no way without.
 export function savedBy(plan: Plan): number | null {
+  if (isTeam(plan)) return null; // its plan file compares with each alone
   const [before, after] = [valueOf(plan.before, objectiveOf(plan)), valueOf(plan.after, objectiveOf(plan))];
   return before === null || after === null ? null : before - after;
 }
@@ -67,7 +68,7 @@ export function figuresText(figures: NonNullable<Headline["figures"]>, units: Un
 
 function unhelped(plan: Plan): string {
   if (plan.options.removals === 0) return "With nothing removed, the ground robot takes the way round";
-  const none = (plan.bound?.gap ?? 1) < proven ? "No removal" : "No removal was found that";
+  const none = isProven(plan) ? "No removal" : "No removal was found that";
   if (objectiveOf(plan) === "flowtime") return `${none} saves any of the agents’ time on the way`;
   return isAirsArrival(plan) ? `${none} ends the mission sooner` : `${none} gets the ground robot there sooner`;
 }
@@ -119,6 +120,10 @@ function without(plan: Plan, buildings: boolean): Headline {
 
 const proven = 1e-9; // a gap that is none
 const wide = 0.01; // a gap that says little
+
+export function isProven({ bound }: Plan): boolean {
+  return (bound?.gap ?? 1) < proven;
+}
 
 // How good the choice is known to be. The gap is what is proven; the choice may be better than that.
 export function proof(plan: Plan): Proof | null {

@@ -11,6 +11,7 @@ import { sceneOf } from "../mission/scene_of";
 import { Studio } from "../mission/studio";
 import { counted } from "../mission/words";
 import { Timeline } from "../play/timeline";
+import { AgentList } from "./agent_list";
 import { Choices } from "./choices";
 import { TokenDialog } from "./dialogs";
 import { DropTarget } from "./drop_target";
@@ -45,6 +46,7 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
         <HeadlineSection page={page} />
         <Removals page={page} />
         <RemovedTable page={page} />
+        <AgentList page={page} />
         {studio && <Choices studio={studio} />}
         <Layers page={page} />
         {studio && <Settings studio={studio} />}
@@ -77,6 +79,7 @@ function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
       drag: (handle, cell, done) => studio?.drag(handle, cell, done),
       select: (obstacle) => (page.selected.value = obstacle),
       hover: (obstacle) => (page.highlighted.value = obstacle),
+      choose: (agent) => (page.chosenAgent.value = agent),
       draw: (tool, runs) => studio?.draw(tool, runs),
     }),
     [page, studio],

@@ -20,7 +20,8 @@ export function HelpDialog({ open, onClose }: { open: boolean; onClose: () => vo
       <h2 id="help-title">How it works</h2>
       <p>
         A ground robot drives from the start to the goal. An aircraft opens the way: it removes the few obstacles that
-        cost the most time. Drag the markers and the plan follows; the slider says how many removals there may be.
+        cost the most time. Drag the markers and the plan follows; the slider says how many removals there may be. Add
+        vehicles and aircraft, and all are planned together.
       </p>
       <p>
         Click an obstacle to <strong>protect</strong> it (never removed), <strong>force</strong> it (always removed), or{" "}

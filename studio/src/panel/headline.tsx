@@ -1,9 +1,11 @@
 // What the plan achieves, in one sentence, and how sure that is.
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Progress } from "../api/client";
+import { isTeam } from "../domain/plan";
 import { duration, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
+import { teamArrivals, teamHeadline } from "../mission/team_words";
 import { arrivals, figuresText, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
 import type { Judged } from "../planning/results";
 import { Icon, type IconName } from "./icons";
@@ -34,8 +36,10 @@ export function HeadlineSection({ page }: { page: PageState }) {
     shown,
     after.plan.removed.map((one) => one.obstacle),
   );
-  const words = headline(after.plan, buildings);
-  const who = arrivals(after.plan, units);
+  const team = isTeam(after.plan);
+  const closed = page.results.plans.value.before?.plan ?? null;
+  const words = team ? teamHeadline(after.plan, closed, buildings) : headline(after.plan, buildings);
+  const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const spoken = [words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title, who].join(" ");
   return (
     <section class={`headline ${words.tone}`} aria-label="Result">

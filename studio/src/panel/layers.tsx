@@ -18,6 +18,7 @@ export function Layers({ page }: { page: PageState }) {
   const shown = page.shown.value;
   if (!mission || !shown) return null;
   const plans = page.results.plans.value;
+  const team = page.looks.value.size > 0;
   const units = page.units.value;
   const what = (name: LayerName) => {
     const plan = plans[name]?.plan;
@@ -30,13 +31,13 @@ export function Layers({ page }: { page: PageState }) {
   };
   const value = (name: LayerName) => {
     // The plan itself says what would be without removals, before that way has been fetched.
-    const outcome = plans[name]?.plan.after ?? (name === "before" ? plans.after?.plan.before : undefined);
+    const outcome = plans[name]?.plan.after ?? (name === "before" && !team ? plans.after?.plan.before : undefined);
     return outcome ? valueOf(outcome, mission.objective) : undefined;
   };
   return (
     <Section title="On the map" kind="layers">
       <ul class="layer-list">
-        {layers.map(({ name, title }) => {
+        {layers.filter(({ name }) => !team || name !== "paper").map(({ name, title }) => {
           const reached = value(name);
           return (
             <li key={name}>
@@ -68,7 +69,7 @@ export function Layers({ page }: { page: PageState }) {
           <svg width="26" height="10" aria-hidden="true">
             <line class="sample-ground" x1="1" x2="25" y1="5" y2="5" />
           </svg>
-          ground robot
+          {team ? "vehicles, each in its colour" : "ground robot"}
         </span>
         <span>
           <svg width="26" height="10" aria-hidden="true">

@@ -1,4 +1,5 @@
 // How many obstacles may go: a slider, and under it what each number reaches.
+import { aircraftOf } from "../domain/agents";
 import { mostRemovals, withEnoughRemovals } from "../domain/mission";
 import { duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
@@ -14,6 +15,7 @@ export function Removals({ page }: { page: PageState }) {
   if (!mission || !shown) return null;
   const studio = page instanceof Studio ? page : null;
   if (!studio && !page.results.front.value) return null;
+  if (aircraftOf(mission.agents).length === 0) return null; // nobody opens anything
   const auto = mission.removals === "auto";
   const price = `≥ ${duration(mission.price, page.units.value)}`;
   const count =

@@ -1,8 +1,10 @@
 // What is removed, in the order in which the aircraft opens it. Rows and map point at each other.
-import type { Plan, Removed } from "../domain/plan";
+import { isTeam, type Plan, type Removed } from "../domain/plan";
 import { area, clockTime, duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
+import { usersOf } from "../domain/users";
 import { nounOf, savedBy } from "../mission/words";
+import { AgentDot } from "./agent_dot";
 import { Section } from "./controls";
 import { MarkButtons } from "./mark_buttons";
 import { areBuildings, nameOf } from "./obstacle_words";
@@ -17,12 +19,17 @@ export function RemovedTable({ page }: { page: PageState }) {
     plan.removed.map((one) => one.obstacle),
   );
   const noun = nounOf(2, buildings);
+  const team = isTeam(plan);
+  const users = team ? usersOf(plan, shown.map.cells, (id) => radiusOf(page, id)) : null;
   const ordered = [...plan.removed].sort((a, b) => a.cleared_at - b.cleared_at);
   const title = `Removed ${noun}`;
   return (
     <Section title={title}>
       <table class="removed-table">
-        <caption class="spoken">{title}, in the order in which the aircraft opens them{page.old.value && "; out of date"}</caption>
+        <caption class="spoken">
+          {title}, in the order in which {team ? "they are opened" : "the aircraft opens them"}
+          {page.old.value && "; out of date"}
+        </caption>
         <thead>
           <tr>
             <th scope="col">
@@ -31,12 +38,18 @@ export function RemovedTable({ page }: { page: PageState }) {
             <th scope="col">{buildings ? "Building" : "Obstacle"}</th>
             <th scope="col">Opened</th>
             <th scope="col">Entered</th>
-            <th scope="col">If kept</th>
+            <th scope="col">{team ? "For" : "If kept"}</th>
           </tr>
         </thead>
         <tbody>
           {ordered.map((removed, i) => (
-            <Row key={removed.obstacle} page={page} removed={removed} order={i + 1} />
+            <Row
+              key={removed.obstacle}
+              page={page}
+              removed={removed}
+              order={i + 1}
+              users={users?.get(removed.obstacle) ?? null}
+            />
           ))}
         </tbody>
       </table>
@@ -47,7 +60,19 @@ export function RemovedTable({ page }: { page: PageState }) {
   );
 }
 
-function Row({ page, removed, order }: { page: PageState; removed: Removed; order: number }) {
+function radiusOf(page: PageState, id: string): number {
+  const agent = page.mission.value?.agents.find((one) => one.id === id);
+  return agent?.kind === "ground" ? agent.radius : 0;
+}
+
+interface RowProps {
+  page: PageState;
+  removed: Removed;
+  order: number;
+  users: readonly string[] | null; // of a team: who drives there
+}
+
+function Row({ page, removed, order, users }: RowProps) {
   const units = page.units.value;
   const id = removed.obstacle;
   const name = nameOf(page.shown.value!, id);
@@ -77,6 +102,7 @@ function Row({ page, removed, order }: { page: PageState; removed: Removed; orde
       </th>
       <td>
         <data value={removed.cleared_at}>{clockTime(removed.cleared_at, units)}</data>
+        {removed.by !== undefined && <AgentNames page={page} ids={[removed.by]} />}
       </td>
       <td class={early ? "early" : ""}>
         {removed.entered_at === null ? (
@@ -86,7 +112,9 @@ function Row({ page, removed, order }: { page: PageState; removed: Removed; orde
         )}
       </td>
       <td>
-        {removed.saves === undefined ? (
+        {users ? (
+          <AgentNames page={page} ids={users} />
+        ) : removed.saves === undefined ? (
           <span class="pending">…</span>
         ) : removed.saves === null ? (
           "no way"
@@ -95,6 +123,30 @@ function Row({ page, removed, order }: { page: PageState; removed: Removed; orde
         )}
       </td>
     </tr>
+  );
+}
+
+const mostNamed = 4;
+
+function AgentNames({ page, ids }: { page: PageState; ids: readonly string[] }) {
+  const looks = page.looks.value;
+  if (ids.length === 0) return <span class="agent-names">nobody</span>;
+  if (ids.length > mostNamed) {
+    return (
+      <span class="agent-names" title={ids.join(", ")}>
+        {ids.length} vehicles
+      </span>
+    );
+  }
+  return (
+    <span class="agent-names">
+      {ids.map((id) => (
+        <span key={id}>
+          <AgentDot look={looks.get(id)} />
+          {id}
+        </span>
+      ))}
+    </span>
   );
 }
 

@@ -1,10 +1,12 @@
 // How the mission is planned, and what the two agents can do.
+import { useId } from "preact/hooks";
+import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
 import type { Mission } from "../domain/mission";
-import { length, type Units } from "../domain/units";
 import type { Studio } from "../mission/studio";
 import { NumberField, Segmented } from "./controls";
+import { VehicleSize } from "./vehicle_size";
 
-type NumberMember = "groundSpeed" | "airSpeed" | "breachTime" | "breachTimePerCell";
+type NumberMember = "breachTime" | "breachTimePerCell";
 
 export function Settings({ studio }: { studio: Studio }) {
   const mission = studio.mission.value;
@@ -17,36 +19,43 @@ export function Settings({ studio }: { studio: Studio }) {
     onInput: (value: number) => studio.change((old) => ({ ...old, [member]: value * scale }), member),
     onDone: () => studio.endGesture(),
   });
+  const two = ofPair(mission.agents);
   const speed = { unit: metric ? "m/s" : "cells/step", min: 0.01, max: 1000, step: "any" as const };
   const time = { min: 0, max: 100_000, step: "any" as const };
-  const apart = mission.markers.air_start !== undefined || mission.markers.air_goal !== undefined;
+  const speedOf = (agent: Vehicle | Aircraft) => ({
+    value: agent.speed,
+    onInput: (value: number) => studio.changeAgent(mission.agents.indexOf(agent), { speed: value }, `${agent.kind} speed`),
+    onDone: () => studio.endGesture(),
+  });
   return (
     <details class="section settings">
       <summary>
         <h2>Mission settings</h2>
       </summary>
-      <Segmented
-        legend="Method"
-        choices={[
-          { value: "exact", label: "Best found" },
-          { value: "paper", label: "The paper’s method (2018)" },
-        ]}
-        value={mission.method}
-        onChange={(method) => set({ method })}
-      />
+      {two && (
+        <Segmented
+          legend="Method"
+          choices={[
+            { value: "exact", label: "Best found" },
+            { value: "paper", label: "The paper’s method (2018)" },
+          ]}
+          value={mission.method}
+          onChange={(method) => set({ method })}
+        />
+      )}
       <Segmented
         legend="What counts"
         choices={[
           { value: "makespan", label: "Last arrival" },
-          { value: "ground-makespan", label: "Robot’s arrival" },
+          { value: "ground-makespan", label: two ? "Robot’s arrival" : "Last vehicle’s" },
           { value: "flowtime", label: "Sum of arrivals" },
         ]}
         value={mission.objective}
         onChange={(objective) => set({ objective })}
       />
       <div class="fields">
-        <NumberField label="Ground robot’s speed" {...speed} {...number("groundSpeed")} />
-        <NumberField label="Aircraft’s speed" {...speed} {...number("airSpeed")} />
+        {two && <NumberField label="Ground robot’s speed" {...speed} {...speedOf(two.ground)} />}
+        {two && <NumberField label="Aircraft’s speed" {...speed} {...speedOf(two.air)} />}
         <NumberField label="Time to open one" unit={metric ? "s" : "steps"} {...time} {...number("breachTime")} />
         <NumberField
           label={metric ? "… and for each m²" : "… and for each cell"}
@@ -54,37 +63,68 @@ export function Settings({ studio }: { studio: Studio }) {
           {...time}
           {...number("breachTimePerCell", units.cell * units.cell)}
         />
-        <RobotSize radius={mission.radius} units={units} onChange={(radius) => set({ radius })} />
-      </div>
-      <p class="aircraft-place">
-        {apart ? (
-          <button type="button" class="button" onClick={() => studio.bringAircraftBack()}>
-            Put the aircraft back to the robot’s start and goal
-          </button>
+        {two ? (
+          <VehicleSize
+            label="Ground robot’s width"
+            radius={two.ground.radius}
+            units={units}
+            onChange={(radius) => studio.changeAgent(mission.agents.indexOf(two.ground), { radius })}
+          />
         ) : (
-          "To start or land the aircraft elsewhere, pull its small marker off the start or the goal."
+          <TeamFields studio={studio} />
         )}
-      </p>
+      </div>
+      {two && <AircraftPlace studio={studio} aircraft={two.air} />}
     </details>
   );
 }
 
-const usualRadii = [0, 0.5, 1, 1.5, 2, 3, 4];
-
-function RobotSize({ radius, units, onChange }: { radius: number; units: Units; onChange: (radius: number) => void }) {
-  const radii = usualRadii.includes(radius) ? usualRadii : [...usualRadii, radius].sort((a, b) => a - b);
-  const wide = (r: number) =>
-    units.metric ? `${Number((2 * r * units.cell).toPrecision(3))} m` : length(2 * r, units);
+// What only a team needs to agree on.
+function TeamFields({ studio }: { studio: Studio }) {
+  const { separation, atGoal } = studio.mission.value!;
+  const units = studio.units.value;
+  const id = useId();
   return (
-    <div class="number-field">
-      <label for="robot-size">Ground robot’s width</label>
-      <select id="robot-size" value={String(radius)} onChange={(event) => onChange(Number(event.currentTarget.value))}>
-        {radii.map((r) => (
-          <option key={r} value={String(r)}>
-            {r === 0 ? "a point" : wide(r)}
-          </option>
-        ))}
-      </select>
-    </div>
+    <>
+      <NumberField
+        label="Room between vehicles"
+        unit={units.metric ? "m" : "cells"}
+        min={0}
+        max={32 * units.cell}
+        step="any"
+        value={separation * units.cell}
+        onInput={(value) => studio.change((old) => ({ ...old, separation: value / units.cell }), "separation")}
+        onDone={() => studio.endGesture()}
+      />
+      <div class="number-field">
+        <label for={id}>Who has arrived</label>
+        <select
+          id={id}
+          value={atGoal}
+          onChange={(event) => {
+            const chosen = event.currentTarget.value === "leave" ? "leave" : "stay";
+            studio.change((old) => ({ ...old, atGoal: chosen }));
+          }}
+        >
+          <option value="stay">stays there</option>
+          <option value="leave">vanishes</option>
+        </select>
+      </div>
+    </>
+  );
+}
+
+function AircraftPlace({ studio, aircraft }: { studio: Studio; aircraft: Aircraft }) {
+  const index = studio.mission.value!.agents.indexOf(aircraft);
+  return (
+    <p class="aircraft-place">
+      {aircraft.start || aircraft.goal ? (
+        <button type="button" class="button" onClick={() => studio.bringAircraftBack(index)}>
+          Put the aircraft back to the robot’s start and goal
+        </button>
+      ) : (
+        "To start or land the aircraft elsewhere, pull its small marker off the start or the goal."
+      )}
+    </p>
   );
 }

@@ -1,6 +1,6 @@
 // The curve: what each number of removals reaches, as far as it is known.
 import { mostRemovals } from "../domain/mission";
-import { type FrontPoint, type Plan, reached } from "../domain/plan";
+import { type FrontPoint, type Objective, type Plan, reached, valueOf } from "../domain/plan";
 
 export interface Front {
   points: readonly FrontPoint[]; // for `from` removals, one more, ...
@@ -32,12 +32,28 @@ export class Curve {
     this.plans.push(last && reached(last) < reached(plan) ? last : plan);
   }
 
-  front(): Front {
+  front(objective: Objective): Front {
     const points = this.plans.map(({ after, bound, removed }): FrontPoint => {
       return { ...after, bound, removed: removed.map((one) => one.obstacle) };
     });
-    return { points, from: this.from, key: this.key, isDone: this.isDone };
+    return { points: consistent(points, objective), from: this.from, key: this.key, isDone: this.isDone };
   }
+}
+
+// Where time was short, points can be better than they were planned: what fewer removals reach, more do, and what bounds
+// more of them, bounds fewer.
+export function consistent(points: readonly FrontPoint[], objective: Objective): FrontPoint[] {
+  const reached = (point: FrontPoint) => valueOf(point, objective) ?? Infinity;
+  const limit = (point: FrontPoint) => (point.bound && valueOf(point.bound, objective)) ?? -Infinity;
+  const better: FrontPoint[] = [];
+  for (const point of points) {
+    const last = better.at(-1);
+    better.push(last && reached(last) < reached(point) ? { ...last, bound: point.bound } : point);
+  }
+  for (let i = better.length - 2; i >= 0; --i) {
+    if (limit(better[i + 1]!) > limit(better[i]!)) better[i] = { ...better[i]!, bound: better[i + 1]!.bound };
+  }
+  return better;
 }
 
 // As many removals as save at least the price each: whatever number of the last is left out, it would cost more.

@@ -7,9 +7,11 @@ import { type Plan, reached } from "../domain/plan";
 import { bestAtPrice, Curve } from "./curve";
 import {
   beforeRequest,
+  canRemove,
   draftBeforeRequest,
   draftRequest,
   isHasty,
+  isOfTeam,
   keyOf,
   paperRequest,
   planRequest,
@@ -60,7 +62,7 @@ export class PlanFetcher {
       this.#show("before", await this.service.plan(question.map, beforeRequest(question), stop), stop);
     }
     await this.#judge("before", question, stop);
-    await this.#trace(question, stop);
+    if (canRemove(question)) await this.#trace(question, stop);
     if (!plans.value.after?.verdict) await this.#judge("after", question, stop); // it has improved on the way
     await this.#explain(question, stop); // late: on large maps it takes longest
     await this.#paper(question, stop);
@@ -120,8 +122,10 @@ export class PlanFetcher {
         this.results.planFor(question, curve.next) ??
         (await this.service.plan(question.map, stepRequest(question, curve.next), stop, onStepProgress));
       if (stop.aborted) throw stopped();
-      curve.add(curve.next === question.removals ? this.#better(plan, stop) : plan);
-      this.results.front.value = curve.front();
+      const isWanted = curve.next === question.removals;
+      curve.add(isWanted ? this.#better(plan, stop) : plan);
+      if (isWanted) this.#better(curve.plans.at(-1)!, stop); // with fewer removals time may have done for a better one
+      this.results.front.value = curve.front(question.of.objective);
     }
     return curve.plans;
   }
@@ -150,7 +154,8 @@ export class PlanFetcher {
   async #explain(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after;
     const short = shown !== undefined && isHasty(shown.plan);
-    if (!shown || (shown.plan.removed.length === 0 && !short)) return;
+    const isExplained = isOfTeam(question) || shown?.plan.removed.length === 0; // as far as it can be
+    if (!shown || (isExplained && !short)) return;
     const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
     const onProgress = (progress: Progress) => {
       if (short && !stop.aborted) this.results.progress.value = progress;
@@ -167,7 +172,7 @@ export class PlanFetcher {
 
   async #paper(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after?.plan;
-    if (!shown) return;
+    if (!shown || isOfTeam(question)) return;
     const removals = question.removals === "auto" ? shown.removed.length : question.removals;
     const paper =
       question.method === "paper"

@@ -1,5 +1,7 @@
 // A mission as a request to the service.
 import type { PlanRequest } from "../api/documents";
+import { agentDocuments } from "../domain/agent_document";
+import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
 import { marked, type Method, type Mission } from "../domain/mission";
 import type { Plan, PlanOptions } from "../domain/plan";
 import { cellsPerUnit, type Units } from "../domain/units";
@@ -32,46 +34,72 @@ export function questionOf(
     objective: mission.objective,
     breach_time: mission.breachTime,
     breach_time_per_cell: mission.breachTimePerCell,
-    radius: mission.radius,
   };
+  const two = ofPair(mission.agents);
+  if (two) options.radius = two.ground.radius;
   const [protect, force] = [ids("protect"), ids("force")];
   if (protect.length > 0) options.protect = protect;
   if (force.length > 0) options.force = force;
+  const canOpen = mission.agents.some((agent) => agent.kind === "air");
   return {
     of: mission,
     map,
-    mission: {
-      ...mission.markers,
-      ground_speed: cellsPerUnit(mission.groundSpeed, units),
-      air_speed: cellsPerUnit(mission.airSpeed, units),
-    },
+    mission: two ? missionOfPair(two, units) : missionOfTeam(mission, units),
     options,
-    method: mission.method,
-    removals: mission.removals,
+    method: two ? mission.method : "exact",
+    removals: canOpen || mission.removals !== "auto" ? mission.removals : 0,
     price: mission.price,
     withBefore: mission.layers.includes("before"),
   };
 }
 
+function missionOfPair({ ground, air }: { ground: Vehicle; air: Aircraft }, units: Units): PlanRequest["mission"] {
+  return {
+    start: ground.start,
+    goal: ground.goal,
+    ...(air.start && { air_start: air.start }),
+    ...(air.goal && { air_goal: air.goal }),
+    ground_speed: cellsPerUnit(ground.speed, units),
+    air_speed: cellsPerUnit(air.speed, units),
+  };
+}
+
+function missionOfTeam({ agents, separation, atGoal }: Mission, units: Units): PlanRequest["mission"] {
+  const rules = { separation, at_goal: atGoal };
+  const unit = units.metric ? { time_unit: "s" as const } : {};
+  return { format: "waybreaker-mission/1", ...unit, agents: agentDocuments(agents, units.cell), rules };
+}
+
+export function isOfTeam({ mission }: Question): boolean {
+  return "agents" in mission;
+}
+
+// Without aircraft nothing is removed.
+export function canRemove({ mission }: Question): boolean {
+  return !("agents" in mission) || mission.agents.some((agent) => agent.kind === "air");
+}
+
 // A draft, where plans take too long to follow the mouse: any-angle search that hurries to the goal, and of the obstacles in its way
 // those it met most. On a city of 4096² cells that is a hundredth of the work, and its paths are a percent longer.
 const hurried: PlanOptions = { planner: "theta", weight: 1.5 };
+// Of a team: the best that is found in so many seconds.
+const teamDraft: PlanOptions = { select: "exact", time_limit: 0.15 };
 
 function request(question: Question, method: Method | "draft", options: PlanOptions): PlanRequest {
   const how: Record<typeof method, PlanOptions> = {
     exact: { select: "exact" },
     paper: { paper: true },
-    draft: { ...(question.method === "paper" ? { paper: true } : { select: "hits" }), ...hurried },
+    draft: isOfTeam(question) ? teamDraft : { ...(question.method === "paper" ? { paper: true } : { select: "hits" }), ...hurried },
   };
   return { mission: question.mission, options: { ...how[method], ...question.options, ...options } };
 }
 
-// The first plan has to come soon, and is asked for again, with more time, when nothing changes for a moment.
-const quick = 2; // seconds
+// Seconds. The first plan has to come soon, and is asked for again, with more time, when nothing changes for a moment.
+const quick = 2;
 const patient = 10;
 
 export function isHasty(plan: Plan): boolean {
-  return (plan.seconds?.total ?? 0) >= quick;
+  return plan.limit_reached === true || (plan.seconds?.total ?? 0) >= quick;
 }
 
 export function planRequest(question: Question, removals: number): PlanRequest {
@@ -89,12 +117,12 @@ export function draftBeforeRequest(question: Question): PlanRequest {
 
 // With all the time that the service gives, and what the mission would lose without each removal.
 export function thoroughRequest(question: Question, removals: number): PlanRequest {
-  return request(question, question.method, { removals, explain: true });
+  return request(question, question.method, { removals, ...(!isOfTeam(question) && { explain: true }) });
 }
 
 // A step of the curve: there are many, and the next waits.
 export function stepRequest(question: Question, removals: number): PlanRequest {
-  return request(question, question.method, { removals, time_limit: patient });
+  return request(question, question.method, { removals, time_limit: isOfTeam(question) ? quick : patient });
 }
 
 // The way with nothing removed; what has to go or stay is no matter then.

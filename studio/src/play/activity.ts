@@ -1,6 +1,7 @@
 // What happens when, as spans and moments of a timeline.
+import { isPair } from "../domain/agents";
 import type { Agent, Plan } from "../domain/plan";
-import { agentOf, arrival, breachOrder, positionAt, waits } from "./motion";
+import { arrival, breachOrder, positionAt, waits } from "./motion";
 
 export interface Span {
   kind: "move" | "wait";
@@ -15,21 +16,24 @@ export interface Moment {
 }
 
 export interface Lane {
+  id: string;
   kind: Agent["kind"];
   spans: Span[];
-  moments: Moment[]; // ground: entered; air: breached
+  moments: Moment[]; // air: breached by it; of a pair's ground agent: entered
 }
 
+// One for each agent, vehicles first.
 export function lanes(plan: Plan): Lane[] {
   const order = breachOrder(plan);
-  return (["ground", "air"] as const).flatMap((kind): Lane[] => {
-    const agent = agentOf(plan, kind);
-    if (!agent) return [];
-    const moments = order.flatMap(({ obstacle, cleared_at, entered_at }, i): Moment[] => {
+  const vehicles = plan.agents.filter((agent) => agent.kind === "ground");
+  const aircraft = plan.agents.filter((agent) => agent.kind === "air");
+  return [...vehicles, ...aircraft].map(({ id, kind, ...agent }): Lane => {
+    const moments = order.flatMap(({ obstacle, by, cleared_at, entered_at }, i): Moment[] => {
       const time = kind === "air" ? cleared_at : entered_at;
-      return time === null ? [] : [{ number: i + 1, obstacle, time }];
+      const isOthers = by !== undefined && by !== id; // who enters is not said of a team
+      return time === null || isOthers ? [] : [{ number: i + 1, obstacle, time }];
     });
-    return [{ kind, spans: spans(agent), moments }];
+    return { id, kind, spans: spans({ id, kind, ...agent }), moments };
   });
 }
 
@@ -48,14 +52,26 @@ function spans(agent: Agent): Span[] {
   return found;
 }
 
+const mostTold = 6; // agents that are told of one by one
+
 // What goes on at a time, in words: for those who do not see the map.
 export function activityAt(plan: Plan, time: number): string {
-  const verbs = { ready: "is ready", moving: "moves", waiting: "waits", arrived: "has arrived" };
-  const parts = plan.agents.flatMap((agent) => {
-    const now = positionAt(agent, time);
-    return now ? [`${agent.kind} ${verbs[now.state]}`] : [];
-  });
+  const parts = plan.agents.length > mostTold ? summed(plan, time) : each(plan, time);
   const cleared = plan.removed.filter((removed) => removed.cleared_at <= time).length;
   if (plan.removed.length > 0) parts.push(`${cleared} of ${plan.removed.length} removed`);
   return parts.join(", ");
+}
+
+function each(plan: Plan, time: number): string[] {
+  const verbs = { ready: "is ready", moving: "moves", waiting: "waits", arrived: "has arrived" };
+  return plan.agents.flatMap((agent) => {
+    const now = positionAt(agent, time);
+    return now ? [`${isPair(plan.agents) ? agent.kind : agent.id} ${verbs[now.state]}`] : [];
+  });
+}
+
+function summed(plan: Plan, time: number): string[] {
+  const states = plan.agents.map((agent) => positionAt(agent, time)?.state);
+  const count = (wanted: string) => states.filter((state) => state === wanted).length;
+  return [`${count("moving")} move`, `${count("waiting")} wait`, `${count("arrived")} have arrived`];
 }

@@ -1,59 +1,86 @@
-// Two lanes, ground and air: a bar while the agent moves, stripes while it waits, a number where an obstacle is
-// breached. A click goes to that time; the slider below them does so for the keyboard.
-import { useId } from "preact/hooks";
+// A lane for each agent: a bar while it moves, stripes while it waits, a number where an obstacle is breached. A click goes
+// to that time; the slider below them does so for the keyboard.
+import { useId, useMemo, useRef } from "preact/hooks";
+import { type Look, looksOf } from "../domain/agents";
 import type { Plan } from "../domain/plan";
 import { type Lane, lanes } from "./activity";
+import type { Clock } from "./clock";
 
 interface LanesProps {
   plan: Plan;
   duration: number;
-  time: number | null;
+  clock: Clock;
   formatTime: (time: number) => string;
-  seek: (time: number) => void;
 }
 
 const names = { ground: "Ground", air: "Air" };
 
-export function Lanes({ plan, duration, time, formatTime, seek }: LanesProps) {
+export function Lanes({ plan, duration, clock, formatTime }: LanesProps) {
   const share = (at: number): string => `${(100 * at) / duration}%`;
-  const go = (event: PointerEvent & { currentTarget: HTMLElement }): void => {
-    const box = event.currentTarget.getBoundingClientRect();
-    seek(((event.clientX - box.left) / box.width) * duration);
+  const times = useRef<HTMLDivElement>(null);
+  const go = (event: PointerEvent): void => {
+    const box = times.current!.getBoundingClientRect();
+    if (event.clientX >= box.left - 4) clock.seek(((event.clientX - box.left) / box.width) * duration);
   };
+  // Drawn once for a plan: frames of playback move the line alone.
+  const bars = useMemo(() => {
+    const looks = looksOf(plan.agents);
+    return lanes(plan).map((lane) => (
+      <AgentLane key={lane.id} lane={lane} look={looks.get(lane.id)} share={share} formatTime={formatTime} />
+    ));
+  }, [plan, duration]);
   return (
     <div class="lanes" aria-hidden="true">
-      {lanes(plan).map((lane) => (
-        <div key={lane.kind} class={`lane lane-${lane.kind}`}>
-          <span class="lane-name">{names[lane.kind]}</span>
-          <div
-            class="lane-track"
-            onPointerDown={(event) => {
-              event.currentTarget.setPointerCapture(event.pointerId);
-              go(event);
-            }}
-            onPointerMove={(event) => event.buttons === 1 && go(event)}
-          >
-            <LaneBars lane={lane} share={share} formatTime={formatTime} />
-            {time !== null && (
-              <svg class="lane-now">
-                <line x1={share(time)} x2={share(time)} y1="0" y2="100%" />
-              </svg>
-            )}
-          </div>
+      <div
+        class="lane-rows"
+        onPointerDown={(event) => {
+          event.currentTarget.setPointerCapture(event.pointerId);
+          go(event);
+        }}
+        onPointerMove={(event) => event.buttons === 1 && go(event)}
+      >
+        {bars}
+        <div ref={times} class="lane-times">
+          <Now clock={clock} share={share} />
         </div>
-      ))}
+      </div>
     </div>
   );
 }
 
-interface LaneBarsProps {
+function Now({ clock, share }: { clock: Clock; share: (at: number) => string }) {
+  const time = clock.time.value;
+  if (time === null) return null;
+  return (
+    <svg class="lane-now">
+      <line x1={share(time)} x2={share(time)} y1="0" y2="100%" />
+    </svg>
+  );
+}
+
+interface LaneProps {
   lane: Lane;
+  look: Look | undefined; // of a team
   share: (at: number) => string;
   formatTime: (time: number) => string;
 }
 
+function AgentLane({ lane, look, share, formatTime }: LaneProps) {
+  const { id, kind } = lane;
+  return (
+    <div class={`lane lane-${kind} ${look ? `agent-${look.kind}-${look.colour}` : ""}`}>
+      <span class="lane-name" title={look && id}>
+        {look ? id : names[kind]}
+      </span>
+      <div class="lane-track">
+        <LaneBars lane={lane} share={share} formatTime={formatTime} />
+      </div>
+    </div>
+  );
+}
+
 // Attributes of SVG, no style: the page's security policy forbids styles in elements.
-function LaneBars({ lane, share, formatTime }: LaneBarsProps) {
+function LaneBars({ lane, share, formatTime }: Omit<LaneProps, "look">) {
   const stripes = useId();
   const verb = lane.kind === "air" ? "breached" : "entered";
   return (

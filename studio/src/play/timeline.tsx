@@ -33,7 +33,7 @@ export function Timeline({ plan, clock, formatTime }: TimelineProps) {
         </svg>
       </button>
       <div class="timeline-middle">
-        <Lanes plan={plan} duration={length} time={clock.time.value} formatTime={formatTime} seek={(t) => clock.seek(t)} />
+        <Lanes plan={plan} duration={length} clock={clock} formatTime={formatTime} />
         <input
           class="timeline-scrubber"
           type="range"

@@ -1,5 +1,6 @@
 // What is dropped, opened or pasted. (File is no global of Node 18.)
 import { expect, it } from "vitest";
+import { changed } from "../../src/domain/agents";
 import { freshMission, type Mission, wallKey } from "../../src/domain/mission";
 import { fragmentOf } from "../../src/mission/address";
 import { missionInText, understood } from "../../src/mission/given";
@@ -8,7 +9,7 @@ import { missionFile, queryOfFile } from "../../src/mission/mission_file";
 import { mapsOfPlan, missionOfPlan } from "../../src/mission/plan_mission";
 import { planOf } from "../domain/plans";
 import { Random } from "./random";
-import { height, randomMission, sorted, width } from "./random_mission";
+import { height, markers, randomMission, sorted, width } from "./random_mission";
 
 const file = (name: string, ...parts: BlobPart[]) => Object.assign(new Blob(parts), { name }) as unknown as File;
 const kindOf = async (...files: File[]) => (await understood(files)).kind;
@@ -63,15 +64,15 @@ it("finds the mission of a link in a text", async () => {
 
 const missionIn = (text: string, cell = 2) => {
   const said = queryOfFile(JSON.parse(text) as Record<string, unknown>, cell);
-  return said && { ...decodeLink(said.query, "yard.map", yard.markers, 10, 10), leftOut: said.leftOut };
+  return said && { ...decodeLink(said.query, "yard.map", { start: [1, 2], goal: [3, 4] }, 10, 10), leftOut: said.leftOut };
 };
 
 it("a mission file brings back all of a mission", () => {
   const wall = wallKey([4, 5], 10);
   const missions: Mission[] = [
     yard,
-    { ...yard, groundSpeed: 2.5, radius: 1.5, breachTime: 3, breachTimePerCell: 0.5, objective: "flowtime", time: 7.5 },
-    { ...yard, markers: { ...yard.markers, air_start: [9, 9], air_goal: [0, 0] }, removals: 5, layers: ["before"] },
+    { ...yard, agents: changed(yard.agents, 0, { speed: 2.5, radius: 1.5 }), breachTime: 3, breachTimePerCell: 0.5, objective: "flowtime", time: 7.5 },
+    { ...yard, agents: changed(yard.agents, 1, { start: [9, 9], goal: [0, 0] }), removals: 5, layers: ["before"] },
     { ...yard, method: "paper", removals: 1, walls: [[4, 5, 1]], erased: [[0, 3, 2]] },
     { ...yard, walls: [[4, 5, 1]], marks: new Map([[3, "protect"], [7, "force"], [8, "exclude"], [wall, "force"]]) },
     { ...yard, removals: "auto", price: 4, marks: new Map([[wall, "allow"]]), walls: [[4, 5, 1]] },
@@ -84,19 +85,20 @@ it("a mission file brings back all of a mission", () => {
 it("a mission file brings back every mission", () => {
   const random = new Random(2);
   for (let i = 0; i < 300; ++i) {
+    const drawn = randomMission(random);
     const speed = () => random.oneOf([1, 10, 2.5, 0.3]); // cells keep 15 digits of metres
-    const mission = { ...randomMission(random), groundSpeed: speed(), airSpeed: speed() };
+    const mission = { ...drawn, agents: drawn.agents.map((agent) => ({ ...agent, speed: speed() })) };
     const cell = random.oneOf([1, 2, 2.4, 0.05]);
     const said = queryOfFile(JSON.parse(missionFile(mission, { width, cell, metric: true }, 3)) as Record<string, unknown>, 7);
     expect(said?.leftOut).toEqual([]);
-    const { mission: back, complaints } = decodeLink(said!.query, mission.map, mission.markers, width, height);
+    const { mission: back, complaints } = decodeLink(said!.query, mission.map, markers, width, height);
     expect(complaints).toEqual([]);
     expect(sorted(back)).toEqual(sorted(mission));
   }
 });
 
 it("a mission file is the command line's, in cells", () => {
-  const said = JSON.parse(missionFile({ ...yard, groundSpeed: 3, removals: "auto", marks: new Map([[3, "protect"]]) }, tenWide, 4));
+  const said = JSON.parse(missionFile({ ...yard, agents: changed(yard.agents, 0, { speed: 3 }), removals: "auto", marks: new Map([[3, "protect"]]) }, tenWide, 4));
   expect(said).toMatchObject({
     format: "waybreaker-mission/1",
     time_unit: "s",
@@ -117,10 +119,39 @@ it("a mission file of the command line opens, and what the page cannot ask is sa
   ];
   const document = { format: "waybreaker-mission/1", agents, rules: { removals: 2, budget: 12, force: [6], protect: [5, "amenity=school"] } };
   const found = missionIn(JSON.stringify(document));
-  expect(found?.mission).toMatchObject({ removals: 2, groundSpeed: 4, airSpeed: 2, markers: { air_goal: [5, 5] } });
+  expect(found?.mission).toMatchObject({
+    removals: 2,
+    agents: [{ id: "ground", speed: 4 }, { id: "air", speed: 2, start: null, goal: [5, 5] }],
+  });
   expect(found?.mission.marks).toEqual(new Map([[5, "protect"], [6, "force"]]));
   expect(found?.leftOut).toEqual(["budget", "corners", "protection by tag"]);
-  expect(missionIn(JSON.stringify({ ...document, agents: [agents[0], agents[0], agents[1]] }))).toBeNull();
+  expect(missionIn(JSON.stringify({ ...document, agents: [agents[1]] }))).toBeNull();
+});
+
+it("a mission file of a team opens with all that it says, and is saved so", () => {
+  const agents = [
+    { id: "truck", kind: "ground", start: [1, 2], goal: [3, 4], speed: 1, radius: 1.5 },
+    { id: "rover, 2~", kind: "ground", start: [6, 6], goal: [8, 8], speed: 2, radius: 0.5, ready_at: 20 },
+    { id: "drone", kind: "air", start: [1, 2], goal: [3, 4], speed: 5, breaches: 2 },
+    { id: "heli", kind: "air", start: [9, 9], goal: [3, 4], speed: 10 },
+  ];
+  const rules = { removals: 3, breach_time: 5, objective: "flowtime", separation: 0.5, at_goal: "leave" };
+  const found = missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, rules }))!;
+  expect(found.complaints).toEqual([]);
+  expect(found.leftOut).toEqual([]);
+  expect(found.mission).toMatchObject({
+    agents: [
+      { id: "truck", speed: 2, radius: 1.5, readyAt: 0 },
+      { id: "rover, 2~", start: [6, 6], goal: [8, 8], speed: 4, readyAt: 20 },
+      { id: "drone", start: null, goal: null, speed: 10, breaches: 2 },
+      { id: "heli", start: [9, 9], goal: null, speed: 20, breaches: null },
+    ],
+    separation: 0.5,
+    atGoal: "leave",
+  });
+  const saved = JSON.parse(missionFile(found.mission, tenWide, 3)) as Record<string, unknown>;
+  expect(saved).toMatchObject({ agents, rules, method: { select: "exact" } });
+  expect(Object.keys(saved.page as object)).toEqual(["map", "cell_size"]);
 });
 
 it("a mission file of former versions, a link line by line, still opens", () => {
@@ -134,11 +165,12 @@ it("a plan file says its mission, in metres and seconds", () => {
   plan.agents[0]!.speed = 1.5;
   plan.agents[1]!.goal = [5, 5];
   expect(missionOfPlan(plan, "yard.map")).toMatchObject({
-    markers: { start: [0, 0], goal: [9, 0], air_goal: [5, 5] },
+    agents: [
+      { start: [0, 0], goal: [9, 0], speed: 3 },
+      { start: null, goal: [5, 5], speed: 2 },
+    ],
     removals: 4,
     objective: "flowtime",
-    groundSpeed: 3,
-    airSpeed: 2,
     breachTime: 7,
     marks: new Map([
       [3, "protect"],
@@ -147,4 +179,24 @@ it("a plan file says its mission, in metres and seconds", () => {
   });
   expect(mapsOfPlan(plan)).toEqual(["yard.map", "upload-0123456789abcdef", "upload-0123456789abcdef-8"]);
   expect(missionOfPlan(planOf({ after: null }), "m")).toBeNull();
+});
+
+it("a plan file of a team says its mission, in metres and seconds", () => {
+  const plan = planOf({ after: 9, options: { removals: 2, radius: 0.5 } });
+  plan.map = { source: "yard.map", width: 10, height: 10, cell_size: 2, digest: "sha256:0" };
+  const [ground, air] = plan.agents;
+  plan.agents = [{ ...ground!, id: "1" }, { ...ground!, id: "2", start: [0, 5], speed: 3 }, { ...air!, id: "air1" }];
+  plan.mission = {
+    agents: [{ radius: 1.5 }, { radius: 0, ready_at: 4 }, { breaches: 2 }],
+    rules: { separation: 0.25, at_goal: "leave" },
+  };
+  expect(missionOfPlan(plan, "yard.map")).toMatchObject({
+    agents: [
+      { id: "1", radius: 1.5, speed: 2, readyAt: 0 },
+      { id: "2", radius: 0, speed: 6, readyAt: 4, start: [0, 5] },
+      { id: "air1", start: null, goal: null, breaches: 2 },
+    ],
+    separation: 0.25,
+    atGoal: "leave",
+  });
 });

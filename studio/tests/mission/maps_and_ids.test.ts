@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { pair } from "../../src/domain/agents";
 import type { CellMap } from "../../src/domain/cell_map";
 import type { MapDescription } from "../../src/domain/map";
 import { freshMission, type Mission, wallCell, wallKey, withMark } from "../../src/domain/mission";
@@ -76,10 +77,7 @@ describe("edits", () => {
 describe("default mission", () => {
   it("is the map's own where it has one", () => {
     const map = mapOf("...", "...");
-    expect(defaultMission(described({ start: [0, 1], goal: [2, 0] }), map).markers).toEqual({
-      start: [0, 1],
-      goal: [2, 0],
-    });
+    expect(defaultMission(described({ start: [0, 1], goal: [2, 0] }), map).agents).toEqual(pair([0, 1], [2, 0]));
   });
 
   it("stands at opposite corners of the largest open region", () => {

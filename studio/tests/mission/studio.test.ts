@@ -158,14 +158,60 @@ it("says when the service does not edit, and keeps what it shows", async () => {
 
 it("takes a drag back as one step", async () => {
   await studio.start("");
-  const before = studio.mission.value!.markers;
-  for (const x of [1, 2, 3]) studio.drag("start", [x, 0], x === 3);
+  const before = studio.mission.value!.agents[0]!;
+  for (const x of [1, 2, 3]) studio.drag({ agent: 0, end: "start" }, [x, 0], x === 3);
   await settle();
-  expect(last().request.mission.start).toEqual([3, 0]);
+  expect(last().request.mission).toMatchObject({ start: [3, 0] });
   studio.undo();
   await settle();
-  expect(last().request.mission.start).toEqual(before.start);
+  expect(last().request.mission).toMatchObject({ start: before.start });
   expect(studio.canUndo.value).toBe(false);
+});
+
+it("plans for a team as soon as somebody joins, and for one and one again when they leave", async () => {
+  await studio.start("");
+  const pair = studio.mission.value!.agents;
+  studio.addVehicle();
+  await settle();
+  const { mission, options } = last().request;
+  expect(mission).toMatchObject({
+    format: "waybreaker-mission/1",
+    agents: [{ id: "1" }, { id: "2", radius: 0.5 }, { id: "air1", kind: "air" }],
+  });
+  expect(options).toMatchObject({ select: "exact" });
+  expect(options).not.toHaveProperty("radius");
+  const [one, two] = studio.mission.value!.agents;
+  expect(two!.start).not.toEqual(one!.start);
+  expect(two!.goal).not.toEqual(one!.goal);
+  expect(studio.chosenAgent.value).toBe(1);
+  studio.removeAgent(1);
+  await settle();
+  expect(studio.mission.value!.agents).toEqual(pair);
+  expect(last().request.mission).toMatchObject({ start: pair[0]!.start });
+  studio.undo();
+  expect(studio.mission.value!.agents).toHaveLength(3);
+});
+
+it("keeps the names of a team apart, and its last vehicle", async () => {
+  await studio.start("");
+  studio.addAircraft();
+  studio.renameAgent(0, "air2");
+  expect(studio.notice.value?.text).toContain("air2");
+  studio.renameAgent(0, " truck ");
+  expect(studio.mission.value!.agents.map(({ id }) => id)).toEqual(["truck", "air1", "air2"]);
+  studio.removeAgent(0);
+  expect(studio.mission.value!.agents).toHaveLength(3);
+});
+
+it("says nothing of the paper's way to plan for teams", async () => {
+  await studio.start("?method=paper");
+  studio.addVehicle();
+  client.planned.length = 0;
+  await settle(5000);
+  for (const { request } of client.planned) {
+    expect(request.options?.paper).toBeUndefined();
+    expect(request.options?.explain).toBeUndefined();
+  }
 });
 
 it("goes back to the map before, too", async () => {

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { type CheckReport, type Progress, ServiceError } from "../../src/api/client";
-import type { PlanRequest } from "../../src/api/documents";
+import type { PairMission, PlanRequest } from "../../src/api/documents";
 import { freshMission } from "../../src/domain/mission";
 import type { Plan } from "../../src/domain/plan";
 import type { PlanService } from "../../src/planning/plan_fetcher";
@@ -54,7 +54,8 @@ const question = (x: number, more: Partial<Question> = {}): Question => ({
   withBefore: false,
   ...more,
 });
-const startOf = (asked: Asked) => asked.request?.mission.start[0];
+const startIn = (request: { mission: PlanRequest["mission"] } | null) => (request?.mission as PairMission | undefined)?.start;
+const startOf = (asked: Asked) => startIn(asked.request)?.[0];
 const settle = () => vi.advanceTimersByTimeAsync(0);
 const pace = { calm: 100, patience: 500, fluent: 80 };
 
@@ -78,7 +79,7 @@ it("asks one at a time, and then the latest", async () => {
   service.last().answer(plan);
   await settle();
   expect(planner.results.plans.value.after?.plan).toBe(plan);
-  expect(planner.results.answered.value?.mission.start).toEqual([4, 0]);
+  expect(startIn(planner.results.answered.value)).toEqual([4, 0]);
 });
 
 it("drops a plan that takes long once there is a newer question", async () => {
@@ -333,7 +334,7 @@ describe("where plans take long", () => {
       service.last().answer(planOf({ removed: [4], after: 95 }));
       await settle();
       expect(planner.results.plans.value.after).toMatchObject({ verdict: null, draft: true });
-      expect(planner.results.answered.value?.mission.start).toEqual([x, 0]);
+      expect(startIn(planner.results.answered.value)).toEqual([x, 0]);
     }
     const drafts = service.asked.length;
     await vi.advanceTimersByTimeAsync(pace.calm - 10);

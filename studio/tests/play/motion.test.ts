@@ -110,6 +110,14 @@ describe("a plan", () => {
     ]);
   });
 
+  it("of a team has a number in the lane of the aircraft that breaches, and nobody's entry", () => {
+    const [one, two] = plan.agents;
+    const agents = [{ ...two!, id: "air1" }, { ...two!, id: "air2" }, { ...one!, id: "1" }];
+    const removed = plan.removed.map((each, i) => ({ ...each, by: i === 0 ? "air1" : "air2" }));
+    const moments = lanes({ ...plan, agents, removed }).map(({ id, moments }) => [id, moments.map(({ obstacle }) => obstacle)]);
+    expect(moments).toEqual([["1", []], ["air1", [plan.removed[0]!.obstacle]], ["air2", [plan.removed[1]!.obstacle]]]);
+  });
+
   it("says what goes on", () => {
     expect(activityAt(plan, 0.5)).toBe("ground moves, air moves, 0 of 2 removed");
     expect(activityAt(plan, 8)).toBe("ground waits, air waits, 1 of 2 removed");

@@ -1,43 +1,47 @@
 // Draws the markers.
+import { type Agents, cellOf, type Handle, isPair, isSameHandle } from "../../domain/agents";
 import type { Point } from "../../domain/geometry";
-import { cellOf, type Handle, isAir, type Markers } from "../../domain/mission";
+import type { Scene } from "../../domain/scene";
 import { type Frame, place } from "../viewport/frame";
 import { glyphs } from "./glyphs";
 import { type Spot, spots } from "./marker_spots";
+import { drawTeamMarkers } from "./team_markers";
 import { drawText } from "./text";
 
 const radius = 13;
 const smallRadius = 9; // of one that sits with another
 
-const tags: Record<Handle, string> = {
-  start: "Start",
-  goal: "Goal",
-  air_start: "Air start",
-  air_goal: "Air goal",
-};
+const tags = { ground: { start: "Start", goal: "Goal" }, air: { start: "Air start", goal: "Air goal" } };
 
-export function drawMarkers(frame: Frame, markers: Markers, active: Handle | null, editable: boolean): void {
-  const all = spots(markers, (point) => place(frame, point));
+export function drawMarkers(frame: Frame, scene: Scene, active: Handle | null): void {
+  const all = spots(scene.agents, (point) => place(frame, point));
+  if (isPair(scene.agents)) drawPair(frame, scene, all, active);
+  else drawTeamMarkers(frame, scene, all, active);
+}
+
+function drawPair(frame: Frame, { agents, editable }: Scene, all: readonly Spot[], active: Handle | null): void {
   // Goals below starts, attached handles below what they are attached to.
-  const order = [...all].sort((a, b) => Number(b.attached) - Number(a.attached) || Number(a.handle < b.handle));
+  const isStart = ({ handle }: Spot) => Number(handle.end === "start");
+  const order = [...all].sort((a, b) => Number(b.attached) - Number(a.attached) || isStart(a) - isStart(b));
   for (const spot of order) {
     if (spot.attached && !editable) continue;
-    drawMarker(frame, spot, spot.handle === active);
+    drawMarker(frame, spot, isSameHandle(spot.handle, active));
   }
   for (const spot of all) {
-    if (!spot.attached) drawTag(frame, tags[spot.handle], spot.at, isAbove(markers, spot.handle));
+    const tag = tags[spot.agent.kind][spot.handle.end];
+    if (!spot.attached) drawTag(frame, tag, spot.at, isAbove(agents, spot.handle));
   }
 }
 
 // Names stand on the side that the way does not leave or come from.
-function isAbove(markers: Markers, handle: Handle): boolean {
-  const other: Record<Handle, Handle> = { start: "goal", goal: "start", air_start: "air_goal", air_goal: "air_start" };
-  return cellOf(markers, handle)[1] < cellOf(markers, other[handle])[1];
+function isAbove(agents: Agents, { agent, end }: Handle): boolean {
+  const other = end === "start" ? "goal" : "start";
+  return cellOf(agents, { agent, end })[1] < cellOf(agents, { agent, end: other })[1];
 }
 
-function drawMarker(frame: Frame, { handle, at, attached }: Spot, active: boolean): void {
+function drawMarker(frame: Frame, { handle, agent, at, attached }: Spot, active: boolean): void {
   const { context, theme } = frame;
-  const air = isAir(handle);
+  const air = agent.kind === "air";
   const size = attached ? smallRadius : radius;
   context.save();
   context.translate(at[0], at[1]);
@@ -57,7 +61,7 @@ function drawMarker(frame: Frame, { handle, at, attached }: Spot, active: boolea
     context.stroke();
   }
   context.fillStyle = air ? theme.onAir : theme.onGround;
-  const goal = handle === "goal" || handle === "air_goal";
+  const goal = handle.end === "goal";
   const grow = (attached ? 0.62 : 0.92) * (goal && !(air && attached) ? 1 : 0.88);
   context.scale(grow, grow);
   if (air && attached) context.rotate(-Math.PI / 4);

@@ -1,13 +1,15 @@
 // Paths of a layer. They differ by width and dashes, not by colour alone.
+import type { Look } from "../../domain/agents";
 import { type Box, grown, type Point } from "../../domain/geometry";
 import type { LayerName } from "../../domain/mission";
-import type { Agent } from "../../domain/plan";
+import type { Agent, Plan } from "../../domain/plan";
 import type { Scene } from "../../domain/scene";
-import { splitAt } from "../../play/motion";
+import { arrival, duration, splitAt } from "../../play/motion";
 import { visibleBox } from "../viewport/camera";
 import { type Frame, inMapPoints } from "../viewport/frame";
-import type { Theme } from "../viewport/theme";
+import { colourOf, type Theme } from "../viewport/theme";
 import { clipped, lengthOf } from "./clip_line";
+import { StillPicture } from "./still_picture";
 
 interface LineStyle {
   colour: (theme: Theme) => string;
@@ -31,19 +33,48 @@ const styles: Record<LayerName, Record<Agent["kind"], LineStyle>> = {
   },
 };
 
+// Of a team: colours tell its agents apart, and once they have all been used, dashes. Aircraft are dashed anyhow.
+function teamStyle(layer: LayerName, look: Look): LineStyle {
+  const colour = (theme: Theme) => colourOf(look, theme);
+  const halo = (theme: Theme) => theme.halo;
+  const edge = (theme: Theme) => theme.airEdge;
+  if (layer === "before") {
+    return look.kind === "air"
+      ? { colour, edge, width: 1.4, dash: [0.1, 5] }
+      : { colour, edge: null, width: 1.6, dash: [6, 5] };
+  }
+  if (look.kind === "air") return { colour, edge, width: 2.6, dash: [10, 7] };
+  return { colour, edge: halo, width: 4.5, dash: [[], [14, 6], [2, 7]][look.round % 3]! };
+}
+
 export const faint = 0.35; // of what is out of date
 
-export function drawPaths(frame: Frame, scene: Scene): void {
+const crowd = 30; // agents from which on playback shows only the last part of the ways travelled
+const tail = 0.04; // of the mission
+
+export class PathLayer {
+  readonly #picture = new StillPicture();
+
+  draw(frame: Frame, scene: Scene): void {
+    const top = scene.layers.at(-1);
+    if (!top || scene.time === null || top.plan.agents.length <= crowd) return drawLayers(frame, scene);
+    // Hundreds of ways would take longer than a frame: they are painted once, and copied.
+    const plans = scene.layers.map((layer) => layer.plan);
+    this.#picture.draw(frame, plans, (still) => drawLayers(still, { ...scene, time: null, old: false }));
+    drawTails(frame, scene, top.plan, scene.time);
+  }
+}
+
+function drawLayers(frame: Frame, scene: Scene): void {
   inMapPoints(frame, (pixel) => {
-    frame.context.lineJoin = "round";
-    frame.context.lineCap = "round";
-    const seen = grown(visibleBox(frame.camera, frame.view), 20 * pixel);
+    const seen = begin(frame, pixel);
     scene.layers.forEach((layer, i) => {
       const time = i === scene.layers.length - 1 ? scene.time : null;
       // Ground below: where both run together, one sees both.
       for (const kind of ["ground", "air"] as const) {
-        const stroke = stroker(frame, styles[layer.name][kind], seen, pixel);
         for (const agent of layer.plan.agents.filter((one) => one.kind === kind)) {
+          const look = scene.looks.get(agent.id);
+          const stroke = stroker(frame, look ? teamStyle(layer.name, look) : styles[layer.name][kind], seen, pixel);
           const { travelled, ahead } = splitAt(agent, time ?? Infinity);
           const strength = scene.old ? faint : 1;
           if (time !== null) stroke(ahead, lengthOf(travelled), 0.3 * strength);
@@ -52,6 +83,27 @@ export function drawPaths(frame: Frame, scene: Scene): void {
       }
     });
   });
+}
+
+function drawTails(frame: Frame, { looks, old }: Scene, plan: Plan, time: number): void {
+  const since = time - tail * duration(plan);
+  inMapPoints(frame, (pixel) => {
+    const seen = begin(frame, pixel);
+    for (const agent of plan.agents) {
+      const look = looks.get(agent.id);
+      if (!look || since >= arrival(agent)) continue;
+      const before = splitAt(agent, since);
+      const line = [before.ahead[0]!, ...splitAt(agent, time).travelled.slice(before.travelled.length - 1)];
+      stroker(frame, { ...teamStyle("after", look), dash: [] }, seen, pixel)(line, 0, old ? faint : 1);
+    }
+  });
+}
+
+// What of the map is to be seen, and a little more.
+function begin({ context, camera, view }: Frame, pixel: number): Box {
+  context.lineJoin = "round";
+  context.lineCap = "round";
+  return grown(visibleBox(camera, view), 20 * pixel);
 }
 
 type Stroke = (line: Point[], offset: number, alpha: number) => void;

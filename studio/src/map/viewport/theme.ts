@@ -1,5 +1,7 @@
 // Colours of the map, light and dark: Okabe and Ito's (2008), safe for colour-blind readers, over a quiet
-// ground. The light ones are those of `waybreaker plan --svg`.
+// ground. The light ones are those of `waybreaker plan --svg`. The ten of a team's vehicles were searched for: as far from
+// each other as can be, for all kinds of colour vision (tests/map/viewport/theme.test.ts).
+import type { Look } from "../../domain/agents";
 
 export interface Theme {
   outside: string; // beyond the map
@@ -30,6 +32,9 @@ export interface Theme {
   paperTint: string; // under its hatching
   onGround: string; // glyphs on a disc of colour `ground`
   onAir: string;
+  vehicles: readonly string[]; // of a team; they carry figures in `onVehicle`
+  onVehicle: string;
+  fleet: readonly string[]; // its aircraft: warm colours, with a dark edge; figures in `onAir`
   protect: string;
   exclude: string;
   select: string;
@@ -68,6 +73,9 @@ export const light: Theme = {
   paperTint: "#f6e2ee",
   onGround: "#ffffff",
   onAir: "#3b2500",
+  vehicles: ["#0072b2", "#d41972", "#065605", "#6c2787", "#816339", "#8150ea", "#34080a", "#2c39ca", "#690a36", "#110d72"],
+  onVehicle: "#ffffff",
+  fleet: ["#e69f00", "#f7d454", "#c9843f", "#f2a38f"],
   protect: "#00785a",
   exclude: "#5b5750",
   select: "#26231f",
@@ -106,6 +114,9 @@ export const dark: Theme = {
   paperTint: "#45273a",
   onGround: "#04202f",
   onAir: "#2b1b00",
+  vehicles: ["#56b4e9", "#db7aa6", "#3ed670", "#cec6f8", "#fad8ab", "#968dfd", "#85a25e", "#92fcf2", "#f1fb47", "#8fcdb9"],
+  onVehicle: "#15181b",
+  fleet: ["#f0b429", "#fff1a8", "#c98a4b", "#ffb3a0"],
   protect: "#3ddcb0",
   exclude: "#b9bec6",
   select: "#ffffff",
@@ -114,3 +125,9 @@ export const dark: Theme = {
   halo: "#15181b",
   card: "#1c1f23ee",
 };
+
+// Of an agent of a team.
+export function colourOf({ kind, colour }: Look, { vehicles, fleet }: Theme): string {
+  const colours = kind === "ground" ? vehicles : fleet;
+  return colours[colour % colours.length]!;
+}

@@ -1,0 +1,106 @@
+// Teams in the studio: opened from a file, steered, played, added to, and shown by a page that needs no server.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import type { Browser } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { command, data } from "./command";
+import { Server } from "./server";
+import { launch, phone, StudioPage, wide } from "./studio_page";
+
+const city = join(data, "berlin-adlershof.tif");
+const size = { width: 501, height: 501 };
+const scratch = mkdtempSync(join(tmpdir(), "team-"));
+const mission = {
+  format: "waybreaker-mission/1",
+  agents: [
+    { id: "truck", kind: "ground", start: [130, 104], goal: [466, 105] },
+    { id: "rover", kind: "ground", start: [319, 410], goal: [72, 474], speed: 2, ready_at: 20 },
+    { id: "drone", kind: "air", start: [130, 104], goal: [130, 104], speed: 5 },
+  ],
+  rules: { removals: 2, breach_time: 5 },
+};
+
+let server: Server;
+let browser: Browser;
+
+beforeAll(async () => {
+  [server, browser] = await Promise.all([Server.start(), launch()]);
+});
+afterAll(async () => {
+  await browser.close();
+  expect(await server.stop()).toBe(0);
+  rmSync(scratch, { recursive: true });
+});
+
+function written(name: string, document: unknown): string {
+  const file = join(scratch, name);
+  writeFileSync(file, JSON.stringify(document));
+  return file;
+}
+
+it("opens the mission of a team, follows a marker, plays it, and takes another aircraft", async () => {
+  const studio = await StudioPage.visit(browser, `${server.url}/`);
+  await studio.settled();
+  await studio.page.getByLabel("File to open").setInputFiles(written("mission.json", mission));
+  const table = studio.page.getByRole("table", { name: /^When each agent arrives/ });
+  await table.getByRole("button", { name: "rover", exact: true }).waitFor();
+  await studio.settled();
+  const opened = await studio.plan();
+  expect(opened.agents.map(({ id }) => id)).toEqual(["truck", "rover", "drone"]);
+  expect(execFileSync(command, ["check", city, written("plan.json", opened)], { encoding: "utf8" })).toContain("valid");
+  await expect.poll(() => studio.page.url()).toContain("vehicles=");
+
+  const from = await studio.cellOf("Start of rover");
+  const grip = await studio.place(from, size);
+  await studio.page.mouse.move(grip.x, grip.y);
+  await studio.page.mouse.down();
+  for (let step = 1; step <= 8; ++step) await studio.page.mouse.move(grip.x + 6 * step, grip.y - 3 * step);
+  await studio.page.mouse.up();
+  const to = await studio.cellOf("Start of rover");
+  expect(to).not.toEqual(from);
+  await expect.poll(async () => (await studio.plan()).agents[1]!.start, { timeout: 15_000 }).toEqual(to);
+
+  await studio.page.getByRole("button", { name: "Play", exact: true }).click();
+  const time = studio.page.getByRole("slider", { name: "Time of the mission" });
+  await expect.poll(async () => Number(await time.inputValue())).toBeGreaterThan(5);
+  expect(await time.getAttribute("aria-valuetext")).toMatch(/truck moves/);
+  await studio.page.getByRole("button", { name: "Pause" }).click();
+
+  await studio.page.getByRole("button", { name: "Add aircraft" }).click();
+  await table.getByRole("button", { name: "air1", exact: true }).waitFor();
+  await expect.poll(async () => (await studio.plan()).agents.length, { timeout: 15_000 }).toBe(4);
+  await studio.settled();
+  expect(await studio.accessibilityFaults()).toEqual([]);
+  await studio.page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => table.getByRole("button", { name: "air1", exact: true }).count()).toBe(0);
+  const link = studio.page.url();
+  expect(studio.faults).toEqual([]);
+  await studio.close();
+
+  const again = await StudioPage.visit(browser, link);
+  await again.page.getByRole("button", { name: /^Start of drone, column/ }).waitFor({ state: "attached" });
+  expect(await again.cellOf("Start of rover")).toEqual(to);
+  await again.close();
+});
+
+for (const [viewport, colorScheme] of [[wide, "light"], [phone, "dark"]] as const) {
+  it(`is shown by a page that plays it, at ${viewport.width} px, ${colorScheme}`, async () => {
+    const html = join(scratch, "team.html");
+    execFileSync(command, ["plan", city, "--mission", written("mission.json", mission), "--html", html], { stdio: "ignore" });
+    const viewer = await StudioPage.visit(browser, pathToFileURL(html).href, { viewport, colorScheme });
+    await viewer.result().getByText("Checked independently").waitFor();
+    await viewer.result().getByText(/arrives last/).first().waitFor();
+    await viewer.page.getByRole("table", { name: /^When each agent arrives/ }).getByText("truck").waitFor();
+    await viewer.page.getByRole("button", { name: "Play", exact: true }).click();
+    const time = viewer.page.getByRole("slider", { name: "Time of the mission" });
+    await expect.poll(async () => Number(await time.inputValue())).toBeGreaterThan(5);
+    expect(await viewer.accessibilityFaults()).toEqual([]);
+    const wider = await viewer.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    expect(wider).toBeLessThanOrEqual(0);
+    expect(viewer.faults).toEqual([]);
+    await viewer.close();
+  });
+}

@@ -1,0 +1,48 @@
+// Agents as mission files, plan files and requests have them (docs/contract.md).
+import { type Agents, isPair, type MissionAgent, placeOf, usualAircraft, usualVehicle } from "./agents";
+import type { Cell } from "./geometry";
+
+export interface AgentDocument {
+  id: string;
+  kind: MissionAgent["kind"];
+  start: Cell;
+  goal: Cell;
+  speed?: number; // cells per unit of time
+  radius?: number;
+  corners?: string;
+  ready_at?: number;
+  breaches?: number;
+}
+
+// `cell`: how large one is, in the unit of the agents' speeds.
+export function agentDocuments(agents: Agents, cell: number): AgentDocument[] {
+  const isTeam = !isPair(agents);
+  return agents.map((agent) => {
+    const { id, kind } = agent;
+    const [start, goal] = [placeOf(agents, agent, "start"), placeOf(agents, agent, "goal")];
+    const common = { id, kind, start, goal, speed: agent.speed / cell };
+    if (agent.kind === "air") return { ...common, ...(isTeam && agent.breaches !== null && { breaches: agent.breaches }) };
+    return { ...common, radius: agent.radius, ...(isTeam && agent.readyAt > 0 && { ready_at: agent.readyAt }) };
+  });
+}
+
+// An aircraft that starts or ends where the first vehicle does stays with it.
+export function agentsOf(documents: readonly AgentDocument[], cell: number): Agents {
+  const first = documents.find((agent) => agent.kind === "ground");
+  const isApart = (place: Cell, other: Cell | undefined) => place.join() !== other?.join();
+  return documents.map((agent): MissionAgent => {
+    const { id, kind, start, goal } = agent;
+    const speed = speedOf(agent, cell);
+    if (kind === "ground") {
+      const { radius = usualVehicle.radius, ready_at: readyAt = usualVehicle.readyAt } = agent;
+      return { kind, id, start, goal, speed, radius, readyAt };
+    }
+    const places = { start: isApart(start, first?.start) ? start : null, goal: isApart(goal, first?.goal) ? goal : null };
+    return { kind, id, ...places, speed, breaches: agent.breaches ?? usualAircraft.breaches };
+  });
+}
+
+// As it was said: dividing by the size of a cell and multiplying again leaves something in the last digits.
+export function speedOf({ speed = 1 }: AgentDocument, cell: number): number {
+  return Number((speed * cell).toPrecision(15));
+}

@@ -1,0 +1,136 @@
+// Who a mission is about: any number of vehicles, and aircraft that open the way for them.
+import type { Cell } from "./geometry";
+
+export type End = "start" | "goal";
+
+// Speeds are metres a second, times seconds: cells and steps where the map has no scale.
+export interface Vehicle {
+  kind: "ground";
+  id: string;
+  start: Cell;
+  goal: Cell;
+  speed: number;
+  radius: number; // cells
+  readyAt: number; // it stands at its start until then; of a team only
+}
+
+// A place that is null is that of the first vehicle.
+export interface Aircraft {
+  kind: "air";
+  id: string;
+  start: Cell | null;
+  goal: Cell | null;
+  speed: number;
+  breaches: number | null; // how many obstacles it may breach; null: any number; of a team only
+}
+
+export type MissionAgent = Vehicle | Aircraft;
+export type Agents = readonly MissionAgent[]; // at least one is a vehicle
+
+export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0 };
+export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null };
+
+// One robot and one aircraft, which starts and ends with it.
+export function pair(start: Cell, goal: Cell): Agents {
+  return [
+    { kind: "ground", id: "ground", start, goal, ...usualVehicle },
+    { kind: "air", id: "air", ...usualAircraft },
+  ];
+}
+
+// Whether these are one vehicle and one aircraft, for which there are methods that teams do not have.
+export function isPair(agents: readonly { kind: MissionAgent["kind"] }[]): boolean {
+  return agents.length === 2 && agents[0]!.kind !== agents[1]!.kind;
+}
+
+export function vehiclesOf(agents: Agents): Vehicle[] {
+  return agents.filter((agent) => agent.kind === "ground");
+}
+
+export function aircraftOf(agents: Agents): Aircraft[] {
+  return agents.filter((agent) => agent.kind === "air");
+}
+
+// What is said of the only vehicle or aircraft of a pair.
+export function ofPair(agents: Agents): { ground: Vehicle; air: Aircraft } | null {
+  return isPair(agents) ? { ground: vehiclesOf(agents)[0]!, air: aircraftOf(agents)[0]! } : null;
+}
+
+// A marker to drag: one end of the way of the agent at a place of the list.
+export interface Handle {
+  agent: number;
+  end: End;
+}
+
+export function handlesOf(agents: Agents): Handle[] {
+  return agents.flatMap((_, agent): Handle[] => [
+    { agent, end: "start" },
+    { agent, end: "goal" },
+  ]);
+}
+
+export function isSameHandle(a: Handle | null, b: Handle | null): boolean {
+  return a?.agent === b?.agent && a?.end === b?.end;
+}
+
+export function placeOf(agents: Agents, agent: MissionAgent, end: End): Cell {
+  return agent[end] ?? vehiclesOf(agents)[0]![end];
+}
+
+export function cellOf(agents: Agents, { agent, end }: Handle): Cell {
+  return placeOf(agents, agents[agent]!, end);
+}
+
+export function changed(agents: Agents, index: number, part: Partial<Vehicle> | Partial<Aircraft>): Agents {
+  return agents.map((agent, i) => (i === index ? ({ ...agent, ...part } as MissionAgent) : agent));
+}
+
+// Names that nobody has to think of: vehicles are numbered, aircraft called air1, air2, ...
+export function usualId(kind: MissionAgent["kind"], index: number): string {
+  return kind === "ground" ? String(index + 1) : `air${index + 1}`;
+}
+
+export function freshId(agents: Agents, kind: MissionAgent["kind"]): string {
+  const taken = new Set(agents.map((agent) => agent.id));
+  for (let i = 0; ; ++i) if (!taken.has(usualId(kind, i))) return usualId(kind, i);
+}
+
+// With one agent more, vehicles first: those of a pair get the names that they have in a team.
+export function joined(agents: Agents, one: MissionAgent): Agents {
+  const named = isPair(agents) ? agents.map((agent) => ({ ...agent, id: usualId(agent.kind, 0) })) : agents;
+  const all = [...named, { ...one, id: isPair(agents) ? freshId(named, one.kind) : one.id }];
+  return [...vehiclesOf(all), ...aircraftOf(all)];
+}
+
+// Without one: a pair that is left has no names, and nothing that only a team has.
+export function left(agents: Agents, index: number): Agents {
+  const rest = agents.filter((_, i) => i !== index);
+  const two = ofPair(rest);
+  if (!two) return rest;
+  return [
+    { ...two.ground, id: "ground", readyAt: 0 },
+    { ...two.air, id: "air", breaches: null },
+  ];
+}
+
+// How many colours tell agents of one kind from each other; further ones use them again.
+export const colourCount = { ground: 10, air: 4 };
+
+export interface Look {
+  kind: MissionAgent["kind"];
+  colour: number; // 0 to colourCount - 1
+  round: number; // how often all colours have been used by those before
+}
+
+// By id. Nobody of a pair needs a colour of its own.
+export function looksOf(agents: readonly { id: string; kind: MissionAgent["kind"] }[]): ReadonlyMap<string, Look> {
+  const count = { ground: 0, air: 0 };
+  const looks = new Map<string, Look>();
+  if (isPair(agents)) return looks;
+  for (const { id, kind } of agents) {
+    const index = count[kind]++;
+    const colours = colourCount[kind];
+    looks.set(id, { kind, colour: index % colours, round: Math.floor(index / colours) });
+  }
+  return looks;
+}

@@ -1,0 +1,166 @@
+// Agents where they are at a time of the plan.
+import type { Look } from "../../domain/agents";
+import type { Point } from "../../domain/geometry";
+import type { Agent, Plan } from "../../domain/plan";
+import type { Layer, Scene } from "../../domain/scene";
+import { type Position, positionAt } from "../../play/motion";
+import { type Frame, place, typeface } from "../viewport/frame";
+import { colourOf } from "../viewport/theme";
+import { glyphs } from "./glyphs";
+import { disc } from "./marker_layer";
+import { mostNamed, shortened } from "./team_markers";
+import { drawText } from "./text";
+
+interface Ring {
+  radius: number;
+  width: number;
+  colour: string;
+  faded: number; // 0 to 1: gone
+}
+
+export function drawFadingRing({ context }: Frame, [x, y]: Point, ring: Ring): void {
+  context.globalAlpha = 1 - ring.faded;
+  context.strokeStyle = ring.colour;
+  context.lineWidth = ring.width;
+  context.beginPath();
+  context.arc(x, y, ring.radius, 0, 2 * Math.PI);
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
+const leastRadius = 6; // pixels, at which a vehicle can be seen
+
+// Vehicles are discs of their own size, unless they would be too small to see. Aircraft fly above them.
+export function drawTeam(frame: Frame, scene: Scene, plan: Plan, time: number): void {
+  const isNamed = plan.agents.length <= mostNamed;
+  for (const kind of ["ground", "air"] as const) {
+    for (const agent of plan.agents) {
+      const now = agent.kind === kind ? positionAt(agent, time) : null;
+      const look = scene.looks.get(agent.id);
+      if (!now || !look) continue;
+      const at = place(frame, [now.x, now.y]);
+      const name = isNamed ? shortened(agent.id) : null;
+      if (kind === "ground") drawVehicle(frame, at, now, look, radiusOf(scene, agent.id), name);
+      else drawAircraft(frame, at, now, look, name);
+    }
+  }
+}
+
+function radiusOf({ agents }: Scene, id: string): number {
+  const agent = agents.find((one) => one.id === id);
+  return agent?.kind === "ground" ? agent.radius : 0;
+}
+
+function drawVehicle(frame: Frame, at: Point, now: Position, look: Look, cells: number, name: string | null): void {
+  const { context, theme, camera } = frame;
+  const [x, y] = at;
+  const radius = Math.max(cells * camera.scale, name === null ? leastRadius : leastRadius + 3);
+  const colour = colourOf(look, theme);
+  if (now.state === "waiting") drawFadingRing(frame, at, { ...pulse(frame, radius), colour });
+  context.fillStyle = theme.halo;
+  context.beginPath();
+  context.arc(x, y, radius + 2, 0, 2 * Math.PI);
+  context.fill();
+  context.fillStyle = colour;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
+  if (name === null) return;
+  const fits = name.length <= 2 || name.length * 7 < 2 * radius;
+  if (!fits) return drawText(frame, name, [x, y - radius - 9], { font: "600 11px", align: "center", colour: theme.ink });
+  context.fillStyle = theme.onVehicle;
+  context.font = `700 11px ${typeface}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillText(name, x, y + 0.5);
+}
+
+function drawAircraft(frame: Frame, at: Point, now: Position, look: Look, name: string | null): void {
+  const colour = colourOf(look, frame.theme);
+  if (now.state === "waiting") drawFadingRing(frame, at, { ...pulse(frame, 16), colour: frame.theme.removed });
+  drawPlane(frame, at, now.heading, colour);
+  if (name === null) return;
+  drawText(frame, name, [at[0], at[1] + 12], { font: "600 11px", align: "center", colour: frame.theme.ink });
+}
+
+// A ring that grows and fades, again and again.
+function pulse(frame: Frame, radius: number): Omit<Ring, "colour"> {
+  const phase = frame.still ? 0.4 : (frame.now % 1100) / 1100;
+  return { radius: radius + 14 * phase, width: 3, faded: phase };
+}
+
+export function drawPair(frame: Frame, plan: Plan, time: number): void {
+  for (const kind of ["ground", "air"] as const) {
+    for (const agent of plan.agents.filter((one) => one.kind === kind)) {
+      const now = positionAt(agent, time);
+      if (!now) continue;
+      const at = place(frame, [now.x, now.y]);
+      if (now.state === "waiting") drawPulse(frame, at, kind);
+      if (kind === "ground") drawRover(frame, at, now.heading);
+      else drawPlane(frame, at, now.heading);
+    }
+  }
+}
+
+// Where the ground agent would be by now in another layer's plan.
+export function drawGhost(frame: Frame, layer: Layer, ground: Agent, time: number): void {
+  const { context, theme } = frame;
+  const now = positionAt(ground, time);
+  if (!now) return;
+  const [x, y] = place(frame, [now.x, now.y]);
+  context.save();
+  context.translate(x, y);
+  context.fillStyle = theme.card;
+  context.strokeStyle = layer.name === "paper" ? theme.paperGround : theme.ground;
+  context.lineWidth = 2;
+  context.setLineDash([3, 2.5]);
+  disc(context, 9);
+  context.stroke();
+  context.setLineDash([]);
+  drawText(frame, layer.name, [-14, 0], { font: "600 11.5px", align: "right", colour: context.strokeStyle });
+  context.restore();
+}
+
+function drawPulse(frame: Frame, at: Point, kind: Agent["kind"]): void {
+  drawFadingRing(frame, at, { ...pulse(frame, 16), colour: kind === "ground" ? frame.theme.ground : frame.theme.removed });
+}
+
+function drawRover(frame: Frame, [x, y]: Point, heading: number): void {
+  const { context, theme } = frame;
+  context.save();
+  context.translate(x, y);
+  context.fillStyle = theme.halo;
+  disc(context, 15.5);
+  context.fillStyle = theme.ground;
+  disc(context, 13.5);
+  context.rotate(heading);
+  context.fillStyle = theme.onGround;
+  context.fill(glyphs.rover);
+  context.restore();
+}
+
+// It flies: drawn a little above the place where its shadow is.
+function drawPlane(frame: Frame, [x, y]: Point, heading: number, colour = frame.theme.air): void {
+  const { context, theme } = frame;
+  const silhouette = (lift: number, grow: number): void => {
+    context.save();
+    context.translate(x, y - lift);
+    context.rotate(heading);
+    context.scale(grow, grow);
+  };
+  silhouette(0, 1.25);
+  context.fillStyle = "#0005";
+  context.fill(glyphs.plane);
+  context.restore();
+  silhouette(12, 1.7);
+  context.lineJoin = "round";
+  context.lineWidth = 3.4;
+  context.strokeStyle = theme.halo;
+  context.stroke(glyphs.plane);
+  context.lineWidth = 1.6;
+  context.strokeStyle = theme.airEdge;
+  context.stroke(glyphs.plane);
+  context.fillStyle = colour;
+  context.fill(glyphs.plane);
+  context.restore();
+}

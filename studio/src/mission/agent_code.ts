@@ -1,0 +1,94 @@
+// The agents of a team as text for an address: x,y,x,y,speed,... each, with what is as usual left out at the end.
+import {
+  type Aircraft,
+  type Agents,
+  aircraftOf,
+  type MissionAgent,
+  usualAircraft,
+  usualId,
+  usualVehicle,
+  type Vehicle,
+  vehiclesOf,
+} from "../domain/agents";
+import type { Cell, Size } from "../domain/geometry";
+
+export interface AgentCodes {
+  vehicles: string;
+  aircraft: string; // empty: there are none
+}
+
+const between = "~"; // agents; commas stand between what is said of one
+const mostAgents = 10_000;
+
+export function encodeAgents(agents: Agents): AgentCodes {
+  const vehicles = vehiclesOf(agents).map(({ start, goal, speed, radius, readyAt, id }, i) => {
+    const usual = ["", "", "", "", usualVehicle.speed, usualVehicle.radius, usualVehicle.readyAt, usualId("ground", i)];
+    return fields([...start, ...goal, speed, radius, readyAt, id], usual);
+  });
+  const aircraft = aircraftOf(agents).map(({ start, goal, speed, breaches, id }, i) => {
+    const usual = ["", "", "", "", usualAircraft.speed, "", usualId("air", i)];
+    return fields([...(start ?? ["", ""]), ...(goal ?? ["", ""]), speed, breaches ?? "", id], usual);
+  });
+  return { vehicles: vehicles.join(between), aircraft: aircraft.join(between) };
+}
+
+// Null where the text is none. Vehicles come first.
+export function decodeAgents({ vehicles, aircraft }: AgentCodes, map: Size): Agents | null {
+  const split = (text: string) => (text === "" ? [] : text.split(between));
+  const codes = [split(vehicles), split(aircraft)] as const;
+  if (codes[0].length === 0 || codes[0].length + codes[1].length > mostAgents) return null;
+  const agents: (MissionAgent | null)[] = [
+    ...codes[0].map((code, i) => vehicleOf(code.split(","), i, map)),
+    ...codes[1].map((code, i) => aircraftIn(code.split(","), i, map)),
+  ];
+  const known = agents.filter((agent) => agent !== null);
+  const ids = new Set(known.map((agent) => agent.id));
+  return known.length === agents.length && ids.size === agents.length ? known : null;
+}
+
+function fields(said: (string | number)[], usual: (string | number)[]): string {
+  const texts = said.map((value, i) => (value === usual[i] ? "" : escaped(String(value))));
+  while (texts.at(-1) === "" && texts.length > 2) texts.pop(); // an agent is never an empty text
+  return texts.join();
+}
+
+function escaped(text: string): string {
+  return encodeURIComponent(text).replaceAll(between, "%7E");
+}
+
+function vehicleOf(texts: string[], index: number, map: Size): Vehicle | null {
+  const [start, goal] = [cellOf(texts, 0, map), cellOf(texts, 2, map)];
+  const speed = numberOf(texts[4], usualVehicle.speed, 1e-3, 1e4);
+  const radius = numberOf(texts[5], usualVehicle.radius, 0, 32);
+  const readyAt = numberOf(texts[6], usualVehicle.readyAt, 0, 1e6);
+  if (!start || !goal || speed === null || radius === null || readyAt === null) return null;
+  return { kind: "ground", id: idOf(texts[7], usualId("ground", index)), start, goal, speed, radius, readyAt };
+}
+
+function aircraftIn(texts: string[], index: number, map: Size): Aircraft | null {
+  const [start, goal] = [cellOf(texts, 0, map), cellOf(texts, 2, map)];
+  const isWrong = (cell: Cell | null, from: number) => !cell && Boolean(texts[from] || texts[from + 1]);
+  const speed = numberOf(texts[4], usualAircraft.speed, 1e-3, 1e4);
+  const breaches = texts[5] ? wholeOf(texts[5]) : usualAircraft.breaches;
+  if (isWrong(start, 0) || isWrong(goal, 2) || speed === null || breaches === undefined) return null;
+  return { kind: "air", id: idOf(texts[6], usualId("air", index)), start, goal, speed, breaches };
+}
+
+function cellOf(texts: string[], from: number, map: Size): Cell | null {
+  const [x, y] = [wholeOf(texts[from]), wholeOf(texts[from + 1])];
+  return x !== undefined && y !== undefined && x < map.width && y < map.height ? [x, y] : null;
+}
+
+function wholeOf(text: string | undefined): number | undefined {
+  return /^\d{1,6}$/.test(text ?? "") ? Number(text) : undefined;
+}
+
+function numberOf(text: string | undefined, usual: number, least: number, most: number): number | null {
+  if (!text) return usual;
+  const value = Number(text);
+  return value >= least && value <= most ? value : null;
+}
+
+function idOf(text: string | undefined, usual: string): string {
+  return text ? decodeURIComponent(text) : usual;
+}

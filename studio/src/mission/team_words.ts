@@ -1,0 +1,91 @@
+// Plans of teams in plain words.
+import { type Agent, objectiveOf, type Plan, valueOf } from "../domain/plan";
+import { duration, percent, type Units } from "../domain/units";
+import { arrival } from "../play/motion";
+import { counted, type Headline, isProven } from "./words";
+
+// `closed`: the plan with nothing removed, where it is known; what a team gains is said against it.
+export function teamHeadline(plan: Plan, closed: Plan | null, buildings: boolean): Headline {
+  const after = valueOf(plan.after, objectiveOf(plan));
+  if (after === null || plan.agents.length === 0) return noPlan(plan);
+  const vehicles = countOf(plan, "ground");
+  const say = (tone: Headline["tone"], title: string, before: number | null = null): Headline => {
+    return { tone, title, figures: { after, before }, remedies: [] };
+  };
+  if (plan.removed.length === 0) return say("plain", unhelped(plan, vehicles));
+  const removing = `Removing ${counted(plan.removed.length, buildings)}`;
+  if (!closed) return say("plain", `${removing} for ${vehicleCount(vehicles)}`);
+  const before = closed.agents.length > 0 ? valueOf(closed.after, objectiveOf(plan)) : null;
+  if (before === null) {
+    const none = closed.status === "no_plan" ? "there are not" : "were not found";
+    return say("good", `${removing} opens ways that ${none} without`);
+  }
+  const share = (before - after) / before;
+  if (Math.abs(share) < 1e-9) return say("plain", `${removing} gains nothing here`, before);
+  return say(share > 0 ? "good" : "bad", `${removing} ${gain(plan, share)}`, before);
+}
+
+function gain(plan: Plan, share: number): string {
+  const size = percent(Math.abs(share));
+  const when = `${size} ${share > 0 ? "sooner" : "later"}`;
+  if (objectiveOf(plan) === "flowtime") return `${share > 0 ? "saves" : "costs"} ${size} of the agents’ time on the way`;
+  if (objectiveOf(plan) === "ground-makespan") return `gets the last vehicle there ${when}`;
+  return `ends the mission ${when}`;
+}
+
+function unhelped(plan: Plan, vehicles: number): string {
+  const mayRemove = countOf(plan, "air") > 0 && plan.options.removals !== 0;
+  if (!mayRemove) return vehicles === 1 ? "The vehicle arrives" : `All ${vehicles} vehicles arrive, and none touches another`;
+  const none = isProven(plan) ? "No removal" : "No removal was found that";
+  const gains = {
+    flowtime: "saves any of the agents’ time on the way",
+    "ground-makespan": "gets the last vehicle there sooner",
+    makespan: "ends the mission sooner",
+  };
+  return `${none} ${gains[objectiveOf(plan)]}`;
+}
+
+function noPlan(plan: Plan): Headline {
+  if (plan.status === "no_plan") {
+    const remedies = ["Move its start or its goal, or remove it.", "Try smaller vehicles."];
+    if (plan.options.removals !== 0) remedies.unshift("Allow more removals, or add aircraft.");
+    return { tone: "bad", title: "A vehicle cannot get to its goal", figures: null, remedies };
+  }
+  const remedies = ["Put starts and goals farther apart from each other.", "Take fewer or smaller vehicles."];
+  return { tone: "bad", title: "No plan was found in the time there was", figures: null, remedies };
+}
+
+// Who arrives last, and what it would be if each were alone, with nothing removed.
+export function teamArrivals(plan: Plan, units: Units): string | null {
+  if (plan.agents.length === 0) return null;
+  const objective = objectiveOf(plan);
+  const counts = objective === "ground-makespan" ? plan.agents.filter((agent) => agent.kind === "ground") : plan.agents;
+  const last = counts.reduce((a, b) => (arrival(b) > arrival(a) ? b : a));
+  const when = objective === "flowtime" ? `, after ${duration(arrival(last), units)}` : "";
+  const alone = valueOf(plan.before, objective);
+  const what = objective === "flowtime" ? "they would take" : "the last would arrive after";
+  const compared = alone === null ? "" : ` Each alone, with nothing removed, ${what} ${duration(alone, units)}.`;
+  return `${nameOf(last)} arrives last${when}.${compared}`;
+}
+
+// A number alone is no name.
+function nameOf({ id, kind }: Agent): string {
+  return /^\d+$/.test(id) ? `${kind === "ground" ? "Vehicle" : "Aircraft"} ${id}` : id;
+}
+
+function countOf(plan: Plan, kind: Agent["kind"]): number {
+  return plan.agents.filter((agent) => agent.kind === kind).length;
+}
+
+function vehicleCount(count: number): string {
+  return count === 1 ? "one vehicle" : `${count} vehicles`;
+}
+
+// When a vehicle would arrive if it were alone and nothing were removed; null where there is no way.
+export function aloneArrival(plan: Plan, index: number): number | null {
+  const length = plan.before.routes?.[index]?.length;
+  const agent = plan.agents[index];
+  if (length == null || !agent) return null;
+  const said = plan.mission?.agents[index] as { ready_at?: number } | undefined;
+  return (said?.ready_at ?? 0) + length / agent.speed;
+}

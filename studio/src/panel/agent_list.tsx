@@ -1,0 +1,156 @@
+// The agents of a team: when each arrives, and what it can do. Of a pair only how to add to it.
+import { Fragment } from "preact";
+import type { Agents, MissionAgent } from "../domain/agents";
+import { objectiveOf, type Plan } from "../domain/plan";
+import { clockTime, type Units } from "../domain/units";
+import type { PageState } from "../mission/page_state";
+import { Studio } from "../mission/studio";
+import { aloneArrival } from "../mission/team_words";
+import { arrival, breachOrder, waits } from "../play/motion";
+import { AgentDot } from "./agent_dot";
+import { AgentFields } from "./agent_fields";
+import { Section } from "./controls";
+
+export function AgentList({ page }: { page: PageState }) {
+  const mission = page.mission.value;
+  if (!mission || !page.shown.value) return null;
+  const studio = page instanceof Studio ? page : null;
+  const isTeam = page.looks.value.size > 0;
+  if (!isTeam && !studio) return null;
+  return (
+    <Section title="Vehicles and aircraft" kind="agents">
+      {isTeam && <AgentTable page={page} studio={studio} agents={mission.agents} />}
+      {isTeam && <p class="agent-legend">On the map: filled where they start, a ring where they go to.</p>}
+      {studio && (
+        <div class="agent-buttons">
+          <button type="button" class="button" onClick={() => studio.addVehicle()}>
+            Add vehicle
+          </button>
+          <button type="button" class="button" onClick={() => studio.addAircraft()}>
+            Add aircraft
+          </button>
+        </div>
+      )}
+    </Section>
+  );
+}
+
+const worthSaying = 1e-3; // of a time: paths bend at cell centres here or there
+
+interface TableProps {
+  page: PageState;
+  studio: Studio | null;
+  agents: Agents;
+}
+
+function AgentTable({ page, studio, agents }: TableProps) {
+  const plan = page.results.plans.value.after?.plan;
+  const chosen = page.chosenAgent.value;
+  return (
+    <div class="agent-scroll">
+      <table class="agent-table">
+        <caption class="spoken">When each agent arrives{page.old.value && "; out of date"}</caption>
+        <thead>
+          <tr>
+            <th scope="col">Agent</th>
+            <th scope="col">Arrives</th>
+            <th scope="col" title="If it were alone, with nothing removed">
+              Alone
+            </th>
+            <th scope="col">Waits</th>
+          </tr>
+        </thead>
+        <tbody>
+          {agents.map((agent, i) => (
+            <Fragment key={i}>
+              <AgentRow page={page} plan={plan} agent={agent} index={i} />
+              {studio && chosen === i && (
+                <tr class="agent-details">
+                  <td colSpan={4}>
+                    <AgentFields studio={studio} agents={agents} index={i} />
+                  </td>
+                </tr>
+              )}
+            </Fragment>
+          ))}
+        </tbody>
+        {plan && plan.agents.length > 0 && <Totals plan={plan} units={page.units.value} />}
+      </table>
+    </div>
+  );
+}
+
+interface RowProps {
+  page: PageState;
+  plan: Plan | undefined;
+  agent: MissionAgent;
+  index: number;
+}
+
+function AgentRow({ page, plan, agent, index }: RowProps) {
+  const isChosen = page.chosenAgent.value === index;
+  return (
+    <tr class={isChosen ? "lit" : ""}>
+      <th scope="row">
+        <button
+          type="button"
+          class="agent-name"
+          aria-expanded={isChosen}
+          onClick={() => (page.chosenAgent.value = isChosen ? null : index)}
+        >
+          <AgentDot look={page.looks.value.get(agent.id)} />
+          {agent.id}
+        </button>
+      </th>
+      <AgentFigures plan={plan} id={agent.id} units={page.units.value} />
+    </tr>
+  );
+}
+
+function AgentFigures({ plan, id, units }: { plan: Plan | undefined; id: string; units: Units }) {
+  const index = plan?.agents.findIndex((agent) => agent.id === id) ?? -1;
+  const agent = plan?.agents[index];
+  if (!plan || !agent) return <td colSpan={3}>…</td>;
+  const at = arrival(agent);
+  const time = (value: number) => <data value={value}>{clockTime(value, units)}</data>;
+  if (agent.kind === "air") {
+    const opens = breachOrder(plan).flatMap((one, i) => (one.by === id ? [i + 1] : []));
+    return (
+      <>
+        <td>{time(at)}</td>
+        <td colSpan={2}>{opens.length > 0 ? `opens ${opens.join(", ")}` : "opens nothing"}</td>
+      </>
+    );
+  }
+  const alone = aloneArrival(plan, index);
+  const waited = waits(agent).reduce((sum, { from, until }) => sum + until - from, 0);
+  return (
+    <>
+      <td class={alone === null || at < alone * (1 - worthSaying) ? "sooner" : ""}>{time(at)}</td>
+      <td>{alone === null ? "no way" : time(alone)}</td>
+      <td>{waited > 0 ? time(waited) : "–"}</td>
+    </>
+  );
+}
+
+// Of the whole team, together and each alone.
+function Totals({ plan, units }: { plan: Plan; units: Units }) {
+  const rows = [
+    { name: "Last arrival", member: "makespan", objective: "makespan" },
+    { name: "Last vehicle", member: "ground_makespan", objective: "ground-makespan" },
+    { name: "Sum", member: "flowtime", objective: "flowtime" },
+  ] as const;
+  const time = (value: number | null) => (value === null ? "no way" : <data value={value}>{clockTime(value, units)}</data>);
+  return (
+    <tfoot>
+      {rows.map(({ name, member, objective }) => (
+        <tr key={name} class={objective === objectiveOf(plan) ? "counts" : ""}>
+          <th scope="row">{name}</th>
+          <td>{time(plan.after[member])}</td>
+          <td>{time(plan.before[member])}</td>
+          <td />
+        </tr>
+      ))}
+    </tfoot>
+  );
+}

@@ -1,0 +1,31 @@
+import { describe, expect, it } from "vitest";
+import { type Agents, joined, pair, vehiclesOf } from "../../src/domain/agents";
+import { oneVehicleMore } from "../../src/mission/placing";
+import { mapOf } from "../domain/picture";
+
+const open = mapOf(...Array.from({ length: 40 }, () => ".".repeat(40)));
+
+describe("one vehicle more", () => {
+  it("has room beside all others, start and goal", () => {
+    let agents: Agents = pair([5, 5], [30, 30]);
+    for (let i = 0; i < 12; ++i) agents = joined(agents, oneVehicleMore(agents, open, 0.5)!);
+    const vehicles = vehiclesOf(agents);
+    expect(vehicles.map(({ id }) => id)).toEqual(Array.from({ length: 13 }, (_, i) => String(i + 1)));
+    for (const end of ["start", "goal"] as const) {
+      vehicles.forEach(({ [end]: [x, y] }, i) =>
+        vehicles.slice(0, i).forEach(({ [end]: [ox, oy] }) => expect(Math.hypot(x - ox, y - oy)).toBeGreaterThanOrEqual(1.5)),
+      );
+    }
+  });
+
+  it("stands where the last one can get to, clear of walls", () => {
+    const yard = mapOf("..aaaaa", "..a...a", "..a...a", "..aaaaa", ".......");
+    const one = oneVehicleMore(pair([0, 0], [6, 4]), yard, 0)!;
+    for (const [x, y] of [one.start, one.goal]) {
+      expect(yard.at(x, y)).toBe(0);
+      expect(x >= 3 && x <= 5 && y >= 1 && y <= 2).toBe(false);
+    }
+    const wide = pair([1, 1], [1, 1]).map((agent) => (agent.kind === "ground" ? { ...agent, radius: 1.5 } : agent));
+    expect(oneVehicleMore(wide, mapOf("...", "...", "..."), 0)).toBeNull();
+  });
+});
