@@ -3,6 +3,7 @@ import type { Mission } from "../domain/mission";
 import { length, type Units } from "../domain/units";
 import type { Studio } from "../mission/studio";
 import { NumberField, Segmented } from "./controls";
+import { ProtectAll } from "./protect_all";
 
 type NumberMember = "groundSpeed" | "airSpeed" | "breachTime" | "breachTimePerCell";
 
@@ -55,6 +56,7 @@ export function Settings({ studio }: { studio: Studio }) {
           {...number("breachTimePerCell", units.cell * units.cell)}
         />
         <RobotSize radius={mission.radius} units={units} onChange={(radius) => set({ radius })} />
+        <ProtectAll studio={studio} />
       </div>
       <p class="aircraft-place">
         {apart ? (
