@@ -262,6 +262,11 @@ std::vector<Seen> seen_in(const Footprints& footprints, const OGREnvelope& bound
 
 }  // namespace
 
+std::array<int, 2> import_cells(const ImportOptions& options) {
+    const CellWindow window = import_window(options);
+    return {window.width, window.height};
+}
+
 ImportReport import_city(const std::string& source, const ImportOptions& given) {
     const ImportOptions options = with_profile(given);
     const CellWindow window = import_window(options);

@@ -34,6 +34,9 @@ struct ImportOptions {
     bool background = true;  // keep streets, water, green and places
 };
 
+// Columns and rows of the window. Throws InputError, naming the option, if there is no such window.
+std::array<int, 2> import_cells(const ImportOptions& options);
+
 struct ImportReport {
     LabelTiff tiff;
     std::size_t buildings = 0;  // that have some area inside the window; those that own no cell are no obstacle

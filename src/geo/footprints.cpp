@@ -17,6 +17,8 @@
 namespace waybreaker::geo {
 namespace {
 
+constexpr auto no_polygons = "has no polygons; buildings are expected as polygons";
+
 // What a layer is read for.
 enum class Shapes { areas, lines };
 
@@ -230,8 +232,8 @@ void require_matches(const std::vector<Shapes>& kinds, const ObstacleChoice& cho
     use.require_all(source);
 }
 
-// The part of the world that the source has data of, as far as it says so without being read, in the window's system.
-OGREnvelope extent_of(GDALDataset& file, const Window& window) {
+// The part of the world that the source has data of, as far as it says so without being read.
+OGREnvelope extent_of(GDALDataset& file, const OGRSpatialReference& target) {
     const GdalScope gdal;
     const bool osm = EQUAL(file.GetDriverName(), "OSM");
     OGREnvelope all;
@@ -239,7 +241,7 @@ OGREnvelope extent_of(GDALDataset& file, const Window& window) {
         OGREnvelope extent;
         const OGRSpatialReference* system = layer->GetSpatialRef();
         if (!system || layer->GetExtent(&extent, osm ? FALSE : TRUE) != OGRERR_NONE) continue;
-        if (const auto box = transformed(extent, *system, window.system)) all.Merge(*box);
+        if (const auto box = transformed(extent, *system, target)) all.Merge(*box);
     }
     return all;
 }
@@ -249,7 +251,7 @@ bool read(Shapes kind, const std::string& source, const Window& window, const Ob
           FilterUse& use, Footprints& result) {
     const GDALDatasetUniquePtr file = open_source(source);
     const std::vector<OGRLayer*> layers = layers_of(*file, kind, choice, source);
-    result.extent.Merge(extent_of(*file, window));
+    result.extent.Merge(extent_of(*file, window.system));
     for (OGRLayer* layer : layers) {
         const OGRSpatialReference& system = system_of(*layer, source);
         const OGREnvelope bounds = bounds_in(system, window, source);
@@ -278,6 +280,23 @@ double area_inside(const OGRGeometry& shape, const OGREnvelope& bounds) {
     return part ? area(*part) : 0;
 }
 
+OGREnvelope visit_buildings(const std::string& source, const std::function<void(const OGRGeometry& outline)>& visit) {
+    OGRSpatialReference degrees;
+    degrees.SetWellKnownGeogCS("WGS84");
+    const ObstacleChoice choice{.only_in_the_way = true};
+    const GDALDatasetUniquePtr file = open_source(source);
+    const std::vector<OGRLayer*> layers = layers_of(*file, Kind::areas, choice, source);
+    if (layers.empty()) throw refusal(source, no_polygons);
+    for (OGRLayer* layer : layers) {
+        const Transformation to_degrees = transformation(system_of(*layer, source), degrees);
+        for_each_obstacle(*layer, Kind::areas, choice, source, [&](OGRFeature& feature, const FeatureTags&) {
+            const GdalScope gdal;  // what cannot be transformed is left out, as an import does
+            if (feature.GetGeometryRef()->transform(to_degrees.get()) == OGRERR_NONE) visit(*feature.GetGeometryRef());
+        });
+    }
+    return extent_of(*file, degrees);
+}
+
 Footprints read_footprints(const std::string& source, const Window& window, const ObstacleChoice& choice, double cell) {
     std::vector<Shapes> kinds{Shapes::areas};
     if (choice.wants_lines()) kinds.push_back(Shapes::lines);
@@ -287,7 +306,7 @@ Footprints read_footprints(const std::string& source, const Window& window, cons
     for (const Shapes kind : kinds) {
         any = read(kind, source, window, choice, std::max(choice.wall_width, cell), use, result) || any;
     }
-    if (!any) throw refusal(source, "has no polygons; buildings are expected as polygons");
+    if (!any) throw refusal(source, no_polygons);
     require_matches(kinds, choice, source, use);
     if (result.list.empty()) {
         throw refusal(source, fmt::format("has no {} in the window; {}",

@@ -3,6 +3,7 @@
 
 #include <ogr_geometry.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,11 @@ struct Footprints {
 // InputError if it cannot be read, holds nothing of that kind, or nothing in the window (the message says where its
 // data lies), or if a filter matches nothing in the whole source.
 Footprints read_footprints(const std::string& source, const Window& window, const ObstacleChoice& choice, double cell);
+
+// Calls `visit` with the outline of each building that stands in the way, in degrees (WGS84), in one scan of the
+// source. Gives the box of what the source says it has data of; empty if it does not say. Throws InputError if it
+// cannot be read.
+OGREnvelope visit_buildings(const std::string& source, const std::function<void(const OGRGeometry& outline)>& visit);
 
 // Of a shape's part within a rectangle.
 double area_inside(const OGRGeometry& shape, const OGREnvelope& bounds);

@@ -1,9 +1,13 @@
 #include "geo/vector_source.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <string>
 
 #include "geo/gdal_scope.hpp"
 #include "geo/osm_root.hpp"
+#include "geo/sent_source.hpp"
 
 namespace waybreaker::geo {
 namespace {
@@ -58,12 +62,18 @@ GDALDatasetUniquePtr open_source(const std::string& source) {
     if (const std::string what = remedy(source); !what.empty()) throw refusal(source, what);
     const GdalScope gdal;
     GDALAllRegister();
-    GDALDatasetUniquePtr file(GDALDataset::Open(gdal_path(source).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
+    const bool sent = SentSource::is_path(source);
+    // Others open files and addresses that their data names.
+    constexpr std::array<const char*, 3> harmless{"OSM", "GeoJSON", nullptr};
+    GDALDatasetUniquePtr file(GDALDataset::Open(gdal_path(source).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
+                                                sent ? harmless.data() : nullptr));
     if (file) return file;
     if (VSI_ISDIR(status.st_mode))
         throw refusal(source, "is a folder that is no map data as a whole; name one of its files");
-    throw refusal(source, "cannot be read as map data (.osm.pbf, .osm, .osm.gz, shapefile, GeoJSON, ...)" +
-                              (gdal.failed() ? ": " + gdal.failure() : std::string()));
+    const char* const formats =
+        sent ? ".osm.pbf, .osm, .osm.gz, GeoJSON" : ".osm.pbf, .osm, .osm.gz, shapefile, GeoJSON, ...";
+    throw refusal(source, fmt::format("cannot be read as map data ({}){}", formats,
+                                      gdal.failed() ? ": " + gdal.failure() : std::string()));
 }
 
 AnyOrderOfNodes::AnyOrderOfNodes() {

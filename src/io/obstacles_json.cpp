@@ -6,22 +6,48 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/structures_json.hpp"
 
 namespace waybreaker::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-void append_obstacle(std::string& text, const MapFile& file, const Obstacle& obstacle) {
+// By obstacle id; no entries if the map keeps no tags.
+using TagsById = std::vector<std::vector<std::string_view>>;
+
+TagsById tags_by_id(const MapFile& file) {
+    if (file.tags.empty()) return {};
+    TagsById result(file.map.obstacles().size() + 1);
+    for (const auto& [tag, obstacles] : file.tags) {
+        for (const ObstacleId id : obstacles) result[id.value].push_back(tag);
+    }
+    return result;
+}
+
+// What the source of the map says of it, as far as the map keeps that.
+void describe(Json& json, const MapFile& file, ObstacleId id, const TagsById& tags) {
+    if (!file.kinds.empty()) json["kind"] = site::obstacle_kind_words[std::size_t(site::kind_of(file.kinds, id))];
+    if (!tags.empty() && !tags[id.value].empty()) json["tags"] = tags[id.value];
+    Json structures = structures_json(id, file.sections);
+    if (!structures.empty()) json["structures"] = std::move(structures);
+}
+
+void append_obstacle(std::string& text, const MapFile& file, const Obstacle& obstacle, const TagsById& tags) {
     const Box& box = obstacle.bounds;
-    const Json json{{"id", obstacle.id.value},
-                    {"source_id", obstacle.source_id},
-                    {"name", file.name_of(obstacle.id)},
-                    {"cells", obstacle.cells},
-                    {"bounds", {box.min.x, box.min.y, box.max.x, box.max.y}},
-                    {"destructible", obstacle.destructible},
-                    {"weight", obstacle.weight},
-                    {"breach_time", obstacle.breach_time}};
+    Json json{{"id", obstacle.id.value},
+              {"source_id", obstacle.source_id},
+              {"name", file.name_of(obstacle.id)},
+              {"cells", obstacle.cells},
+              {"bounds", {box.min.x, box.min.y, box.max.x, box.max.y}},
+              {"destructible", obstacle.destructible},
+              {"weight", obstacle.weight},
+              {"breach_time", obstacle.breach_time}};
+    describe(json, file, obstacle.id, tags);
     if (!text.empty()) text += ',';
     text += json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -38,6 +64,7 @@ ObstaclesPart obstacles_part(const MapFile& file, std::size_t first_cell, std::s
     constexpr std::size_t runs_per_obstacle = 10;
     const Map& map = file.map;
     const auto labels = map.labels();
+    const TagsById tags = tags_by_id(file);
     std::string obstacles;
     std::string runs;  // by hand, for there can be millions
     const std::size_t begun = begun_before(map, first_cell);
@@ -47,7 +74,7 @@ ObstaclesPart obstacles_part(const MapFile& file, std::size_t first_cell, std::s
     while (run != labels.end() && count / runs_per_obstacle < most_obstacles) {
         if (*run > known) {
             if (known - begun == most_obstacles) break;
-            append_obstacle(obstacles, file, map.obstacle(ObstacleId{*run}));
+            append_obstacle(obstacles, file, map.obstacle(ObstacleId{*run}), tags);
             known = *run;
         }
         const auto end = std::find_if(run, labels.end(), [run](std::uint32_t label) { return label != *run; });

@@ -12,6 +12,7 @@ namespace waybreaker::io {
 // {"width": 501, "height": 501, "obstacles": [{"id": 1, "source_id": 43031400, "name": "", "cells": 2357,
 //   "bounds": [xmin, ymin, xmax, ymax], "destructible": true, "weight": 1.0, "breach_time": 0.0}, ...], "runs": [...],
 //   "next": null}
+// An obstacle has "kind", "tags" (["amenity=school", ...]) and "structures" (structures_json.hpp) where the map knows.
 // `runs` are the labels of all cells, [label, length, label, length, ...], row after row; 0 is free.
 std::string obstacles_json(const MapFile& file);
 

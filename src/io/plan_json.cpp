@@ -5,6 +5,7 @@
 
 #include "io/mission_json.hpp"
 #include "io/option_words.hpp"
+#include "io/structures_json.hpp"
 #include "site/demolition.hpp"
 
 namespace waybreaker::io {
@@ -112,17 +113,6 @@ void add_identity(Json& json, ObstacleId id, std::int64_t source_id, const MapFi
     if (const std::string_view name = map.name_of(id); !name.empty()) json["name"] = name;
 }
 
-// What it is a part of, if it is a section.
-void add_structures(Json& json, ObstacleId id, const site::Sections& sections) {
-    for (const std::uint32_t position : site::structures_of(sections, std::span(&id, 1))) {
-        const site::Structure& one = sections.structures[position];
-        Json structure{{"kind", site::obstacle_kind_words[std::size_t(one.kind)]}};
-        if (one.source_id != 0) structure["source_id"] = one.source_id;
-        if (!one.name.empty()) structure["name"] = one.name;
-        json["structures"].push_back(std::move(structure));
-    }
-}
-
 // What all removals destroy; empty where neither area nor structures are known.
 Json demolition_json(const Plan& plan, const MapFile& map) {
     if (!map.has_metres() && map.sections.empty() && !plan.least_demolition) return nullptr;
@@ -142,7 +132,8 @@ Json breach_json(const Breach& breach, const PlanContext& context) {
     Json json{{"obstacle", breach.obstacle.value}, {"cells", breach.cells}, {"hits", breach.hits}};
     if (context.map.has_metres()) json["area_m2"] = number(context.map.square_metres(breach.cells));
     add_identity(json, breach.obstacle, breach.source_id, context.map);
-    add_structures(json, breach.obstacle, context.map.sections);
+    Json structures = structures_json(breach.obstacle, context.map.sections);
+    if (!structures.empty()) json["structures"] = std::move(structures);
     const double weight = context.map.map.obstacle(breach.obstacle).weight;
     if (weight != 1 || std::isfinite(context.mission.rules.budget)) json["weight"] = number(weight);
     json["at"] = cell_json(breach.at);

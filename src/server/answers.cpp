@@ -21,6 +21,7 @@
 #include "raster/png.hpp"
 #include "render/picture.hpp"
 #include "server/problem.hpp"
+#include "server/responses.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::server {

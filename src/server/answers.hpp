@@ -16,8 +16,6 @@ struct Document {
     std::string body;
 };
 
-inline constexpr auto json_type = "application/json";
-
 std::string maps_json(const std::vector<MapStore::Entry>& entries);
 // As `waybreaker map info --json`, with id and connectivity.
 std::string map_json(const std::string& id, const StoredMap& map);

@@ -145,26 +145,28 @@ bool MapStore::evict_one(const Slot* except) {
     return true;
 }
 
+void MapStore::Reservation::admit(std::size_t bytes) {
+    const std::size_t most = store_.limits_.memory;
+    if (bytes > most) {
+        const std::string detail =
+            fmt::format("the map would take {} MB of memory, all maps together may take {} MB (--max-memory)",
+                        bytes >> 20U, most >> 20U);
+        throw uploaded_ ? Problem(too_large, detail, "map-too-large")
+                        : Problem(unprocessable, detail, "map-beyond-memory");
+    }
+    const std::scoped_lock lock(store_.mutex_);
+    while (store_.memory_in_use() + bytes > most) {
+        if (!store_.evict_one()) {
+            throw Problem(unavailable, "the maps in use leave no memory for this one; ask again", "no-memory");
+        }
+    }
+    store_.reserved_ += bytes;
+    bytes_ += bytes;
+}
+
 MapLimits MapStore::Reservation::limits() {
-    const auto admit = [this](std::size_t bytes) {
-        const std::size_t most = store_.limits_.memory;
-        if (bytes > most) {
-            const std::string detail =
-                fmt::format("the map would take {} MB of memory, all maps together may take {} MB (--max-memory)",
-                            bytes >> 20U, most >> 20U);
-            throw uploaded_ ? Problem(too_large, detail, "map-too-large")
-                            : Problem(unprocessable, detail, "map-beyond-memory");
-        }
-        const std::scoped_lock lock(store_.mutex_);
-        while (store_.memory_in_use() + bytes > most) {
-            if (!store_.evict_one()) {
-                throw Problem(unavailable, "the maps in use leave no memory for this one; ask again", "no-memory");
-            }
-        }
-        store_.reserved_ += bytes;
-        bytes_ += bytes;
-    };
-    return {.cells = uploaded_ ? store_.limits_.map_cells : max_cells, .admit = admit};
+    return {.cells = uploaded_ ? store_.limits_.map_cells : max_cells,
+            .admit = [this](std::size_t bytes) { admit(bytes); }};
 }
 
 void MapStore::Reservation::release() {

@@ -67,21 +67,18 @@ class MapStore {
     // Whether a text is a valid map id: letters, digits, dots, dashes and underscores, not starting with a dot.
     static bool is_id(const std::string& text);
 
-  private:
-    struct Slot {
-        std::mutex reading;
-        SharedMap map;  // guarded by MapStore::mutex_
-        bool uploaded = false;
-        std::uint64_t used = 0;
-        std::size_t bytes = 0;
-    };
-    // Reserves memory for a map before it is read.
+    // Memory that is reserved as long as this object lives: for a map before it is read, or for what maps are made
+    // from.
     class Reservation {
       public:
+        // `uploaded`: whether a client that sent too much is to blame. Keeps the reference.
         Reservation(MapStore& store, bool uploaded) : store_(store), uploaded_(uploaded) {}
         Reservation(const Reservation&) = delete;
         Reservation& operator=(const Reservation&) = delete;
         ~Reservation() { release(); }
+        // Reserves more, and evicts maps where it must. Throws Problem if there is no room.
+        void admit(std::size_t bytes);
+        // Limits that reserve what they admit; this object must outlive them.
         MapLimits limits();
         void release();
 
@@ -89,6 +86,15 @@ class MapStore {
         MapStore& store_;
         bool uploaded_;
         std::size_t bytes_ = 0;
+    };
+
+  private:
+    struct Slot {
+        std::mutex reading;
+        SharedMap map;  // guarded by MapStore::mutex_
+        bool uploaded = false;
+        std::uint64_t used = 0;
+        std::size_t bytes = 0;
     };
     // A map that is no longer in the store, but still in use.
     struct Dropped {

@@ -16,17 +16,14 @@
 #include "server/map_edits.hpp"
 #include "server/problem.hpp"
 #include "server/problem_kind.hpp"
+#include "server/responses.hpp"
 #include "server/service.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::server {
 namespace {
 
-Response ok_response(Body body, const std::string& type = json_type) {
-    return {.type = type, .body = std::move(body)};
-}
-
-// The same for a body that may be long: compressed if the client accepts gzip.
+// A body that may be long: compressed if the client accepts gzip.
 Response compressible_response(const std::string& accept_encoding, std::string body,
                                const std::string& type = json_type) {
     constexpr std::size_t packet = 1400;  // bytes; compressing what fits one packet saves no time
@@ -76,20 +73,13 @@ std::string tag_of(const StoredMap& map, const std::string& part) {
 // A response that clients can cache and revalidate.
 Answer tagged(const Call& call, MapStore& store, const std::string& part,
               std::function<Response(const SharedMap&)> answer) {
-    return of_map(store, call.map, [headers = call.request.headers, part, answer](const SharedMap& map) {
+    return of_map(store, call.id, [headers = call.request.headers, part, answer](const SharedMap& map) {
         const std::string tag = tag_of(*map, part);
         if (has_already(headers, tag)) return not_changed(tag);
         Response response = answer(map);
         add_tag(response, tag);
         return response;
     });
-}
-
-template <class Parse>
-auto read_request(Parse parse) try {
-    return parse();
-} catch (const InputError& error) {
-    throw Problem(bad_request, error.what());
 }
 
 Connectivity connectivity_of(const Request& request) {
@@ -108,7 +98,7 @@ using PlanAnswer = std::string (*)(const Task&, const Worker&);
 // A route whose response a worker plans.
 Route plan_route(const std::string& name, PlanAnswer answer, MapStore& store, double seconds) {
     const auto handle = [answer, &store, seconds](const Call& call) -> Answer {
-        const NeededMap map(store, call.map);
+        const NeededMap map(store, call.id);
         const PlanRequest request = read_request([&call] { return parse_plan_request(call.request.body); });
         const Work work = [answer, map, request, seconds](const Worker& worker) {
             return ok_response(answer({map.load(), request, seconds}, worker));
@@ -116,14 +106,6 @@ Route plan_route(const std::string& name, PlanAnswer answer, MapStore& store, do
         return Deferred{.work = work, .events = wants_events(call.request)};
     };
     return {"POST", "/api/v1/maps/{id}/" + name, Route::Body::json, false, handle};
-}
-
-Response upload_response(const MapStore::Upload& added) {
-    Response response = ok_response(map_json(added.id, *added.map));
-    if (!added.is_new) return response;
-    response.status = created;
-    response.headers.add("Location", "/api/v1/maps/" + added.id);
-    return response;
 }
 
 Route upload_route(MapStore& store) {
@@ -138,7 +120,7 @@ Route upload_route(MapStore& store) {
 
 Route edits_route(MapStore& store) {
     const auto handle = [&store](const Call& call) -> Answer {
-        const NeededMap needed(store, call.map);
+        const NeededMap needed(store, call.id);
         const MapEdits edits = read_request([&call] { return parse_map_edits(call.request.body); });
         return Deferred{[&store, needed, edits](const Worker&) {
             const SharedMap map = needed.load();
@@ -150,7 +132,7 @@ Route edits_route(MapStore& store) {
 
 Route file_route(MapStore& store) {
     const auto handle = [&store](const Call& call) -> Answer {
-        return tagged(call, store, "file", [id = call.map](const SharedMap& map) {
+        return tagged(call, store, "file", [id = call.id](const SharedMap& map) {
             if (map->bytes.empty()) {
                 throw Problem(unprocessable, id + " is a ROS map: two files, not one", "map-of-many-files");
             }
@@ -200,14 +182,14 @@ Route background_route(MapStore& store) {
 Route map_route(MapStore& store) {
     const auto handle = [&store](const Call& call) -> Answer {
         return tagged(call, store, "map",
-                      [id = call.map](const SharedMap& map) { return ok_response(map_json(id, *map)); });
+                      [id = call.id](const SharedMap& map) { return ok_response(map_json(id, *map)); });
     };
     return {"GET", "/api/v1/maps/{id}", Route::Body::none, false, handle};
 }
 
 Route delete_route(MapStore& store) {
     const auto handle = [&store](const Call& call) -> Answer {
-        store.remove(call.map);
+        store.remove(call.id);
         return Response{.status = no_content};
     };
     return {"DELETE", "/api/v1/maps/{id}", Route::Body::none, false, handle};
@@ -223,7 +205,7 @@ void require_plan_size(const Request& request) {
 Route check_route(MapStore& store) {
     const auto handle = [&store](Call call) -> Answer {
         require_plan_size(call.request);
-        return Deferred{[map = NeededMap(store, call.map), plan = std::move(call.request.body)](const Worker&) {
+        return Deferred{[map = NeededMap(store, call.id), plan = std::move(call.request.body)](const Worker&) {
             return ok_response(check_answer(*map.load(), plan));
         }};
     };
@@ -237,7 +219,7 @@ Route export_route(MapStore& store) {
             throw Problem(bad_request, "format is none of json, geojson, csv, ros-path, xml, svg, png");
         }
         require_plan_size(call.request);
-        return Deferred{[map = NeededMap(store, call.map), plan = std::move(call.request.body), format,
+        return Deferred{[map = NeededMap(store, call.id), plan = std::move(call.request.body), format,
                          encodings = accepted_encodings(call)](const Worker&) {
             return compressible_response(encodings, export_answer(*map.load(), plan, format).body,
                                          media_type_of(format));
@@ -295,7 +277,7 @@ std::vector<Route> routes(MapStore& store, const Executor& executor, const Metri
         return ok_response(metrics_text(store, executor, metrics), "text/plain; version=0.0.4; charset=utf-8");
     }));
     all.push_back(
-        {"GET", "/problems/{id}", Route::Body::none, true, [](const Call& call) { return described(call.map); }, true});
+        {"GET", "/problems/{id}", Route::Body::none, true, [](const Call& call) { return described(call.id); }, true});
     all.push_back(get("/api/v1/maps", [&](const Call&) { return ok_response(maps_json(store.list())); }));
     all.push_back(map_route(store));
     all.push_back(obstacles_route(store));

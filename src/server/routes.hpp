@@ -17,7 +17,7 @@ namespace waybreaker::server {
 
 struct Call {
     Request request;
-    std::string map;  // the {id} of the path; empty where it has none
+    std::string id;  // the {id} of the path; empty where it has none
 };
 
 // A response that a worker makes; meanwhile the client can be sent progress events.

@@ -8,6 +8,7 @@
 #include "server/exchange.hpp"
 #include "server/executor.hpp"
 #include "server/guard.hpp"
+#include "server/import_routes.hpp"
 #include "server/listener.hpp"
 #include "server/log_line.hpp"
 #include "server/map_store.hpp"
@@ -16,6 +17,7 @@
 #include "server/problem.hpp"
 #include "server/request_body.hpp"
 #include "server/routes.hpp"
+#include "server/source_store.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::server {
@@ -112,6 +114,7 @@ class Service::Impl : public RequestHandler {
     ServiceOptions options_;
     Metrics metrics_;
     MapStore store_;
+    SourceStore sources_;
     Listener listener_;  // outlives the executor, whose jobs answer through it
     Executor executor_;
     std::vector<Route> routes_;
@@ -120,9 +123,11 @@ class Service::Impl : public RequestHandler {
 Service::Impl::Impl(ServiceOptions options)
     : options_((require_safe(options), std::move(options))),
       store_(options_.maps, options_.limits),
+      sources_(store_, options_.limits),
       listener_(listener_options(), *this),
       executor_(options_.limits, metrics_),
       routes_(routes(store_, executor_, metrics_, options_.limits)) {
+    for (Route& route : import_routes(sources_, store_)) routes_.push_back(std::move(route));
     for (Route& route : page_routes()) routes_.push_back(std::move(route));
 }
 

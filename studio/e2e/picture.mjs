@@ -1,5 +1,6 @@
-// usage: node e2e/picture.mjs [OUT]: docs/pictures/studio.png, what a first visit sees, from the command in
-// WAYBREAKER_COMMAND (default: the one in build/release).
+// usage: node e2e/picture.mjs [OUT [EXTRACT IMPORT_OUT]]: docs/pictures/studio.png, what a first visit sees, from the
+// command in WAYBREAKER_COMMAND (default: the one in build/release); and the import of an extract of map data
+// (docs/pictures/import.png).
 import { spawn } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
@@ -20,5 +21,12 @@ await page.getByText("One removal more").waitFor();
 await page.getByRole("button", { name: "Dismiss the hint" }).click();
 await page.waitForTimeout(1000); // the map's tiles
 await page.screenshot({ path: out });
+const [extract, importOut] = process.argv.slice(3);
+if (extract) {
+  await page.getByLabel("File to open").setInputFiles(extract);
+  const dialog = page.getByRole("dialog");
+  await dialog.getByText("the stronger the shade").waitFor();
+  await dialog.screenshot({ path: importOut });
+}
 await browser.close();
 server.kill();

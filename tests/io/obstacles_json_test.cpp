@@ -28,6 +28,30 @@ TEST(ObstaclesJson, DescribesEachObstacle) {
     EXPECT_EQ(json["runs"], Json({0, 1, 1, 1, 0, 4, 1, 1, 0, 2, 2, 1, 0, 5}));
 }
 
+TEST(ObstaclesJson, SaysWhatTheSourceSays) {
+    using enum site::ObstacleKind;
+    MapFile file{.map = map_from_ascii("#.#.#"), .kinds = {unknown, building, water, barrier}};
+    file.tags = {{"amenity=school", {{1}}}, {"barrier=wall", {{3}}}, {"building=yes", {{1}}}};
+    file.sections.structures = {{building, 17, "Schule"}, {barrier, 0, ""}};
+    file.sections.parts = {{}, {0, 1}, {}, {}};
+    const Json obstacles = Json::parse(obstacles_json(file))["obstacles"];
+    EXPECT_EQ(obstacles[0]["kind"], "building");
+    EXPECT_EQ(obstacles[0]["tags"], Json({"amenity=school", "building=yes"}));
+    EXPECT_EQ(obstacles[0]["structures"],
+              Json::parse(R"([{"kind": "building", "source_id": 17, "name": "Schule"}, {"kind": "barrier"}])"));
+    EXPECT_EQ(obstacles[1]["kind"], "water");
+    EXPECT_FALSE(obstacles[1].contains("tags"));
+    EXPECT_FALSE(obstacles[1].contains("structures"));
+    EXPECT_EQ(obstacles[2]["tags"], Json({"barrier=wall"}));
+}
+
+TEST(ObstaclesJson, SaysNothingThatTheMapDoesNotKnow) {
+    const MapFile file{.map = map_from_ascii("#.#")};
+    for (const Json& obstacle : Json::parse(obstacles_json(file))["obstacles"]) {
+        for (const char* member : {"kind", "tags", "structures"}) EXPECT_FALSE(obstacle.contains(member));
+    }
+}
+
 RC_GTEST_PROP(ObstaclesJson, RunsAreTheLabelsOfAllCells, ()) {
     const PlainMap plain = *random_map(20, 16);
     const MapFile file{.map = Map(plain.grid())};

@@ -3,12 +3,15 @@
 #include <algorithm>
 
 #include "live_server.hpp"
+#include "osm_yard.hpp"
 #include "streaming_client.hpp"
 
 namespace waybreaker::server {
 namespace {
 
 const std::string maps = "/api/v1/maps";
+const std::string sources = "/api/v1/sources";
+const std::string imports = "/api/v1/imports";
 const std::string bytes = "application/octet-stream";
 constexpr int side = 300;
 
@@ -17,12 +20,16 @@ std::string with_id(std::string path, const std::string& id) {
     return place == std::string::npos ? path : path.replace(place, 4, id);
 }
 
+std::string type_of(const std::string& path) {
+    return path == maps || path == sources ? bytes : "application/json";
+}
+
 class DescriptionTest : public LiveServer {
   protected:
     void ask(const std::string& method, const std::string& path, const httplib::Headers& headers = {}) const {
         if (method == "get") get(path, headers);
         if (method == "delete") remove(path, headers);
-        if (method == "post") post(path, "{}", path == maps ? bytes : "application/json", headers);
+        if (method == "post") post(path, "{}", type_of(path), headers);
     }
     // Provokes every error response of a route.
     void provoke(const std::string& method, const std::string& path) const {
@@ -34,17 +41,33 @@ class DescriptionTest : public LiveServer {
         ask(method, here + "?after=x");                          // 400
         if (method != "post") return;
         const std::string query = path.ends_with("/export") ? "?format=csv" : "";
-        const std::string type = path == maps ? bytes : "application/json";
+        const std::string type = type_of(path);
         post(here, "{}", "text/plain");                                            // 415
         post(here, std::string(5000, ' '), type);                                  // 413
         post(path == maps ? maps + "?connectivity=5" : here + query, "[]", type);  // 400
+        post(here + "?name=/", "{}", type);                                        // 400
+        post(here, R"({"source": "none"})", type);                                 // 404
         post(with_id(path, "nowhere.map") + query, "{}", type);                    // 404
         post(with_id(path, "broken.map") + query, "{}", type);                     // 422
     }
-    void provoke_busy(const Json& plan) const;
+    std::string provoke_imports() const;
+    void provoke_busy(const Json& plan, const std::string& source) const;
 };
 
-void DescriptionTest::provoke_busy(const Json& plan) const {
+// Gives a source that stays behind.
+std::string DescriptionTest::provoke_imports() const {
+    const auto send = [this] { return Json::parse(post(sources, osm_yard(), bytes).body)["id"].get<std::string>(); };
+    const std::string id = send();
+    send();
+    get_json(sources + "/" + id);
+    post_json(imports, {{"source", id}}, 201);
+    post_json(imports, {{"source", id}}, 200);
+    post_json(imports, {{"source", id}, {"center", {0, 0}}}, 422);
+    remove(sources + "/" + id);
+    return send();
+}
+
+void DescriptionTest::provoke_busy(const Json& plan, const std::string& source) const {
     const std::string house = maps + "/house.map";
     const StreamingClient busy(client(), maps + "/thicket.map/plan", long_mission(side));
     for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission, 503);
@@ -52,6 +75,8 @@ void DescriptionTest::provoke_busy(const Json& plan) const {
     post_json(house + "/export?format=json", plan, 503);
     post_json(house + "/edits", Json::object(), 503);
     post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", bytes);
+    post_json(imports, {{"source", source}}, 503);
+    post(sources, osm_yard(), bytes);
     for (const char* route : {"", "/obstacles", "/background", "/file"}) get_json(maps + "/wall.map" + route, 503);
 }
 
@@ -86,7 +111,7 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     const Json edits = Json::parse(R"({"free": [[5, 0, 1]]})");
     post_json(house + "/edits", edits, 201);
     remove(maps + "/" + post_json(house + "/edits", edits)["id"].get<std::string>());
-    provoke_busy(plan);
+    provoke_busy(plan, provoke_imports());
     end();
     options_.token = "secret";
     begin();

@@ -1,5 +1,6 @@
 // Client of the service. Every failure is a ServiceError with a sentence for people. Requests to a busy server are
 // retried.
+import type { ImportRequest, Source } from "../domain/extract";
 import type { Run } from "../domain/geometry";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import type { Plan } from "../domain/plan";
@@ -8,7 +9,7 @@ import { readEvents } from "./events";
 
 export type Trouble =
   | "refused" // by the service, which says why
-  | "missing" // there is no such map (any more)
+  | "missing" // there is no such map, or map data (any more)
   | "gone" // no response
   | "stopped"; // cancelled by the page
 
@@ -98,6 +99,16 @@ export class Client {
 
   upload(file: Blob, signal?: AbortSignal): Promise<MapDescription> {
     return this.json("/maps", { method: "POST", bytes: file, signal });
+  }
+
+  // Map data, to import maps from.
+  sendSource(file: Blob, name: string, signal?: AbortSignal): Promise<Source> {
+    const harmless = name.replaceAll(/[^A-Za-z0-9._-]+/g, "_").replace(/^\.+/, "").slice(-100) || "source";
+    return this.json(`/sources?name=${harmless}`, { method: "POST", bytes: file, signal });
+  }
+
+  importMap(request: ImportRequest, signal?: AbortSignal): Promise<MapDescription> {
+    return this.json("/imports", { method: "POST", json: request, signal });
   }
 
   edit(id: string, edits: Edits, signal?: AbortSignal): Promise<MapDescription> {
@@ -198,8 +209,8 @@ function mapPath(id: string, what = ""): string {
 }
 
 function refusal(problem: ProblemDocument): ServiceError {
-  const isMapLost = problem.type?.endsWith("/map-not-found") ?? false;
-  return new ServiceError(isMapLost ? "missing" : "refused", sentence(problem.detail || problem.title));
+  const isLost = /\/(map|source)-not-found$/.test(problem.type ?? "");
+  return new ServiceError(isLost ? "missing" : "refused", sentence(problem.detail || problem.title));
 }
 
 // What answers without a problem document is not the service, but a proxy that does not find it.

@@ -116,16 +116,16 @@ export function left(agents: Agents, index: number): Agents {
 // How many colours tell agents of one kind from each other; further ones use them again.
 export const colourCount = { ground: 10, air: 4 };
 
-export interface Look {
+export interface AgentLook {
   kind: MissionAgent["kind"];
   colour: number; // 0 to colourCount - 1
   round: number; // how often all colours have been used by those before
 }
 
 // By id. Nobody of a pair needs a colour of its own.
-export function looksOf(agents: readonly { id: string; kind: MissionAgent["kind"] }[]): ReadonlyMap<string, Look> {
+export function looksOf(agents: readonly { id: string; kind: MissionAgent["kind"] }[]): ReadonlyMap<string, AgentLook> {
   const count = { ground: 0, air: 0 };
-  const looks = new Map<string, Look>();
+  const looks = new Map<string, AgentLook>();
   if (isPair(agents)) return looks;
   for (const { id, kind } of agents) {
     const index = count[kind]++;

@@ -22,6 +22,15 @@ export interface MapDescription {
   digest: string;
 }
 
+export type Kind = "unknown" | "building" | "barrier" | "water" | "cliff" | "forbidden";
+
+// What a section is a part of.
+export interface Structure {
+  kind: Kind;
+  source_id?: number;
+  name?: string;
+}
+
 export interface Obstacle {
   id: number; // from 1, in the order of the array
   source_id: number; // OpenStreetMap's: ways positive, relations negative; 0 where unknown
@@ -31,6 +40,9 @@ export interface Obstacle {
   destructible: boolean;
   weight: number;
   breach_time: number;
+  kind?: Kind; // of maps that say what their obstacles are
+  tags?: string[]; // amenity=school, ...
+  structures?: Structure[]; // of a section
 }
 
 export interface Obstacles {

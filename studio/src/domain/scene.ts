@@ -1,6 +1,6 @@
 // What the map shows, as a value, and what people do to it. The map draws scenes and knows no server, no URL and no
 // panel.
-import type { Agents, Handle, Look } from "./agents";
+import type { Agents, Handle, AgentLook } from "./agents";
 import type { CellMap } from "./cell_map";
 import type { Cell, Run } from "./geometry";
 import type { Background, MapDescription } from "./map";
@@ -19,7 +19,7 @@ export interface Scene {
   cells: CellMap;
   background: Background;
   agents: Agents;
-  looks: ReadonlyMap<string, Look>; // of a team: by id
+  looks: ReadonlyMap<string, AgentLook>; // of a team: by id
   chosen: number | null; // the agent that is chosen in a list
   layers: Layer[]; // those shown; the last is on top
   marks: ReadonlyMap<number, Mark>; // by obstacle

@@ -1,4 +1,4 @@
-// What a person drops on the page, opens or pastes: a map, a plan, a mission, a link to one.
+// What a person drops on the page, opens or pastes: a map, map data, a plan, a mission, a link to one.
 import type { Plan } from "../domain/plan";
 import { missionAt } from "./address";
 import { keep, type KeptFile } from "./kept_file";
@@ -7,6 +7,7 @@ import { isPlan } from "./plan_mission";
 
 export type Given =
   | { kind: "map"; file: KeptFile }
+  | { kind: "map data"; file: KeptFile } // to import a map from
   | { kind: "mission"; query: string }
   | { kind: "mission file"; value: Record<string, unknown> }
   | { kind: "plan"; plan: Plan };
@@ -29,7 +30,17 @@ export async function understood(files: readonly File[]): Promise<Given> {
   if (kept.length !== 1) {
     throw new NotUnderstood("One at a time: choose one file, or the YAML and the image of one ROS map.");
   }
+  if (await isMapData(kept[0]!)) return { kind: "map data", file: kept[0]! };
   return (await inText(kept[0]!)) ?? { kind: "map", file: kept[0]! };
+}
+
+// OpenStreetMap's formats, packed or not, and GeoJSON: by their first bytes, and by name.
+async function isMapData({ name, bytes }: KeptFile): Promise<boolean> {
+  const head = new Uint8Array(await bytes.slice(0, 2000).arrayBuffer());
+  if (head[0] === 0x1f && head[1] === 0x8b) return true; // no map is packed with gzip
+  const text = new TextDecoder().decode(head);
+  if (text.includes("OSMHeader") || /<osm[\s>]/.test(text)) return true;
+  return /^\s*\{/.test(text) && (/\.geojson$/i.test(name) || /"type"\s*:\s*"Feature(Collection)?"/.test(text));
 }
 
 // The mission of a link that is dropped or pasted; null where the text is none.

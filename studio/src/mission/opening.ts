@@ -10,6 +10,7 @@ import type { Studio } from "./studio";
 export function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
   return take(studio, files, async (given) => {
     if (given.kind === "map") await studio.upload(given.file);
+    else if (given.kind === "map data") await studio.importer.begin(given.file);
     else if (given.kind === "plan") await openPlan(studio, given.plan);
     else if (given.kind === "mission") await openMission(studio, given.query);
     else await openMissionFile(studio, given.value);

@@ -11,6 +11,7 @@ import { defaultMission } from "./default_mission";
 import { editsOf } from "./edited";
 import { Editor } from "./editor";
 import { begin, type History, mapped, replace, step } from "./history";
+import { Importer } from "./importer";
 import type { KeptFile } from "./kept_file";
 import { decodeLink, encodeLink, fileOfLink, mapOfLink } from "./link";
 import { type HeldMap, isUpload, type LostMap, Maps } from "./maps";
@@ -25,6 +26,8 @@ export class Studio extends Editor {
   readonly uploads = signal<ReadonlyMap<string, KeptFile>>(new Map()); // by map
   readonly lost = signal<LostMap | null>(null); // a map that the service does not have
 
+  readonly importer: Importer;
+
   readonly #maps: Maps;
   readonly #watch: ServerWatch;
   #opening: AbortController | null = null;
@@ -36,6 +39,10 @@ export class Studio extends Editor {
   ) {
     super(planner.results);
     this.#maps = new Maps(client);
+    this.importer = new Importer(client, (map, file) => {
+      this.uploads.value = new Map(this.uploads.value).set(map.id, file);
+      return this.open(map.id);
+    });
     this.#watch = new ServerWatch(() => this.refreshList());
     effect(() => {
       const failure = this.results.failure.value;

@@ -1,7 +1,7 @@
 // The colour of an agent, as on the map. A class says it: the page's security policy forbids styles in elements.
-import type { Look } from "../domain/agents";
+import type { AgentLook } from "../domain/agents";
 
-export function AgentDot({ look }: { look: Look | undefined }) {
+export function AgentDot({ look }: { look: AgentLook | undefined }) {
   if (!look) return null;
   return (
     <svg class={`agent-dot agent-${look.kind}-${look.colour}`} width="14" height="14" aria-hidden="true">

@@ -1,11 +1,12 @@
 // The page: map, timeline over it, and the panel beside it (below it on a narrow screen).
 import { useComputed, useSignalEffect } from "@preact/signals";
-import { useMemo } from "preact/hooks";
+import { useMemo, useRef } from "preact/hooks";
 import type { TabToken } from "../api/token";
 import { objectiveOf, valueOf } from "../domain/plan";
 import type { Scene, SceneEvents } from "../domain/scene";
 import { duration } from "../domain/units";
 import { MapCanvas } from "../map/map_canvas";
+import type { MapView } from "../map/map_view";
 import type { PageState } from "../mission/page_state";
 import { sceneOf } from "../mission/scene_of";
 import { Studio } from "../mission/studio";
@@ -15,8 +16,10 @@ import { AgentList } from "./agent_list";
 import { Choices } from "./choices";
 import { TokenDialog } from "./dialogs";
 import { DropTarget } from "./drop_target";
+import { GroundLegend } from "./ground_legend";
 import { Header } from "./header";
 import { HeadlineSection } from "./headline";
+import { ImportDialog } from "./import_dialog";
 import { Layers } from "./layers";
 import { LostMapCard } from "./lost_map";
 import { MapChoice, nameOfMap } from "./map_choice";
@@ -26,21 +29,24 @@ import { ObstacleCard } from "./obstacle_card";
 import { areBuildings } from "./obstacle_words";
 import { Removals } from "./removals";
 import { RemovedTable } from "./removed_table";
+import { Search } from "./search";
 import { Settings } from "./settings";
 import { TakeAlong } from "./take_along";
 import { Tools } from "./tools";
 
 export function App({ page, token = null }: { page: PageState; token?: TabToken | null }) {
   const studio = page instanceof Studio ? page : null;
+  const view = useRef<MapView | null>(null);
   useSignalEffect(() => {
     document.title = titleOf(page);
   });
   return (
     <div class={`page ${studio ? "" : "viewer"} ${page.old.value ? "old" : ""}`}>
-      <MapArea page={page} studio={studio} />
+      <MapArea page={page} studio={studio} onView={(made) => (view.current = made)} />
       <main class="panel">
         <Header studio={studio} />
         {studio ? <MapChoice studio={studio} /> : <p class="map-title">{page.shown.value?.base.description.title}</p>}
+        <Search page={page} show={(what) => view.current?.centerOn(what)} />
         {studio && <Invitation studio={studio} />}
         <MapNotes page={page} />
         <HeadlineSection page={page} />
@@ -54,6 +60,7 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
       </main>
       <NoticeBar page={page} />
       {studio && <DropTarget studio={studio} />}
+      {studio && <ImportDialog importer={studio.importer} />}
       {token && <TokenDialog token={token} />}
     </div>
   );
@@ -72,7 +79,13 @@ function titleOf(page: PageState): string {
   return `${place}: ${duration(reached, page.units.value)}, ${removed} removed – waybreaker`;
 }
 
-function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
+interface MapAreaProps {
+  page: PageState;
+  studio: Studio | null;
+  onView: (view: MapView | null) => void;
+}
+
+function MapArea({ page, studio, onView }: MapAreaProps) {
   const scene = useComputed<Scene | null>(() => sceneOf(page, studio));
   const events = useMemo<SceneEvents>(
     () => ({
@@ -90,9 +103,10 @@ function MapArea({ page, studio }: { page: PageState; studio: Studio | null }) {
     <section class="map-area" aria-label="Map">
       {studio && <Tools studio={studio} />}
       <div class="map-box">
-        <MapCanvas scene={scene} events={events} label={title ? `Map of ${title}` : "Map"} />
+        <MapCanvas scene={scene} events={events} label={title ? `Map of ${title}` : "Map"} view={onView} />
         {studio && <Gone studio={studio} />}
         {studio && <LostMapCard studio={studio} />}
+        <GroundLegend page={page} />
         <Attribution page={page} />
       </div>
       <ObstacleCard page={page} />

@@ -14,6 +14,8 @@ const words: Record<Said, string> = {
   allow: "May be removed",
 };
 
+const mostListed = 12;
+
 export function Choices({ studio }: { studio: Studio }) {
   const mission = studio.mission.value;
   const shown = studio.shown.value;
@@ -21,10 +23,11 @@ export function Choices({ studio }: { studio: Studio }) {
   const { marks, walls, erased } = mission;
   if (marks.size === 0 && walls.length === 0 && erased.length === 0) return null;
   const units = studio.units.value;
+  const [listed, others] = [[...marks].slice(0, mostListed), [...marks].slice(mostListed)];
   return (
     <Section title="Your choices">
       <ul class="choices">
-        {[...marks].map(([key, mark]) => {
+        {listed.map(([key, mark]) => {
           const id = shown.ids.toShown(key);
           const name = nameOfKey(shown, key).text;
           return (
@@ -37,6 +40,13 @@ export function Choices({ studio }: { studio: Studio }) {
             />
           );
         })}
+        {others.length > 0 && (
+          <Choice
+            icon="protect"
+            text={`And ${others.length} obstacles more`}
+            onUndo={() => studio.change((old) => ({ ...old, marks: new Map([...old.marks].slice(0, mostListed)) }))}
+          />
+        )}
         {walls.length > 0 && (
           <Choice
             icon="wall"

@@ -10,6 +10,7 @@ const keys: [string, string][] = [
   ["Arrow keys", "on the map: pan; on a marker: move it"],
   ["+ and −", "on the map: zoom"],
   ["Esc", "close the card"],
+  ["/", "find a street or obstacle"],
   ["?", "this help"],
 ];
 
@@ -74,7 +75,7 @@ export function TokenDialog({ token }: { token: TabToken }) {
   );
 }
 
-function useModal(open: boolean) {
+export function useModal(open: boolean) {
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => {
     if (open && !dialog.current?.open) dialog.current?.showModal();

@@ -51,6 +51,7 @@ function onKey(event: KeyboardEvent, studio: Studio, openHelp: () => void): void
   const tool = toolKeys[key];
   if (tool) studio.tool.value = tool;
   else if (key === "?") openHelp();
+  else if (key === "/") document.getElementById("search")?.focus();
   else if (key === "escape") studio.selected.value = null;
   else if (key === " " && !target?.closest("button, a, summary, input, [role=button]")) studio.clock.toggle();
   else return;

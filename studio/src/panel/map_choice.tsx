@@ -30,7 +30,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
         ))}
       </select>
       <FileButton
-        title="A map, both files of a ROS map, a plan or a mission"
+        title="A map, map data of a city (.osm.pbf, .osm, .geojson), both files of a ROS map, a plan or a mission"
         label="File to open"
         onFiles={(files) => void openFiles(studio, files)}
       >

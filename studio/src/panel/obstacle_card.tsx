@@ -1,9 +1,11 @@
 // What is known about the obstacle that was clicked, and what may be said about it.
+import type { Obstacle, Structure } from "../domain/map";
+import { kindWord, usesOf, whatItIs, whyItStays } from "../domain/obstacle_words";
 import { area, duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { IconButton } from "./controls";
 import { MarkButtons } from "./mark_buttons";
-import { nameOf } from "./obstacle_words";
+import { nameOf, osmPage } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
 
 export function ObstacleCard({ page }: { page: PageState }) {
@@ -21,9 +23,10 @@ export function ObstacleCard({ page }: { page: PageState }) {
         <IconButton icon="close" label="Close" onClick={() => (page.selected.value = null)} />
       </div>
       <p class="obstacle-facts">
-        {area(obstacle.cells, units)}
-        <OsmLink name={name} />
+        {[...factsOf(obstacle), area(obstacle.cells, units)].join(", ")}
+        {!obstacle.structures && <OsmLink name={name} />}
       </p>
+      {obstacle.structures && <Structures of={obstacle.structures} />}
       {obstacle.breach_time > 0 && <p>Opening it takes {duration(obstacle.breach_time, units)} longer.</p>}
       {removed && (
         <p>
@@ -35,8 +38,32 @@ export function ObstacleCard({ page }: { page: PageState }) {
       {obstacle.destructible ? (
         <MarkButtons page={page} id={obstacle.id} name={name.text} large />
       ) : (
-        <p>It cannot be removed.</p>
+        <p>{whyItStays(obstacle)}</p>
       )}
     </aside>
+  );
+}
+
+// What it is, where the map says so.
+function factsOf(obstacle: Obstacle): string[] {
+  if (obstacle.kind === undefined || obstacle.kind === "unknown") return [];
+  const what = whatItIs(obstacle);
+  return [what.charAt(0).toUpperCase() + what.slice(1), ...(obstacle.destructible ? usesOf(obstacle) : [])];
+}
+
+const mostListed = 5;
+
+// Of what a section is a part: opening it leaves the rest.
+function Structures({ of }: { of: readonly Structure[] }) {
+  return (
+    <ul class="structures" aria-label="Part of">
+      {of.slice(0, mostListed).map((one, i) => (
+        <li key={i}>
+          {one.name || kindWord(one.kind)}
+          <OsmLink name={{ text: one.name ?? kindWord(one.kind), osm: osmPage(one.source_id ?? 0) }} />
+        </li>
+      ))}
+      {of.length > mostListed && <li>and {of.length - mostListed} more</li>}
+    </ul>
   );
 }

@@ -1,4 +1,6 @@
 // What an obstacle is called: as on the map before anything was drawn, so that its name stays.
+import type { Obstacle } from "../domain/map";
+import { whatItIs } from "../domain/obstacle_words";
 import type { ShownMap } from "../mission/maps";
 
 export interface ObstacleName {
@@ -6,15 +8,22 @@ export interface ObstacleName {
   osm: { href: string; text: string } | null; // its page at OpenStreetMap
 }
 
-// Only where a map is OpenStreetMap's, and not cut into sections, are obstacles sure to be buildings.
+// Only where a map is OpenStreetMap's, and not cut into sections, are obstacles sure to be buildings; or where it says so.
 export function hasBuildings(shown: ShownMap): boolean {
   const { description, cells } = shown.base;
   if (description.obstacles.sections) return false;
+  if (cells.obstacles.some((one) => one.kind !== undefined)) {
+    return cells.obstacles.every((one) => !one.destructible || one.kind === "building");
+  }
   return description.georeference !== null && cells.obstacles.some((one) => one.source_id !== 0);
 }
 
 export function areBuildings(shown: ShownMap, ids: readonly number[]): boolean {
-  return hasBuildings(shown) && ids.every((id) => (shown.map.cells.obstacle(id)?.source_id ?? 0) !== 0);
+  const isBuilding = (id: number) => {
+    const obstacle = shown.map.cells.obstacle(id);
+    return obstacle?.kind === undefined ? (obstacle?.source_id ?? 0) !== 0 : obstacle.kind === "building";
+  };
+  return hasBuildings(shown) && ids.every(isBuilding);
 }
 
 // Of an obstacle of the map shown.
@@ -25,12 +34,23 @@ export function nameOf(shown: ShownMap, id: number): ObstacleName {
 export function nameOfKey(shown: ShownMap, key: number): ObstacleName {
   if (key < 0) return { text: "Drawn wall", osm: null };
   const obstacle = shown.base.cells.obstacle(key);
-  const source = obstacle?.source_id ?? 0;
-  if (!obstacle || source === 0) return { text: obstacle?.name || `Obstacle ${key}`, osm: null };
-  const kind = source > 0 ? "way" : "relation";
-  const number = Math.abs(source);
   return {
-    text: obstacle.name || `${hasBuildings(shown) ? "Building" : "Obstacle"} ${key}`,
-    osm: { href: `https://www.openstreetmap.org/${kind}/${number}`, text: `OSM ${number}` },
+    text: obstacle?.name || `${obstacle ? nounFor(shown, obstacle) : "Obstacle"} ${key}`,
+    osm: osmPage(obstacle?.source_id ?? 0),
   };
+}
+
+function nounFor(shown: ShownMap, obstacle: Obstacle): string {
+  if (obstacle.structures) return "Section";
+  const { kind } = obstacle;
+  if (kind === undefined || kind === "unknown") return obstacle.source_id !== 0 && hasBuildings(shown) ? "Building" : "Obstacle";
+  const what = whatItIs(obstacle).replaceAll("_", " ");
+  return what.charAt(0).toUpperCase() + what.slice(1);
+}
+
+// Of an id of OpenStreetMap: ways positive, relations negative; null for 0.
+export function osmPage(source: number): ObstacleName["osm"] {
+  if (source === 0) return null;
+  const number = Math.abs(source);
+  return { href: `https://www.openstreetmap.org/${source > 0 ? "way" : "relation"}/${number}`, text: `OSM ${number}` };
 }

@@ -4,6 +4,7 @@ import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
 import type { Mission } from "../domain/mission";
 import type { Studio } from "../mission/studio";
 import { NumberField, Segmented } from "./controls";
+import { ProtectAll } from "./protect_all";
 import { VehicleSize } from "./vehicle_size";
 
 type NumberMember = "breachTime" | "breachTimePerCell";
@@ -73,6 +74,7 @@ export function Settings({ studio }: { studio: Studio }) {
         ) : (
           <TeamFields studio={studio} />
         )}
+        <ProtectAll studio={studio} />
       </div>
       {two && <AircraftPlace studio={studio} aircraft={two.air} />}
     </details>

@@ -1,7 +1,7 @@
 // A lane for each agent: a bar while it moves, stripes while it waits, a number where an obstacle is breached. A click goes
 // to that time; the slider below them does so for the keyboard.
 import { useId, useMemo, useRef } from "preact/hooks";
-import { type Look, looksOf } from "../domain/agents";
+import { type AgentLook, looksOf } from "../domain/agents";
 import type { Plan } from "../domain/plan";
 import { type Lane, lanes } from "./activity";
 import type { Clock } from "./clock";
@@ -60,7 +60,7 @@ function Now({ clock, share }: { clock: Clock; share: (at: number) => string }) 
 
 interface LaneProps {
   lane: Lane;
-  look: Look | undefined; // of a team
+  look: AgentLook | undefined; // of a team
   share: (at: number) => string;
   formatTime: (time: number) => string;
 }

@@ -26,6 +26,18 @@ it("tells maps, plans and missions apart by what is in them", async () => {
   expect(await kindOf(file("m.url", `[InternetShortcut]\nURL=http://localhost:8080/#${query}\n`))).toBe("mission");
 });
 
+it("tells map data by its first bytes", async () => {
+  const all = [
+    file("a", new Uint8Array([0, 0, 0, 13, 10, 9]), "OSMHeader", new Uint8Array([24, 127])),
+    file("a.xml", '<?xml version="1.0"?>\n<!-- by hand -->\n<osm version="0.6">'),
+    file("a.osm.gz", new Uint8Array([0x1f, 0x8b, 8, 0])),
+    file("a.json", ' {"type": "FeatureCollection", "features": []}'),
+    file("a.geojson", '{"name": "x", "type": "FeatureCollection"}'),
+  ];
+  for (const one of all) expect(await kindOf(one)).toBe("map data");
+  expect(await kindOf(file("a.xml", "<root><map/></root>"))).toBe("map");
+});
+
 it("says what a file is not", async () => {
   await expect(understood([file("x.json", '{"a": 1}')])).rejects.toThrow(/“x.json” is neither a plan nor a mission/);
   const half = JSON.stringify({ ...planOf({ after: 9 }), agents: [{ kind: "ground" }] });

@@ -32,7 +32,7 @@ export class Sketch {
   draw(frame: Frame, scene: Scene): void {
     if (scene.tool === "move") return;
     const { context, theme } = frame;
-    const colour = scene.tool === "wall" ? theme.fixedEdge : theme.removed;
+    const colour = scene.tool === "wall" ? theme.obstacles.fixed.edge : theme.removed;
     if (this.#points.length > 0) {
       inMapPoints(frame, () => {
         context.beginPath();

@@ -138,7 +138,7 @@ function written({ pixelRatio, theme }: Frame, name: Name, size: TextSize): Spri
   context.textBaseline = "middle";
   context.lineJoin = "round";
   context.lineWidth = 2 * halo;
-  context.strokeStyle = name.kind === "building" ? theme.obstacle : theme.halo;
+  context.strokeStyle = name.kind === "building" ? theme.obstacles.removable.fill : theme.halo;
   context.fillStyle = colour(theme);
   const top = height / 2 - ((name.lines.length - 1) * lineHeight) / 2;
   name.lines.forEach((line, i) => context.strokeText(line, width / 2, top + i * lineHeight));

@@ -1,5 +1,5 @@
 // Paths of a layer. They differ by width and dashes, not by colour alone.
-import type { Look } from "../../domain/agents";
+import type { AgentLook } from "../../domain/agents";
 import { type Box, grown, type Point } from "../../domain/geometry";
 import type { LayerName } from "../../domain/mission";
 import type { Agent, Plan } from "../../domain/plan";
@@ -34,7 +34,7 @@ const styles: Record<LayerName, Record<Agent["kind"], LineStyle>> = {
 };
 
 // Of a team: colours tell its agents apart, and once they have all been used, dashes. Aircraft are dashed anyhow.
-function teamStyle(layer: LayerName, look: Look): LineStyle {
+function teamStyle(layer: LayerName, look: AgentLook): LineStyle {
   const colour = (theme: Theme) => colourOf(look, theme);
   const halo = (theme: Theme) => theme.halo;
   const edge = (theme: Theme) => theme.airEdge;

@@ -1,5 +1,5 @@
 // Agents where they are at a time of the plan.
-import type { Look } from "../../domain/agents";
+import type { AgentLook } from "../../domain/agents";
 import type { Point } from "../../domain/geometry";
 import type { Agent, Plan } from "../../domain/plan";
 import type { Layer, Scene } from "../../domain/scene";
@@ -51,7 +51,7 @@ function radiusOf({ agents }: Scene, id: string): number {
   return agent?.kind === "ground" ? agent.radius : 0;
 }
 
-function drawVehicle(frame: Frame, at: Point, now: Position, look: Look, cells: number, name: string | null): void {
+function drawVehicle(frame: Frame, at: Point, now: Position, look: AgentLook, cells: number, name: string | null): void {
   const { context, theme, camera } = frame;
   const [x, y] = at;
   const radius = Math.max(cells * camera.scale, name === null ? leastRadius : leastRadius + 3);
@@ -75,7 +75,7 @@ function drawVehicle(frame: Frame, at: Point, now: Position, look: Look, cells: 
   context.fillText(name, x, y + 0.5);
 }
 
-function drawAircraft(frame: Frame, at: Point, now: Position, look: Look, name: string | null): void {
+function drawAircraft(frame: Frame, at: Point, now: Position, look: AgentLook, name: string | null): void {
   const colour = colourOf(look, frame.theme);
   if (now.state === "waiting") drawFadingRing(frame, at, { ...pulse(frame, 16), colour: frame.theme.removed });
   drawPlane(frame, at, now.heading, colour);

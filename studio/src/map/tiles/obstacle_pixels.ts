@@ -1,14 +1,10 @@
 // Obstacles as pixels of a tile. Runs are written straight into the picture: a tile costs what stands on it, at any
 // level and on any map, be it a city of ten thousand buildings or a maze of one.
 import type { CellMap } from "../../domain/cell_map";
+import { type Look, lookOf, looks } from "../../domain/looks";
 import { span, type TileId, tileSize } from "./tiles";
 
-export interface ObstacleColours {
-  obstacle: string;
-  obstacleEdge: string;
-  fixed: string;
-  fixedEdge: string;
-}
+export type ObstacleColours = Record<Look, { fill: string; edge: string }>;
 
 type Rgb = readonly [number, number, number];
 
@@ -27,20 +23,76 @@ function mix(a: Rgb, b: Rgb, share: number): Rgb {
   return [part(0), part(1), part(2)];
 }
 
-export function fixedObstacles(cells: CellMap): Uint8Array {
-  const fixed = new Uint8Array(cells.obstacles.length + 1);
-  for (const obstacle of cells.obstacles) fixed[obstacle.id] = obstacle.destructible ? 0 : 1;
-  return fixed;
+// What drawing asks of each obstacle, by its id.
+export class ObstacleLooks {
+  readonly of: Uint8Array; // index into `looks`
+
+  constructor(private readonly cells: CellMap) {
+    this.of = new Uint8Array(cells.obstacles.length + 1);
+    for (const obstacle of cells.obstacles) this.of[obstacle.id] = looks.indexOf(lookOf(obstacle));
+  }
+
+  // How strongly an obstacle is parted from what it touches, from 0 to 1. Between two, only that with the lower number
+  // draws a line, so that it is no wider than towards a street. Waters run into each other, and sections of one
+  // building are parted faintly.
+  line(own: number, other: number): number {
+    if (own === other || (other !== 0 && other < own)) return 0;
+    if (other === 0) return 1;
+    const look = looks[this.of[own]!]!;
+    const ground = look === "water" || look === "cliff" || look === "forbidden";
+    if (ground && this.of[own] === this.of[other]) return 0;
+    return this.#areOfOne(own, other) ? 0.3 : 1;
+  }
+
+  #areOfOne(a: number, b: number): boolean {
+    const [of, others] = [this.cells.obstacle(a)?.structures, this.cells.obstacle(b)?.structures];
+    if (!of || !others) return false;
+    return of.some(({ source_id }) => source_id !== undefined && others.some((one) => one.source_id === source_id));
+  }
 }
 
-// RGBA of tileSize² pixels, clear where no obstacle is. `fixed` is the result of fixedObstacles().
+// RGBA of tileSize² pixels, clear where no obstacle is.
 export function obstaclePixels(
   cells: CellMap,
-  fixed: Uint8Array,
+  obstacles: ObstacleLooks,
   tile: TileId,
   colours: ObstacleColours,
 ): Uint32Array<ArrayBuffer> {
-  return tile.level < 0 ? coarse(cells, fixed, tile, colours) : fine(cells, fixed, tile, colours);
+  const shades = looks.map((look) => ({ fill: rgb(colours[look].fill), edge: rgb(colours[look].edge) }));
+  const paint = tile.level < 0 ? coarse : fine;
+  const pixels = paint(cells, obstacles, tile, shades);
+  addPatterns(pixels, shades, tile.level);
+  return pixels;
+}
+
+interface Shade {
+  fill: Rgb;
+  edge: Rgb;
+}
+
+// Lines are too fine in overviews: a shade stands for them.
+function overviewFill({ fill, edge }: Shade): Rgb {
+  return mix(fill, edge, 0.25);
+}
+
+// So that ground differs by more than its colour, in print as well: waves on water, stripes on what is forbidden. They
+// go on from tile to tile, whose side is a multiple of theirs.
+const patterns: Partial<Record<Look, (x: number, y: number) => boolean>> = {
+  water: (x, y) => y % 8 === 4 && (x + (y & 8)) % 16 < 8,
+  forbidden: (x, y) => (x + y) % 8 < 2,
+};
+
+function addPatterns(pixels: Uint32Array, shades: Shade[], level: number): void {
+  looks.forEach((look, i) => {
+    const marks = patterns[look];
+    if (!marks) return;
+    const shade = shades[i]!;
+    const plain = pixel(level < 0 ? overviewFill(shade) : shade.fill);
+    const marked = pixel(mix(shade.fill, shade.edge, 0.6));
+    for (let k = 0; k < pixels.length; ++k) {
+      if (pixels[k] === plain && marks(k % tileSize, Math.floor(k / tileSize))) pixels[k] = marked;
+    }
+  });
 }
 
 // Labels of cells [left, left + row.length) of row y; 0 off the map.
@@ -55,21 +107,21 @@ function labelsInto(row: Uint32Array, cells: CellMap, left: number, y: number): 
   return row;
 }
 
-// One cell is several pixels. A line parts an obstacle from what it touches; between two obstacles, only that with the
-// lower number draws it, so that it is no wider than towards a street.
-function fine(cells: CellMap, fixed: Uint8Array, tile: TileId, colours: ObstacleColours): Uint32Array<ArrayBuffer> {
+// One cell is several pixels. A line parts an obstacle from what it touches.
+function fine(cells: CellMap, obstacles: ObstacleLooks, tile: TileId, shades: Shade[]): Uint32Array<ArrayBuffer> {
   const pixels = new Uint32Array(tileSize * tileSize);
   const scale = 2 ** tile.level;
   const count = span(tile.level);
   const left = tile.column * count;
   const top = tile.row * count;
   const edgeShare = scale === 1 ? 0.35 : scale === 2 ? 0.75 : 1; // a line of one pixel is wide where a cell is one
-  const fill = [pixel(rgb(colours.obstacle)), pixel(rgb(colours.fixed))];
-  const edge = [
-    pixel(mix(rgb(colours.obstacle), rgb(colours.obstacleEdge), edgeShare)),
-    pixel(mix(rgb(colours.fixed), rgb(colours.fixedEdge), edgeShare)),
-  ];
-  const parts = (own: number, other: number): boolean => own !== other && (other === 0 || own < other);
+  const fills = shades.map(({ fill }) => pixel(fill));
+  const shadeOf = (id: number): Shade => shades[obstacles.of[id]!]!;
+  // The colour of the line that parts two; 0 where there is none.
+  const line = (own: number, other: number): number => {
+    const strength = obstacles.line(own, other) * edgeShare;
+    return strength === 0 ? 0 : pixel(mix(shadeOf(own).fill, shadeOf(own).edge, strength));
+  };
 
   let above = labelsInto(new Uint32Array(count + 2), cells, left - 1, top - 1);
   let row = labelsInto(new Uint32Array(count + 2), cells, left - 1, top);
@@ -85,9 +137,9 @@ function fine(cells: CellMap, fixed: Uint8Array, tile: TileId, colours: Obstacle
       while (end <= count && row[end] === own) ++end;
       if (own !== 0) {
         const [from, until] = [first + (i - 1) * scale, first + (end - 1) * scale];
-        pixels.fill(fill[fixed[own]!]!, from, until);
-        if (parts(own, row[i - 1]!)) pixels[from] = edge[fixed[own]!]!;
-        if (parts(own, row[end]!)) pixels[until - 1] = edge[fixed[own]!]!;
+        pixels.fill(fills[obstacles.of[own]!]!, from, until);
+        pixels[from] = line(own, row[i - 1]!) || pixels[from]!;
+        pixels[until - 1] = line(own, row[end]!) || pixels[until - 1]!;
       }
       i = end;
     }
@@ -96,49 +148,49 @@ function fine(cells: CellMap, fixed: Uint8Array, tile: TileId, colours: Obstacle
       const own = row[i]!;
       if (own === 0) continue;
       const x = (i - 1) * scale;
-      if (parts(own, above[i]!)) pixels.fill(edge[fixed[own]!]!, first + x, first + x + scale);
-      if (parts(own, below[i]!)) pixels.fill(edge[fixed[own]!]!, last + x, last + x + scale);
+      const [upper, lower] = [line(own, above[i]!), line(own, below[i]!)];
+      if (upper !== 0) pixels.fill(upper, first + x, first + x + scale);
+      if (lower !== 0) pixels.fill(lower, last + x, last + x + scale);
     }
     [above, row, below] = [row, below, above as typeof below];
   }
   return pixels;
 }
 
-// One pixel is several cells: how many are blocked says how much of it is seen.
-function coarse(cells: CellMap, fixed: Uint8Array, tile: TileId, colours: ObstacleColours): Uint32Array<ArrayBuffer> {
+// One pixel is several cells: how many are blocked says how much of it is seen, and each look has its share of the
+// colour.
+function coarse(cells: CellMap, obstacles: ObstacleLooks, tile: TileId, shades: Shade[]): Uint32Array<ArrayBuffer> {
   const shift = -tile.level;
   const count = span(tile.level);
   const left = tile.column * count;
   const right = Math.min(left + count, cells.width);
   const top = tile.row * count;
   const bottom = Math.min(top + count, cells.height);
+  const colours = shades.map(overviewFill);
   const covered = new Uint32Array(tileSize * tileSize);
-  const coveredFixed = new Uint32Array(tileSize * tileSize);
+  const sums = [0, 1, 2].map(() => new Uint32Array(tileSize * tileSize)); // of red, green and blue
   for (let y = top; y < bottom; ++y) {
-    const line = ((y - top) >> shift) * tileSize;
+    const start = ((y - top) >> shift) * tileSize;
     for (let i = cells.firstRun(y, left); i < cells.rowStart[y + 1]! && cells.from[i]! < right; ++i) {
-      const into = fixed[cells.label[i]!] ? coveredFixed : covered;
+      const colour = colours[obstacles.of[cells.label[i]!]!]!;
       let from = Math.max(cells.from[i]!, left) - left;
       const end = Math.min(cells.from[i]! + cells.length[i]!, right) - left;
       while (from < end) {
         const next = Math.min(((from >> shift) + 1) << shift, end);
-        into[line + (from >> shift)]! += next - from;
+        const at = start + (from >> shift);
+        covered[at]! += next - from;
+        for (const part of [0, 1, 2] as const) sums[part]![at]! += (next - from) * colour[part];
         from = next;
       }
     }
   }
   const alphaOf = 255 / 4 ** shift;
-  // Lines are too fine here: a shade stands for them.
-  const colour = mix(rgb(colours.obstacle), rgb(colours.obstacleEdge), 0.25);
-  const fixedColour = mix(rgb(colours.fixed), rgb(colours.fixedEdge), 0.25);
-  const clear = pixel(colour, 0);
   const pixels = new Uint32Array(tileSize * tileSize);
   for (let i = 0; i < pixels.length; ++i) {
-    const solid = coveredFixed[i]!;
-    const sum = covered[i]! + solid;
+    const sum = covered[i]!;
     if (sum === 0) continue;
-    const shade = solid === 0 ? clear : pixel(mix(colour, fixedColour, solid / sum), 0);
-    pixels[i] = (shade | (Math.round(sum * alphaOf) << 24)) >>> 0;
+    const part = (k: 0 | 1 | 2): number => Math.round(sums[k]![i]! / sum);
+    pixels[i] = pixel([part(0), part(1), part(2)], Math.round(sum * alphaOf));
   }
   return pixels;
 }

@@ -3,11 +3,11 @@ import type { CellMap } from "../../domain/cell_map";
 import type { Feature, MapDescription } from "../../domain/map";
 import type { Theme } from "../viewport/theme";
 import { FeatureIndex, streetShows, streetStyle } from "./ground_features";
-import { fixedObstacles, obstaclePixels } from "./obstacle_pixels";
+import { ObstacleLooks, obstaclePixels } from "./obstacle_pixels";
 import { boxOf, type TileId, tileSize } from "./tiles";
 
 export class TilePainter {
-  readonly #fixed: Uint8Array;
+  readonly #looks: ObstacleLooks;
   readonly #paths = new Map<number, Path2D>();
   readonly #tile = new OffscreenCanvas(tileSize, tileSize);
   readonly #obstacles = new OffscreenCanvas(tileSize, tileSize);
@@ -19,7 +19,7 @@ export class TilePainter {
     private readonly theme: Theme,
     private readonly pixelRatio: number,
   ) {
-    this.#fixed = fixedObstacles(cells);
+    this.#looks = new ObstacleLooks(cells);
   }
 
   paint(tile: TileId): ImageBitmap {
@@ -27,7 +27,7 @@ export class TilePainter {
     context.fillStyle = this.theme.paper;
     context.fillRect(0, 0, tileSize, tileSize);
     this.#paintGround(context, tile);
-    const pixels = obstaclePixels(this.cells, this.#fixed, tile, this.theme);
+    const pixels = obstaclePixels(this.cells, this.#looks, tile, this.theme.obstacles);
     const image = new ImageData(new Uint8ClampedArray(pixels.buffer), tileSize, tileSize);
     this.#obstacles.getContext("2d")!.putImageData(image, 0, 0);
     context.drawImage(this.#obstacles, 0, 0);

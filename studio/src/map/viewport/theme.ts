@@ -1,7 +1,8 @@
 // Colours of the map, light and dark: Okabe and Ito's (2008), safe for colour-blind readers, over a quiet
 // ground. The light ones are those of `waybreaker plan --svg`. The ten of a team's vehicles were searched for: as far from
 // each other as can be, for all kinds of colour vision (tests/map/viewport/theme.test.ts).
-import type { Look } from "../../domain/agents";
+import type { AgentLook } from "../../domain/agents";
+import type { Look } from "../../domain/looks";
 
 export interface Theme {
   outside: string; // beyond the map
@@ -15,10 +16,7 @@ export interface Theme {
   waterName: string;
   green: string;
   greenName: string;
-  obstacle: string;
-  obstacleEdge: string;
-  fixed: string; // cannot be removed
-  fixedEdge: string;
+  obstacles: Record<Look, { fill: string; edge: string }>;
   removed: string;
   removedTint: string; // under the hatching
   breach: string; // carries figures in `onBreach`
@@ -56,10 +54,14 @@ export const light: Theme = {
   waterName: "#3f6d86",
   green: "#e2ecd6",
   greenName: "#4f6b3c",
-  obstacle: "#ddd6ca",
-  obstacleEdge: "#aba191",
-  fixed: "#b5ab9c",
-  fixedEdge: "#7d7467",
+  obstacles: {
+    removable: { fill: "#ddd6ca", edge: "#aba191" },
+    barrier: { fill: "#a98f6d", edge: "#8a7050" },
+    fixed: { fill: "#b5ab9c", edge: "#7d7467" },
+    water: { fill: "#a3cbe3", edge: "#5f95b5" },
+    cliff: { fill: "#7a7166", edge: "#4d463d" },
+    forbidden: { fill: "#e0d8e0", edge: "#8f7f95" },
+  },
   removed: "#d55e00",
   removedTint: "#fbe3d1",
   breach: "#b84a00",
@@ -97,10 +99,14 @@ export const dark: Theme = {
   waterName: "#8fbdd6",
   green: "#1f2d22",
   greenName: "#a3c490",
-  obstacle: "#474d56",
-  obstacleEdge: "#6a727d",
-  fixed: "#767e89",
-  fixedEdge: "#a3abb5",
+  obstacles: {
+    removable: { fill: "#474d56", edge: "#6a727d" },
+    barrier: { fill: "#8a7556", edge: "#ab9470" },
+    fixed: { fill: "#767e89", edge: "#a3abb5" },
+    water: { fill: "#205777", edge: "#5e9fc4" },
+    cliff: { fill: "#a39b90", edge: "#d0c8bc" },
+    forbidden: { fill: "#38303f", edge: "#83738c" },
+  },
   removed: "#f0772b",
   removedTint: "#4a2c19",
   breach: "#ff8a3d",
@@ -127,7 +133,7 @@ export const dark: Theme = {
 };
 
 // Of an agent of a team.
-export function colourOf({ kind, colour }: Look, { vehicles, fleet }: Theme): string {
+export function colourOf({ kind, colour }: AgentLook, { vehicles, fleet }: Theme): string {
   const colours = kind === "ground" ? vehicles : fleet;
   return colours[colour % colours.length]!;
 }

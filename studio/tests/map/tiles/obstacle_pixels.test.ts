@@ -1,13 +1,24 @@
 import { describe, expect, it } from "vitest";
-import { fixedObstacles, obstaclePixels } from "../../../src/map/tiles/obstacle_pixels";
+import { ObstacleLooks, obstaclePixels } from "../../../src/map/tiles/obstacle_pixels";
 import { tileSize } from "../../../src/map/tiles/tiles";
+import type { Obstacle } from "../../../src/domain/map";
 import { mapOf, randomMap } from "../../domain/picture";
 
-const colours = { obstacle: "#0000ff", obstacleEdge: "#00ff00", fixed: "#ff0000", fixedEdge: "#ffffff" };
-const names: Record<number, string> = { 0: ".", 0xffff0000: "o", 0xff00ff00: "e", 0xff0000ff: "f", 0xffffffff: "F" };
+const colours = {
+  removable: { fill: "#0000ff", edge: "#00ff00" },
+  barrier: { fill: "#00ffff", edge: "#ffff00" },
+  fixed: { fill: "#ff0000", edge: "#ffffff" },
+  water: { fill: "#101010", edge: "#606060" },
+  cliff: { fill: "#202020", edge: "#303030" },
+  forbidden: { fill: "#505050", edge: "#a0a0a0" },
+};
+const names: Record<number, string> = {
+  0: ".", 0xffff0000: "o", 0xff00ff00: "e", 0xff0000ff: "f", 0xffffffff: "F", 0xffffff00: "b", 0xff00ffff: "B",
+  0xff101010: "w", 0xff606060: "W", 0xff404040: "~", 0xff505050: "c", 0xffa0a0a0: "C", 0xff808080: "/",
+};
 
 function picture(map: ReturnType<typeof mapOf>, level: number, width: number, height: number): string[] {
-  const pixels = obstaclePixels(map, fixedObstacles(map), { level, column: 0, row: 0 }, colours);
+  const pixels = obstaclePixels(map, new ObstacleLooks(map), { level, column: 0, row: 0 }, colours);
   return Array.from({ length: height }, (_, y) =>
     Array.from({ length: width }, (_, x) => names[pixels[y * tileSize + x]!] ?? "?").join(""),
   );
@@ -30,9 +41,9 @@ describe("pixels of obstacles", () => {
 
   it("are at every level those of the cells", () => {
     const map = randomMap(40, 30, 5);
-    const fixed = fixedObstacles(map);
+    const looks = new ObstacleLooks(map);
     for (const level of [0, 1, 2, 3]) {
-      const pixels = obstaclePixels(map, fixed, { level, column: 0, row: 0 }, colours);
+      const pixels = obstaclePixels(map, looks, { level, column: 0, row: 0 }, colours);
       const scale = 2 ** level;
       let wrong = 0;
       for (let y = 0; y < tileSize; ++y) {
@@ -49,7 +60,7 @@ describe("pixels of obstacles", () => {
     const map = randomMap(50, 37, 6);
     for (const level of [-1, -2, -3]) {
       const side = 2 ** -level;
-      const pixels = obstaclePixels(map, fixedObstacles(map), { level, column: 0, row: 0 }, colours);
+      const pixels = obstaclePixels(map, new ObstacleLooks(map), { level, column: 0, row: 0 }, colours);
       for (let y = 0; y * side < map.height; ++y) {
         for (let x = 0; x * side < map.width; ++x) {
           let blocked = 0;
@@ -60,5 +71,38 @@ describe("pixels of obstacles", () => {
         }
       }
     }
+  });
+
+  it("tell water, barriers and forbidden ground apart by colour and by pattern", () => {
+    const map = mapOf("abbcdd");
+    const kinds = ["barrier", "water", "water", "forbidden"] as const;
+    map.obstacles.forEach((one, i) => Object.assign(one, { kind: kinds[i], destructible: i === 0 }));
+    // Both waters are one, and have waves; what is forbidden has stripes.
+    expect(picture(map, 3, 48, 8)).toEqual([
+      "BBBBBBBBWWWWWWWWWWWWWWWWWWWWWWWWCCCCCCCCCCCCCCCC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwW/cccccc//ccccccC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWcccccc//cccccc/C",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWccccc//cccccc//C",
+      "BbbbbbbBwwwwwwww~~~~~~~~wwwwwwwWcccc//cccccc//cC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWccc//cccccc//ccC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWcc//cccccc//cccC",
+      "BBBBBBBBWWWWWWWWWWWWWWWWWWWWWWWWCCCCCCCCCCCCCCCC",
+    ]);
+  });
+
+  it("part sections of one building faintly, and waters that touch not at all", () => {
+    const line = (a: Partial<Obstacle>, b: Partial<Obstacle>) => {
+      const map = mapOf("ab");
+      Object.assign(map.obstacle(1)!, a);
+      Object.assign(map.obstacle(2)!, b);
+      return new ObstacleLooks(map).line(1, 2);
+    };
+    const of = (...ids: number[]) => ({ structures: ids.map((source_id) => ({ kind: "building" as const, source_id })) });
+    const water = { kind: "water" as const, destructible: false };
+    expect(line(of(1), of(2))).toBe(1);
+    expect(line(of(1, 2), of(2, 3))).toBeGreaterThan(0);
+    expect(line(of(1, 2), of(2, 3))).toBeLessThan(1);
+    expect(line(water, water)).toBe(0);
+    expect(line({}, water)).toBe(1);
   });
 });

@@ -1,0 +1,14 @@
+// Routes that make maps from map data: sources that are sent, imports from them.
+#pragma once
+
+#include <vector>
+
+#include "server/routes.hpp"
+#include "server/source_store.hpp"
+
+namespace waybreaker::server {
+
+// The handlers keep the references.
+std::vector<Route> import_routes(SourceStore& sources, MapStore& maps);
+
+}  // namespace waybreaker::server

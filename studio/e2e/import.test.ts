@@ -1,0 +1,111 @@
+// Map data that is dropped on the page becomes a map.
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Browser } from "playwright-core";
+import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
+import { Server } from "./server";
+import { launch, phone, StudioPage, wide } from "./studio_page";
+
+const scratch = mkdtempSync(join(tmpdir(), "import-"));
+
+let server: Server;
+let browser: Browser;
+let studio: StudioPage | null = null;
+
+beforeAll(async () => {
+  [server, browser] = await Promise.all([Server.start(), launch()]);
+});
+afterAll(async () => {
+  await browser.close();
+  expect(await server.stop()).toBe(0);
+  rmSync(scratch, { recursive: true });
+});
+afterEach(async () => {
+  await studio?.close();
+  studio = null;
+});
+
+async function visit(viewport = wide): Promise<StudioPage> {
+  studio = await StudioPage.visit(browser, `${server.url}/`, { viewport });
+  await studio.settled();
+  return studio;
+}
+
+// OpenStreetMap's XML of 6 x 6 houses, one of them a pond, and a lane between them.
+function townFile(): string {
+  const nodes: string[] = [];
+  const ways: string[] = [];
+  const way = (tags: Record<string, string>, points: [number, number][]) => {
+    const first = nodes.length + 1;
+    const refs = points.map(([x, y], i) => {
+      if (i > 0 && `${points[i]}` === `${points[0]}`) return `<nd ref="${first}"/>`; // closed
+      nodes.push(`<node id="${nodes.length + 1}" lon="${9 + x / 71_700}" lat="${50 + y / 111_200}"/>`);
+      return `<nd ref="${nodes.length}"/>`;
+    });
+    const said = Object.entries(tags).map(([key, value]) => `<tag k="${key}" v="${value}"/>`);
+    ways.push(`<way id="${1000 + ways.length}">${refs.join("")}${said.join("")}</way>`);
+  };
+  const area = (tags: Record<string, string>, x: number, y: number, side: number) =>
+    way(tags, [[x, y], [x + side, y], [x + side, y + side], [x, y + side], [x, y]]);
+  const pond = 14;
+  for (let i = 0; i < 36; ++i) {
+    area(i === pond ? { natural: "water", name: "Pond" } : { building: "yes" }, 50 * (i % 6), 50 * Math.floor(i / 6), 46);
+  }
+  way({ highway: "residential", name: "Long Lane" }, [[-2, 48], [300, 48]]);
+  const file = join(scratch, "town.osm");
+  writeFileSync(file, `<osm version="0.6">${nodes.join("")}${ways.join("")}</osm>`);
+  return file;
+}
+
+describe("map data", () => {
+  it("becomes a map, planned on at once, by the keyboard alone", async () => {
+    const page = await visit();
+    await page.page.getByLabel("File to open").setInputFiles(townFile());
+    const dialog = page.page.getByRole("dialog", { name: "Make a map from town.osm" });
+    const window = dialog.getByRole("button", { name: /^Window of/ });
+    await window.focus();
+    const before = await dialog.getByLabel("Longitude").inputValue();
+    await page.page.keyboard.press("-");
+    await page.page.keyboard.press("ArrowRight");
+    await expect.poll(() => dialog.getByLabel("Longitude").inputValue()).not.toBe(before);
+    expect(await page.accessibilityFaults()).toEqual([]);
+    await dialog.getByLabel("Size of a cell").fill("1.5");
+    await dialog.getByRole("button", { name: "Import" }).focus();
+    await page.page.keyboard.press("Enter");
+    await dialog.waitFor({ state: "hidden" });
+    await expect.poll(() => page.page.getByLabel("Choose a map").evaluate((one) => (one as HTMLSelectElement).selectedOptions[0]?.text)).toBe("town.tif");
+    await page.settled();
+    expect((await page.plan()).status).toBe("solved");
+    await page.page.getByRole("button", { name: "Legend" }).click();
+    expect(await page.page.getByRole("list", { name: "Legend of obstacles" }).innerText()).toBe("can be removed\nwater");
+    await page.page.getByRole("combobox", { name: "Find a street or obstacle" }).fill("lane");
+    await page.page.getByRole("option", { name: /Long Lane/ }).waitFor();
+    expect(page.faults).toEqual([]);
+  });
+
+  it("is chosen on a phone as well", async () => {
+    const page = await visit(phone);
+    await page.page.getByLabel("File to open").setInputFiles(townFile());
+    const dialog = page.page.getByRole("dialog");
+    await dialog.getByRole("radio", { name: /^Truck/ }).check();
+    await dialog.getByRole("radio", { name: "A whole building" }).check();
+    const wider = await dialog.evaluate((one) => one.scrollWidth - one.clientWidth);
+    expect(wider).toBe(0);
+    await dialog.getByRole("button", { name: "Import" }).click();
+    await dialog.waitFor({ state: "hidden" });
+    await page.settled();
+    expect(page.faults).toEqual([]);
+  });
+
+  it("says why a file is none, and can be left", async () => {
+    const page = await visit();
+    const file = join(scratch, "empty.geojson");
+    writeFileSync(file, '{"type": "FeatureCollection", "features": []}');
+    await page.page.getByLabel("File to open").setInputFiles(file);
+    const dialog = page.page.getByRole("dialog");
+    await dialog.getByRole("alert").getByText(/buildings/).waitFor();
+    await page.page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "hidden" });
+  });
+});

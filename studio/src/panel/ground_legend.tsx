@@ -1,0 +1,37 @@
+// What obstacles look like on the map: those kinds that this map has. In print it is always open.
+import { useId, useState } from "preact/hooks";
+import { type Look, looksOn } from "../domain/looks";
+import type { PageState } from "../mission/page_state";
+
+const words: Record<Look, string> = {
+  removable: "can be removed",
+  barrier: "wall, fence, hedge: can be removed",
+  fixed: "has to stay",
+  water: "water",
+  cliff: "step of the ground",
+  forbidden: "forbidden ground",
+};
+
+export function GroundLegend({ page }: { page: PageState }) {
+  const [open, setOpen] = useState(false);
+  const id = useId();
+  const cells = page.shown.value?.map.cells;
+  if (!cells) return null;
+  const looks = looksOn(cells);
+  if (looks.length < 2) return null;
+  return (
+    <div class="ground-legend">
+      <ul id={id} hidden={!open} aria-label="Legend of obstacles">
+        {looks.map((look) => (
+          <li key={look}>
+            <span class={`swatch swatch-${look}`} aria-hidden="true" />
+            {words[look]}
+          </li>
+        ))}
+      </ul>
+      <button type="button" aria-expanded={open} aria-controls={id} onClick={() => setOpen(!open)}>
+        {open ? "Hide legend" : "Legend"}
+      </button>
+    </div>
+  );
+}
