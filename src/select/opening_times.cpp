@@ -14,13 +14,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_toured = 8;  // obstacles
 
-// Between cells beside two obstacles, at least.
-double hop(const Box& a, const Box& b) {
-    const int x = std::max({a.min.x - b.max.x - 2, b.min.x - a.max.x - 2, 0});
-    const int y = std::max({a.min.y - b.max.y - 2, b.min.y - a.max.y - 2, 0});
-    return std::sqrt(double(x) * x + double(y) * y);
-}
-
 bool may_matter(const Task& task) {
     if (task.rules.timing == Timing::ignore) return false;
     if (task.flyer.start != task.driver.start || task.flyer.speed < task.driver.speed) return true;
@@ -29,6 +22,12 @@ bool may_matter(const Task& task) {
 }
 
 }  // namespace
+
+double hop(const Box& a, const Box& b) {
+    const int x = std::max({a.min.x - b.max.x - 2, b.min.x - a.max.x - 2, 0});
+    const int y = std::max({a.min.y - b.max.y - 2, b.min.y - a.max.y - 2, 0});
+    return std::sqrt(double(x) * x + double(y) * y);
+}
 
 OpeningTimes::OpeningTimes(const Task& task) : task_(task), matter_(may_matter(task)) {}
 

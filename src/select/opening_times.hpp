@@ -9,6 +9,9 @@
 
 namespace waybreaker {
 
+// From a cell beside one obstacle to a cell beside another, at least: by their boxes.
+double hop(const Box& a, const Box& b);
+
 class OpeningTimes {
   public:
     // The task must outlive it.
