@@ -2,7 +2,9 @@
 // missions of one city, so many of them as are needed from random places at least as far apart.
 //
 //     bench_coalition [--objective flowtime|makespan] [--breach-time T] [--air-speed V] [--seconds S]
-//                     [--teams K+M:N,...]
+//                     [--teams K+M:N,...] [--every K]
+//
+// A sample is each K-th mission of a team.
 //
 // A row for each team: vehicles, aircraft, removals; missions; means of the proven gap, of what the removals save, of
 // the processor seconds; the worst gap; plans that the judge does not accept, and missions without a plan.
@@ -37,13 +39,15 @@ struct Arguments {
     double breach_time = 0;
     double air_speed = 1;
     double seconds = 60;
-    std::vector<Team> teams{{2, 1, 3}, {2, 1, 10}, {5, 2, 5}, {10, 3, 5}, {10, 3, 10}};
+    std::vector<Team> teams{{2, 1, 3},  {2, 1, 5},  {2, 1, 10},  {5, 2, 3},    {5, 2, 5},    {5, 2, 10},
+                            {10, 3, 3}, {10, 3, 5}, {10, 3, 10}, {100, 10, 3}, {100, 10, 5}, {100, 10, 10}};
+    std::size_t every = 1;
 };
 
 Arguments parse(std::span<char*> words) {
     const InputError usage(
         "usage: bench_coalition [--objective flowtime|makespan] [--breach-time T] [--air-speed V] [--seconds S] "
-        "[--teams K+M:N,...]");
+        "[--teams K+M:N,...] [--every K]");
     Arguments arguments;
     for (std::size_t i = 1; i < words.size(); i += 2) {
         if (i + 1 == words.size()) throw usage;
@@ -67,6 +71,8 @@ Arguments parse(std::span<char*> words) {
                     throw usage;
                 arguments.teams.push_back(team);
             }
+        } else if (option == "--every") {
+            arguments.every = std::size_t(std::max(std::stoi(value), 1));
         } else {
             throw usage;
         }
@@ -131,6 +137,7 @@ class Draw {
 };
 
 struct Row {
+    std::size_t drawn = 0;
     std::vector<double> gaps;
     std::vector<double> saved;
     std::vector<double> seconds;
@@ -144,6 +151,7 @@ void run_city(const Map& map, const std::vector<CityMission>& missions, const Te
     const std::size_t count = std::max<std::size_t>(missions.size() / std::size_t(team.vehicles), 1);
     for (std::size_t i = 0; i < count; ++i) {
         const Mission mission = draw.mission(team, arguments);
+        if (row.drawn++ % arguments.every != 0) continue;
         const double start = processor_seconds();
         const Plan plan = MissionPlanner().plan(map, mission, {}, {.seconds = arguments.seconds});
         row.seconds.push_back(processor_seconds() - start);

@@ -42,6 +42,9 @@ struct CrossingOptions {
     // The same of the whole mission of whoever opens them. A path costs no less; `adds_both`: it costs the sum of both.
     std::function<double(std::span<const ObstacleId>)> done_after = {};
     bool adds_both = false;
+    // What a path pays beside all else for each obstacle that it crosses: by id, in cells, none below 0. Empty:
+    // nothing.
+    std::span<const double> prices = {};
     double length_limit = std::numeric_limits<double>::infinity();  // dearer paths are not looked for
     double expected = 0;  // a guess of the cost, cells: near above it, the search is fastest
     Limits limits = {};
@@ -56,7 +59,7 @@ struct CrossingGate {
 struct CrossingPath {
     std::vector<Point> path;          // turning points from start to goal
     double length = 0;                // cells
-    double cost = 0;                  // cells: driven, waited for obstacles to open, or as `done_after` says
+    double cost = 0;                  // cells: driven, waited for obstacles to open, or as `done_after` says; and paid
     std::vector<ObstacleId> crossed;  // in the order of the path, each once; without those of `removed`
     // Where it waits. Such a path is a lower limit: it may come to a gate through what stands, half a cell early.
     std::vector<CrossingGate> gates = {};

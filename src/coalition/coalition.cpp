@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coalition/joint.hpp"
 #include "coalition/picks.hpp"
 #include "coalition/relaxation.hpp"
 #include "plan/timeline.hpp"
@@ -13,13 +14,19 @@ namespace {
 // Of the time that is left when choosing begins; the rest is for paths past each other.
 constexpr double share_of_choice = 0.6;
 constexpr int most_rounds = 12;
-// Relative: a set so near to the bound is good enough; and so near to it that no obstacles are exchanged.
+// Relative: a set so near to the bound is good enough; so near to it that sets are compared one by one, not by prices;
+// and so near that what only a wider body needs is not looked for.
 constexpr double close = 1e-3;
-constexpr double near = 5e-3;
-// Relative: when rounds of prices raise the bound by less, they end.
-constexpr double least_gain = 2e-4;
-// Sets put in time to exchange one obstacle, for one vehicle; for more, so many times fewer.
-constexpr std::size_t most_exchanges = 1000;
+constexpr double near = 6e-3;
+constexpr double near_enough = 5e-3;
+// Relative, for each vehicle: columns that cost so much more than the best are worth knowing while prices change.
+constexpr double margin = 1e-3;
+// Of what is missing: when a round of prices gains less, no other follows.
+constexpr double least_gain = 0.1;
+// Sets put in time, one after the other, that are no better than the best.
+constexpr int most_vain_tries = 6;
+// Relative: what vehicles may lose on each other.
+constexpr double close_on_others = 2e-4;
 // Sets planned past collisions, while another one may still be better.
 constexpr std::size_t most_tries = 4;
 
@@ -36,7 +43,7 @@ class Planning {
 
     CoalitionPlan run(bool selects, const std::function<void(double, double)>& improved) {
         if (!drive_alone()) return std::move(plan_);
-        Columns columns(problem_, crossing_, Shape::relaxed);
+        Columns columns(problem_, crossing_, flights_, Shape::relaxed);
         Relaxation relaxation(problem_, columns);
         plan_.bound = relaxation.bound();
         if (std::isinf(plan_.bound)) return std::move(plan_);
@@ -44,12 +51,7 @@ class Planning {
         SortiePlanner sorties(problem_, ways);
         sorties_ = &sorties;
         draft({});
-        if (selects) {
-            const Columns own(problem_, crossing_, Shape::own);
-            choose(columns, own, relaxation);
-            exchange(own, columns, relaxation, ways);
-        }
-        plan_.bound = relaxation.bound();
+        if (selects) choose(columns, relaxation);
         plan_.limited = columns.limited() || choice_.due();
         plan_.status = interrupts_.stop.stop_requested() ? SearchStatus::stopped : SearchStatus::limit_reached;
         plan_drafts(improved);
@@ -76,90 +78,63 @@ class Planning {
         const Set all = united(problem_.forced(), set);
         if (std::ranges::find(drafted_, all) != drafted_.end()) return;
         drafted_.push_back(all);
-        Draft draft = sorties_->plan(all);
+        Draft draft = sorties_->plan(all, reached());
         if (draft.cost.missing > 0) return;
         const auto worse = [&](const Draft& other) { return team::better(draft.cost, other.cost); };
         drafts_.insert(std::ranges::find_if(drafts_, worse), std::move(draft));
     }
 
-    // Sets by what is known of the vehicles' wishes and by what they pay for; prices learn from each set, and find more
-    // wishes.
-    void choose(Columns& columns, const Columns& own, Relaxation& relaxation) {
-        Picks by_own(problem_, own);
-        draft(by_own.best_from({}));
-        for (int round = 0; round < most_rounds && !choice_.due(); ++round) {
-            Picks picks(problem_, columns);
-            draft(picks.best_from({}));
-            draft(picks.best_from(most_wanted(relaxation)));
-            draft(by_own.best_from(most_wanted(relaxation)));
-            if (is_within(close, relaxation)) return;
-            const double reached = drafts_.empty() ? relaxation.bound() * 2 : drafts_.front().cost.first;
-            const double before = relaxation.bound();
-            relaxation.tighten(reached, close, 1);
-            if (relaxation.bound() <= before * (1 + least_gain) && round > 0) return;
+    void choose(Columns& columns, Relaxation& relaxation) {
+        improve_prices(columns, relaxation);
+        const bool none = drafts_.empty();
+        if (none) draft_for_own_bodies(relaxation);
+        try_jointly(columns, relaxation);
+        if (!none && !is_within(near_enough)) draft_for_own_bodies(relaxation);
+    }
+
+    double reached() const { return drafts_.empty() ? infinity : drafts_.front().cost.first; }
+    bool is_within(double gap) const { return reached() <= plan_.bound * (1 + gap); }
+
+    // Prices learn from the best set, and find more wishes; wishes find better sets.
+    void improve_prices(Columns& columns, Relaxation& relaxation) {
+        draft(Picks(problem_, columns).best_from({}));
+        for (int round = 0; round < most_rounds && !choice_.due() && !is_within(near); ++round) {
+            const double aim = std::min(reached(), 2 * plan_.bound);
+            const bool found = relaxation.tighten(aim, margin * aim / double(columns.size()));
+            const double gain = relaxation.bound() - plan_.bound;
+            const double missing = reached() - plan_.bound;
+            plan_.bound = relaxation.bound();
+            if (!found) return;
+            draft(Picks(problem_, columns).best_from({}));
+            if (round > 1 && gain <= least_gain * missing) return;
         }
     }
 
-    bool is_within(double gap, const Relaxation& relaxation) const {
-        return !drafts_.empty() && drafts_.front().cost.first <= relaxation.bound() * (1 + gap);
+    // Sets in the order of their limits, until none can be better or patience is over.
+    void try_jointly(Columns& columns, Relaxation& relaxation) {
+        if (drafts_.empty() || is_within(close) || choice_.due()) return;
+        // All that could be part of a better plan, or what is likely to be.
+        relaxation.list(std::min(reached() - plan_.bound, near * reached()));
+        plan_.bound = std::max(plan_.bound, relaxation.bound());
+        if (!relaxation.proof().complete) return;
+        Joint joint(problem_, columns, relaxation.proof(), flights_, reached());
+        for (int vain = 0; vain < most_vain_tries && reached() > joint.rest() * (1 + close);) {
+            const std::optional<Set> set = joint.next();
+            if (!set) break;
+            const double before = reached();
+            draft(*set);
+            vain = reached() < before ? 0 : vain + 1;
+        }
+        plan_.bound = std::max(plan_.bound, std::min(joint.bound(), reached()));
     }
 
-    // One more, one less, or one for another, in the best set, while that gains: by what ways are in stock.
-    void exchange(const Columns& own, const Columns& columns, const Relaxation& relaxation, Ways& ways) {
-        if (is_within(near, relaxation) || drafts_.empty()) return;
-        Set others;
-        for (const Columns* all : {&own, &columns}) {
-            for (std::size_t i = 0; i < all->size(); ++i) {
-                Set wished(all->of(i).obstacles);
-                std::ranges::sort(wished);
-                others = united(others, wished);
-            }
-        }
-        for (std::size_t i = 0; i < own.size() && !choice_.due(); ++i) {
-            const bool matters = own.of(i).columns.size() > 1 || columns.of(i).columns.size() > 1;
-            ways.stock(i, matters ? united(others, problem_.forced()) : problem_.forced());
-        }
-        Set best = drafts_.front().set;
-        team::Cost least = sorties_->estimate(best);
-        std::size_t tries = most_exchanges / plan_.closed.size();
-        for (bool gained = true; gained;) {
-            gained = false;
-            const Set from = best;
-            const auto try_out = [&](const Set& set) {
-                if (tries == 0 || choice_.due() || !allowed(set)) return;
-                --tries;
-                const team::Cost cost = sorties_->estimate(set);
-                if (!team::better(cost, least)) return;
-                least = cost;
-                best = set;
-                gained = true;
-            };
-            for (const ObstacleId id : others) {
-                if (!contains(from, id)) try_out(united(from, {id}));
-            }
-            for (const ObstacleId out : from) {
-                if (contains(problem_.forced(), out)) continue;
-                Set fewer = from;
-                std::erase(fewer, out);
-                try_out(fewer);
-                for (const ObstacleId id : others) {
-                    if (!contains(from, id)) try_out(united(fewer, {id}));
-                }
-            }
-            if (gained) draft(best);
-        }
-    }
-
-    // Of a set with what must be removed.
-    bool allowed(const Set& set) const {
-        std::size_t count = 0;
-        double weight = 0;
-        for (const ObstacleId id : set) {
-            if (contains(problem_.forced(), id)) continue;
-            ++count;
-            weight += problem_.map().obstacle(id).weight;
-        }
-        return count <= std::size_t(problem_.spare_removals()) && weight <= problem_.spare_budget();
+    // A vehicle may need more open than a point, which slips through.
+    void draft_for_own_bodies(const Relaxation& relaxation) {
+        if (choice_.due()) return;
+        const Columns own(problem_, crossing_, flights_, Shape::own);
+        Picks picks(problem_, own);
+        draft(picks.best_from({}));
+        draft(picks.best_from(most_wanted(relaxation)));
     }
 
     // As many as may be removed together.
@@ -186,8 +161,8 @@ class Planning {
             for (const auto& [obstacle, time] : draft.openings) ground.openings.push_back({obstacle, time});
             std::vector<team::Vehicle> vehicles;
             for (std::size_t v = 0; v < plan_.closed.size(); ++v) vehicles.push_back(vehicle(draft, v));
-            team::TeamPlan planned =
-                team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_, [](const team::Cost&) {});
+            team::TeamPlan planned = team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_,
+                                                      close_on_others, [](const team::Cost&) {});
             if (planned.status != SearchStatus::found) continue;
             Openings begun;
             std::vector<team::Path> flights = sorties_->flights(draft, begun);
@@ -254,6 +229,7 @@ class Planning {
     Problem problem_;
     CrossingSearcher& crossing_;
     Searcher& theta_;
+    FlightLimits flights_{problem_};
     SortiePlanner* sorties_ = nullptr;
     std::vector<Set> drafted_;
     std::vector<Draft> drafts_;  // the best first

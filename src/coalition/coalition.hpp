@@ -20,9 +20,10 @@ struct CoalitionPlan {
     bool limited = false;
 };
 
-// Chooses obstacles by relaxation.hpp and picks.hpp, puts the best sets in time by sorties.hpp, and plans the vehicles
-// past each other. "Remove nothing" is one of the sets unless something must be. Calls `improved` as team::plan_paths
-// does. The same mission has the same plan, time limits aside. REQUIRES: the mission is a team's with an aircraft.
+// Chooses obstacles by relaxation.hpp, picks.hpp and joint.hpp, puts the best sets in time by sorties.hpp, and plans
+// the vehicles past each other. "Remove nothing" is one of the sets unless something must be. Calls `improved` as
+// team::plan_paths does. The same mission has the same plan, time limits aside. REQUIRES: the mission is a team's with
+// an aircraft.
 CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool selects, const team::Interrupts& interrupts,
                              CrossingSearcher& crossing, Searcher& theta,
                              const std::function<void(double objective, double bound)>& improved);

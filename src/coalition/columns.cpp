@@ -8,13 +8,12 @@
 namespace waybreaker::coalition {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative
 // Of one search: to be told of many sets at once saves searches; most searches end long before so many expansions.
 constexpr int most_told = 64;
-// Relative: sets that cost so much more than the best are worth knowing; prices will change.
-constexpr double margin_of_relaxed = 0.003;
-constexpr double margin_of_own = 0.03;
-constexpr std::uint64_t most_expansions = 10'000;
+constexpr std::uint64_t most_expansions = 6'000;
+constexpr std::uint64_t most_expansions_at_first = 20'000;
+// Relative: no search looks for sets that cost more than the best by that much.
+constexpr double most_margin = 0.03;
 // Of sets with as many obstacles the best is looked for, and of those with as many as may be.
 constexpr int most_counted = 3;
 
@@ -30,8 +29,8 @@ Cheapest cheapest(const Wishes& wishes, double weight, const std::vector<double>
     return best;
 }
 
-Columns::Columns(const Problem& problem, CrossingSearcher& crossing, Shape shape)
-    : problem_(problem), crossing_(crossing), shape_(shape), wishes_(problem.vehicles().size()) {
+Columns::Columns(const Problem& problem, CrossingSearcher& crossing, FlightLimits& flights, Shape shape)
+    : problem_(problem), crossing_(crossing), flights_(flights), shape_(shape), wishes_(problem.vehicles().size()) {
     for (std::size_t i = 0; i < size(); ++i) add(i, {}, find(i, 0, infinity).lower_bound);
     // Where the last arrival counts, only those matter that may be the last.
     std::vector<std::size_t> order(size());
@@ -57,24 +56,53 @@ CrossingResult Columns::find(std::size_t vehicle, int crossings, double length_l
     return found;
 }
 
-// The best set of one obstacle, of two, and so on, and of as many as may be.
 void Columns::begin(std::size_t vehicle) {
     const Agent& agent = *problem_.vehicles()[vehicle];
-    if (agent.start == agent.goal) return;
-    const double closed = (wishes_[vehicle].columns.front().arrival - agent.ready_at) * agent.speed;
-    double least = closed;
+    wishes_[vehicle].least = wishes_[vehicle].columns.front().arrival;
+    if (agent.start == agent.goal || problem_.spare_removals() == 0) return;
+    if (shape_ == Shape::relaxed) {
+        begin_in_time(vehicle);
+    } else {
+        begin_by_count(vehicle);
+    }
+}
+
+// The best set in time. Without waits it is found faster, and says where to look.
+void Columns::begin_in_time(std::size_t vehicle) {
+    const Agent& agent = *problem_.vehicles()[vehicle];
+    Wishes& wishes = wishes_[vehicle];
+    const double closed = (wishes.columns.front().arrival - agent.ready_at) * agent.speed;
+    CrossingResult best = find(vehicle, problem_.spare_removals(), closed);
+    const double least = std::min(best.lower_bound, closed);
+    wishes.least = arrival_of(agent, {}, least);
+    if (std::isinf(least)) return;
+    if (problem_.rules().timing == Timing::enforce) {
+        CrossingOptions options = options_for(agent);
+        options.limits.expansions = std::min(problem_.interrupts().expansions, most_expansions_at_first);
+        options.length_limit = closed;
+        options.expected = least;
+        options.opened_after = [&](std::span<const ObstacleId> opened) { return opened_after(agent, opened); };
+        best = crossing_.find(problem_.map(), agent.start, agent.goal, options);
+        note(best);
+        wishes.least = std::max(wishes.least, arrival_of(agent, {}, std::min(best.lower_bound, closed)));
+    }
+    if (best.status == SearchStatus::found) add(vehicle, best.best.crossed, best.best.cost);
+}
+
+// The best set of one obstacle, of two, and so on, and of as many as may be.
+void Columns::begin_by_count(std::size_t vehicle) {
+    const Agent& agent = *problem_.vehicles()[vehicle];
+    Wishes& wishes = wishes_[vehicle];
+    double least = (wishes.columns.front().arrival - agent.ready_at) * agent.speed;
     const int all = problem_.spare_removals();
     for (int count = 1; count <= all; count = count < most_counted ? count + 1 : std::max(all, count + 1)) {
         const CrossingResult best = find(vehicle, count, least);
         if (best.status == SearchStatus::found) add(vehicle, best.best.crossed, best.lower_bound);
         least = std::min(least, best.lower_bound);
     }
-    Wishes& wishes = wishes_[vehicle];
-    wishes.least = wishes.found = arrival_of(agent, {}, least);
-    // What opens late makes these sets dearer than they look.
-    const std::vector<double> free(wishes.obstacles.size(), 0);
-    const bool late = cheapest(wishes, 1, free).cost > wishes.least * (1 + rounding);
-    if (late || shape_ == Shape::own) wishes.least = std::max(wishes.least, search(vehicle, free));
+    wishes.least = arrival_of(agent, {}, least);
+    const std::vector<double> free(problem_.map().obstacles().size() + 1, 0);
+    wishes.least = std::max(wishes.least, search(vehicle, free, most_margin * wishes.least).least);
 }
 
 CrossingOptions Columns::options_for(const Agent& agent) const {
@@ -93,22 +121,31 @@ CrossingOptions Columns::options_for(const Agent& agent) const {
 }
 
 // What opens so late, or is so dear, that nothing is gained by it.
-std::vector<ObstacleId> Columns::useless(const Agent& agent, const std::map<ObstacleId, double>& price_of,
-                                         double known) const {
+std::vector<ObstacleId> Columns::useless(const Agent& agent, std::span<const double> prices, double known) const {
     std::vector<ObstacleId> useless;
     for (const Obstacle& obstacle : problem_.map().obstacles()) {
-        const auto price = price_of.find(obstacle.id);
         const double least = late_arrival(agent, obstacle, problem_.least_opening(obstacle.id));
-        if (least + (price == price_of.end() ? 0 : price->second / agent.speed) >= known)
-            useless.push_back(obstacle.id);
+        if (least + prices[obstacle.id.value] >= known) useless.push_back(obstacle.id);
     }
     return useless;
+}
+
+bool Columns::may_gain(std::size_t vehicle, const Obstacle& obstacle) const {
+    const Agent& agent = *problem_.vehicles()[vehicle];
+    const double closed = (wishes_[vehicle].columns.front().arrival - agent.ready_at) * agent.speed;
+    const double reach = agent.body.reach() + 1;
+    return gap(obstacle.bounds, agent.start) + gap(obstacle.bounds, agent.goal) - 2 * reach < closed;
 }
 
 // By way of an obstacle that is open then.
 double Columns::late_arrival(const Agent& agent, const Obstacle& obstacle, double opening) {
     const double left = gap(obstacle.bounds, agent.goal) - agent.body.reach() - 1;
     return opening + std::max(left, 0.0) / agent.speed;
+}
+
+// In cells that it could drive until then.
+double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) {
+    return (flights_.of(Set(obstacles.begin(), obstacles.end())).open - agent.ready_at) * agent.speed;
 }
 
 // Who crosses an obstacle does so no earlier than the first aircraft can have it open, and has the rest of the way to
@@ -151,48 +188,44 @@ void Columns::note(const CrossingResult& search) {
     limited_ = limited_ || (ended && (interrupts.due() || interrupts.expansions < most_expansions));
 }
 
-double Columns::search(std::size_t vehicle, const std::vector<double>& prices) {
+Columns::Search Columns::search(std::size_t vehicle, std::span<const double> prices, double margin) {
     const Agent& agent = *problem_.vehicles()[vehicle];
-    if (agent.start == agent.goal) return 0;
+    if (agent.start == agent.goal) return {0, infinity};
     const Wishes& wishes = wishes_[vehicle];
-    std::map<ObstacleId, double> price_of;  // in cells
-    for (std::size_t at = 0; at < prices.size(); ++at) {
-        if (prices[at] > 0) price_of.emplace(wishes.obstacles[at], prices[at] * agent.speed);
-    }
+    std::vector<double> known_prices;
+    for (const ObstacleId id : wishes.obstacles) known_prices.push_back(prices[id.value]);
+    double best = cheapest(wishes, 1, known_prices).cost;
+    std::vector<double> in_cells;
+    for (const double price : prices) in_cells.push_back(price * agent.speed);
     CrossingOptions options = options_for(agent);
-    options.done_after = [&](std::span<const ObstacleId> opened) {
-        double sum = 0;
-        for (const ObstacleId id : opened) {
-            if (const auto found = price_of.find(id); found != price_of.end()) sum += found->second;
-        }
-        return sum;
-    };
-    options.adds_both = true;
-    const double known = cheapest(wishes, 1, prices).cost;
-    const double dearest = (known - agent.ready_at) * agent.speed;
-    const double margin = shape_ == Shape::relaxed ? margin_of_relaxed : margin_of_own;
-    if (std::isfinite(known)) {
-        options.length_limit = dearest * (1 + margin);
+    options.prices = in_cells;
+    const bool timed = shape_ == Shape::relaxed && problem_.rules().timing == Timing::enforce;
+    if (timed) {
+        options.opened_after = [&](std::span<const ObstacleId> opened) { return opened_after(agent, opened); };
     }
-    double best = known;
-    std::vector<ObstacleId> protect = useless(agent, price_of, known);
+    if (std::isfinite(best)) {
+        margin = std::min(margin, most_margin * best);
+        options.length_limit = (best + margin - agent.ready_at) * agent.speed;
+        options.expected = options.length_limit;
+    }
+    std::vector<ObstacleId> protect = useless(agent, prices, best + margin);
     protect.insert(protect.end(), options.protect.begin(), options.protect.end());
     options.protect = protect;
     int told = 0;
-    options.expected = (wishes_[vehicle].found - agent.ready_at) * agent.speed;
     const CrossingResult rest =
         crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
-            if (told == most_told || agent.ready_at + path.cost / agent.speed >= best * (1 + margin)) return false;
+            if (told == most_told || agent.ready_at + path.cost / agent.speed >= best + margin) return false;
             ++told;
-            add(vehicle, path.crossed, path.length);
-            const double arrival = arrival_of(agent, path.crossed, path.length);
-            const double price = options.done_after(path.crossed) / agent.speed;
-            best = std::min(best, arrival + price);
+            double paid = 0;
+            for (const ObstacleId id : path.crossed) paid += prices[id.value];
+            const double length = timed ? path.cost - paid * agent.speed : path.length;
+            add(vehicle, path.crossed, length);
+            best = std::min(best, arrival_of(agent, path.crossed, length) + paid);
             return true;
         });
     note(rest);
-    wishes_[vehicle].found = std::min(best, agent.ready_at + rest.lower_bound / agent.speed);
-    return wishes_[vehicle].found;
+    const double others = agent.ready_at + rest.lower_bound / agent.speed;
+    return {std::min(best, others), others};
 }
 
 }  // namespace waybreaker::coalition

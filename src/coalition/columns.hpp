@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "coalition/flight_limits.hpp"
 #include "coalition/problem.hpp"
 #include "waybreaker/crossing.hpp"
 
@@ -13,7 +14,7 @@ namespace waybreaker::coalition {
 
 struct Column {
     std::vector<std::uint32_t> opened;  // positions in the vehicle's list of obstacles, sorted
-    double arrival = 0;                 // no earlier, whatever else is open; units of time
+    double arrival = 0;                 // no earlier through these, waits for aircraft included; units of time
 };
 
 // What is known of one vehicle.
@@ -21,7 +22,6 @@ struct Wishes {
     std::vector<ObstacleId> obstacles;  // of all columns, as they came
     std::vector<Column> columns;        // the first: nothing is opened
     double least = 0;                   // no column at all arrives earlier; 0 where that does not matter
-    double found = 0;                   // by the last search
 };
 
 // Of what body: `relaxed` for lower limits of all plans; `own` for what the vehicle can drive, or nearly so, which may
@@ -30,37 +30,50 @@ enum class Shape { relaxed, own };
 
 class Columns {
   public:
+    // What a search proves: no set costs less; and each that costs less than `told` is among the columns, or arrives no
+    // earlier than one within it that is.
+    struct Search {
+        double least = 0;
+        double told = 0;
+    };
+
     // Each vehicle with nothing opened but what must be, and with what is best for it alone.
-    Columns(const Problem& problem, CrossingSearcher& crossing, Shape shape);
+    Columns(const Problem& problem, CrossingSearcher& crossing, FlightLimits& flights, Shape shape);
 
     std::size_t size() const { return wishes_.size(); }
     const Wishes& of(std::size_t vehicle) const { return wishes_[vehicle]; }
+    // Whether a vehicle may arrive earlier than past all obstacles with that one open.
+    bool may_gain(std::size_t vehicle, const Obstacle& obstacle) const;
     // Whether a limit has ended a search.
     bool limited() const { return limited_; }
 
     // The least arrival plus prices over all sets, also those that are not known: a lower limit, the exact value unless
-    // a limit ends the search. Prices as wishes.obstacles, in units of time; others are free. Adds columns near it.
-    double search(std::size_t vehicle, const std::vector<double>& prices);
+    // a limit ends the search. Prices by id, in units of time. Adds columns that cost up to so much more than the best,
+    // if they are not too many.
+    Search search(std::size_t vehicle, std::span<const double> prices, double margin);
 
   private:
     CrossingResult find(std::size_t vehicle, int crossings, double length_limit);
     void begin(std::size_t vehicle);
+    void begin_in_time(std::size_t vehicle);
+    void begin_by_count(std::size_t vehicle);
     void note(const CrossingResult& search);
     void add(std::size_t vehicle, std::span<const ObstacleId> opened, double length);
     CrossingOptions options_for(const Agent& agent) const;
-    std::vector<ObstacleId> useless(const Agent& agent, const std::map<ObstacleId, double>& price_of,
-                                    double known) const;
+    std::vector<ObstacleId> useless(const Agent& agent, std::span<const double> prices, double known) const;
+    double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles);
     static double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
     double arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const;
 
     const Problem& problem_;
     CrossingSearcher& crossing_;
+    FlightLimits& flights_;
     Shape shape_;
     std::vector<Wishes> wishes_;
     bool limited_ = false;
 };
 
-// The least arrival plus prices over the known columns, and the first column that has it.
+// The least arrival plus prices (as wishes.obstacles) over the known columns, and the first column that has it.
 struct Cheapest {
     double cost = infinity;
     std::size_t column = 0;

@@ -1,5 +1,5 @@
-// Picks: good sets of obstacles by what is known of the vehicles' wishes, quickly; collisions, waits for the aircraft
-// and detours of theirs aside.
+// Picks: good sets of obstacles by what is known of the vehicles' wishes, quickly; as if aircraft worked for each
+// vehicle alone, and collisions aside.
 #pragma once
 
 #include <vector>

@@ -39,15 +39,18 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
     spare_removals_ = int(std::max<std::int64_t>(most - std::int64_t(forced_.size()), 0));
     spare_budget_ = mission.rules.budget;
     for (const ObstacleId id : forced_) spare_budget_ -= map.obstacle(id).weight;
-    least_openings_.assign(map.obstacles().size() + 1, 0);
-    if (mission.rules.timing == Timing::ignore) return;
+    least_openings_.assign(map.obstacles().size() + 1, infinity);
+    short_detours_.assign(map.obstacles().size() + 1, infinity);
     for (const Obstacle& obstacle : map.obstacles()) {
-        double& least = least_openings_[obstacle.id.value];
-        least = infinity;
+        double& opening = least_openings_[obstacle.id.value];
+        double& detour = short_detours_[obstacle.id.value];
         for (const Agent* agent : aircraft_) {
-            const double way = std::max(gap(obstacle.bounds, agent->start) - 1.5, 0.0);
-            least = std::min(least, way / agent->speed + breach_time(obstacle.id));
+            const double there = std::max(gap(obstacle.bounds, agent->start) - 1.5, 0.0) / agent->speed;
+            const double home = std::max(gap(obstacle.bounds, agent->goal) - 1.5, 0.0) / agent->speed;
+            opening = std::min(opening, there + breach_time(obstacle.id));
+            detour = std::min(detour, std::max(there + home - straight_flight(*agent), 0.0));
         }
+        if (mission.rules.timing == Timing::ignore) opening = 0;
     }
 }
 

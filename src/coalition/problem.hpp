@@ -51,6 +51,8 @@ class Problem {
     double earliest_opening(ObstacleId id) const { return earliest(id).opening; }
     // The same, a little less and faster.
     double least_opening(ObstacleId id) const { return least_openings_[id.value]; }
+    // So much longer, at least, an aircraft flies that passes by it; no more than least_detour, and faster.
+    double short_detour(ObstacleId id) const { return short_detours_[id.value]; }
     // No aircraft that breaches it is at its goal earlier.
     double earliest_return(ObstacleId id) const { return earliest(id).home; }
     // So much longer, at least, an aircraft flies that passes by it.
@@ -77,6 +79,7 @@ class Problem {
     int spare_removals_ = 0;
     double spare_budget_ = infinity;
     std::vector<double> least_openings_;               // by id
+    std::vector<double> short_detours_;                // by id
     mutable std::map<ObstacleId, Earliest> earliest_;  // of those that were asked for
 };
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 namespace waybreaker::coalition {
 namespace {
 
 constexpr int steps_between_searches = 300;
-constexpr int patience = 12;          // steps without gain before they are halved
-constexpr double least_share = 1e-4;  // of the way to what is reached
-constexpr double least_gain = 1e-6;   // of such a share
+constexpr int patience = 12;           // steps without gain before they are halved
+constexpr double least_share = 1e-4;   // of the way to what is reached
+constexpr double least_gain = 1e-6;    // of such a share
+constexpr double share_of_step = 0.7;  // from the prices that are proven best
 constexpr double least_weight_of_vehicle = 1e-6;
 
 // The nearest point with no negative coordinate whose coordinates add up to 1 (Duchi and others 2008).
@@ -43,6 +43,7 @@ Relaxation::Relaxation(const Problem& problem, Columns& columns) : problem_(prob
     const std::size_t vehicles = columns.size();
     best_.weights.assign(vehicles, problem.sums() ? 1 : 0);
     best_.prices.resize(vehicles);
+    centre_ = best_;
     number_obstacles();
     double sum = 0;
     double last = 0;
@@ -52,7 +53,7 @@ Relaxation::Relaxation(const Problem& problem, Columns& columns) : problem_(prob
         if (columns.of(i).least > last) latest = i;
         last = std::max(last, columns.of(i).least);
     }
-    if (!problem.sums()) best_.weights[latest] = 1;
+    if (!problem.sums()) best_.weights[latest] = centre_.weights[latest] = 1;
     bound_ = problem.sums() ? sum + fixed() : std::max(last, fixed());
 }
 
@@ -83,93 +84,40 @@ void Relaxation::number_obstacles() {
             }
             numbers_[i].push_back(known->second);
         }
-        best_.prices[i].resize(obstacles.size(), 0);
+        for (Prices* all : {&best_, &centre_}) all->prices[i].resize(obstacles.size(), 0);
     }
-    by_detour_.resize(numbered_.size());
-    std::iota(by_detour_.begin(), by_detour_.end(), 0U);
-    std::ranges::stable_sort(by_detour_, {}, [&](std::uint32_t j) { return detours_[j]; });
 }
 
-// What all pay for each obstacle, less what its breach costs in any case.
-void Relaxation::sum_for(const Prices& at, std::vector<double>& sums) const {
-    sums.assign(numbered_.size(), 0);
+// What all pay for the obstacles that are known.
+Offers Relaxation::offers(const Prices& at) const {
+    std::vector<Offer> offers;
+    for (std::size_t j = 0; j < numbered_.size(); ++j) {
+        const double breach = problem_.sums() ? problem_.breach_time(numbered_[j]) : 0;
+        offers.push_back({numbered_[j], -breach, detours_[j]});
+    }
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-        for (std::size_t k = 0; k < at.prices[i].size(); ++k) sums[numbers_[i][k]] += at.prices[i][k];
+        for (std::size_t k = 0; k < at.prices[i].size(); ++k) offers[numbers_[i][k]].paid += at.prices[i][k];
     }
-    if (!problem_.sums()) return;
-    for (std::size_t j = 0; j < sums.size(); ++j) sums[j] -= problem_.breach_time(numbered_[j]);
+    return Offers(std::move(offers));
 }
 
-// No set that may be removed has more paid for it, less the longest detour of its obstacles where flights count; marks
-// those of such a set. Of the sets with no longer detour the best holds those that most is paid for.
-double Relaxation::dearest(const std::vector<double>& sums, std::vector<char>& chosen) const {
-    const std::size_t most = std::size_t(problem_.spare_removals());
-    const auto less_paid = [&](std::uint32_t a, std::uint32_t b) {
-        return sums[a] != sums[b] ? sums[a] > sums[b] : a < b;
-    };
-    std::vector<std::uint32_t> best;  // heap: what least is paid for on top
-    double paid = 0;
-    double by_count = 0;
-    std::size_t last = 0;  // in order of detour
-    for (std::size_t k = 0; k < by_detour_.size() && most > 0; ++k) {
-        const std::uint32_t j = by_detour_[k];
-        if (sums[j] <= 0) continue;
-        if (best.size() == most) {
-            if (!less_paid(j, best.front())) continue;
-            paid -= sums[best.front()];
-            std::ranges::pop_heap(best, less_paid);
-            best.pop_back();
-        }
-        paid += sums[j];
-        best.push_back(j);
-        std::ranges::push_heap(best, less_paid);
-        if (paid - detours_[j] <= by_count) continue;
-        by_count = paid - detours_[j];
-        last = k + 1;
-    }
-    mark_most_paid(sums, last, chosen);
+// No set that may be removed is paid better; marks those of such a set.
+double Relaxation::dearest(const Offers& offers, std::vector<ObstacleId>& chosen) const {
+    const double by_count = offers.best(std::size_t(problem_.spare_removals()), 0, {}, &chosen);
     if (std::isinf(problem_.spare_budget())) return by_count;
-    // The fractional knapsack.
-    std::vector<std::uint32_t> order(sums.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto weight = [&](std::uint32_t j) { return problem_.map().obstacle(numbered_[j]).weight; };
-    std::ranges::sort(order, [&](auto a, auto b) {
-        const double left = sums[a] * weight(b);
-        const double right = sums[b] * weight(a);
-        return left != right ? left > right : a < b;
-    });
-    double by_weight = 0;
-    double budget = problem_.spare_budget();
-    std::vector<char> within(sums.size(), 0);
-    for (const std::uint32_t j : order) {
-        if (sums[j] <= 0 || budget <= 0) break;
-        const double share = std::min(budget / weight(j), 1.0);
-        by_weight += share * sums[j];
-        budget -= weight(j);
-        within[j] = share == 1 ? 1 : 0;
-    }
+    std::vector<ObstacleId> within;
+    const double by_weight = offers.best_by_weight(problem_.map(), problem_.spare_budget(), within);
     if (by_weight < by_count) chosen = std::move(within);
     return std::min(by_count, by_weight);
-}
-
-// Of the obstacles with the shortest detours, so many, those that most is paid for.
-void Relaxation::mark_most_paid(const std::vector<double>& sums, std::size_t count, std::vector<char>& chosen) const {
-    std::vector<std::uint32_t> order(by_detour_.begin(), by_detour_.begin() + std::ptrdiff_t(count));
-    std::erase_if(order, [&](std::uint32_t j) { return sums[j] <= 0; });
-    const std::size_t most = std::min(order.size(), std::size_t(problem_.spare_removals()));
-    std::ranges::partial_sort(order, order.begin() + std::ptrdiff_t(most), [&](std::uint32_t a, std::uint32_t b) {
-        return sums[a] != sums[b] ? sums[a] > sums[b] : a < b;
-    });
-    chosen.assign(sums.size(), 0);
-    for (std::size_t k = 0; k < most; ++k) chosen[order[k]] = 1;
 }
 
 // What vehicles take at these prices, and what is chosen for what they pay: on the known columns.
 Relaxation::Answer Relaxation::answer(const Prices& at) const {
     Answer answer;
-    std::vector<double> sums;
-    sum_for(at, sums);
-    answer.value = (problem_.sums() ? fixed() : 0) - dearest(sums, answer.chosen);
+    std::vector<ObstacleId> chosen;
+    answer.value = (problem_.sums() ? fixed() : 0) - dearest(offers(at), chosen);
+    answer.chosen.assign(numbered_.size(), 0);
+    for (const ObstacleId id : chosen) answer.chosen[number_of_.at(id)] = 1;
     answer.taken.resize(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         if (at.weights[i] < least_weight_of_vehicle) continue;
@@ -239,47 +187,112 @@ void Relaxation::ascend(double reached) {
     }
 }
 
-// Searches at the best prices. Whether that has raised the bound or found new columns.
-bool Relaxation::prove() {
-    std::vector<double> sums;
-    std::vector<char> chosen;
-    sum_for(best_, sums);
-    double value = (problem_.sums() ? fixed() : 0) - dearest(sums, chosen);
-    std::size_t before = 0;
-    std::size_t after = 0;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        const double weight = best_.weights[i];
-        if (weight < least_weight_of_vehicle) continue;
-        if (problem_.interrupts().due()) return false;
-        std::vector<double> prices = best_.prices[i];
-        for (double& price : prices) price /= weight;
-        before += columns_.of(i).columns.size();
-        const bool free = std::ranges::all_of(prices, [](double price) { return price == 0; });
-        value += weight * (free ? columns_.of(i).least : columns_.search(i, prices));
-        after += columns_.of(i).columns.size();
+// The prices of one vehicle, by id. Obstacles that it does not know of cost what they are offered.
+std::vector<double> Relaxation::prices_of(std::size_t vehicle, const Prices& at,
+                                          const std::vector<double>& free) const {
+    std::vector<double> prices(free.size(), 0);
+    for (const Obstacle& obstacle : problem_.map().obstacles()) {
+        if (columns_.may_gain(vehicle, obstacle)) prices[obstacle.id.value] = free[obstacle.id.value];
     }
-    const bool gained = value > bound_;
-    bound_ = std::max(bound_, value);
-    number_obstacles();
-    return gained || after > before;
+    for (std::size_t k = 0; k < at.prices[vehicle].size(); ++k) {
+        prices[columns_.of(vehicle).obstacles[k].value] = at.prices[vehicle][k];
+    }
+    return prices;
 }
 
-void Relaxation::tighten(double reached, double close, int rounds) {
-    for (int round = 0; round < rounds && bound_ * (1 + close) < reached; ++round) {
-        if (problem_.interrupts().due()) return;
-        ascend(reached);
-        if (!prove()) return;
+// What each vehicle that does not know of an obstacle, and may gain by it, can be charged without the bound losing by
+// it: so searches look for what would gain. By id. And what all pay then.
+std::vector<double> Relaxation::offer_all(const Prices& at) {
+    const std::size_t ids = problem_.map().obstacles().size() + 1;
+    const FreeOffers free(offers(at), std::size_t(problem_.spare_removals()));
+    std::vector<double> paid(ids, 0);
+    std::vector<double> strangers(ids, 0);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        if (at.weights[i] == 0) continue;
+        for (const Obstacle& obstacle : problem_.map().obstacles()) {
+            if (columns_.may_gain(i, obstacle)) strangers[obstacle.id.value] += 1;
+        }
+        for (std::size_t k = 0; k < at.prices[i].size(); ++k) {
+            const ObstacleId id = columns_.of(i).obstacles[k];
+            paid[id.value] += at.prices[i][k];
+            if (columns_.may_gain(i, problem_.map().obstacle(id))) strangers[id.value] -= 1;
+        }
     }
+    std::vector<double> shares(ids, 0);
+    std::vector<Offer> all;
+    for (const Obstacle& obstacle : problem_.map().obstacles()) {
+        const std::uint32_t id = obstacle.id.value;
+        const auto number = number_of_.find(obstacle.id);
+        double detour = number == number_of_.end() ? problem_.short_detour(obstacle.id) : detours_[number->second];
+        if (!problem_.sums()) detour = 0;
+        if (problem_.sums()) paid[id] -= problem_.breach_time(obstacle.id);
+        if (strangers[id] > 0 && std::isinf(problem_.spare_budget())) {
+            const double more = std::max(free.of(detour) - paid[id], 0.0);
+            shares[id] = more / strangers[id];
+            paid[id] += more;
+        }
+        all.push_back({obstacle.id, paid[id], detour});
+    }
+    proof_ = {problem_.sums() ? fixed() : 0, at.weights};
+    proof_.sums = std::move(paid);
+    proof_.offers = Offers(std::move(all));
+    return shares;
+}
+
+// Searches at certain prices. Whether that has raised the bound or found new columns.
+bool Relaxation::prove(Prices at, double margin) {
+    for (double& weight : at.weights) weight = weight < least_weight_of_vehicle ? 0 : weight;
+    const std::vector<double> shares = offer_all(at);
+    std::vector<ObstacleId> chosen;
+    double value = proof_.fixed - dearest(proof_.offers, chosen);
+    bool found = false;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const double weight = at.weights[i];
+        Columns::Search& search = proof_.searches.emplace_back();
+        if (weight == 0) continue;
+        if (problem_.interrupts().due()) return false;
+        std::vector<double> prices = prices_of(i, at, shares);
+        for (double& price : prices) price /= weight;
+        const std::size_t before = columns_.of(i).columns.size();
+        search = columns_.search(i, prices, margin / weight);
+        search = {search.least * weight, search.told * weight};
+        value += search.least;
+        found = found || columns_.of(i).columns.size() > before;
+        // Those that are new keep the price that they were found at.
+        for (std::size_t k = at.prices[i].size(); k < columns_.of(i).obstacles.size(); ++k) {
+            const double price = prices[columns_.of(i).obstacles[k].value] * weight;
+            for (Prices* all : {&at, &best_, &centre_}) all->prices[i].push_back(price);
+        }
+    }
+    number_obstacles();
+    proof_.prices = at.prices;
+    proof_.bound = value;
+    proof_.complete = true;
+    const bool gained = value > bound_;
+    if (gained) {
+        bound_ = value;
+        centre_ = std::move(at);
+    }
+    return gained || found;
+}
+
+// Between the best prices that are proven and those that look best on what is known: the latter may be far off.
+bool Relaxation::tighten(double reached, double margin) {
+    ascend(reached);
+    Prices at = centre_;
+    const auto approach = [](double& from, double to) { from += share_of_step * (to - from); };
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        approach(at.weights[i], best_.weights[i]);
+        for (std::size_t k = 0; k < at.prices[i].size(); ++k) approach(at.prices[i][k], best_.prices[i][k]);
+    }
+    return prove(at, margin);
 }
 
 std::vector<ObstacleId> Relaxation::wanted() const {
-    std::vector<double> sums;
-    sum_for(best_, sums);
-    std::vector<std::uint32_t> order(sums.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_sort(order, [&](auto a, auto b) { return sums[a] > sums[b]; });
+    std::vector<Offer> order = offers(best_).all();
+    std::ranges::stable_sort(order, [](const Offer& a, const Offer& b) { return a.paid > b.paid; });
     std::vector<ObstacleId> wanted;
-    for (const std::uint32_t j : order) wanted.push_back(numbered_[j]);
+    for (const Offer& offer : order) wanted.push_back(offer.obstacle);
     return wanted;
 }
 

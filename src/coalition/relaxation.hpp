@@ -9,12 +9,13 @@
 //
 // The right side needs only one search for each vehicle, whatever the number of sets (Lagrangian relaxation; Held, Karp
 // 1971). Prices are improved by subgradients on the columns that are known, and then proven by searches, which find
-// new columns.
+// new columns. As few columns are known at first, prices go only part of the way to what looks best on them.
 #pragma once
 
 #include <vector>
 
 #include "coalition/columns.hpp"
+#include "coalition/offers.hpp"
 
 namespace waybreaker::coalition {
 
@@ -24,9 +25,25 @@ class Relaxation {
 
     // No plan has a smaller objective.
     double bound() const { return bound_; }
-    // Raises the bound towards the objective of a set that is known, until it is that near to it (relative), or after
-    // so many rounds of searches, or when that gains no more. Columns that matter have been found by then.
-    void tighten(double reached, double close, int rounds);
+    // One round: better prices for the columns that are known, by subgradients towards the objective of a set that is
+    // known; searches prove the bound there, and find columns that cost a vehicle up to so much more than its best.
+    // Whether that has gained anything.
+    bool tighten(double reached, double margin);
+    // Searches at the prices that are proven best: for all columns that cost up to so much more.
+    void list(double margin) { prove(centre_, margin); }
+
+    // What the last searches have proven.
+    struct Proof {
+        double fixed = 0;                              // beside the vehicles
+        std::vector<double> weights = {};              // by vehicle
+        std::vector<std::vector<double>> prices = {};  // by vehicle, as its list of obstacles
+        std::vector<double> sums = {};                 // by id: paid by all, less what its breach takes
+        std::vector<Columns::Search> searches = {};    // by vehicle: of its weighted arrival and prices
+        Offers offers = {};                            // of the sums
+        double bound = 0;
+        bool complete = false;  // no search was left out
+    };
+    const Proof& proof() const { return proof_; }
     // What vehicles pay for, together: the most wanted first.
     std::vector<ObstacleId> wanted() const;
 
@@ -46,20 +63,22 @@ class Relaxation {
     Answer answer(const Prices& at) const;
     Prices direction(const Prices& at, const Answer& answer, double scale) const;
     double fixed() const;
-    void sum_for(const Prices& at, std::vector<double>& sums) const;
-    double dearest(const std::vector<double>& sums, std::vector<char>& chosen) const;
-    void mark_most_paid(const std::vector<double>& sums, std::size_t count, std::vector<char>& chosen) const;
+    Offers offers(const Prices& at) const;
+    double dearest(const Offers& offers, std::vector<ObstacleId>& chosen) const;
     void ascend(double reached);
-    bool prove();
+    std::vector<double> offer_all(const Prices& at);
+    std::vector<double> prices_of(std::size_t vehicle, const Prices& at, const std::vector<double>& free) const;
+    bool prove(Prices at, double margin);
 
     const Problem& problem_;
     Columns& columns_;
     std::vector<ObstacleId> numbered_;                 // obstacles of any column
     std::vector<std::vector<std::uint32_t>> numbers_;  // by vehicle: of its list of obstacles
     std::map<ObstacleId, std::uint32_t> number_of_;
-    std::vector<double> detours_;           // by number: of the nearest aircraft, where flights count
-    std::vector<std::uint32_t> by_detour_;  // numbers, the shortest first
-    Prices best_;
+    std::vector<double> detours_;  // by number: of the nearest aircraft, where flights count
+    Prices best_;                  // on what is known
+    Prices centre_;                // those that are proven best
+    Proof proof_;
     double bound_ = 0;
 };
 

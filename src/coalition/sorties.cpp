@@ -18,12 +18,12 @@ double flying(const Agent& aircraft, Cell from, Cell to) {
 
 }  // namespace
 
-Draft SortiePlanner::plan(Set set) {
+Draft SortiePlanner::plan(Set set, double worth) {
     for (;;) {
-        Draft draft = best_for(set, Menus::searched);
+        Draft draft = best_for(set);
         if (draft.cost.missing > 0) return draft;
-        for (int round = 0; round < most_rounds && find_timed_ways(draft); ++round) {
-            Draft again = best_for(set, Menus::searched);
+        for (int round = 0; round < most_rounds && could_cost(draft) < worth && find_timed_ways(draft); ++round) {
+            Draft again = best_for(set);
             if (!team::better(again.cost, draft.cost)) break;
             draft = std::move(again);
         }
@@ -40,6 +40,19 @@ Draft SortiePlanner::plan(Set set) {
     }
 }
 
+// With no vehicle waiting for any of the set, at least.
+double SortiePlanner::could_cost(const Draft& draft) const {
+    if (!problem_.sums()) return 0;
+    double sum = draft.cost.first;
+    for (std::size_t i = 0; i < menus_.size(); ++i) {
+        const Agent& agent = *problem_.vehicles()[i];
+        double least = infinity;
+        for (const Way* way : menus_[i]) least = std::min(least, arrival(agent, *way, {}));
+        sum -= arrival(agent, draft.taken[i], draft.openings) - least;
+    }
+    return sum;
+}
+
 // For those that have to wait, by the times of a draft. Whether there are any.
 bool SortiePlanner::find_timed_ways(const Draft& draft) {
     bool any = false;
@@ -53,7 +66,7 @@ bool SortiePlanner::find_timed_ways(const Draft& draft) {
     return any;
 }
 
-void SortiePlanner::prepare(const Set& set, Menus menus) {
+void SortiePlanner::prepare(const Set& set) {
     targets_.clear();
     for (waybreaker::Target& target : targets_of(problem_.map(), set)) {
         targets_.push_back({target.obstacle, std::move(target.cells), problem_.breach_time(target.obstacle)});
@@ -64,11 +77,7 @@ void SortiePlanner::prepare(const Set& set, Menus menus) {
     others_last_ = 0;
     for (std::size_t i = 0; i < problem_.vehicles().size(); ++i) {
         std::vector<const Way*>& menu = menus_.emplace_back();
-        if (menus == Menus::in_stock) {
-            menu = ways_.in_stock(i, set);
-        } else {
-            for (const Way& way : ways_.of(i, set)) menu.push_back(&way);
-        }
+        for (const Way& way : ways_.of(i, set)) menu.push_back(&way);
         std::vector<Option> options;
         for (const Way* way : menu) {
             Option& option = options.emplace_back();
@@ -87,12 +96,8 @@ void SortiePlanner::prepare(const Set& set, Menus menus) {
     }
 }
 
-team::Cost SortiePlanner::estimate(const Set& set) {
-    return best_for(set, Menus::in_stock).cost;
-}
-
-Draft SortiePlanner::best_for(const Set& set, Menus menus) {
-    prepare(set, menus);
+Draft SortiePlanner::best_for(const Set& set) {
+    prepare(set);
     Draft best;
     best.set = set;
     const auto consider = [&](const std::vector<std::size_t>& order) {

@@ -35,10 +35,8 @@ class SortiePlanner {
     // The best sorties found for a set: obstacles are inserted in the order in which vehicles come to them, a few of
     // them in every order; then single ones are moved, and cells exchanged, while that gains. Obstacles that nobody
     // drives through are left out, unless they must be removed. The same each time.
-    Draft plan(Set set);
-
-    // What a set costs with what ways are in stock: quickly, and maybe too much.
-    team::Cost estimate(const Set& set);
+    // `worth`: what it should cost less than; else no effort is made.
+    Draft plan(Set set, double worth);
 
     // The paths in time of the aircraft. `begun`: by obstacle, when its breach begins.
     std::vector<team::Path> flights(const Draft& draft, Openings& begun) const;
@@ -56,12 +54,12 @@ class SortiePlanner {
         std::vector<std::pair<std::size_t, double>> gates;  // targets, and when they must be gone for that
     };
 
-    enum class Menus { searched, in_stock };
-    void prepare(const Set& set, Menus menus);
-    Draft best_for(const Set& set, Menus menus);
+    void prepare(const Set& set);
+    Draft best_for(const Set& set);
     std::vector<double> openings_of(const std::vector<Sortie>& sorties) const;
     team::Cost cost_of(const std::vector<Sortie>& sorties) const;
     void fill(Draft& draft) const;
+    double could_cost(const Draft& draft) const;
     bool find_timed_ways(const Draft& draft);
     bool insert(std::vector<Sortie>& sorties, std::size_t target) const;
     void improve(std::vector<Sortie>& sorties) const;

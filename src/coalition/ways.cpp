@@ -10,8 +10,6 @@ namespace waybreaker::coalition {
 namespace {
 
 constexpr std::size_t most_ways = 16;  // for one set
-constexpr std::size_t most_in_stock = 256;
-constexpr std::uint64_t most_expansions_for_stock = 5'000;
 constexpr std::uint64_t most_expansions_in_time = 2'000;
 constexpr double rounding = 1e-9;
 constexpr std::uint64_t most_expansions = 20'000;
@@ -28,12 +26,7 @@ double arrival(const Agent& agent, const Way& way, const Openings& openings) {
 }
 
 Ways::Ways(const Problem& problem, std::span<const team::Vehicle> closed, CrossingSearcher& crossing, Searcher& theta)
-    : problem_(problem),
-      closed_(closed),
-      crossing_(crossing),
-      theta_(theta),
-      known_(closed.size()),
-      stock_(closed.size()) {}
+    : problem_(problem), closed_(closed), crossing_(crossing), theta_(theta), known_(closed.size()) {}
 
 const std::vector<Way>& Ways::of(std::size_t vehicle, const Set& set) {
     Set part = near(vehicle, set);
@@ -82,8 +75,7 @@ std::vector<Way> Ways::search(std::size_t vehicle, const Set& set) {
     if (!closed.way.empty()) ways.push_back(closed_way(vehicle));
     if (set.empty() || problem_.interrupts().due()) return ways;
     if (team::drives_by_crossing(closed.agent.body)) {
-        std::ranges::move(search_crossing(vehicle, set, set.size(), most_ways, most_expansions),
-                          std::back_inserter(ways));
+        std::ranges::move(search_crossing(vehicle, set), std::back_inserter(ways));
         return ways;
     }
     const SearchOptions options{.body = closed.agent.body, .limits = problem_.interrupts().limits()};
@@ -96,23 +88,22 @@ std::vector<Way> Ways::search(std::size_t vehicle, const Set& set) {
     return ways;
 }
 
-std::vector<Way> Ways::search_crossing(std::size_t vehicle, const Set& set, std::size_t crossings, std::size_t most,
-                                       std::uint64_t expansions) {
+std::vector<Way> Ways::search_crossing(std::size_t vehicle, const Set& set) {
     const team::Vehicle& closed = closed_[vehicle];
     const Agent& agent = closed.agent;
     CrossingOptions options;
     options.body = agent.body;
-    options.crossings = int(crossings);
+    options.crossings = int(set.size());
     options.only = set;
     options.limits = problem_.interrupts().limits();
-    options.limits.expansions = std::min(options.limits.expansions, expansions);
+    options.limits.expansions = std::min(options.limits.expansions, most_expansions);
     if (!closed.way.empty()) options.length_limit = (closed.alone - agent.ready_at) * agent.speed;
     std::vector<Way> ways;
     const CrossingResult all =
         crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (!path.crossed.empty())
                 ways.push_back(way_of(agent, shorter(agent, path.path, path.crossed), path.crossed));
-            return ways.size() < most;
+            return ways.size() < most_ways;
         });
     for (Way& way : ways) {
         way.expanded = all.expanded;
@@ -127,27 +118,6 @@ Way Ways::closed_way(std::size_t vehicle) const {
     way.expanded = closed.expanded;
     way.generated = closed.generated;
     return way;
-}
-
-void Ways::stock(std::size_t vehicle, const Set& obstacles) {
-    const team::Vehicle& closed = closed_[vehicle];
-    std::vector<Way>& ways = stock_[vehicle];
-    ways.clear();
-    if (!closed.way.empty()) ways.push_back(closed_way(vehicle));
-    const Set part = near(vehicle, obstacles);
-    if (part.empty() || !team::drives_by_crossing(closed.agent.body)) return;
-    const std::size_t crossings = std::size_t(problem_.spare_removals()) + problem_.forced().size();
-    std::ranges::move(search_crossing(vehicle, part, crossings, most_in_stock, most_expansions_for_stock),
-                      std::back_inserter(ways));
-}
-
-std::vector<const Way*> Ways::in_stock(std::size_t vehicle, const Set& set) const {
-    std::vector<const Way*> ways;
-    for (const Way& way : stock_[vehicle]) {
-        const auto is_open = [&](const Gate& gate) { return contains(set, gate.obstacle); };
-        if (std::ranges::all_of(way.gates, is_open)) ways.push_back(&way);
-    }
-    return ways;
 }
 
 bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before) {

@@ -38,11 +38,6 @@ class Ways {
     // where it is.
     const std::vector<Way>& of(std::size_t vehicle, const Set& set);
 
-    // Finds ways through many sets at once: those through some of the obstacles, as many as may be removed.
-    void stock(std::size_t vehicle, const Set& obstacles);
-    // Those of the stock that need no more open than a set, and the one past all obstacles: quickly, and maybe not all.
-    std::vector<const Way*> in_stock(std::size_t vehicle, const Set& set) const;
-
     // Looks for a way of a vehicle that is earlier than that, obstacles of a set being gone at certain times: who has
     // to wait anyway waits where the rest of the way is shortest. Whether there is one; it is among its ways from then
     // on.
@@ -51,8 +46,7 @@ class Ways {
   private:
     Set near(std::size_t vehicle, const Set& set) const;
     std::vector<Way> search(std::size_t vehicle, const Set& set);
-    std::vector<Way> search_crossing(std::size_t vehicle, const Set& set, std::size_t crossings, std::size_t most,
-                                     std::uint64_t expansions);
+    std::vector<Way> search_crossing(std::size_t vehicle, const Set& set);
     Way closed_way(std::size_t vehicle) const;
     Way way_of(const Agent& agent, std::span<const Point> path, std::span<const ObstacleId> set) const;
     std::vector<Point> shorter(const Agent& agent, std::vector<Point> path, std::span<const ObstacleId> crossed) const;
@@ -62,7 +56,6 @@ class Ways {
     CrossingSearcher& crossing_;
     Searcher& theta_;
     std::vector<std::map<Set, std::vector<Way>>> known_;  // by vehicle and the part of a set that is near its way
-    std::vector<std::vector<Way>> stock_;                 // by vehicle
 };
 
 }  // namespace waybreaker::coalition

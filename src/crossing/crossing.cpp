@@ -69,7 +69,8 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
 // Unless another one at its vertex dominates it.
 void CrossingSearcher::Search::add(Label label) {
     const bool by_count = accept_ == nullptr && !in_time();  // another set may open later
-    const Dominance dominates{*regions_, convex_, sets_, groups_, options_->budget < infinity, goal_, limit_, by_count};
+    const Dominance dominates{*regions_, convex_, sets_,    groups_,          options_->budget < infinity,
+                              goal_,     limit_,  by_count, options_->prices, paid_};
     const std::uint32_t place = places_.find_or_add(label.at);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
@@ -96,14 +97,14 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
                    .open = sets_[label.set],
                    .crossings = capacity_ - int(sets_[label.set].size()),
                    .weight = weight_capacity_,
-                   .range = limit_ - label.cost - (options_->adds_both ? done_after_[label.set] : 0)};
+                   .range = limit_ - label.cost - paid(label.set) - (options_->adds_both ? done_after_[label.set] : 0)};
     // Where it comes from does not matter after a wait.
     if (label.parent != no_label && label.gate == 0) from.arriving = label.at - labels_[label.parent].at;
     for (const ObstacleId obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
     if (label.fronts_begin != 0) {
         from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
     }
-    const bool alternatives = accept_ != nullptr || in_time();
+    const bool alternatives = accept_ != nullptr || in_time() || !options_->prices.empty();
     const std::span<const Reached> all = fan_.look(from, alternatives);
     if (interrupt_.cause() != Interrupt::Cause::none) return;
     for (const Reached& reached : all) push(index, reached);
@@ -123,6 +124,7 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
     group_numbers_.clear();
     groups_.resize(1);
     done_after_.clear();
+    paid_.clear();
     places_.clear();
     fronts_.resize(1);
     capacity_ = options_->crossings + int(removed_.size());
@@ -318,6 +320,7 @@ void CrossingSearcher::Search::search_ellipses(double longest) {
     Label start;
     start.at = start_;
     done_after_.clear();
+    paid_.clear();
     sets_.clear();
     start.set = add_set(removed_);
     const double straight = estimate(start);

@@ -5,11 +5,9 @@
 namespace waybreaker::crossing {
 
 bool Dominance::operator()(const Label& better, const Label& worse) const {
-    constexpr double rounding = 1e-12;  // relative: one way to the goal in other pieces is told of once
-    if (better.at == goal ? better.estimate > worse.estimate * (1 + rounding) : better.cost > worse.cost) {
-        return false;
-    }
-    if (better.set == worse.set) return true;
+    double left = gain(better, worse);  // that may be paid for what only `better` has crossed
+    if (left < 0 && (prices.empty() || !by_count)) return false;
+    if (better.set == worse.set) return left >= 0;
     const auto mine = sets[better.set];
     const auto theirs = sets[worse.set];
     // Who has not waited for the same goes another way.
@@ -20,15 +18,25 @@ bool Dominance::operator()(const Label& better, const Label& worse) const {
         if (std::binary_search(theirs.begin(), theirs.end(), obstacle)) continue;
         ++more;
         more_weight += weight(obstacle);
+        left -= price(obstacle);
     }
-    if (more == 0) return true;
+    if (more == 0 && left >= 0) return true;
     if (!by_count) return false;
     for (const ObstacleId obstacle : theirs) {
         if (std::binary_search(mine.begin(), mine.end(), obstacle) || !lost(obstacle, worse)) continue;
         --more;
         more_weight -= weight(obstacle);
+        left += price(obstacle);
     }
-    return more <= 0 && more_weight <= 0;
+    return more <= 0 && more_weight <= 0 && left >= 0;
+}
+
+// How much cheaper, what is paid aside. At the goal waits and flights are over.
+double Dominance::gain(const Label& better, const Label& worse) const {
+    if (better.at != goal) return worse.cost - better.cost;
+    constexpr double rounding = 1e-12;  // relative: one way to the goal in other pieces is told of once
+    if (prices.empty()) return worse.estimate * (1 + rounding) - better.estimate;
+    return (worse.estimate - paid[worse.set]) * (1 + rounding) - (better.estimate - paid[better.set]);
 }
 
 // No path that is short enough can come back to the obstacle, or no shortest path does.

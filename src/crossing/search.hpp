@@ -59,6 +59,7 @@ class CrossingSearcher::Search {
     std::uint32_t add_set(std::span<const ObstacleId> sorted);
     double estimate(const crossing::Label& label) const;
     double with_flight(double ground, std::uint32_t set) const;
+    double paid(std::uint32_t set) const { return options_->prices.empty() ? 0 : paid_[set]; }
     std::optional<double> cost_of(std::uint32_t parent, const crossing::Reached& reached);
     std::vector<ObstacleId> add_members(crossing::RegionId region, std::vector<ObstacleId>& set) const;
     void push_gates(std::uint32_t parent);
@@ -94,6 +95,8 @@ class CrossingSearcher::Search {
     std::vector<crossing::Label> labels_;
     std::vector<crossing::Front> fronts_;  // straight on from labels; the first is none
     std::vector<std::uint32_t> open_;      // heap
+
+    std::vector<double> paid_;  // by set, half cells
 
     // Of paths in time.
     std::vector<double> done_after_;  // by set, half cells

@@ -1,5 +1,6 @@
 #include "crossing/validate.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "waybreaker/error.hpp"
@@ -19,6 +20,12 @@ void validate(const Map& map, const CrossingOptions& options) {
     check_ids(options.protect, "protect");
     check_ids(options.only, "cross");
     if (!(options.budget >= 0)) throw InputError("the budget cannot be negative");
+    if (!options.prices.empty() && options.prices.size() != map.obstacles().size() + 1) {
+        throw InputError("there must be a price for each obstacle of the map, by id");
+    }
+    if (std::ranges::any_of(options.prices, [](double price) { return !(price >= 0); })) {
+        throw InputError("the price of an obstacle cannot be negative");
+    }
     validate(options.body);
     if (options.body.corners != Corners::none) {
         throw InputError("the crossing search moves an agent that passes no blocked corner");

@@ -17,6 +17,11 @@ double CrossingSearcher::Search::opened_after(std::span<const ObstacleId> sorted
 
 std::uint32_t CrossingSearcher::Search::add_set(std::span<const ObstacleId> sorted) {
     if (options_->done_after) done_after_.push_back(2 * options_->done_after(ids_of(sorted)));
+    if (!options_->prices.empty()) {
+        double paid = 0;
+        for (const ObstacleId id : ids_of(sorted)) paid += 2 * options_->prices[id.value];
+        paid_.push_back(paid);
+    }
     return sets_.add(sorted);
 }
 
@@ -25,9 +30,9 @@ double CrossingSearcher::Search::estimate(const Label& label) const {
 }
 
 double CrossingSearcher::Search::with_flight(double ground, std::uint32_t set) const {
-    if (!options_->done_after) return ground;
+    if (!options_->done_after) return ground + paid(set);
     const double done = done_after_[set];
-    return options_->adds_both ? ground + done : std::max(ground, done);
+    return (options_->adds_both ? ground + done : std::max(ground, done)) + paid(set);
 }
 
 // The cost of the way from a label to what it has reached; none if it would have to wait on the way.

@@ -15,7 +15,7 @@ namespace waybreaker::geo {
 namespace {
 
 constexpr double metres_per_degree = 111'320;  // of latitude; good enough to choose by
-constexpr int parts = 64;                      // of the longer side, to draw
+constexpr int drawn_parts = 64;                // of the longer side, to draw
 constexpr int most_bins = 1024;                // of a side, to find the densest square
 constexpr double least_bin = 60;               // metres
 
@@ -88,7 +88,7 @@ OGREnvelope bounds_of(const Finds& finds) {
 }
 
 // Metres of the box, along its middle.
-struct Extent {
+struct SizeInMetres {
     double width;
     double height;
 };
@@ -97,7 +97,7 @@ double metres_per_longitude(const OGREnvelope& box) {
     return metres_per_degree * std::cos((box.MinY + box.MaxY) / 2 * std::numbers::pi / 180);
 }
 
-Extent extent_of(const OGREnvelope& box) {
+SizeInMetres extent_of(const OGREnvelope& box) {
     return {(box.MaxX - box.MinX) * metres_per_longitude(box), (box.MaxY - box.MinY) * metres_per_degree};
 }
 
@@ -177,8 +177,8 @@ Extract read_extract(const std::string& source) {
                     .buildings = finds.spots.size()};
     const auto [width, height] = extent_of(box);
     const double longer = std::max({width, height, 1e-9});
-    extract.columns = parts_of(width, longer, parts);
-    extract.rows = parts_of(height, longer, parts);
+    extract.columns = parts_of(width, longer, drawn_parts);
+    extract.rows = parts_of(height, longer, drawn_parts);
     extract.built = shares(finds.spots, box, extract.columns, extract.rows);
     for (double& share : extract.built) share = std::round(share * 100) / 100;
     find_densest(finds.spots, box, extract);

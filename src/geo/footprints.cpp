@@ -285,11 +285,11 @@ OGREnvelope visit_buildings(const std::string& source, const std::function<void(
     degrees.SetWellKnownGeogCS("WGS84");
     const ObstacleChoice choice{.only_in_the_way = true};
     const GDALDatasetUniquePtr file = open_source(source);
-    const std::vector<OGRLayer*> layers = layers_of(*file, Kind::areas, choice, source);
+    const std::vector<OGRLayer*> layers = layers_of(*file, Shapes::areas, choice, source);
     if (layers.empty()) throw refusal(source, no_polygons);
     for (OGRLayer* layer : layers) {
         const Transformation to_degrees = transformation(system_of(*layer, source), degrees);
-        for_each_obstacle(*layer, Kind::areas, choice, source, [&](OGRFeature& feature, const FeatureTags&) {
+        for_each_obstacle(*layer, Shapes::areas, choice, source, [&](OGRFeature& feature, const FeatureTags&) {
             const GdalScope gdal;  // what cannot be transformed is left out, as an import does
             if (feature.GetGeometryRef()->transform(to_degrees.get()) == OGRERR_NONE) visit(*feature.GetGeometryRef());
         });

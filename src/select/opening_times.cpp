@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t most_toured = 8;  // obstacles
 
-// Between cells beside two obstacles, at least.
-double hop(const Box& a, const Box& b) {
-    const int x = std::max({a.min.x - b.max.x - 2, b.min.x - a.max.x - 2, 0});
-    const int y = std::max({a.min.y - b.max.y - 2, b.min.y - a.max.y - 2, 0});
-    return std::sqrt(double(x) * x + double(y) * y);
-}
-
 bool may_matter(const Task& task) {
     if (task.rules.timing == Timing::ignore) return false;
     if (task.flyer.start != task.driver.start || task.flyer.speed < task.driver.speed) return true;
@@ -27,6 +20,12 @@ bool may_matter(const Task& task) {
 }
 
 }  // namespace
+
+double hop(const Box& a, const Box& b) {
+    const int x = std::max({a.min.x - b.max.x - 2, b.min.x - a.max.x - 2, 0});
+    const int y = std::max({a.min.y - b.max.y - 2, b.min.y - a.max.y - 2, 0});
+    return std::sqrt(double(x) * x + double(y) * y);
+}
 
 OpeningTimes::OpeningTimes(const Task& task) : OpeningTimes(task, may_matter(task)) {}
 

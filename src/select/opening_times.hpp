@@ -9,6 +9,9 @@
 
 namespace waybreaker {
 
+// From a cell beside one obstacle to a cell beside another, at least: by their boxes.
+double hop(const Box& a, const Box& b);
+
 class OpeningTimes {
   public:
     // The task must outlive it.
@@ -38,8 +41,8 @@ class OpeningTimes {
         double open;
         double done;
     };
-    const Legs& legs(ObstacleId id);
     OpeningTimes(const Task& task, bool matter) : task_(task), matter_(matter) {}
+    const Legs& legs(ObstacleId id);
     const Times& times(std::span<const ObstacleId> obstacles);
     Times times_of(std::span<const ObstacleId> obstacles);
 

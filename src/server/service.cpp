@@ -64,7 +64,7 @@ const std::string& log_text(const Failure& failure) {
     return failure.cause.empty() ? failure.detail : failure.cause;
 }
 
-std::chrono::milliseconds milliseconds(double seconds) {
+std::chrono::milliseconds rounded(double seconds) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(seconds));
 }
 
@@ -135,9 +135,9 @@ ListenerOptions Service::Impl::listener_options() const {
     const ServiceLimits& limits = options_.limits;
     return {.host = options_.host,
             .port = options_.port,
-            .timeouts = {.reading = milliseconds(limits.timeout),
-                         .writing = milliseconds(limits.timeout),
-                         .idle = milliseconds(limits.idle)},
+            .timeouts = {.reading = rounded(limits.timeout),
+                         .writing = rounded(limits.timeout),
+                         .idle = rounded(limits.idle)},
             .connections = limits.connections,
             .connections_of_client = limits.connections_of_client,
             .body_bytes = limits.upload_bytes,

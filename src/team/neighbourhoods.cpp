@@ -92,11 +92,12 @@ bool NeighbourhoodSearch::shorten_waits() {
     return any;
 }
 
-void NeighbourhoodSearch::improve(const std::function<void()>& gained) {
+void NeighbourhoodSearch::improve(double enough, const std::function<void()>& gained) {
+    if (fleet_.cost().first <= enough) return;
     const std::size_t patience = 100 + 20 * fleet_.size();
     fleet_.hold_as_at_first();
     if (shorten_waits()) gained();
-    for (std::size_t failures = 0; failures < patience;) {
+    for (std::size_t failures = 0; failures < patience && fleet_.cost().first > enough;) {
         const std::optional<std::uint32_t> late = delayed();
         if (!late || interrupts_.due()) return;
         std::vector<std::uint32_t> order = around(*late, 2 + std::size_t(random_.below(4)));

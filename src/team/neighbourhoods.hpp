@@ -19,9 +19,9 @@ class NeighbourhoodSearch {
 
     // Until every vehicle has a path, time is over, or so many tries have failed to help.
     void repair();
-    // Until nobody loses time on the others, time is over, or so many tries in a row have gained nothing. Calls
-    // `gained` after each that has.
-    void improve(const std::function<void()>& gained);
+    // Until the objective is no more than `enough`, nobody loses time on the others, time is over, or so many tries in
+    // a row have gained nothing. Calls `gained` after each that has.
+    void improve(double enough, const std::function<void()>& gained);
 
   private:
     std::vector<std::uint32_t> around(std::uint32_t vehicle, std::size_t most);

@@ -42,6 +42,17 @@ void plan_all(const TeamPlan& plan, Objective objective, const Interrupts& inter
     }
 }
 
+// The objective if nobody lost time on the others.
+double alone(std::span<const Vehicle> vehicles, Objective objective) {
+    double sum = 0;
+    double last = 0;
+    for (const Vehicle& vehicle : vehicles) {
+        sum += vehicle.alone;
+        last = std::max(last, vehicle.alone);
+    }
+    return objective == Objective::flowtime ? sum : last;
+}
+
 }  // namespace
 
 TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
@@ -53,11 +64,11 @@ TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupt
         plan.status = go_alone(map, interrupts, crossing, theta, plan.vehicles.back());
         if (plan.status != SearchStatus::found) return plan;
     }
-    return plan_paths({map}, std::move(plan.vehicles), mission.rules, interrupts, improved);
+    return plan_paths({map}, std::move(plan.vehicles), mission.rules, interrupts, 0, improved);
 }
 
 TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const Rules& rules,
-                    const Interrupts& interrupts, const std::function<void(const Cost&)>& improved) {
+                    const Interrupts& interrupts, double close, const std::function<void(const Cost&)>& improved) {
     TeamPlan plan;
     plan.vehicles = std::move(vehicles);
     Fleet fleet(ground, plan.vehicles, rules, interrupts);
@@ -69,7 +80,8 @@ TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const R
     }
     plan.status = SearchStatus::found;
     improved(fleet.cost());
-    search.improve([&] { improved(fleet.cost()); });
+    const double enough = close > 0 ? alone(plan.vehicles, rules.objective) * (1 + close) : 0;
+    search.improve(enough, [&] { improved(fleet.cost()); });
     plan.limited = interrupts.due();
     for (std::uint32_t i = 0; i < fleet.size(); ++i) plan.paths.push_back(fleet.path(i));
     return plan;

@@ -26,8 +26,9 @@ struct TeamPlan {
 TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
                    CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved);
 
-// The same for vehicles that know their ways, on ground that opens in time.
+// The same for vehicles that know their ways, on ground that opens in time. What they lose on each other is good enough
+// at that share of the objective; 0: it never is.
 TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const Rules& rules,
-                    const Interrupts& interrupts, const std::function<void(const Cost&)>& improved);
+                    const Interrupts& interrupts, double close, const std::function<void(const Cost&)>& improved);
 
 }  // namespace waybreaker::team

@@ -37,6 +37,7 @@ struct CrossingCase {
     double budget = std::numeric_limits<double>::infinity();
     std::vector<double> done_after = {};  // empty: none
     bool relaxed = false;
+    std::vector<double> prices = {};  // by id; empty: none
 
     void set(const Mover& mover) {
         body = mover.body;
@@ -51,6 +52,7 @@ struct CrossingCase {
         options.removed = removed;
         options.protect = protect;
         options.budget = budget;
+        options.prices = prices;
         if (!done_after.empty()) {
             options.done_after = [this](std::span<const ObstacleId> crossed) {
                 double last = 0;
@@ -84,6 +86,11 @@ struct CrossingCase {
 
     // Of a path of that length that crosses that set.
     double cost(double length, slow::Set set) const {
+        double paid = 0;
+        for (std::size_t id = 0; id < prices.size(); ++id) paid += (set >> id & 1) ? prices[id] : 0;
+        return unpaid(length, set) + paid;
+    }
+    double unpaid(double length, slow::Set set) const {
         for (std::size_t id = 0; id < done_after.size(); ++id) {
             if (set >> id & 1) length = std::max(length, done_after[id]);
         }
@@ -116,6 +123,8 @@ struct CrossingCase {
         for (const Obstacle& obstacle : problem.map.obstacles()) out << ' ' << obstacle.weight;
         out << ", budget " << problem.budget << ", done after";
         for (const double cost : problem.done_after) out << ' ' << cost;
+        out << ", prices";
+        for (const double price : problem.prices) out << ' ' << price;
         return out << '\n';
     }
 
@@ -202,11 +211,16 @@ inline CrossingCase random_case(Map map) {
     if (*number(0, 3) == 0) {
         for (std::size_t id = 0; id <= map.obstacles().size(); ++id) done_after.push_back(*number(0, 16));
     }
+    std::vector<double> prices;
+    if (*number(0, 2) == 0) {
+        for (std::size_t id = 0; id <= map.obstacles().size(); ++id) prices.push_back(0.5 * *number(0, 8));
+    }
     const PlainMap opened = plain(map, removed);
     const Cell start = *number(0, 20) == 0 ? any_cell(opened) : any_free_cell(opened);
     const Cell goal = *number(0, 20) == 0 ? any_cell(opened) : any_free_cell(opened);
     const Mover mover = *rc::gen::elementOf(movers);
-    return {std::move(map), start, goal, mover.body, crossings, removed, protect, budget, done_after, mover.relaxed};
+    return {std::move(map), start,  goal,       mover.body,    crossings, removed,
+            protect,        budget, done_after, mover.relaxed, prices};
 }
 
 inline rc::Gen<CrossingCase> any_case(int most_side) {

@@ -10,33 +10,35 @@
 namespace waybreaker {
 namespace {
 
-// Shortest lengths and least costs by set, and which sets are beaten by a set within them.
+// Shortest lengths and least costs by set, and which sets are beaten by a set within them, what is paid aside.
 struct Front {
     slow::CrossingOracle oracle;
     std::map<slow::Set, double> length;
     std::map<slow::Set, double> cost;
+    std::map<slow::Set, double> unpaid;
 
     explicit Front(const CrossingCase& problem) : oracle(problem.oracle()) {
         for (const slow::Set set : problem.choices()) {
             length[set] = oracle.shortest(set | slow::set_of(problem.removed));
             cost[set] = problem.cost(length[set], set);
+            unpaid[set] = problem.unpaid(length[set], set);
         }
     }
 
     double best_within(slow::Set set) const {
         double best = slow::CrossingOracle::nowhere;
-        for (const auto& [other, other_cost] : cost) {
+        for (const auto& [other, other_cost] : unpaid) {
             if (other != set && (other & set) == other) best = std::min(best, other_cost);
         }
         return best;
     }
     // Sums of roots differ in the last digit: a set as dear as one within it may be told of or not.
     bool must_be_told(slow::Set set) const {
-        return cost.at(set) < best_within(set) && !same_length(cost.at(set), best_within(set));
+        return unpaid.at(set) < best_within(set) && !same_length(unpaid.at(set), best_within(set));
     }
     bool may_be_told(slow::Set set) const {
-        return cost.at(set) < slow::CrossingOracle::nowhere &&
-               (cost.at(set) < best_within(set) || same_length(cost.at(set), best_within(set)));
+        return unpaid.at(set) < slow::CrossingOracle::nowhere &&
+               (unpaid.at(set) < best_within(set) || same_length(unpaid.at(set), best_within(set)));
     }
 };
 

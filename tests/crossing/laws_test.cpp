@@ -30,6 +30,7 @@ CrossingCase plain_case(int most_side) {
     problem.protect.clear();
     problem.budget = std::numeric_limits<double>::infinity();
     problem.done_after.clear();
+    problem.prices.clear();
     return problem;
 }
 

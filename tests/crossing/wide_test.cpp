@@ -110,6 +110,7 @@ RC_GTEST_PROP(WideCrossing, IsTheShortestOnTheGrownMap, ()) {
 RC_GTEST_PROP(WideCrossing, IsLegalForTheDiscAndTheRelaxedIsALimit, ()) {
     CrossingCase problem = random_wide_case(9);
     problem.done_after.clear();
+    problem.prices.clear();
     problem.relaxed = false;
     CrossingSearcher searcher;
     const CrossingResult found = searcher.find(problem.map, problem.start, problem.goal, problem.options());

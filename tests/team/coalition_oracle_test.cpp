@@ -9,7 +9,7 @@
 #include <random>
 
 #include "checked_plan.hpp"
-#include "coalition/relaxation.hpp"
+#include "coalition/joint.hpp"
 #include "plain_map.hpp"
 #include "plan/timeline.hpp"
 #include "waybreaker/error.hpp"
@@ -173,10 +173,15 @@ double proven(const Map& map, const Mission& mission, double reached) {
     const team::Interrupts interrupts{Deadline(), {}};
     const coalition::Problem problem(map, mission, interrupts);
     CrossingSearcher crossing;
-    coalition::Columns columns(problem, crossing, coalition::Shape::relaxed);
+    coalition::FlightLimits flights(problem);
+    coalition::Columns columns(problem, crossing, flights, coalition::Shape::relaxed);
     coalition::Relaxation relaxation(problem, columns);
-    relaxation.tighten(reached, 0, 4);
-    return relaxation.bound();
+    for (int round = 0; round < 3; ++round) relaxation.tighten(reached, 0.01 * reached);
+    relaxation.list(reached - relaxation.bound());
+    if (!relaxation.proof().complete) return relaxation.bound();
+    coalition::Joint joint(problem, columns, relaxation.proof(), flights, reached);
+    joint.next();
+    return std::max(relaxation.bound(), joint.bound());
 }
 
 // Rooms side by side with a vehicle in each, so that none is in another's way; aircraft fly over all.

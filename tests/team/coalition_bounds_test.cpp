@@ -1,0 +1,155 @@
+// What bounds of coalitions are made of: offers against every set of obstacles, flights against every way to share a
+// set out among the aircraft, every order and every cell.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "coalition/flight_limits.hpp"
+#include "coalition/offers.hpp"
+#include "random_map.hpp"
+#include "waybreaker/error.hpp"
+#include "waybreaker/planner.hpp"
+
+namespace waybreaker::coalition {
+namespace {
+
+std::vector<Offer> any_offers() {
+    std::vector<Offer> offers;
+    for (std::uint32_t id = 1; id <= std::uint32_t(*number(0, 8)); ++id) {
+        offers.push_back({{id}, double(*number(-2, 9)), double(*number(0, 6))});
+    }
+    return offers;
+}
+
+// Of the sets of at most so many offers.
+double best_of(const std::vector<Offer>& offers, int most, double floor, const Set& beside) {
+    double best = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t subset = 0; subset < 1U << offers.size(); ++subset) {
+        if (std::popcount(subset) > most) continue;
+        double paid = 0;
+        double detour = floor;
+        bool apart = true;
+        for (std::size_t k = 0; k < offers.size(); ++k) {
+            if ((subset >> k & 1U) == 0) continue;
+            paid += offers[k].paid;
+            detour = std::max(detour, offers[k].detour);
+            apart = apart && !contains(beside, offers[k].obstacle);
+        }
+        if (apart) best = std::max(best, paid - detour);
+    }
+    return best;
+}
+
+RC_GTEST_PROP(Offers, HaveTheBestPaidSet, ()) {
+    const std::vector<Offer> all = any_offers();
+    const int most = *number(0, 4);
+    const double floor = *number(0, 4);
+    Set beside;
+    for (const Offer& offer : all) {
+        if (*number(0, 3) == 0) beside.push_back(offer.obstacle);
+    }
+    std::vector<ObstacleId> chosen;
+    const double best = Offers(all).best(std::size_t(most), floor, beside, &chosen);
+    RC_ASSERT(best == best_of(all, most, floor, beside));
+    double paid = 0;
+    double detour = floor;
+    for (const ObstacleId id : chosen) {
+        paid += all[id.value - 1].paid;
+        detour = std::max(detour, all[id.value - 1].detour);
+    }
+    RC_ASSERT(paid - detour == best);
+    RC_ASSERT(int(chosen.size()) <= most);
+}
+
+RC_GTEST_PROP(Offers, AreFreeUpToALimit, ()) {
+    std::vector<Offer> all = any_offers();
+    const std::size_t most = std::size_t(*number(1, 4));
+    const FreeOffers free(Offers(all), most);
+    const double before = Offers(all).best(most);
+    const int strangers = *number(1, 5);
+    for (int i = 0; i < strangers; ++i) {
+        const double detour = *number(0, 7);
+        all.push_back({{100 + std::uint32_t(i)}, free.of(detour), detour});
+    }
+    RC_ASSERT(Offers(all).best(most) <= before + 1e-9);
+}
+
+// Flights that breach a set, each of the aircraft in turn: the least of each figure, the others aside.
+class Flights {
+  public:
+    Flights(const Problem& problem, const Set& set) : problem_(problem), set_(set), gone_(set.size(), false) {
+        fly(0, 0, problem.aircraft().front()->start, 0, {});
+    }
+    FlightLimits::Limits least{never, never, never};
+
+  private:
+    static constexpr double never = std::numeric_limits<double>::infinity();
+
+    void fly(std::size_t a, double time, Cell at, int breached, FlightLimits::Limits so_far) {
+        const Agent& agent = *problem_.aircraft()[a];
+        if (breached < agent.breaches) {
+            for (std::size_t j = 0; j < set_.size(); ++j) {
+                if (gone_[j]) continue;
+                gone_[j] = true;
+                for (const Cell c : problem_.map().boundary(set_[j])) {
+                    const double open = time + distance(at, c) / agent.speed + problem_.breach_time(set_[j]);
+                    FlightLimits::Limits more = so_far;
+                    more.open = std::max(more.open, open);
+                    fly(a, open, c, breached + 1, more);
+                }
+                gone_[j] = false;
+            }
+        }
+        const double home = time + distance(at, agent.goal) / agent.speed;
+        so_far.sum += home;
+        so_far.last = std::max(so_far.last, home);
+        if (a + 1 < problem_.aircraft().size()) {
+            fly(a + 1, 0, problem_.aircraft()[a + 1]->start, 0, so_far);
+        } else if (std::ranges::count(gone_, true) == std::ptrdiff_t(gone_.size())) {
+            least.sum = std::min(least.sum, so_far.sum);
+            least.last = std::min(least.last, so_far.last);
+            least.open = std::min(least.open, so_far.open);
+        }
+    }
+
+    const Problem& problem_;
+    const Set& set_;
+    std::vector<bool> gone_;
+};
+
+RC_GTEST_PROP(FlightLimits, AreBelowEveryFlight, ()) {
+    const PlainMap plain = *random_map(7, 7);
+    const Map map(plain.grid());
+    RC_PRE(!map.obstacles().empty());
+    Mission mission;
+    mission.rules.breach_time.per_obstacle = *number(0, 2);
+    const int aircraft = *number(1, 2);
+    for (int i = 0; i < aircraft; ++i) {
+        Agent& agent = mission.agents.emplace_back();
+        agent.kind = AgentKind::air;
+        agent.start = any_cell(plain);
+        agent.goal = any_cell(plain);
+        agent.speed = *rc::gen::element(0.5, 1.0, 2.0);
+        if (*number(0, 3) == 0) agent.breaches = *number(0, 2);
+    }
+    const team::Interrupts interrupts{Deadline(), {}};
+    const Problem problem(map, mission, interrupts);
+    const Set set = some_obstacles(map, 2);
+    const FlightLimits::Limits exact = Flights(problem, set).least;
+    const FlightLimits::Limits limits = FlightLimits(problem).of(set);
+    RC_ASSERT(limits.sum <= exact.sum + 1e-9);
+    RC_ASSERT(limits.last <= exact.last + 1e-9);
+    RC_ASSERT(limits.open <= exact.open + 1e-9);
+    RC_ASSERT(std::isinf(limits.sum) == std::isinf(exact.sum));
+    // One obstacle is by way of one cell.
+    if (set.size() > 1) return;
+    RC_ASSERT(limits.sum >= exact.sum - 1e-9);
+    RC_ASSERT(limits.last >= exact.last - 1e-9);
+    RC_ASSERT(set.empty() || limits.open >= exact.open - 1e-9);
+}
+
+}  // namespace
+}  // namespace waybreaker::coalition
