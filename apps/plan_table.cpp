@@ -235,13 +235,11 @@ bool is_best(const Plan& plan) {
     return plan.gap.value_or(1) < rounding;
 }
 
-// What all removals save: what each saves does not add up to it, as others take the place of one that stays.
-std::string saved_together(const Plan& plan, const io::PlanContext& context) {
-    const Objective objective = context.mission.rules.objective;
-    const std::optional<double> before = value(plan.before, objective);
-    const std::optional<double> after = value(plan.after, objective);
-    if (plan.breaches.size() < 2 || !before || !after) return "";
-    return fmt::format("together they save {:.3f}\n", *before - *after);
+// What all removals save, by the figures as shown: what each saves does not add up to it.
+std::string saved_together(const Plan& plan, Objective objective) {
+    const auto shown = [&](const Outcome& o) { return std::round(1000 * value(o, objective).value_or(NAN)) / 1000; };
+    const double saved = shown(plan.before) - shown(plan.after);
+    return plan.breaches.size() > 1 && saved == saved ? fmt::format("together they save {:.3f}\n", saved) : "";
 }
 
 std::string removals(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
@@ -275,7 +273,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     }
     if (rows.size() > 1) {
         return aligned(rows, style.bold, names) + demolition(plan, context.map) + least_demolition(plan, context) +
-               (explained ? saved_together(plan, context) : "");
+               (explained ? saved_together(plan, context.mission.rules.objective) : "");
     }
     if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
     if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";

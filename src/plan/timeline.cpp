@@ -38,11 +38,12 @@ Span inside_circle(const Move& move, double x, double y, double radius) {
     const double a = move.dx * move.dx + move.dy * move.dy;
     const double b = (move.x - x) * move.dx + (move.y - y) * move.dy;
     if (a == 0) return std::hypot(move.x - x, move.y - y) < radius ? Span{} : Span{1, 0};
-    // By the distance to the line, which is exact where the move grazes the circle.
+    // By the distance to the line. In thousandths, in which radii are whole, it is exact where the move grazes the
+    // circle.
     const double aside = (move.x - x) * move.dy - (move.y - y) * move.dx;
-    const double discriminant = a * radius * radius - aside * aside;
-    if (discriminant <= 0) return {1, 0};
-    const double root = std::sqrt(discriminant);
+    const double thousandths = 1000 * radius;
+    if (a * thousandths * thousandths <= 1e6 * aside * aside) return {1, 0};
+    const double root = std::sqrt(std::max(a * radius * radius - aside * aside, 0.0));
     return {(-b - root) / a, (-b + root) / a};
 }
 

@@ -25,6 +25,8 @@ constexpr std::uint64_t patient_expansions_in_time = 4'000;
 constexpr std::uint64_t patient_expansions_of_bound = 400'000;
 // Relative: where obstacles open in time, a plan so near to its bound is good enough.
 constexpr double close = 5e-4;
+// Relative: where a set that is best without waits ends so much later than without them, others are best in time.
+constexpr double most_above = 0.03;
 // Of the time that is left when selecting begins; the rest is for sets that are likely to be good, if the proof is not
 // done by then.
 constexpr double share_of_proof = 0.8;
@@ -108,6 +110,7 @@ class ExactSelection {
           bound_(bound),
           deadline_(deadline),
           opening_times_(opening_times),
+          reached_(reached),
           best_(reached),
           proven_(bound.objective) {}
 
@@ -129,7 +132,12 @@ class ExactSelection {
         bool best = false;
     };
     Tried run_first() && {
+        improves_paths_ = false;
         try_within(bound_.removed);
+        if (best_ > bound_.objective * (1 + most_above)) {
+            selected_.bound = proven_;
+            return {std::move(selected_)};
+        }
         const CrossingResult first = find_first();
         raise_bound(first);
         selected_.bound = proven_;
@@ -137,7 +145,12 @@ class ExactSelection {
         return {std::move(selected_), first.status != SearchStatus::limit_reached && !beaten};
     }
 
+    // Lets a plan be found that is as good as the one known: with waits at obstacles, not long before them.
+    void take_as_good() { best_ *= 1 + 2 * rounding; }
+
   private:
+    void report() const { task_.report(std::min(best_, reached_), proven_); }
+
     void try_sets() {
         if (!drives_by_crossing(task_)) try_for_other_planners();
         // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
@@ -159,7 +172,7 @@ class ExactSelection {
     void try_as_if_forced() {
         if (selected_.candidates.empty()) return;
         add_candidate(open(task_, searchers_, best_of(task_, start_, selected_.candidates).opening.removed));
-        task_.report(best_, proven_);
+        report();
     }
 
     // Where the relaxed body slips through what stops the disc, the square's shortest path tells more.
@@ -167,7 +180,7 @@ class ExactSelection {
         if (!square_bounds(task_, opening_times_)) return;
         const double least = least_objective(task_, of_square.lower_bound / most_of_square, opening_times_);
         proven_ = std::max(bound_.objective, std::min(least, best_));
-        task_.report(best_, proven_);
+        report();
     }
 
     bool beats_best(const CrossingPath& path) const {
@@ -195,7 +208,7 @@ class ExactSelection {
             }
             if (beats_best(path)) add_candidate(open(task_, searchers_, removed));
         }
-        task_.report(best_, proven_);
+        report();
         since_last_ = {};
     }
 
@@ -210,7 +223,8 @@ class ExactSelection {
     }
 
     void add_candidate(Opening opening) {
-        selected_.candidates.push_back(timed_candidate(task_, searchers_, std::move(opening)));
+        selected_.candidates.push_back(improves_paths_ ? timed_candidate(task_, searchers_, std::move(opening))
+                                                       : candidate_of(task_, std::move(opening)));
         const double reached = cost(task_, selected_.candidates.back());
         if (reached < best_ * (1 - rounding)) best_ = reached;
     }
@@ -298,9 +312,11 @@ class ExactSelection {
     OpeningTimes& opening_times_;
     CrossingOptions options_;
     Stopwatch since_last_;  // candidate
-    double best_;
-    double proven_;  // no plan costs less
+    double reached_;        // of the best plan before
+    double best_;           // to be beaten
+    double proven_;         // no plan costs less
     Selected selected_;
+    bool improves_paths_ = true;  // for their timetables
 };
 
 }  // namespace
@@ -321,8 +337,7 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     if (is_best) return std::move(first);
     const double reached = cost(task, best_of(task, start, first.candidates));
     Selected selected = select(task, start, reached, first.bound.value_or(0), deadline, opening_times);
-    std::ranges::move(selected.candidates, std::back_inserter(first.candidates));
-    selected.candidates = std::move(first.candidates);
+    std::ranges::move(first.candidates, std::back_inserter(selected.candidates));
     return selected;
 }
 
@@ -331,7 +346,9 @@ Selected ExactSelector::select(const Task& task, const Candidate& start, double 
     Bound bound = prove_bound(task, searchers_.crossing, reached, deadline.share(share_of_relaxed), opening_times);
     bound.objective = std::max(bound.objective, proven);
     task.report(reached, bound.objective);
-    Selected selected = ExactSelection(task, searchers_, start, reached, bound, deadline, opening_times).run();
+    ExactSelection selection(task, searchers_, start, reached, bound, deadline, opening_times);
+    if (reached < cost(task, start)) selection.take_as_good();
+    Selected selected = std::move(selection).run();
     selected.limited = selected.limited || bound.limited;
     return selected;
 }

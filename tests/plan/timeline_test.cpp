@@ -84,6 +84,9 @@ TEST(Timeline, NamesTheMomentOfTheTouch) {
                 1e-12);  // with its side, at a corner
     EXPECT_FALSE(touch({0, 0}, {8, 0}, 0.75));
     EXPECT_EQ(touch({6, 2}, {8, 2}, 0.5), 0) << "it starts inside";
+    // The obstacle's corner at 5.5,2.5 lies 1.1 from the line through 3,2 and 7,5.
+    EXPECT_FALSE(touch({3, 2}, {7, 5}, 1.1)) << "nor is it for a radius that no sum of powers of two is";
+    EXPECT_TRUE(touch({3, 2}, {7, 5}, 1.101));
 }
 
 TEST(Timeline, CountsWaits) {
