@@ -10,6 +10,7 @@
 namespace waybreaker::io {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using Violations = std::vector<Violation>;
 
 // Violations if the plan was not made for this map. For a map of another size, nothing else is checked.
@@ -72,7 +73,6 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
 }
 
 std::string check_json(const Violations& violations) {
-    using Json = nlohmann::ordered_json;
     Json list = Json::array();
     for (const Violation& violation : violations) {
         const std::optional<Point>& place = violation.place;

@@ -51,12 +51,12 @@ Failure current_failure() {
 }
 
 std::string progress_event(const Job& job) {
-    using Json = nlohmann::ordered_json;
     const auto [best, bound] = job.progress();
-    const Json json{{"state", job.state() == Job::State::queued ? "queued" : "planning"},
-                    {"seconds", job.seconds()},
-                    {"best", std::isfinite(best) ? Json(best) : Json()},
-                    {"bound", bound > 0 ? Json(bound) : Json()}};
+    const nlohmann::ordered_json json{
+        {"state", job.state() == Job::State::queued ? "queued" : "planning"},
+        {"seconds", job.seconds()},
+        {"best", std::isfinite(best) ? nlohmann::ordered_json(best) : nlohmann::ordered_json()},
+        {"bound", bound > 0 ? nlohmann::ordered_json(bound) : nlohmann::ordered_json()}};
     return event("progress", json.dump());
 }
 

@@ -36,13 +36,12 @@ std::string title_of(int status) {
 }
 
 std::string problem_json(int status, const std::string& detail, std::string_view kind) {
-    using Json = nlohmann::ordered_json;
     const ProblemKind* const known = kind.empty() ? kind_of(status) : kind_of(kind);
-    const Json json{{"type", known ? known->type() : "about:blank"},
-                    {"title", known ? std::string(known->title) : title_of(status)},
-                    {"status", status},
-                    {"detail", detail}};
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const nlohmann::ordered_json json{{"type", known ? known->type() : "about:blank"},
+                                      {"title", known ? std::string(known->title) : title_of(status)},
+                                      {"status", status},
+                                      {"detail", detail}};
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace waybreaker::server

@@ -36,7 +36,7 @@ TEST_F(ImportsTest, MapDataIsDescribed) {
     EXPECT_EQ(source["bytes"], osm_yard().size());
     EXPECT_EQ(post(sources + "?name=yard.osm", osm_yard(), bytes).status, 200);
     EXPECT_EQ(get_json(first.get_header_value("Location")), source);
-    EXPECT_NE(sent("other.osm"), source["id"]);
+    EXPECT_NE(sent("other.osm"), source["id"].get<std::string>());
     EXPECT_EQ(get_json("/api/v1/maps")["maps"].size(), 4U);  // no map is made of it yet
 }
 
