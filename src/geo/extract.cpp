@@ -158,8 +158,12 @@ void find_densest(const std::vector<Spot>& spots, const OGREnvelope& box, Extrac
     const int most = std::clamp(int(longer / least_bin), 1, most_bins);
     const int columns = parts_of(width, longer, most);
     const int rows = parts_of(height, longer, most);
-    const int across = std::clamp(int(std::round(extract.side / std::max(width / columns, 1e-9))), 1, columns);
-    const int down = std::clamp(int(std::round(extract.side / std::max(height / rows, 1e-9))), 1, rows);
+    // How many of so many parts of a length the square takes; a single point has no length.
+    const auto taken = [side = extract.side](double length, int count) {
+        return int(std::clamp(std::round(side / std::max(length / count, 1e-9)), 1.0, double(count)));
+    };
+    const int across = taken(width, columns);
+    const int down = taken(height, rows);
     const auto [x, y] = best_square(shares(spots, box, columns, rows), columns, rows, across, down);
     const auto rounded = [](double degrees) { return std::round(degrees * 1e5) / 1e5; };  // to a metre
     extract.densest = {rounded(box.MinX + (box.MaxX - box.MinX) * (x + across / 2.0) / columns),

@@ -47,7 +47,8 @@ TEST(ObstaclesJson, SaysWhatTheSourceSays) {
 
 TEST(ObstaclesJson, SaysNothingThatTheMapDoesNotKnow) {
     const MapFile file{.map = map_from_ascii("#.#")};
-    for (const Json& obstacle : Json::parse(obstacles_json(file))["obstacles"]) {
+    const Json json = Json::parse(obstacles_json(file));
+    for (const Json& obstacle : json["obstacles"]) {
         for (const char* member : {"kind", "tags", "structures"}) EXPECT_FALSE(obstacle.contains(member));
     }
 }
