@@ -28,8 +28,9 @@ InputError no_metres(const std::string& option, const std::string& text, const i
 }
 
 std::string no_cell(const std::string& text) {
-    return fmt::format("'{}' is not a cell: X,Y are two whole numbers from 0 to {}, such as 12,20", shown(text),
-                       max_side - 1);
+    const bool fraction = text.find('.') != std::string::npos;
+    return fmt::format("'{}' is not a cell: X,Y are two whole numbers from 0 to {}, such as 12,20{}", shown(text),
+                       max_side - 1, fraction ? "; --lonlat takes degrees, --map-metres metres" : "");
 }
 
 // The cell that a point in cell units lies in.

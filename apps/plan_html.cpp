@@ -12,7 +12,8 @@
 namespace waybreaker::apps {
 
 std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front) {
-    auto description = nlohmann::ordered_json::parse(mapfile::map_info_json(map));
+    using Json = nlohmann::ordered_json;
+    auto description = Json::parse(mapfile::map_info_json(map));
     description["id"] = map.source;
     std::string data = "{\"map\": " + description.dump() + ",\"obstacles\": " + io::obstacles_json(map) +
                        ",\"background\": " + io::background_json(map.background) + ",\n\"plans\": [";
@@ -22,7 +23,7 @@ std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, 
         data += R"({"name": ")" + plan.name + R"(", "plan": )" + plan.json + ", \"check\": " + check + "}";
     }
     data += "]";
-    if (!front.empty()) data += ",\n\"front\": " + nlohmann::ordered_json::parse(front)["front"].dump();
+    if (!front.empty()) data += ",\n\"front\": " + Json::parse(front)["front"].dump();
     data += "}";
     return studio::plan_page("Plan: " + (map.title.empty() ? map.source : map.title), data);
 }

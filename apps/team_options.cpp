@@ -60,7 +60,10 @@ std::vector<Agent> team_of(const PlanOptions& options, const Map& map, const Bas
 void validate_team_options(const PlanOptions& options, const Mission& mission) {
     if (options.agents.empty()) {
         if (options.count) throw InputError("--count is for --agents FILE");
-        if (options.aircraft) throw InputError("--aircraft is for --agents FILE");
+        if (options.aircraft) {
+            throw InputError(
+                "--aircraft is for --agents FILE; with one ground agent, list all agents in a --mission file");
+        }
     } else if (!options.mission.empty()) {
         throw InputError("--agents and --mission both say who the agents are; drop one of them");
     }

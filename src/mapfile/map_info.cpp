@@ -6,11 +6,6 @@
 #include "geo/georeference.hpp"
 
 namespace waybreaker::mapfile {
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-}  // namespace
 
 MapSummary summarise(const Map& map) {
     MapSummary summary;
@@ -60,6 +55,7 @@ std::array<double, 2> center(const io::MapFile& file) {
 
 std::string map_info_json(const io::MapFile& file) {
     const MapSummary summary = summarise(file.map);
+    using Json = nlohmann::ordered_json;
     const auto cell = [](const std::optional<Cell>& c) { return c ? Json::array({c->x, c->y}) : Json(); };
     Json json{{"source", file.source},       {"format", file.format},       {"width", file.map.width()},
               {"height", file.map.height()}, {"cell_size", file.cell_size}, {"blocked", summary.blocked},

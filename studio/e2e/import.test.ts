@@ -1,33 +1,22 @@
 // Map data that is dropped on the page becomes a map.
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import type { Browser } from "playwright-core";
-import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
-import { Server } from "./server";
-import { launch, phone, StudioPage, wide } from "./studio_page";
+import { afterEach, describe, expect, it } from "vitest";
+import { Setting } from "./setting";
+import { phone, StudioPage, wide } from "./studio_page";
 
-const scratch = mkdtempSync(join(tmpdir(), "import-"));
+const setting = new Setting("import");
+const { scratch } = setting;
 
-let server: Server;
-let browser: Browser;
 let studio: StudioPage | null = null;
 
-beforeAll(async () => {
-  [server, browser] = await Promise.all([Server.start(), launch()]);
-});
-afterAll(async () => {
-  await browser.close();
-  expect(await server.stop()).toBe(0);
-  rmSync(scratch, { recursive: true });
-});
 afterEach(async () => {
   await studio?.close();
   studio = null;
 });
 
 async function visit(viewport = wide): Promise<StudioPage> {
-  studio = await StudioPage.visit(browser, `${server.url}/`, { viewport });
+  studio = await setting.visit({ viewport });
   await studio.settled();
   return studio;
 }

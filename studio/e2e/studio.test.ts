@@ -1,10 +1,8 @@
 // The studio as people use it, in a real browser against a real server.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import type { Browser } from "playwright-core";
-import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
+import { afterEach, describe, expect, it } from "vitest";
 import type { Run } from "../src/domain/geometry";
 import { freshMission } from "../src/domain/mission";
 import type { Plan } from "../src/domain/plan";
@@ -12,31 +10,23 @@ import { missionFile } from "../src/mission/mission_file";
 import { union } from "../src/mission/run_set";
 import { command, data } from "./command";
 import { Server } from "./server";
-import { launch, phone, StudioPage, wide } from "./studio_page";
+import { Setting } from "./setting";
+import { phone, StudioPage, wide } from "./studio_page";
 
 const city = join(data, "berlin-adlershof.tif");
 const size = { width: 501, height: 501 };
-const scratch = mkdtempSync(join(tmpdir(), "studio-"));
+const setting = new Setting("studio");
+const { scratch } = setting;
 
-let server: Server;
-let browser: Browser;
 let studio: StudioPage | null = null;
 
-beforeAll(async () => {
-  [server, browser] = await Promise.all([Server.start(), launch()]);
-});
-afterAll(async () => {
-  await browser.close();
-  expect(await server.stop()).toBe(0);
-  rmSync(scratch, { recursive: true });
-});
 afterEach(async () => {
   await studio?.close();
   studio = null;
 });
 
 async function visit(options: Parameters<typeof StudioPage.visit>[2] = {}): Promise<StudioPage> {
-  studio = await StudioPage.visit(browser, `${server.url}/`, options);
+  studio = await setting.visit(options);
   await studio.settled();
   return studio;
 }
@@ -158,7 +148,7 @@ describe("the mission", () => {
 
   it("tells about an obstacle that is clicked on the map", async () => {
     const page = await visit();
-    const obstacles = await (await page.page.request.get(`${server.url}/api/v1/maps/berlin-adlershof.tif/obstacles`)).json();
+    const obstacles = await (await page.page.request.get(`${setting.server.url}/api/v1/maps/berlin-adlershof.tif/obstacles`)).json();
     const runs = obstacles.runs as number[];
     let at = 0;
     let id = 0;
@@ -197,7 +187,7 @@ describe("the mission", () => {
     expect(commandAccepts(await page.plan(), file)).toContain("valid");
     const link = page.page.url();
     await page.close();
-    studio = await StudioPage.visit(browser, link);
+    studio = await setting.visit({}, link);
     await studio.settled();
     expect((await studio.plan()).map.digest).not.toBe(plan.map.digest);
   });
@@ -232,7 +222,7 @@ describe("a link", () => {
     const plan = await page.plan();
     const link = page.page.url();
     await page.close();
-    studio = await StudioPage.visit(browser, link);
+    studio = await setting.visit({}, link);
     await studio.settled();
     const restored = await studio.plan();
     for (const key of ["removals", "protect", "objective"] as const) expect(restored.options[key]).toEqual(plan.options[key]);
@@ -253,9 +243,9 @@ describe("a link", () => {
     const drawn = await page.page.getByText(/^Drawn: /).innerText();
     const link = page.page.url();
     await page.close();
-    studio = await StudioPage.visit(browser, link);
+    studio = await setting.visit({}, link);
     expect(await studio.page.getByText(/^Drawn: /).innerText()).toBe(drawn);
-    await studio.page.goto(`${server.url}/#map=berlin-mitte.tif&start=256,434&goal=118,55&removals=1`); // the same page
+    await studio.page.goto(`${setting.server.url}/#map=berlin-mitte.tif&start=256,434&goal=118,55&removals=1`); // the same page
     await studio.settled();
     await expect.poll(async () => (await studio!.plan()).map.digest, { timeout: 10_000 }).toBe(digest);
   });
@@ -281,7 +271,7 @@ describe("a link", () => {
   });
 
   it("to a map that is not there says so", async () => {
-    studio = await StudioPage.visit(browser, `${server.url}/`, { query: "?map=atlantis.tif" });
+    studio = await setting.visit({ query: "?map=atlantis.tif" });
     await studio.page.getByText(/atlantis\.tif/).first().waitFor();
   });
 });
@@ -325,7 +315,7 @@ describe("what goes wrong", () => {
 
   it("a map that is gone is said, asked for once, and can be sent again", async () => {
     const other = await Server.start();
-    studio = await StudioPage.visit(browser, `${other.url}/`);
+    studio = await setting.visit({}, `${other.url}/`);
     await studio.settled();
     await studio.page.getByLabel("File to open").setInputFiles(yardFile());
     await expect.poll(async () => (await studio!.plan()).map.width, { timeout: 10_000 }).toBe(20);
@@ -354,7 +344,7 @@ describe("what goes wrong", () => {
 
   it("a server that is gone is told of, and the page goes on when it is back", async () => {
     const other = await Server.start();
-    studio = await StudioPage.visit(browser, `${other.url}/`);
+    studio = await setting.visit({}, `${other.url}/`);
     await studio.settled();
     const before = await studio.figures();
     await other.stop();

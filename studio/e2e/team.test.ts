@@ -1,18 +1,17 @@
 // Teams in the studio: opened from a file, steered, played, added to, and shown by a page that needs no server.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import type { Browser } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { expect, it } from "vitest";
 import { command, data } from "./command";
-import { Server } from "./server";
-import { launch, phone, StudioPage, wide } from "./studio_page";
+import { Setting } from "./setting";
+import { phone, wide } from "./studio_page";
 
 const city = join(data, "berlin-adlershof.tif");
 const size = { width: 501, height: 501 };
-const scratch = mkdtempSync(join(tmpdir(), "team-"));
+const setting = new Setting("team");
+const { scratch } = setting;
 const mission = {
   format: "waybreaker-mission/1",
   agents: [
@@ -23,17 +22,7 @@ const mission = {
   rules: { removals: 2, breach_time: 5 },
 };
 
-let server: Server;
-let browser: Browser;
 
-beforeAll(async () => {
-  [server, browser] = await Promise.all([Server.start(), launch()]);
-});
-afterAll(async () => {
-  await browser.close();
-  expect(await server.stop()).toBe(0);
-  rmSync(scratch, { recursive: true });
-});
 
 function written(name: string, document: unknown): string {
   const file = join(scratch, name);
@@ -42,7 +31,7 @@ function written(name: string, document: unknown): string {
 }
 
 it("opens the mission of a team, follows a marker, plays it, and takes another aircraft", async () => {
-  const studio = await StudioPage.visit(browser, `${server.url}/`);
+  const studio = await setting.visit();
   await studio.settled();
   await studio.page.getByLabel("File to open").setInputFiles(written("mission.json", mission));
   const table = studio.page.getByRole("table", { name: /^When each agent arrives/ });
@@ -80,7 +69,7 @@ it("opens the mission of a team, follows a marker, plays it, and takes another a
   expect(studio.faults).toEqual([]);
   await studio.close();
 
-  const again = await StudioPage.visit(browser, link);
+  const again = await setting.visit({}, link);
   await again.page.getByRole("button", { name: /^Start of drone, column/ }).waitFor({ state: "attached" });
   expect(await again.cellOf("Start of rover")).toEqual(to);
   await again.close();
@@ -90,7 +79,7 @@ for (const [viewport, colorScheme] of [[wide, "light"], [phone, "dark"]] as cons
   it(`is shown by a page that plays it, at ${viewport.width} px, ${colorScheme}`, async () => {
     const html = join(scratch, "team.html");
     execFileSync(command, ["plan", city, "--mission", written("mission.json", mission), "--html", html], { stdio: "ignore" });
-    const viewer = await StudioPage.visit(browser, pathToFileURL(html).href, { viewport, colorScheme });
+    const viewer = await setting.visit({ viewport, colorScheme }, pathToFileURL(html).href);
     await viewer.result().getByText("Checked independently").waitFor();
     await viewer.result().getByText(/arrives last/).first().waitFor();
     await viewer.page.getByRole("table", { name: /^When each agent arrives/ }).getByText("truck").waitFor();
