@@ -65,6 +65,7 @@ export function city(): Scene {
       [70, "protect"],
       [700, "exclude"],
     ]),
+    ruled: new Map(),
     highlighted: 4000,
     selected: 4100,
     time: null,

@@ -67,7 +67,7 @@ describe("map data", () => {
     await page.settled();
     expect((await page.plan()).status).toBe("solved");
     await page.page.getByRole("button", { name: "Legend" }).click();
-    expect(await page.page.getByRole("list", { name: "Legend of obstacles" }).innerText()).toBe("can be removed\nwater");
+    expect(await page.page.getByRole("list", { name: "Legend of obstacles" }).innerText()).toBe("can be removed\nwater\nremoved in this plan");
     await page.page.getByRole("combobox", { name: "Find a street or obstacle" }).fill("lane");
     await page.page.getByRole("option", { name: /Long Lane/ }).waitFor();
     expect(page.faults).toEqual([]);

@@ -22,8 +22,6 @@ const mission = {
   rules: { removals: 2, breach_time: 5 },
 };
 
-
-
 function written(name: string, document: unknown): string {
   const file = join(scratch, name);
   writeFileSync(file, JSON.stringify(document));
@@ -73,6 +71,32 @@ it("opens the mission of a team, follows a marker, plays it, and takes another a
   await again.page.getByRole("button", { name: /^Start of drone, column/ }).waitFor({ state: "attached" });
   expect(await again.cellOf("Start of rover")).toEqual(to);
   await again.close();
+});
+
+it("says who waits for what, in the lanes and for those who do not see them", async () => {
+  const yard = join(scratch, "yard.map"); // a wall from side to side, which takes long to open
+  writeFileSync(yard, `type octile\nheight 9\nwidth 20\nmap\n${`${".".repeat(9)}@@${".".repeat(9)}\n`.repeat(9)}`);
+  const agents = [
+    { id: "truck", kind: "ground", start: [1, 4], goal: [18, 4] },
+    { id: "rover", kind: "ground", start: [1, 6], goal: [18, 6] },
+    { id: "drone", kind: "air", start: [1, 2], goal: [1, 2], speed: 2 },
+  ];
+  const file = written("yard.json", { format: "waybreaker-mission/1", agents, rules: { removals: 1, breach_time: 30 } });
+  const html = join(scratch, "yard.html");
+  execFileSync(command, ["plan", yard, "--mission", file, "--html", html], { stdio: "ignore" });
+  const viewer = await setting.visit({}, pathToFileURL(html).href);
+  await viewer.page.locator(".lane-ground .lane-wait").first().hover();
+  await viewer.page.getByText(/^(truck|rover) waits for drone to open 1, \d+/).waitFor();
+  await viewer.page.locator(".lane-air .lane-wait").first().hover();
+  await viewer.page.getByText(/^drone opens 1, 30/).waitFor();
+  await viewer.page.locator(".lane-air .lane-wait").first().click(); // goes to the middle of it
+  await viewer.page.mouse.move(700, 300);
+  const time = viewer.page.getByRole("slider", { name: "Time of the mission" });
+  expect(await time.getAttribute("aria-valuetext")).toMatch(/truck waits for drone to open 1, rover waits for drone to open 1, drone opens 1/);
+  await viewer.page.getByText(/^truck waits for drone to open 1; rover waits for drone to open 1; drone opens 1$/).waitFor();
+  expect(await viewer.accessibilityFaults()).toEqual([]);
+  expect(viewer.faults).toEqual([]);
+  await viewer.close();
 });
 
 for (const [viewport, colorScheme] of [[wide, "light"], [phone, "dark"]] as const) {

@@ -2,7 +2,7 @@
 import type { AgentDocument } from "../domain/agent_document";
 import type { Cell } from "../domain/geometry";
 import type { AtGoal } from "../domain/mission";
-import type { Plan, PlanOptions } from "../domain/plan";
+import type { Plan, RequestOptions } from "../domain/plan";
 
 export interface MapEntry {
   id: string;
@@ -12,8 +12,8 @@ export interface MapEntry {
 
 export interface PlanRequest {
   mission: PairMission | TeamMission;
-  options?: PlanOptions;
-  methods?: { name: string; options: PlanOptions }[]; // for compare
+  options?: RequestOptions;
+  methods?: { name: string; options: RequestOptions }[]; // for compare
 }
 
 export interface PairMission {

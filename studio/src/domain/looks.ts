@@ -6,13 +6,18 @@ export const looks = ["removable", "barrier", "fixed", "water", "cliff", "forbid
 
 export type Look = (typeof looks)[number];
 
-export function lookOf({ kind, destructible }: Obstacle): Look {
+// `ruled`: what the mission protects by tag or name looks as if the map did.
+export type Ruled = Pick<ReadonlyMap<number, unknown>, "has">;
+const none: Ruled = new Map();
+
+export function lookOf({ id, kind, destructible }: Obstacle, ruled = none): Look {
+  if (destructible && ruled.has(id)) return "fixed";
   if (destructible) return kind === "barrier" ? "barrier" : "removable";
   return kind === "water" || kind === "cliff" || kind === "forbidden" ? kind : "fixed";
 }
 
 // Those of a map, in the order above.
-export function looksOn(cells: CellMap): Look[] {
-  const found = new Set(cells.obstacles.map(lookOf));
+export function looksOn(cells: CellMap, ruled = none): Look[] {
+  const found = new Set(cells.obstacles.map((one) => lookOf(one, ruled)));
   return looks.filter((look) => found.has(look));
 }

@@ -2,6 +2,7 @@
 import { type Agents, pair } from "./agents";
 import type { Cell, Run } from "./geometry";
 import type { Objective } from "./plan";
+import type { TagFilter } from "./tag_filter";
 
 // A way to end up at the goal: what the layers of the map are.
 export type LayerName = "before" | "after" | "paper";
@@ -31,6 +32,7 @@ export interface Mission {
   separation: number; // cells that the vehicles of a team keep between them
   atGoal: AtGoal;
   marks: ReadonlyMap<number, Choice>; // by obstacle, or by key of a drawn wall
+  protectAll: readonly TagFilter[]; // beside what is marked: all obstacles that any of these means
   walls: readonly Run[]; // drawn
   erased: readonly Run[];
   layers: readonly LayerName[];
@@ -47,6 +49,7 @@ export const defaults = {
   separation: 0,
   atGoal: "stay",
   marks: new Map<number, Choice>() as ReadonlyMap<number, Choice>,
+  protectAll: [] as readonly TagFilter[],
   walls: [] as readonly Run[],
   erased: [] as readonly Run[],
   layers: ["before", "after"] as readonly LayerName[],

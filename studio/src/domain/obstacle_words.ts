@@ -1,5 +1,6 @@
 // What an obstacle is, in words, from what the source of the map says of it.
 import type { Kind, Obstacle, Structure } from "./map";
+import { filterText, type TagFilter } from "./tag_filter";
 
 const kinds: Record<Kind, string> = {
   unknown: "obstacle",
@@ -41,25 +42,42 @@ const publicBuildings = new Set([
 
 // What people use it for, as the source's tags say: "school", "place of worship", "heritage".
 export function usesOf(obstacle: Obstacle): string[] {
-  const values = ["amenity", "tourism", "historic"].flatMap((key) => valuesOf(obstacle, key));
-  const buildings = valuesOf(obstacle, "building").filter((value) => publicBuildings.has(value));
-  const words = [...values.filter((value) => value !== "yes"), ...buildings].map((value) => value.replaceAll("_", " "));
-  if (valuesOf(obstacle, "heritage").length > 0) words.push("heritage");
-  return [...new Set(words)];
+  return [...new Set(tagsOfUse(obstacle).map(([use]) => use))];
 }
 
-// Which of those that can be removed people use for what, by name of the use.
-export function obstaclesByUse(obstacles: readonly Obstacle[]): Map<string, number[]> {
-  const found = new Map<string, number[]>();
+// With the tags that say so.
+function tagsOfUse(obstacle: Obstacle): [use: string, tag: TagFilter][] {
+  const said = ["amenity", "tourism", "historic", "building"].flatMap((key) =>
+    valuesOf(obstacle, key)
+      .filter((value) => (key === "building" ? publicBuildings.has(value) : value !== "yes"))
+      .map((value): [string, TagFilter] => [value.replaceAll("_", " "), { key, values: [value] }]),
+  );
+  return valuesOf(obstacle, "heritage").length > 0 ? [...said, ["heritage", { key: "heritage", values: [] }]] : said;
+}
+
+export interface Use {
+  name: string;
+  obstacles: number; // how many of those that can be removed people use so
+  rules: TagFilter[]; // which mean them
+}
+
+export function usesAmong(obstacles: readonly Obstacle[]): Use[] {
+  const found = new Map<string, { ids: Set<number>; rules: Map<string, TagFilter> }>();
   for (const obstacle of obstacles) {
     if (!obstacle.destructible) continue;
-    for (const use of usesOf(obstacle)) found.set(use, [...(found.get(use) ?? []), obstacle.id]);
+    for (const [name, rule] of tagsOfUse(obstacle)) {
+      const use = found.get(name) ?? { ids: new Set(), rules: new Map() };
+      found.set(name, use);
+      use.ids.add(obstacle.id);
+      use.rules.set(filterText(rule), rule);
+    }
   }
-  return new Map([...found].sort(([a], [b]) => (a < b ? -1 : 1)));
+  const uses = [...found].map(([name, { ids, rules }]): Use => ({ name, obstacles: ids.size, rules: [...rules.values()] }));
+  return uses.sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 
 function valuesOf({ tags = [] }: Obstacle, key: string): string[] {
-  return tags.filter((tag) => tag.startsWith(`${key}=`)).map((tag) => tag.slice(key.length + 1));
+  return tags.filter((tag) => tag.startsWith(`${key}=`) && tag !== `${key}=no`).map((tag) => tag.slice(key.length + 1));
 }
 
 // Why it has to stay; null if it can be removed.

@@ -3,7 +3,7 @@ import type { Cell } from "./geometry";
 
 export type Objective = "makespan" | "ground-makespan" | "flowtime";
 
-// What a request may say; each is the option of `waybreaker plan` of that name.
+// How a plan was made; each is the option of `waybreaker plan` of that name.
 export interface PlanOptions {
   paper?: boolean;
   removals?: number;
@@ -21,6 +21,11 @@ export interface PlanOptions {
   bound?: boolean;
   time_limit?: number;
   radius?: number;
+}
+
+// Of a request: tags and names beside ids. Plans name ids alone.
+export interface RequestOptions extends Omit<PlanOptions, "protect"> {
+  protect?: (number | string)[];
 }
 
 export interface Route {

@@ -3,6 +3,7 @@
 import type { Agents, Handle, AgentLook } from "./agents";
 import type { CellMap } from "./cell_map";
 import type { Cell, Run } from "./geometry";
+import type { Ruled } from "./looks";
 import type { Background, MapDescription } from "./map";
 import type { LayerName, Mark } from "./mission";
 import type { Plan } from "./plan";
@@ -23,6 +24,7 @@ export interface Scene {
   chosen: number | null; // the agent that is chosen in a list
   layers: Layer[]; // those shown; the last is on top
   marks: ReadonlyMap<number, Mark>; // by obstacle
+  ruled: Ruled; // what is protected by tag or name
   highlighted: number | null; // obstacle pointed at in a table
   selected: number | null; // obstacle whose card is open
   old: boolean; // whether the layers answer another mission than the markers show

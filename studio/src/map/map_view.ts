@@ -66,6 +66,8 @@ export class MapView implements GestureTarget {
       this.#newTiles(edited);
       if (!edited) this.#untouched = true;
       if (!edited) this.fit();
+    } else if (scene.ruled !== before.ruled) {
+      this.#newTiles(true);
     }
     if (scene.agents !== before?.agents) this.#keepFocusInView();
     this.#surface.ask();
@@ -245,8 +247,9 @@ export class MapView implements GestureTarget {
 
   #newTiles(keepOld: boolean): void {
     if (!this.#scene || !this.#ground) return;
-    const { map, cells } = this.#scene;
-    this.#tiles.use(new TilePainter(map, cells, this.#ground, this.#surface.theme, this.#surface.pixelRatio), keepOld);
+    const { map, cells, ruled } = this.#scene;
+    const { theme, pixelRatio } = this.#surface;
+    this.#tiles.use(new TilePainter(map, cells, ruled, this.#ground, theme, pixelRatio), keepOld);
     this.#surface.ask();
   }
 

@@ -3,6 +3,7 @@ import type { Edits } from "../api/client";
 import type { CellMap } from "../domain/cell_map";
 import type { Run } from "../domain/geometry";
 import { marked, type Mission } from "../domain/mission";
+import { matches, type TagFilter } from "../domain/tag_filter";
 import type { ShownMap } from "./maps";
 import { clipped, difference, union } from "./run_set";
 
@@ -38,6 +39,13 @@ export function drawnObstacles(mission: Mission, { map }: ShownMap): ReadonlySet
   }
   ids.delete(0);
   return ids;
+}
+
+// The rules to plan by. Where everything that a rule means was erased or excluded, there is nothing left to protect; what the
+// map never had is for the service to refuse.
+export function rulesLeft({ protectAll }: Mission, base: CellMap, map: CellMap): TagFilter[] {
+  const means = (rule: TagFilter, { obstacles }: CellMap) => obstacles.some((one) => matches(one, rule));
+  return protectAll.filter((rule) => base === map || means(rule, map) || !means(rule, base));
 }
 
 function blockedOf(cells: CellMap, stroke: readonly Run[]): Run[] {

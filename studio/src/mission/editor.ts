@@ -23,6 +23,7 @@ import {
   withMark,
 } from "../domain/mission";
 import type { Tool } from "../domain/scene";
+import { filterText, ruledObstacles, type TagFilter } from "../domain/tag_filter";
 import { drawn } from "./edited";
 import { endGesture, type History, redo, step, undo } from "./history";
 import { PageState } from "./page_state";
@@ -136,6 +137,23 @@ export abstract class Editor extends PageState {
     else if (isDrawn && mark === "protect") this.markKey(key, null);
     else this.markKey(key, mark ?? (isDrawn ? "allow" : null));
     if (mark === "exclude") this.selected.value = null;
+  }
+
+  // From now on what is protected stays, even if it was forced before.
+  protectAll(rules: readonly TagFilter[]): void {
+    const { base } = this.shown.value!;
+    const stays = ruledObstacles(rules, base.cells);
+    this.change((mission) => {
+      const had = new Set(mission.protectAll.map(filterText));
+      const fresh = rules.filter((rule) => !had.has(filterText(rule)));
+      const marks = new Map([...mission.marks].filter(([key, mark]) => mark !== "force" || !stays.has(key)));
+      return { ...mission, marks, protectAll: [...mission.protectAll, ...fresh] };
+    });
+  }
+
+  allowAll(rule: TagFilter): void {
+    const others = (mission: Mission) => mission.protectAll.filter((one) => filterText(one) !== filterText(rule));
+    this.change((mission) => ({ ...mission, protectAll: others(mission) }));
   }
 
   markKey(key: number, mark: Choice | null): void {

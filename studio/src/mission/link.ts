@@ -13,6 +13,7 @@ import {
   wallCell,
   wallKey,
 } from "../domain/mission";
+import { filtersText, parseTagFilters } from "../domain/tag_filter";
 import { decodeAgents, encodeAgents } from "./agent_code";
 import { decodeRuns, encodeRuns } from "./run_code";
 import { clipped } from "./run_set";
@@ -46,6 +47,7 @@ export function encodeLink(mission: Mission, width: number): string {
     const keys = [...mission.marks].filter(([, has]) => has === mark).map(([key]) => key);
     if (keys.length > 0) query.push([mark, keys.map((key) => markText(key, width)).join()]);
   }
+  if (mission.protectAll.length > 0) query.push(["protect_all", filtersText(mission.protectAll)]);
   if (mission.walls.length > 0) query.push(["walls", encodeRuns(mission.walls)]);
   if (mission.erased.length > 0) query.push(["erased", encodeRuns(mission.erased)]);
   if (mission.layers.join() !== defaults.layers.join()) query.push(["show", mission.layers.join()]);
@@ -146,6 +148,7 @@ export function decodeLink(query: string, map: string, ends: Ends, width: number
     );
   }
   mission.marks = has;
+  take("protect_all", parseTagFilters, (filters) => (mission.protectAll = filters));
   for (const name of ["walls", "erased"] as const) {
     take(
       name,

@@ -3,6 +3,7 @@
 import { type AgentDocument, agentDocuments, agentsOf, speedOf } from "../domain/agent_document";
 import { isPair } from "../domain/agents";
 import { marked, type Method, type Mission, mostRemovals } from "../domain/mission";
+import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
 import { holdsMission } from "./address";
 import { encodeAgents } from "./agent_code";
 import { encodeLink } from "./link";
@@ -39,15 +40,15 @@ export function missionFile(mission: Mission, map: MapOfMission, removals: numbe
   const count = mission.removals === "auto" ? removals : mission.removals;
   const isTeam = !isPair(agents);
   const { timing, ...how } = methodOf(isTeam ? "exact" : method, count);
-  const obstacles = (mark: "protect" | "force") => marked(mission, mark).filter((key) => key > 0).sort((a, b) => a - b);
+  const ids = (mark: "protect" | "force") => marked(mission, mark).filter((key) => key > 0).sort((a, b) => a - b);
   const document: MissionDocument = {
     format,
     ...(map.metric && { time_unit: "s" as const }),
     agents: agentDocuments(agents, map.cell),
     rules: {
       removals: count,
-      protect: obstacles("protect"),
-      force: obstacles("force"),
+      protect: [...ids("protect"), ...mission.protectAll.map(filterText)],
+      force: ids("force"),
       breach_time: mission.breachTime,
       breach_time_per_cell: mission.breachTimePerCell,
       timing,
@@ -85,7 +86,7 @@ function pageOf(mission: Mission, { width, cell, file }: MapOfMission): Record<s
   const walls = new Map([...mission.marks].filter(([key, mark]) => key < 0 || mark === "exclude" || mark === "allow"));
   const link = new URLSearchParams(encodeLink({ ...mission, marks: walls }, width));
   const pair = ["start", "goal", "air_start", "air_goal", "ground_speed", "air_speed", "radius"];
-  const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal"];
+  const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal", "protect_all"];
   for (const name of [...pair, "vehicles", "aircraft", "method", ...rules]) link.delete(name);
   if (mission.removals !== "auto") link.delete("removals");
   return { ...Object.fromEntries(link), cell_size: cell, ...(file !== undefined && { file }) };
@@ -111,6 +112,8 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
     const ids = [idsIn(rules[mark]), page[mark]].flat().filter((one) => one !== undefined);
     if (ids.length > 0) query.set(mark, ids.join());
   }
+  const all = textsIn(rules.protect);
+  if (all.length > 0) query.set("protect_all", inOne(all));
   return { query: query.toString(), leftOut: leftOut(document) };
 }
 
@@ -132,6 +135,17 @@ function idsIn(obstacles: unknown): number[] {
   return Array.isArray(obstacles) ? obstacles.filter((one) => typeof one === "number") : [];
 }
 
+function textsIn(obstacles: unknown): string[] {
+  return Array.isArray(obstacles) ? obstacles.filter((one) => typeof one === "string") : [];
+}
+
+// As a link has them; the first that is no tag as it is, to be complained of.
+function inOne(texts: readonly string[]): string {
+  const filters = texts.map(parseTagFilters);
+  const wrong = filters.indexOf(null);
+  return wrong < 0 ? filtersText(filters.flatMap((some) => some ?? [])) : texts[wrong]!;
+}
+
 const known = {
   rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "timing", "objective", "separation", "at_goal"],
   method: ["select", "planner", "flight", "weight", "tie_break", "moves", "bound", "explain"],
@@ -140,8 +154,7 @@ const known = {
 function leftOut({ agents, rules = {}, method = {} }: MissionDocument): string[] {
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
   const cuts = agents.some(({ corners = "none" }) => corners !== "none");
-  const tags = [rules.protect].flat().some((one) => typeof one === "string") ? ["protection by tag"] : [];
-  return [...of(rules, known.rules), ...of(method, known.method), ...(cuts ? ["corners"] : []), ...tags];
+  return [...of(rules, known.rules), ...of(method, known.method), ...(cuts ? ["corners"] : [])];
 }
 
 // As the page once wrote them: what a link says, a line each.

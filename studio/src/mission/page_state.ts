@@ -2,7 +2,8 @@
 // done about it.
 import { computed, effect, signal, type Signal } from "@preact/signals";
 import { looksOf } from "../domain/agents";
-import { asksTheSame, type LayerName, type Mark, type Mission } from "../domain/mission";
+import { asksTheSame, defaults, type LayerName, type Mark, type Mission } from "../domain/mission";
+import { ruledObstacles, type TagFilter } from "../domain/tag_filter";
 import { type Units, unitsOf } from "../domain/units";
 import type { Results } from "../planning/results";
 import { Clock } from "../play/clock";
@@ -25,6 +26,12 @@ export class PageState {
   readonly drawn = computed<ReadonlySet<number>>(() => {
     const [mission, shown] = [this.mission.value, this.shown.value];
     return mission && shown ? drawnObstacles(mission, shown) : new Set();
+  });
+  readonly #rules = computed(() => this.mission.value?.protectAll ?? defaults.protectAll);
+  // Of the obstacles shown those that a rule protects, by id. The same until the rules or the map are others.
+  readonly ruled = computed<ReadonlyMap<number, TagFilter>>(() => {
+    const shown = this.shown.value;
+    return shown ? ruledObstacles(this.#rules.value, shown.map.cells) : new Map();
   });
   readonly units: Signal<Units> = computed(() =>
     this.shown.value
@@ -70,10 +77,15 @@ export class PageState {
     this.history.value = replace(history, { ...history.present, layers: next });
   }
 
-  // What is drawn has to stay unless something else is said.
+  // What is drawn has to stay unless something else is said, and so has what a rule protects.
   markOf(id: number): Mark | null {
-    const said = this.mission.value?.marks.get(this.keyOf(id)) ?? (this.drawn.value.has(id) ? "protect" : null);
+    const stays = this.drawn.value.has(id) || this.ruleOf(id) !== null;
+    const said = this.mission.value?.marks.get(this.keyOf(id)) ?? (stays ? "protect" : null);
     return said === "allow" ? null : said;
+  }
+
+  ruleOf(id: number): TagFilter | null {
+    return this.ruled.value.get(id) ?? null;
   }
 
   // Under which key something is said of an obstacle of the map shown. A wall may have grown since.

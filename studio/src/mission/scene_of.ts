@@ -33,6 +33,7 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     chosen: page.chosenAgent.value,
     layers,
     marks,
+    ruled: page.ruled.value,
     highlighted: page.highlighted.value,
     selected: page.selected.value,
     old: page.old.value,

@@ -8,7 +8,7 @@ import { Planner } from "../planning/planner";
 import { questionOf } from "../planning/request";
 import { duration } from "../play/motion";
 import { defaultMission } from "./default_mission";
-import { editsOf } from "./edited";
+import { editsOf, rulesLeft } from "./edited";
 import { Editor } from "./editor";
 import { begin, type History, mapped, replace, step } from "./history";
 import { Importer } from "./importer";
@@ -208,7 +208,9 @@ export class Studio extends Editor {
       if (now !== mission) return; // a later call follows the later mission
       if (this.shown.value?.map !== map) this.#redraw(base, map, mission);
       const { ids } = this.shown.value!;
-      this.planner.ask(questionOf(mission, this.units.value, map.description.id, (key) => ids.toShown(key), this.drawn.value));
+      const rules = rulesLeft(mission, base.cells, map.cells);
+      const toShown = (key: number) => ids.toShown(key);
+      this.planner.ask(questionOf(mission, this.units.value, map.description.id, toShown, this.drawn.value, rules));
     } catch (error) {
       if (isMissing(error)) this.#lose();
       else this.failed(error, () => this.follow());

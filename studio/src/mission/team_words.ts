@@ -81,6 +81,13 @@ function vehicleCount(count: number): string {
   return count === 1 ? "one vehicle" : `${count} vehicles`;
 }
 
+// How much sooner an agent arrives than in the same team with nothing removed; null where that is not known.
+export function gainOf(plan: Plan, closed: Plan | null, id: string): number | null {
+  if (!closed || plan.removed.length === 0) return null;
+  const [now, then] = [plan, closed].map(({ agents }) => agents.find((agent) => agent.id === id));
+  return now && then ? arrival(then) - arrival(now) : null;
+}
+
 // When a vehicle would arrive if it were alone and nothing were removed; null where there is no way.
 export function aloneArrival(plan: Plan, index: number): number | null {
   const length = plan.before.routes?.[index]?.length;

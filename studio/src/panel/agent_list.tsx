@@ -5,7 +5,7 @@ import { objectiveOf, type Plan } from "../domain/plan";
 import { clockTime, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
-import { aloneArrival } from "../mission/team_words";
+import { aloneArrival, gainOf } from "../mission/team_words";
 import { arrival, breachOrder, waits } from "../play/motion";
 import { AgentDot } from "./agent_dot";
 import { AgentFields } from "./agent_fields";
@@ -102,12 +102,19 @@ function AgentRow({ page, plan, agent, index }: RowProps) {
           {agent.id}
         </button>
       </th>
-      <AgentFigures plan={plan} id={agent.id} units={page.units.value} />
+      <AgentFigures plan={plan} closed={page.results.plans.value.before?.plan ?? null} id={agent.id} units={page.units.value} />
     </tr>
   );
 }
 
-function AgentFigures({ plan, id, units }: { plan: Plan | undefined; id: string; units: Units }) {
+interface FiguresProps {
+  plan: Plan | undefined;
+  closed: Plan | null; // with nothing removed
+  id: string;
+  units: Units;
+}
+
+function AgentFigures({ plan, closed, id, units }: FiguresProps) {
   const index = plan?.agents.findIndex((agent) => agent.id === id) ?? -1;
   const agent = plan?.agents[index];
   if (!plan || !agent) return <td colSpan={3}>…</td>;
@@ -126,10 +133,23 @@ function AgentFigures({ plan, id, units }: { plan: Plan | undefined; id: string;
   const waited = waits(agent).reduce((sum, { from, until }) => sum + until - from, 0);
   return (
     <>
-      <td class={alone === null || at < alone * (1 - worthSaying) ? "sooner" : ""}>{time(at)}</td>
+      <td class={alone === null || at < alone * (1 - worthSaying) ? "sooner" : ""}>
+        {time(at)}
+        <Gain gain={gainOf(plan, closed, id)} of={at} units={units} />
+      </td>
       <td>{alone === null ? "no way" : time(alone)}</td>
       <td>{waited > 0 ? time(waited) : "–"}</td>
     </>
+  );
+}
+
+// What the removals are worth to one vehicle of the team.
+function Gain({ gain, of, units }: { gain: number | null; of: number; units: Units }) {
+  if (gain === null || Math.abs(gain) < worthSaying * of) return null;
+  return (
+    <small class="agent-gain" title="Than in the same team with nothing removed">
+      {clockTime(Math.abs(gain), units)} {gain > 0 ? "sooner" : "later"}
+    </small>
   );
 }
 

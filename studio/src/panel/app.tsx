@@ -99,6 +99,7 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
   );
   const plan = page.results.plans.value.after?.plan;
   const title = page.shown.value?.base.description.title;
+  const cells = page.shown.value?.map.cells;
   return (
     <section class="map-area" aria-label="Map">
       {studio && <Tools studio={studio} />}
@@ -111,8 +112,8 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
       </div>
       <ObstacleCard page={page} />
       <div class="timeline-box">
-        {plan && plan.agents.length > 0 && (
-          <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value)} />
+        {plan && cells && plan.agents.length > 0 && (
+          <Timeline plan={plan} cells={cells} clock={page.clock} formatTime={(time) => duration(time, page.units.value)} />
         )}
       </div>
     </section>

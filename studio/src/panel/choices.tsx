@@ -1,5 +1,7 @@
 // All that was said about obstacles, and what was drawn, each to be taken back.
+import type { CellMap } from "../domain/cell_map";
 import type { Choice as Said } from "../domain/mission";
+import { filterText, ruledObstacles, type TagFilter } from "../domain/tag_filter";
 import { area } from "../domain/units";
 import { cellCount } from "../mission/run_set";
 import type { Studio } from "../mission/studio";
@@ -20,13 +22,21 @@ export function Choices({ studio }: { studio: Studio }) {
   const mission = studio.mission.value;
   const shown = studio.shown.value;
   if (!mission || !shown) return null;
-  const { marks, walls, erased } = mission;
-  if (marks.size === 0 && walls.length === 0 && erased.length === 0) return null;
+  const { marks, protectAll, walls, erased } = mission;
+  if (marks.size === 0 && protectAll.length === 0 && walls.length === 0 && erased.length === 0) return null;
   const units = studio.units.value;
   const [listed, others] = [[...marks].slice(0, mostListed), [...marks].slice(mostListed)];
   return (
     <Section title="Your choices">
       <ul class="choices">
+        {protectAll.map((rule) => (
+          <Choice
+            key={filterText(rule)}
+            icon="protect"
+            text={`Protected: ${ruleWords(rule, shown.map.cells)}`}
+            onUndo={() => studio.allowAll(rule)}
+          />
+        ))}
         {listed.map(([key, mark]) => {
           const id = shown.ids.toShown(key);
           const name = nameOfKey(shown, key).text;
@@ -64,6 +74,12 @@ export function Choices({ studio }: { studio: Studio }) {
       </ul>
     </Section>
   );
+}
+
+// "all amenity=theatre, 12 obstacles".
+function ruleWords(rule: TagFilter, cells: CellMap): string {
+  const count = ruledObstacles([rule], cells).size;
+  return `all ${filterText(rule)}, ${count === 1 ? "1 obstacle" : `${count} obstacles`}`;
 }
 
 interface ChoiceProps {

@@ -17,7 +17,8 @@ export function GroundLegend({ page }: { page: PageState }) {
   const id = useId();
   const cells = page.shown.value?.map.cells;
   if (!cells) return null;
-  const looks = looksOn(cells);
+  const looks = looksOn(cells, page.ruled.value);
+  const hasRemoved = (page.results.plans.value.after?.plan.removed.length ?? 0) > 0;
   if (looks.length < 2) return null;
   return (
     <div class="ground-legend">
@@ -28,6 +29,12 @@ export function GroundLegend({ page }: { page: PageState }) {
             {words[look]}
           </li>
         ))}
+        {hasRemoved && (
+          <li>
+            <span class="swatch swatch-removed" aria-hidden="true" />
+            removed in this plan
+          </li>
+        )}
       </ul>
       <button type="button" aria-expanded={open} aria-controls={id} onClick={() => setOpen(!open)}>
         {open ? "Hide legend" : "Legend"}

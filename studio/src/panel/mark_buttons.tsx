@@ -1,5 +1,6 @@
 // What a person may say about an obstacle.
 import type { Mark } from "../domain/mission";
+import { filterText } from "../domain/tag_filter";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { Icon, type IconName } from "./icons";
@@ -20,6 +21,8 @@ interface Props {
 export function MarkButtons({ page, id, name, large = false }: Props) {
   if (!(page instanceof Studio)) return null;
   const has = page.markOf(id);
+  const rule = page.ruleOf(id);
+  if (rule) return <p class="mark-rule">It has to stay, as all {filterText(rule)}: see “Your choices”.</p>;
   return (
     <span class={`mark-buttons ${large ? "large" : ""}`} role="group" aria-label={`Your choice for ${name}`}>
       {marks.map(({ mark, verb, icon, hint }) => (

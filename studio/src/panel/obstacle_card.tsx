@@ -1,9 +1,12 @@
 // What is known about the obstacle that was clicked, and what may be said about it.
 import type { Obstacle, Structure } from "../domain/map";
 import { kindWord, usesOf, whatItIs, whyItStays } from "../domain/obstacle_words";
+import { parseTagFilters } from "../domain/tag_filter";
 import { area, duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
+import { Studio } from "../mission/studio";
 import { IconButton } from "./controls";
+import { Icon } from "./icons";
 import { MarkButtons } from "./mark_buttons";
 import { nameOf, osmPage } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
@@ -36,7 +39,10 @@ export function ObstacleCard({ page }: { page: PageState }) {
         </p>
       )}
       {obstacle.destructible ? (
-        <MarkButtons page={page} id={obstacle.id} name={name.text} large />
+        <>
+          <MarkButtons page={page} id={obstacle.id} name={name.text} large />
+          <ProtectWhole page={page} obstacle={obstacle} />
+        </>
       ) : (
         <p>{whyItStays(obstacle)}</p>
       )}
@@ -49,6 +55,26 @@ function factsOf(obstacle: Obstacle): string[] {
   if (obstacle.kind === undefined || obstacle.kind === "unknown") return [];
   const what = whatItIs(obstacle);
   return [what.charAt(0).toUpperCase() + what.slice(1), ...(obstacle.destructible ? usesOf(obstacle) : [])];
+}
+
+// All sections of a building that has a name, and whatever else is called so.
+function ProtectWhole({ page, obstacle }: { page: PageState; obstacle: Obstacle }) {
+  if (!(page instanceof Studio) || page.ruleOf(obstacle.id)) return null;
+  const names = new Set((obstacle.structures ?? []).map((one) => one.name ?? ""));
+  return (
+    <>
+      {[...names].filter(isOneFilter).map((name) => (
+        <button key={name} type="button" class="button" onClick={() => page.protectAll([{ key: "name", values: [name] }])}>
+          <Icon name="protect" /> Protect all of {name}
+        </button>
+      ))}
+    </>
+  );
+}
+
+// A comma would begin another name.
+function isOneFilter(name: string): boolean {
+  return parseTagFilters(`name=${name}`)?.[0]?.values.join() === name && !name.includes(",");
 }
 
 const mostListed = 5;

@@ -1,15 +1,13 @@
 // Protects all obstacles of one use: all theatres, all museums.
-import { obstaclesByUse } from "../domain/obstacle_words";
+import { useMemo } from "preact/hooks";
+import { usesAmong } from "../domain/obstacle_words";
 import type { Studio } from "../mission/studio";
 
 export function ProtectAll({ studio }: { studio: Studio }) {
   const shown = studio.shown.value;
-  const uses = shown ? [...obstaclesByUse(shown.base.cells.obstacles)] : [];
+  const cells = shown?.base.cells;
+  const uses = useMemo(() => (cells ? usesAmong(cells.obstacles) : []), [cells]);
   if (uses.length === 0) return null;
-  const protect = (use: string) => {
-    const ids = uses.find(([name]) => name === use)?.[1] ?? [];
-    studio.change((old) => ({ ...old, marks: new Map([...old.marks, ...ids.map((id) => [id, "protect"] as const)]) }));
-  };
   return (
     <div class="number-field">
       <label for="protect-all">Protect all</label>
@@ -17,14 +15,14 @@ export function ProtectAll({ studio }: { studio: Studio }) {
         id="protect-all"
         value=""
         onChange={(event) => {
-          protect(event.currentTarget.value);
+          studio.protectAll(uses.find(({ name }) => name === event.currentTarget.value)?.rules ?? []);
           event.currentTarget.value = "";
         }}
       >
         <option value="">choose …</option>
-        {uses.map(([use, ids]) => (
-          <option key={use} value={use}>
-            {use} ({ids.length})
+        {uses.map(({ name, obstacles }) => (
+          <option key={name} value={name}>
+            {name} ({obstacles})
           </option>
         ))}
       </select>

@@ -3,7 +3,8 @@ import type { PlanRequest } from "../api/documents";
 import { agentDocuments } from "../domain/agent_document";
 import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
 import { marked, type Method, type Mission } from "../domain/mission";
-import type { Plan, PlanOptions } from "../domain/plan";
+import type { Plan, RequestOptions } from "../domain/plan";
+import { filterText, type TagFilter } from "../domain/tag_filter";
 import { cellsPerUnit, type Units } from "../domain/units";
 
 // What a plan is asked for with. Obstacles are those of the map that is planned on.
@@ -11,33 +12,34 @@ export interface Question {
   of: Mission;
   map: string;
   mission: PlanRequest["mission"];
-  options: PlanOptions; // but for method and removals
+  options: RequestOptions; // but for method and removals
   method: Method;
   removals: number | "auto";
   price: number; // what a removal has to save where their number is left open
   withBefore: boolean; // whether the way without removals is on the map, and has to follow at once
 }
 
-// `drawn` are the obstacles that have to stay unless something is said about them.
+// `drawn` are the obstacles that have to stay unless something is said about them, `rules` which others do.
 export function questionOf(
   mission: Mission,
   units: Units,
   map: string,
   toShown: (key: number) => number,
   drawn: Iterable<number> = [],
+  rules: readonly TagFilter[] = mission.protectAll,
 ): Question {
   const said = new Set([...mission.marks.keys()].map(toShown));
   const usual = { protect: [...drawn].filter((id) => !said.has(id)), force: [] };
   const ids = (mark: "protect" | "force") =>
     [...new Set([...marked(mission, mark).map(toShown), ...usual[mark]])].filter((id) => id !== 0).sort((a, b) => a - b);
-  const options: PlanOptions = {
+  const options: RequestOptions = {
     objective: mission.objective,
     breach_time: mission.breachTime,
     breach_time_per_cell: mission.breachTimePerCell,
   };
   const two = ofPair(mission.agents);
   if (two) options.radius = two.ground.radius;
-  const [protect, force] = [ids("protect"), ids("force")];
+  const [protect, force] = [[...ids("protect"), ...rules.map(filterText)], ids("force")];
   if (protect.length > 0) options.protect = protect;
   if (force.length > 0) options.force = force;
   const canOpen = mission.agents.some((agent) => agent.kind === "air");
@@ -81,12 +83,12 @@ export function canRemove({ mission }: Question): boolean {
 
 // A draft, where plans take too long to follow the mouse: any-angle search that hurries to the goal, and of the obstacles in its way
 // those it met most. On a city of 4096² cells that is a hundredth of the work, and its paths are a percent longer.
-const hurried: PlanOptions = { planner: "theta", weight: 1.5 };
+const hurried: RequestOptions = { planner: "theta", weight: 1.5 };
 // Of a team: the best that is found in so many seconds.
-const teamDraft: PlanOptions = { select: "exact", time_limit: 0.15 };
+const teamDraft: RequestOptions = { select: "exact", time_limit: 0.15 };
 
-function request(question: Question, method: Method | "draft", options: PlanOptions): PlanRequest {
-  const how: Record<typeof method, PlanOptions> = {
+function request(question: Question, method: Method | "draft", options: RequestOptions): PlanRequest {
+  const how: Record<typeof method, RequestOptions> = {
     exact: { select: "exact" },
     paper: { paper: true },
     draft: isOfTeam(question) ? teamDraft : { ...(question.method === "paper" ? { paper: true } : { select: "hits" }), ...hurried },

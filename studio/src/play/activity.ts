@@ -1,7 +1,7 @@
 // What happens when, as spans and moments of a timeline.
-import { isPair } from "../domain/agents";
 import type { Agent, Plan } from "../domain/plan";
 import { arrival, breachOrder, positionAt, waits } from "./motion";
+import type { Story } from "./story";
 
 export interface Span {
   kind: "move" | "wait";
@@ -55,18 +55,22 @@ function spans(agent: Agent): Span[] {
 const mostTold = 6; // agents that are told of one by one
 
 // What goes on at a time, in words: for those who do not see the map.
-export function activityAt(plan: Plan, time: number): string {
-  const parts = plan.agents.length > mostTold ? summed(plan, time) : each(plan, time);
+export function activityAt(story: Story, time: number): string {
+  const { plan } = story;
+  const parts = plan.agents.length > mostTold ? summed(plan, time) : each(story, time);
   const cleared = plan.removed.filter((removed) => removed.cleared_at <= time).length;
   if (plan.removed.length > 0) parts.push(`${cleared} of ${plan.removed.length} removed`);
   return parts.join(", ");
 }
 
-function each(plan: Plan, time: number): string[] {
-  const verbs = { ready: "is ready", moving: "moves", waiting: "waits", arrived: "has arrived" };
-  return plan.agents.flatMap((agent) => {
+function each(story: Story, time: number): string[] {
+  const { agents } = story.plan;
+  const verbs = { ready: "is ready", moving: "moves", arrived: "has arrived" };
+  return agents.flatMap((agent) => {
     const now = positionAt(agent, time);
-    return now ? [`${isPair(plan.agents) ? agent.kind : agent.id} ${verbs[now.state]}`] : [];
+    if (!now) return [];
+    const verb = now.state === "waiting" ? story.verbAt(agent.id, time) : verbs[now.state];
+    return [`${story.nameOf(agent)} ${verb}`];
   });
 }
 

@@ -2,33 +2,44 @@
 // to that time; the slider below them does so for the keyboard.
 import { useId, useMemo, useRef } from "preact/hooks";
 import { type AgentLook, looksOf } from "../domain/agents";
-import type { Plan } from "../domain/plan";
 import { type Lane, lanes } from "./activity";
 import type { Clock } from "./clock";
+import type { Story } from "./story";
 
 interface LanesProps {
-  plan: Plan;
+  story: Story;
   duration: number;
   clock: Clock;
   formatTime: (time: number) => string;
+  onPoint: (told: string | null) => void; // a wait is pointed at
 }
 
 const names = { ground: "Ground", air: "Air" };
 
-export function Lanes({ plan, duration, clock, formatTime }: LanesProps) {
+export function Lanes({ story, duration, clock, formatTime, onPoint }: LanesProps) {
+  const { plan } = story;
   const share = (at: number): string => `${(100 * at) / duration}%`;
   const times = useRef<HTMLDivElement>(null);
   const go = (event: PointerEvent): void => {
     const box = times.current!.getBoundingClientRect();
     if (event.clientX >= box.left - 4) clock.seek(((event.clientX - box.left) / box.width) * duration);
   };
+  const told = (lane: Lane, from: number, until: number) =>
+    `${story.nameOf(lane)} ${story.verbAt(lane.id, from)}, ${formatTime(until - from)}`;
   // Drawn once for a plan: frames of playback move the line alone.
   const bars = useMemo(() => {
     const looks = looksOf(plan.agents);
     return lanes(plan).map((lane) => (
-      <AgentLane key={lane.id} lane={lane} look={looks.get(lane.id)} share={share} formatTime={formatTime} />
+      <AgentLane
+        key={lane.id}
+        lane={lane}
+        look={looks.get(lane.id)}
+        share={share}
+        formatTime={formatTime}
+        onWait={(from, until) => onPoint(from === null ? null : told(lane, from, until))}
+      />
     ));
-  }, [plan, duration]);
+  }, [story, duration]);
   return (
     <div class="lanes" aria-hidden="true">
       <div
@@ -63,9 +74,10 @@ interface LaneProps {
   look: AgentLook | undefined; // of a team
   share: (at: number) => string;
   formatTime: (time: number) => string;
+  onWait: (...wait: [from: number, until: number] | [null, null]) => void;
 }
 
-function AgentLane({ lane, look, share, formatTime }: LaneProps) {
+function AgentLane({ lane, look, ...bars }: LaneProps) {
   const { id, kind } = lane;
   return (
     <div class={`lane lane-${kind} ${look ? `agent-${look.kind}-${look.colour}` : ""}`}>
@@ -73,14 +85,14 @@ function AgentLane({ lane, look, share, formatTime }: LaneProps) {
         {look ? id : names[kind]}
       </span>
       <div class="lane-track">
-        <LaneBars lane={lane} share={share} formatTime={formatTime} />
+        <LaneBars lane={lane} {...bars} />
       </div>
     </div>
   );
 }
 
 // Attributes of SVG, no style: the page's security policy forbids styles in elements.
-function LaneBars({ lane, share, formatTime }: Omit<LaneProps, "look">) {
+function LaneBars({ lane, share, formatTime, onWait }: Omit<LaneProps, "look">) {
   const stripes = useId();
   const verb = lane.kind === "air" ? "breached" : "entered";
   return (
@@ -97,9 +109,13 @@ function LaneBars({ lane, share, formatTime }: Omit<LaneProps, "look">) {
           width={share(until - from)}
           height="50%"
           rx="2"
-          {...(kind === "wait" ? { fill: `url(#${stripes})` } : {})}
+          {...(kind === "wait" && {
+            fill: `url(#${stripes})`,
+            onPointerEnter: () => onWait(from, until),
+            onPointerLeave: () => onWait(null, null),
+          })}
         >
-          <title>{`${kind === "wait" ? "waits" : "moves"} ${formatTime(until - from)}`}</title>
+          {kind === "move" && <title>{`moves ${formatTime(until - from)}`}</title>}
         </rect>
       ))}
       {lane.moments.map(({ number, time }) => (

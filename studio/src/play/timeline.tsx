@@ -1,27 +1,38 @@
 // Playback of a plan: play and pause, where in time, how fast, and lanes of what each agent does when.
-import { useEffect } from "preact/hooks";
+import { useEffect, useMemo, useState } from "preact/hooks";
+import type { CellMap } from "../domain/cell_map";
 import type { Plan } from "../domain/plan";
 import { activityAt } from "./activity";
 import { type Clock, speeds } from "./clock";
 import { Lanes } from "./lanes";
 import { duration } from "./motion";
+import { Story } from "./story";
 import "./timeline.css";
 
 export interface TimelineProps {
   plan: Plan; // the one that is played
+  cells: CellMap; // of the map that it is on
   clock: Clock;
   formatTime: (time: number) => string; // a time of the plan as people read it, with its unit
 }
 
-export function Timeline({ plan, clock, formatTime }: TimelineProps) {
+export function Timeline({ plan, cells, clock, formatTime }: TimelineProps) {
   const length = duration(plan);
+  const story = useMemo(() => new Story(plan, cells), [plan, cells]);
+  const [pointed, setPointed] = useState<string | null>(null);
   useEffect(() => clock.load(length), [clock, length]);
   useEffect(() => () => clock.stop(), [clock]);
   const playing = clock.playing.value;
   const time = clock.time.value ?? 0;
+  const told = pointed ?? (clock.time.value === null ? null : story.at(time));
   if (length <= 0) return null;
   return (
     <div class="timeline" role="group" aria-label="Playback">
+      {told !== null && (
+        <p class="timeline-told" aria-hidden="true">
+          {told}
+        </p>
+      )}
       <button
         type="button"
         class="timeline-play"
@@ -33,7 +44,7 @@ export function Timeline({ plan, clock, formatTime }: TimelineProps) {
         </svg>
       </button>
       <div class="timeline-middle">
-        <Lanes plan={plan} duration={length} clock={clock} formatTime={formatTime} />
+        <Lanes story={story} duration={length} clock={clock} formatTime={formatTime} onPoint={setPointed} />
         <input
           class="timeline-scrubber"
           type="range"
@@ -42,7 +53,7 @@ export function Timeline({ plan, clock, formatTime }: TimelineProps) {
           step={length / 400}
           value={time}
           aria-label="Time of the mission"
-          aria-valuetext={`${formatTime(time)} of ${formatTime(length)}: ${activityAt(plan, time)}`}
+          aria-valuetext={`${formatTime(time)} of ${formatTime(length)}: ${activityAt(story, time)}`}
           onInput={(event) => clock.seek(Number(event.currentTarget.value))}
         />
       </div>

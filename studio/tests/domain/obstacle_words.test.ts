@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { lookOf, looksOn } from "../../src/domain/looks";
 import type { Obstacle } from "../../src/domain/map";
-import { obstaclesByUse, usesOf, whatItIs, whyItStays } from "../../src/domain/obstacle_words";
+import { usesAmong, usesOf, whatItIs, whyItStays } from "../../src/domain/obstacle_words";
+import { filterText } from "../../src/domain/tag_filter";
 import { mapOf } from "./picture";
 
 const obstacle = (what: Partial<Obstacle>): Obstacle => ({ ...mapOf("a").obstacle(1)!, ...what });
@@ -40,8 +41,18 @@ describe("an obstacle in words", () => {
 
   it("can be protected with all others of its use", () => {
     const theatre = { tags: ["amenity=theatre"] };
-    const all = [obstacle({ id: 1, ...theatre }), obstacle({ id: 2, destructible: false, ...theatre }), obstacle({ id: 3, ...theatre })];
-    expect([...obstaclesByUse(all)]).toEqual([["theatre", [1, 3]]]);
+    const all = [
+      obstacle({ id: 1, ...theatre }),
+      obstacle({ id: 2, destructible: false, ...theatre }),
+      obstacle({ id: 3, ...theatre }),
+      obstacle({ id: 4, tags: ["amenity=school", "building=school", "heritage=2"] }),
+      obstacle({ id: 5, tags: ["building=school", "historic=no"] }),
+    ];
+    expect(usesAmong(all).map(({ name, obstacles, rules }) => [name, obstacles, ...rules.map(filterText)])).toEqual([
+      ["heritage", 1, "heritage"],
+      ["school", 2, "amenity=school", "building=school"],
+      ["theatre", 2, "amenity=theatre"],
+    ]);
   });
 });
 
@@ -51,4 +62,5 @@ it("looks like what it is, unless it can be removed", () => {
   expect(lookOf(obstacle({ kind: "barrier", destructible: false }))).toBe("fixed");
   expect(lookOf(obstacle({ kind: "water", destructible: false }))).toBe("water");
   expect(looksOn(mapOf("aB"))).toEqual(["removable", "fixed"]);
+  expect(looksOn(mapOf("ab"), new Set([2]))).toEqual(["removable", "fixed"]);
 });

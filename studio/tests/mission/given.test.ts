@@ -87,6 +87,7 @@ it("a mission file brings back all of a mission", () => {
     { ...yard, agents: changed(yard.agents, 1, { start: [9, 9], goal: [0, 0] }), removals: 5, layers: ["before"] },
     { ...yard, method: "paper", removals: 1, walls: [[4, 5, 1]], erased: [[0, 3, 2]] },
     { ...yard, walls: [[4, 5, 1]], marks: new Map([[3, "protect"], [7, "force"], [8, "exclude"], [wall, "force"]]) },
+    { ...yard, protectAll: [{ key: "heritage", values: [] }, { key: "amenity", values: ["hospital", "school"] }] },
     { ...yard, removals: "auto", price: 4, marks: new Map([[wall, "allow"]]), walls: [[4, 5, 1]] },
   ];
   for (const mission of missions) {
@@ -136,8 +137,21 @@ it("a mission file of the command line opens, and what the page cannot ask is sa
     agents: [{ id: "ground", speed: 4 }, { id: "air", speed: 2, start: null, goal: [5, 5] }],
   });
   expect(found?.mission.marks).toEqual(new Map([[5, "protect"], [6, "force"]]));
-  expect(found?.leftOut).toEqual(["budget", "corners", "protection by tag"]);
+  expect(found?.mission.protectAll).toEqual([{ key: "amenity", values: ["school"] }]);
+  expect(found?.leftOut).toEqual(["budget", "corners"]);
   expect(missionIn(JSON.stringify({ ...document, agents: [agents[1]] }))).toBeNull();
+});
+
+it("a mission file keeps what it protects by tag or name", () => {
+  const rules = { protect: [5, "name=St. Mary*", "amenity=hospital,school,heritage=4"] };
+  const agents = [{ id: "g", kind: "ground", start: [1, 2], goal: [3, 4] }, { id: "a", kind: "air", start: [1, 2], goal: [3, 4] }];
+  const found = missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, rules }))!;
+  expect([found.complaints, found.leftOut]).toEqual([[], []]);
+  const saved = JSON.parse(missionFile(found.mission, tenWide, 3)) as { rules: object; page: object };
+  expect(saved.rules).toMatchObject({ protect: [5, "name=St. Mary*", "amenity=hospital,school", "heritage=4"] });
+  expect(saved.page).not.toHaveProperty("protect_all");
+  const odd = missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, rules: { protect: ["amenity="] } }))!;
+  expect(odd.complaints).toEqual(["“protect_all=amenity=” in the link cannot be read"]);
 });
 
 it("a mission file of a team opens with all that it says, and is saved so", () => {

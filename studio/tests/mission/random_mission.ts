@@ -67,6 +67,7 @@ export function randomMission(random: Random): Mission {
     separation: isTeam ? random.oneOf([0, 0.25]) : 0,
     atGoal: isTeam ? random.oneOf(["stay", "leave"] as const) : "stay",
     marks: new Map(marks),
+    protectAll: random.chance(0.3) ? [{ key: "*", values: [] }, { key: "name", values: ["b=%c", "St. Mary’s & Co*"] }] : [],
     walls: randomRuns(random),
     erased: randomRuns(random),
     layers,

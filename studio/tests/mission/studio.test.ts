@@ -1,73 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { type Client, type Edits, ServiceError } from "../../src/api/client";
-import type { PlanRequest } from "../../src/api/documents";
-import type { CellMap } from "../../src/domain/cell_map";
-import type { MapDescription, Obstacles } from "../../src/domain/map";
+import { type Client, ServiceError } from "../../src/api/client";
 import { Studio } from "../../src/mission/studio";
-import { mapOf } from "../domain/picture";
-import { planOf } from "../domain/plans";
-
-// A service with two maps. What is drawn is seen on the map `edited`, whose ids are others.
-const pictures: Record<string, CellMap> = {
-  "city.map": mapOf("....a.....", "....a.bb..", "....a.bb..", ".........."),
-  "yard.map": mapOf("....", ".aa.", "...."),
-  "upload-1": mapOf("....", "a...", "...."),
-  walled: mapOf("....a.....", "....a.bb..", "....a.bb..", ".ccc......"),
-  edited: mapOf("..........", "......aa..", "......aa..", ".........."),
-};
-
-function answerOf(cells: CellMap): Obstacles {
-  const runs: number[] = [];
-  for (let y = 0; y < cells.height; ++y) for (let x = 0; x < cells.width; ++x) runs.push(cells.at(x, y), 1);
-  return { width: cells.width, height: cells.height, obstacles: [...cells.obstacles], runs };
-}
-
-class FakeClient {
-  readonly planned: { map: string; request: PlanRequest }[] = [];
-  readonly edits: Edits[] = [];
-  readonly missing = new Set<string>(); // maps that were there
-  asks = 0;
-  gone = false;
-  editable = true;
-
-  maps = async () => {
-    this.#answer();
-    return ["city.map", "yard.map"].map((id) => ({ id, uploaded: false, loaded: true }));
-  };
-  map = async (id: string) => {
-    this.#answer(id);
-    if (!pictures[id]) throw new ServiceError("missing", "There is no such map.");
-    const { width, height } = pictures[id];
-    const usual = { cell_size: 1, georeference: null, start: null, goal: null };
-    return { id, width, height, digest: id, ...usual } as MapDescription;
-  };
-  obstacles = async (id: string) => answerOf(pictures[id]!);
-  background = async () => ({ features: [] });
-  edit = async (id: string, edits: Edits) => {
-    this.#answer(id);
-    if (!this.editable) throw new ServiceError("refused", "No.");
-    this.edits.push(edits);
-    return this.map(edits.block.length > 0 ? "walled" : "edited");
-  };
-  upload = async (bytes: Blob) => {
-    const id = await bytes.text();
-    if (!pictures[id]) throw new ServiceError("refused", "Not a map.");
-    this.missing.delete(id);
-    return this.map(id);
-  };
-  plan = async (map: string, request: PlanRequest) => {
-    this.#answer(map);
-    this.planned.push({ map, request });
-    return planOf({ removed: [1], after: 90 });
-  };
-  check = async () => ({ valid: true, violations: [] });
-
-  #answer(map = ""): void {
-    ++this.asks;
-    if (this.missing.has(map)) throw new ServiceError("missing", "There is no such map.");
-    if (this.gone) throw new ServiceError("gone", "Nobody there.");
-  }
-}
+import { FakeClient } from "./fake_client";
 
 let client: FakeClient;
 let studio: Studio;
@@ -135,6 +69,50 @@ it("plans on the map as it is after exclusions, with its ids", async () => {
   studio.undo();
   await settle();
   expect(last()).toMatchObject({ map: "city.map", request: { options: { protect: [2] } } });
+});
+
+it("protects by tag or name what the map has, and tells the service so", async () => {
+  await studio.start("?map=town.map&start=0,0&goal=9,3&protect=2&protect_all=amenity%3Dtheatre");
+  await settle();
+  expect(last().request.options?.protect).toEqual([2, "amenity=theatre"]);
+  expect([studio.markOf(1), studio.ruleOf(1)]).toEqual(["protect", { key: "amenity", values: ["theatre"] }]);
+  expect([studio.markOf(2), studio.ruleOf(2)]).toEqual(["protect", null]);
+  expect(studio.query()).toContain("protect_all=amenity%3Dtheatre");
+  expect(JSON.parse(studio.missionFile()!)).toMatchObject({ rules: { protect: [2, "amenity=theatre"] } });
+
+  studio.protectAll([{ key: "name", values: ["*Globe"] }]);
+  await settle();
+  expect(last().request.options?.protect).toEqual([2, "amenity=theatre", "name=*Globe"]);
+  studio.allowAll({ key: "amenity", values: ["theatre"] });
+  studio.undo();
+  studio.undo();
+  await settle();
+  expect(last().request.options?.protect).toEqual([2, "amenity=theatre"]);
+
+  studio.mark(1, "exclude"); // nothing is left that the rule could mean: no fault of the rule
+  await settle();
+  expect(last()).toMatchObject({ map: "edited", request: { options: { protect: [1] } } });
+  await studio.open("town.map", "protect_all=amenity%3Dzoo"); // what the map never had, the service refuses
+  await settle();
+  expect(last().request.options?.protect).toEqual(["amenity=zoo"]);
+});
+
+it("what rules protect is the same while a marker is dragged, so that the map need not be painted again", async () => {
+  for (const rule of ["", "&protect_all=amenity%3Dtheatre"]) {
+    await studio.open("town.map", `start=0,0&goal=9,3${rule}`);
+    const { value } = studio.ruled;
+    studio.drag({ agent: 0, end: "start" }, [1, 0], false);
+    expect(studio.ruled.value).toBe(value);
+    expect(value.size).toBe(rule === "" ? 0 : 1);
+  }
+});
+
+it("what is forced is not among all that is protected later", async () => {
+  await studio.start("?map=town.map&start=0,0&goal=9,3&force=1");
+  studio.protectAll([{ key: "amenity", values: ["theatre"] }]);
+  await settle();
+  expect(last().request.options).toMatchObject({ protect: ["amenity=theatre"] });
+  expect(last().request.options).not.toHaveProperty("force");
 });
 
 it("asks for an edited map once", async () => {

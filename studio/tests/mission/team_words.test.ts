@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Outcome, Plan } from "../../src/domain/plan";
 import type { Units } from "../../src/domain/units";
-import { aloneArrival, teamArrivals, teamHeadline } from "../../src/mission/team_words";
+import { aloneArrival, gainOf, teamArrivals, teamHeadline } from "../../src/mission/team_words";
 import { planOf } from "../domain/plans";
 
 const city: Units = { metric: true, cell: 1, time: "seconds", seconds: 1 };
@@ -28,6 +28,14 @@ function teamOf(arrivals: [number, number], wanted: Parameters<typeof planOf>[0]
 }
 
 const closed = teamOf([100, 70]);
+it("says what each agent gains", () => {
+  const plan = teamOf([90, 75], { removed: [4] });
+  expect(["1", "2", "air1", "3"].map((id) => gainOf(plan, closed, id))).toEqual([10, -5, 0, null]);
+  expect(gainOf(plan, null, "1")).toBeNull();
+  expect(gainOf(teamOf([90, 75]), closed, "1")).toBeNull();
+  expect(gainOf(plan, teamOf([1, 1], { after: null }), "1")).toBeNull();
+});
+
 const title = (plan: Plan, other: Plan | null = closed) => plain(teamHeadline(plan, other, true).title);
 
 describe("headline of a team", () => {

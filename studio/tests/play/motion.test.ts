@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
 import type { Agent, Plan } from "../../src/domain/plan";
 import { activityAt, lanes } from "../../src/play/activity";
+import { Story } from "../../src/play/story";
+import { mapOf } from "../domain/picture";
 import { breachOrder, clearedAt, duration, positionAt, splitAt, waits } from "../../src/play/motion";
 
 const ground: Agent = {
@@ -31,6 +33,7 @@ const air: Agent = {
   ],
 };
 const plan = {
+  options: {},
   agents: [ground, air],
   removed: [
     { obstacle: 7, cells: 1, hits: 0, at: [6, 2], cleared_at: 9, entered_at: 10 },
@@ -119,8 +122,23 @@ describe("a plan", () => {
   });
 
   it("says what goes on", () => {
-    expect(activityAt(plan, 0.5)).toBe("ground moves, air moves, 0 of 2 removed");
-    expect(activityAt(plan, 8)).toBe("ground waits, air waits, 1 of 2 removed");
-    expect(activityAt(plan, 12)).toBe("ground moves, air has arrived, 2 of 2 removed");
+    const story = new Story(plan, mapOf("a.b.c..", "d.e.f..", "......g"));
+    expect(activityAt(story, 0.5)).toBe("ground moves, air moves, 0 of 2 removed");
+    expect(activityAt(story, 8)).toBe("ground waits for the aircraft to open 2, air opens 2, 1 of 2 removed");
+    expect(activityAt(story, 12)).toBe("ground moves, air has arrived, 2 of 2 removed");
+    expect(story.at(0.5)).toBeNull();
+    expect(story.at(8)).toBe("ground waits for the aircraft to open 2; air opens 2");
+  });
+
+  it("says who waits for whom, and is brief where many do", () => {
+    const truck = (id: string, y: number): Agent => ({ ...ground, id, path: [[0, y, 0], [2, y, 2], [2, y, 6], [9, y, 13]] });
+    const rover: Agent = { ...ground, id: "9", path: [[4, -4, 2], [4, 5, 11]] };
+    const told = (...agents: Agent[]) => {
+      return new Story({ ...plan, agents, removed: [] }, mapOf(".........")).at(3);
+    };
+    expect(told(truck("truck", 0), rover)).toBe("truck lets vehicle 9 pass");
+    expect(told(rover)).toBeNull();
+    const trucks = [10, 20, 30, 40, 50].map((y, i) => truck(String(i + 1), y));
+    expect(told(...trucks)).toBe("vehicle 1 waits; vehicle 2 waits; vehicle 3 waits; 2 more wait");
   });
 });

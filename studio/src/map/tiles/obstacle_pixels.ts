@@ -1,7 +1,7 @@
 // Obstacles as pixels of a tile. Runs are written straight into the picture: a tile costs what stands on it, at any
 // level and on any map, be it a city of ten thousand buildings or a maze of one.
 import type { CellMap } from "../../domain/cell_map";
-import { type Look, lookOf, looks } from "../../domain/looks";
+import { type Look, lookOf, looks, type Ruled } from "../../domain/looks";
 import { span, type TileId, tileSize } from "./tiles";
 
 export type ObstacleColours = Record<Look, { fill: string; edge: string }>;
@@ -27,9 +27,12 @@ function mix(a: Rgb, b: Rgb, share: number): Rgb {
 export class ObstacleLooks {
   readonly of: Uint8Array; // index into `looks`
 
-  constructor(private readonly cells: CellMap) {
+  constructor(
+    private readonly cells: CellMap,
+    ruled?: Ruled,
+  ) {
     this.of = new Uint8Array(cells.obstacles.length + 1);
-    for (const obstacle of cells.obstacles) this.of[obstacle.id] = looks.indexOf(lookOf(obstacle));
+    for (const obstacle of cells.obstacles) this.of[obstacle.id] = looks.indexOf(lookOf(obstacle, ruled));
   }
 
   // How strongly an obstacle is parted from what it touches, from 0 to 1. Between two, only that with the lower number
@@ -79,7 +82,7 @@ function overviewFill({ fill, edge }: Shade): Rgb {
 // go on from tile to tile, whose side is a multiple of theirs.
 const patterns: Partial<Record<Look, (x: number, y: number) => boolean>> = {
   water: (x, y) => y % 8 === 4 && (x + (y & 8)) % 16 < 8,
-  forbidden: (x, y) => (x + y) % 8 < 2,
+  forbidden: (x, y) => ((x - y) & 7) < 2, // across those of what is removed
 };
 
 function addPatterns(pixels: Uint32Array, shades: Shade[], level: number): void {

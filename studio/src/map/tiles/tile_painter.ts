@@ -1,5 +1,6 @@
 // Paints one tile: ground features first, obstacles above.
 import type { CellMap } from "../../domain/cell_map";
+import type { Ruled } from "../../domain/looks";
 import type { Feature, MapDescription } from "../../domain/map";
 import type { Theme } from "../viewport/theme";
 import { FeatureIndex, streetShows, streetStyle } from "./ground_features";
@@ -15,11 +16,12 @@ export class TilePainter {
   constructor(
     private readonly map: MapDescription,
     private readonly cells: CellMap,
+    ruled: Ruled,
     private readonly ground: FeatureIndex,
     private readonly theme: Theme,
     private readonly pixelRatio: number,
   ) {
-    this.#looks = new ObstacleLooks(cells);
+    this.#looks = new ObstacleLooks(cells, ruled);
   }
 
   paint(tile: TileId): ImageBitmap {

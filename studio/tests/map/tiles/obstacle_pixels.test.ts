@@ -14,7 +14,7 @@ const colours = {
 };
 const names: Record<number, string> = {
   0: ".", 0xffff0000: "o", 0xff00ff00: "e", 0xff0000ff: "f", 0xffffffff: "F", 0xffffff00: "b", 0xff00ffff: "B",
-  0xff101010: "w", 0xff606060: "W", 0xff404040: "~", 0xff505050: "c", 0xffa0a0a0: "C", 0xff808080: "/",
+  0xff101010: "w", 0xff606060: "W", 0xff404040: "~", 0xff505050: "c", 0xffa0a0a0: "C", 0xff808080: "s",
 };
 
 function picture(map: ReturnType<typeof mapOf>, level: number, width: number, height: number): string[] {
@@ -80,12 +80,12 @@ describe("pixels of obstacles", () => {
     // Both waters are one, and have waves; what is forbidden has stripes.
     expect(picture(map, 3, 48, 8)).toEqual([
       "BBBBBBBBWWWWWWWWWWWWWWWWWWWWWWWWCCCCCCCCCCCCCCCC",
-      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwW/cccccc//ccccccC",
-      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWcccccc//cccccc/C",
-      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWccccc//cccccc//C",
-      "BbbbbbbBwwwwwwww~~~~~~~~wwwwwwwWcccc//cccccc//cC",
-      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWccc//cccccc//ccC",
-      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWcc//cccccc//cccC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWcssccccccssccccC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWccssccccccsscccC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWcccssccccccssccC",
+      "BbbbbbbBwwwwwwww~~~~~~~~wwwwwwwWccccssccccccsscC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWcccccssccccccssC",
+      "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWccccccssccccccsC",
       "BBBBBBBBWWWWWWWWWWWWWWWWWWWWWWWWCCCCCCCCCCCCCCCC",
     ]);
   });

@@ -1,6 +1,9 @@
-// Colours of teams can be told apart, whatever colours the reader sees.
+// Colours of teams, and of what the ground is, can be told apart, whatever colours the reader sees; they are the same in the
+// style sheets and in pictures.
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { colourCount } from "../../../src/domain/agents";
+import { looks } from "../../../src/domain/looks";
 import { dark, light, type Theme } from "../../../src/map/viewport/theme";
 
 type Triple = [number, number, number];
@@ -11,7 +14,10 @@ const eyes: Record<string, Matrix> = {
   usual: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
   protanopia: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
   deuteranopia: [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]],
+  tritanopia: [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.3039]],
 };
+const luminance: Triple = [0.2126, 0.7152, 0.0722];
+const greyscale: Matrix = [luminance, luminance, luminance]; // as a printer makes it
 
 function linear(hex: string): Triple {
   return [1, 3, 5].map((i) => {
@@ -37,23 +43,26 @@ function lab(colour: Triple): Triple {
   return times(axes, times(cones, colour.map((c) => Math.min(Math.max(c, 0), 1)) as Triple).map(Math.cbrt) as Triple);
 }
 
+function distance(a: string, b: string, eye: Matrix): number {
+  const [one, other] = [a, b].map((colour) => lab(times(eye, linear(colour)))) as [Triple, Triple];
+  return Math.hypot(...one.map((c, k) => c - other[k]!));
+}
+
 function leastDistance(colours: readonly string[], eye: Matrix): number {
-  const seen = colours.map((colour) => lab(times(eye, linear(colour))));
-  const apart = seen.flatMap((one, i) => seen.slice(0, i).map((other) => Math.hypot(...one.map((c, k) => c - other[k]!))));
-  return Math.min(...apart);
+  return Math.min(...colours.flatMap((one, i) => colours.slice(0, i).map((other) => distance(one, other, eye))));
 }
 
 function contrast(a: string, b: string): number {
   const [one, other] = [a, b].map((hex) => {
-    const [red, green, blue] = linear(hex);
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05;
+    return linear(hex).reduce((sum, c, i) => sum + c * luminance[i]!, 0.05);
   });
   return Math.max(one! / other!, other! / one!);
 }
 
 describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of a team, %s", (_, theme) => {
   it.each(Object.entries(eyes))("are apart for eyes with %s vision", (_, eye) => {
-    expect(leastDistance(theme.vehicles, eye)).toBeGreaterThan(0.06);
+    expect(leastDistance(theme.vehicles, eye)).toBeGreaterThan(0.07);
+    expect(leastDistance(theme.fleet, eye)).toBeGreaterThan(0.07);
   });
 
   it("are as many as are given out, and carry figures", () => {
@@ -62,4 +71,53 @@ describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of 
     for (const colour of theme.vehicles) expect(contrast(colour, theme.onVehicle)).toBeGreaterThan(4.5);
     for (const colour of theme.fleet) expect(contrast(colour, theme.onAir)).toBeGreaterThan(4.5);
   });
+});
+
+describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of the ground, %s", (_, theme) => {
+  const { paper, street, removedTint, obstacles } = theme;
+  const closed = [removedTint, ...looks.map((look) => obstacles[look].fill)];
+
+  it.each(Object.entries({ ...eyes, greyscale }))("are apart for eyes with %s vision", (_, eye) => {
+    expect(leastDistance(closed, eye)).toBeGreaterThan(0.05);
+    for (const open of [paper, street]) {
+      for (const colour of closed) expect(distance(open, colour, eye), `${open} ${colour}`).toBeGreaterThan(0.05);
+    }
+  });
+
+  it("have patterns and edges that show in print", () => {
+    for (const look of looks) expect(distance(obstacles[look].fill, obstacles[look].edge, greyscale), look).toBeGreaterThan(0.1);
+    expect(distance(removedTint, theme.removed, greyscale)).toBeGreaterThan(0.2);
+  });
+});
+
+const text = (path: string) => readFileSync(new URL(`../../../${path}`, import.meta.url), "utf8");
+
+// Colours by name, of the light half of a style sheet or of its dark one.
+function variables(path: string, half: 0 | 1): Record<string, string> {
+  const halves = text(path).split("prefers-color-scheme: dark");
+  return Object.fromEntries([...halves[half]!.matchAll(/--([\w-]+): (#\w{6});/g)].map(([, name, value]) => [name!, value!]));
+}
+
+it.each([["light", light, 0], ["dark", dark, 1]] as const)("the style sheets have the same colours, %s", (_, theme, half) => {
+  const ground = variables("src/style/ground.css", half);
+  for (const look of looks) {
+    expect([ground[`${look}-fill`], ground[`${look}-edge`]]).toEqual([theme.obstacles[look].fill, theme.obstacles[look].edge]);
+  }
+  expect(variables("src/style/base.css", half)["removed-quiet"]).toBe(theme.removedTint);
+  const agents = [...text("src/style/agents.css").split("prefers-color-scheme: dark")[half]!.matchAll(/\.agent-(ground|air)-(\d+) \{\s*--agent: (#\w{6})/g)];
+  const colours = (kind: string) => agents.filter((one) => one[1] === kind).map((one) => [Number(one[2]), one[3]]);
+  expect(colours("ground")).toEqual([...theme.vehicles.entries()]);
+  expect(colours("air")).toEqual([...theme.fleet.entries()]);
+});
+
+it("pictures have the colours of the light page", () => {
+  const palette = text("../src/render/palette.hpp");
+  const colours = Object.fromEntries([...palette.matchAll(/string_view (\w+) = "(#\w{6})"/g)].map(([, name, value]) => [name!, value!]));
+  const lists = (name: string) => new RegExp(`${name}\\{([^}]*)\\}`).exec(palette)![1]!.split(",").map((one) => one.trim());
+  const names = { removable: "obstacle", barrier: "barrier", fixed: "fixed_obstacle", water: "deep_water", cliff: "cliff", forbidden: "forbidden" };
+  for (const look of looks) expect(colours[names[look]], look).toBe(light.obstacles[look].fill);
+  for (const name of ["paper", "removed", "ground", "air"] as const) expect(colours[name], name).toBe(light[name]);
+  expect(colours.removed_tint).toBe(light.removedTint);
+  expect(lists("vehicles")).toEqual(light.vehicles.map((colour) => `"${colour}"`));
+  expect(lists("fleet")).toEqual(["air", ...light.fleet.slice(1).map((colour) => `"${colour}"`)]);
 });
