@@ -137,7 +137,8 @@ class Drawing {
             const auto& points = chart_.series[i].points;
             const auto last =
                 std::find_if(points.rbegin(), points.rend(), [&](const auto& point) { return drawn(point); });
-            if (last != points.rend() && last->has_value()) names.push_back({axis_.at((*last)->y), i});
+            if (last == points.rend()) continue;
+            if (const auto& point = *last) names.push_back({axis_.at(point->y), i});
         }
         std::ranges::stable_sort(names, {}, &Name::y);
         double free = top;

@@ -1,5 +1,6 @@
-// The style of a picture: colours (Okabe, Ito 2008, safe for colour-blind readers) and sizes. Sizes are in
-// thousandths of the picture's width, so that a picture looks the same at 600 and at 2000 pixels.
+// The style of a picture: colours, those of the light page (Okabe, Ito 2008; studio/tests/map/viewport/theme.test.ts
+// tests how far apart they are for colour-blind readers and in greyscale), and sizes. Sizes are in thousandths of the
+// picture's width, so that a picture looks the same at 600 and at 2000 pixels.
 #pragma once
 
 #include <array>
@@ -15,14 +16,20 @@ inline constexpr std::string_view rail = "#cfc7ba";
 inline constexpr std::string_view water = "#d6e6ee";
 inline constexpr std::string_view green = "#e7f0dc";
 inline constexpr std::string_view frame = "#cdc5b8";
-inline constexpr std::string_view obstacle = "#ddd6ca";
-inline constexpr std::string_view obstacle_edge = "#aba191";
-inline constexpr std::string_view fixed_obstacle = "#b5ab9c";  // cannot be removed
-inline constexpr std::string_view fixed_obstacle_edge = "#7d7467";
-inline constexpr std::string_view deep_water = "#a3cbe3";  // that nobody drives through
-inline constexpr std::string_view shore = "#5f95b5";
+inline constexpr std::string_view obstacle = "#dcd4c8";
+inline constexpr std::string_view obstacle_edge = "#a89e8d";
+inline constexpr std::string_view barrier = "#a8885f";  // a wall, fence or hedge
+inline constexpr std::string_view barrier_edge = "#785a30";
+inline constexpr std::string_view fixed_obstacle = "#a89f93";  // cannot be removed
+inline constexpr std::string_view fixed_obstacle_edge = "#736a5e";
+inline constexpr std::string_view deep_water = "#89b8d9";  // that nobody drives through
+inline constexpr std::string_view shore = "#4c7f9f";
+inline constexpr std::string_view cliff = "#776d62";  // a step of the ground
+inline constexpr std::string_view cliff_edge = "#463f36";
+inline constexpr std::string_view forbidden = "#d7beca";
+inline constexpr std::string_view forbidden_edge = "#8d6f80";
 inline constexpr std::string_view removed = "#d55e00";       // vermilion
-inline constexpr std::string_view removed_tint = "#fbe3d1";  // under the hatching
+inline constexpr std::string_view removed_tint = "#ffe2cc";  // under the hatching
 inline constexpr std::string_view breach = "#b84a00";        // vermilion, dark enough to carry white figures
 inline constexpr std::string_view ground = "#0072b2";        // blue
 inline constexpr std::string_view air = "#e69f00";           // orange
@@ -30,12 +37,11 @@ inline constexpr std::string_view air_edge = "#6b4300";      // gives orange its
 inline constexpr std::string_view ink = "#26231f";
 inline constexpr std::string_view faded_ink = "#6a635a";
 inline constexpr std::string_view halo = "#ffffff";
-// Of a team's vehicles; those after the last begin again with another pattern. Searched for: as far from each other as
-// can be for all kinds of colour vision (studio/tests/map/viewport/theme.test.ts).
+// Of a team's vehicles; those after the last begin again with another pattern.
 inline constexpr std::array<std::string_view, 10> vehicles{"#0072b2", "#d41972", "#065605", "#6c2787", "#816339",
                                                            "#8150ea", "#34080a", "#2c39ca", "#690a36", "#110d72"};
 // Of its aircraft, dashed and with an edge; those after the last begin again.
-inline constexpr std::array<std::string_view, 4> fleet{air, "#f7d454", "#c9843f", "#f2a38f"};
+inline constexpr std::array<std::string_view, 4> fleet{air, "#f6e27a", "#bd8748", "#f0c09a"};
 }  // namespace colour
 
 namespace size {

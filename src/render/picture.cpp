@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "render/caption.hpp"
@@ -37,7 +39,9 @@ struct Scene {
     const Plan& plan;
     const PictureOptions& options;
     Layout layout;
+    std::array<std::string, style_count> outlines;
 
+    const std::string& outline(Style style) const { return outlines[std::size_t(style)]; }
     double unit() const { return layout.unit; }
     double raster_scale() const { return layout.cell * layout.sample_step; }
     template <class Place>
@@ -64,12 +68,11 @@ std::string rectangle(Rectangle r, std::string_view more) {
 
 std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
-    const Sample sample(scene.map, scene.plan.breaches, layout.sample_step, scene.options.kinds);
-    const auto paths = outlines(sample.raster(), sample.styles());
     std::string out =
         rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) + ground(scene.options.background, layout);
-    for (const Style style : {Style::water, Style::obstacle, Style::fixed_obstacle, Style::removed}) {
-        out += obstacle_sign(style, paths[std::size_t(style)], {layout.map.x, layout.map.y}, scene.raster_scale(),
+    for (const Style style : {Style::water, Style::forbidden, Style::cliff, Style::obstacle, Style::barrier,
+                              Style::fixed_obstacle, Style::removed}) {
+        out += obstacle_sign(style, scene.outline(style), {layout.map.x, layout.map.y}, scene.raster_scale(),
                              scene.unit());
     }
     return out + rectangle(layout.map, fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.4g}")", colour::frame,
@@ -244,21 +247,19 @@ std::vector<LegendEntry> legend(const Scene& scene) {
         return obstacle_sign(style, fmt::format("M0 0h{0:.4g}v{1:.4g}h-{0:.4g}z", width, height), {6 * unit, -8 * unit},
                              scale, unit);
     };
-    const auto is_water = [&](const Obstacle& obstacle) {
-        const bool water = site::kind_of(scene.options.kinds, obstacle.id) == site::ObstacleKind::water;
-        return water && !obstacle.destructible;
-    };
-    const auto is_removable = [](const Obstacle& obstacle) { return obstacle.destructible; };
-    const auto is_fixed = [&](const Obstacle& obstacle) { return !obstacle.destructible && !is_water(obstacle); };
-    const auto all = scene.map.obstacles();
-
     std::vector<LegendEntry> entries = {{start_sign(middle, unit), "start"}, {goal_sign(middle, unit), "goal"}};
     for (LegendEntry& entry : scene.mission.is_team() ? team_paths(scene) : single_paths(scene)) {
         entries.push_back(std::move(entry));
     }
-    if (std::ranges::any_of(all, is_removable)) entries.push_back({swatch(Style::obstacle), "obstacle"});
-    if (std::ranges::any_of(all, is_fixed)) entries.push_back({swatch(Style::fixed_obstacle), "not removable"});
-    if (std::ranges::any_of(all, is_water)) entries.push_back({swatch(Style::water), "water"});
+    constexpr std::array<std::pair<Style, std::string_view>, 6> obstacles{{{Style::obstacle, "obstacle"},
+                                                                           {Style::barrier, "wall, fence, hedge"},
+                                                                           {Style::fixed_obstacle, "not removable"},
+                                                                           {Style::water, "water"},
+                                                                           {Style::cliff, "step of the ground"},
+                                                                           {Style::forbidden, "forbidden ground"}}};
+    for (const auto& [style, name] : obstacles) {
+        if (!scene.outline(style).empty()) entries.push_back({swatch(style), name});
+    }
     if (!scene.plan.breaches.empty()) {
         entries.push_back({swatch(Style::removed), "removed obstacle"});
         const bool has_opener = opener(scene, scene.plan.breaches.front()).has_value();
@@ -268,10 +269,14 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     return entries;
 }
 
-std::string draw_legend(const Scene& scene, double top) {
+// Two columns.
+std::size_t rows_of(const std::vector<LegendEntry>& entries) {
+    return (entries.size() + 1) / 2;
+}
+
+std::string draw_legend(const Scene& scene, const std::vector<LegendEntry>& entries, double top) {
     const double unit = scene.unit();
-    const std::vector<LegendEntry> entries = legend(scene);
-    const std::size_t rows = std::max<std::size_t>((entries.size() + 1) / 2, 1);
+    const std::size_t rows = rows_of(entries);
     std::string out;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const double x = (size::margin + (i < rows ? 0 : 265)) * unit;
@@ -325,18 +330,19 @@ std::string draw_scale_bar(const Scene& scene) {
            text({layout.window.x, baseline}, extent, size::small_text * unit, colour::faded_ink);
 }
 
-constexpr std::size_t legend_rows = 6;  // the table of figures has as many
+constexpr std::size_t figure_rows = 6;  // of their table
 
-std::string draw_words(const Scene& scene) {
+std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entries) {
     const Layout& layout = scene.layout;
     const double unit = scene.unit();
     const double left = size::margin * unit;
-    const double footer = layout.height - (legend_rows * size::row + 44) * unit;
+    const std::size_t rows = std::max(figure_rows, rows_of(entries));
+    const double footer = layout.height - (double(rows) * size::row + 44) * unit;
     return text({left, 44 * unit}, xml_text(scene.options.title, 50), size::title * unit, colour::ink, Anchor::start,
                 true) +
            text({left, 75 * unit}, headline(scene.map, scene.mission, scene.plan, scene.options), size::headline * unit,
                 colour::ink) +
-           draw_scale_bar(scene) + draw_legend(scene, footer) + draw_figures(scene, footer) +
+           draw_scale_bar(scene) + draw_legend(scene, entries, footer) + draw_figures(scene, footer) +
            text({left, layout.height - 14 * unit}, xml_text(scene.options.attribution, 110), size::small_text * unit,
                 colour::faded_ink);
 }
@@ -345,15 +351,19 @@ std::string draw_words(const Scene& scene) {
 
 std::string svg(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
     validate(options);
-    const Scene scene = {map, mission, plan, options, lay_out(map, options, legend_rows)};
+    Scene scene = {map, mission, plan, options, lay_out(map, options, figure_rows), {}};
+    const Sample sample(map, plan.breaches, scene.layout.sample_step, options.kinds);
+    scene.outlines = outlines(sample.raster(), sample.styles());
+    const std::vector<LegendEntry> entries = legend(scene);
+    scene.layout = lay_out(map, options, std::max(figure_rows, rows_of(entries)));
     const Layout& layout = scene.layout;
     const std::string head = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:g}" height="{1:g}" viewBox="0 0 {0:g} {1:g}" role="img" font-family="DejaVu Sans, Verdana, Helvetica, sans-serif">)"
         "\n<title>{2}</title>\n<desc>{3}</desc>\n<defs>\n{4}</defs>\n",
         layout.width, layout.height, xml_text(options.title, 200), headline(map, mission, plan, options),
-        hatching(layout.unit, scene.raster_scale()));
+        patterns(layout.unit, scene.raster_scale()));
     return head + rectangle({0, 0, layout.width, layout.height}, fmt::format(R"(fill="{}")", colour::paper)) +
-           draw_obstacles(scene) + draw_paths(scene) + draw_marks(scene) + draw_words(scene) + "</svg>\n";
+           draw_obstacles(scene) + draw_paths(scene) + draw_marks(scene) + draw_words(scene, entries) + "</svg>\n";
 }
 
 }  // namespace waybreaker::render

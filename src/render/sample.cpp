@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace waybreaker::render {
 namespace {
@@ -10,12 +11,25 @@ constexpr int coarse_side(int side, int step) {
     return (side + step - 1) / step;
 }
 
+Style style_of(bool destructible, site::ObstacleKind kind) {
+    using enum site::ObstacleKind;
+    if (destructible) return kind == barrier ? Style::barrier : Style::obstacle;
+    switch (kind) {
+        case water:
+            return Style::water;
+        case cliff:
+            return Style::cliff;
+        case forbidden:
+            return Style::forbidden;
+        default:
+            return Style::fixed_obstacle;
+    }
+}
+
 std::vector<Style> styles_of(const Map& map, std::span<const Breach> removed, const site::ObstacleKinds& kinds) {
     std::vector<Style> styles(map.obstacles().size() + 1, Style::obstacle);
     for (const Obstacle& obstacle : map.obstacles()) {
-        if (obstacle.destructible) continue;
-        const bool water = site::kind_of(kinds, obstacle.id) == site::ObstacleKind::water;
-        styles[obstacle.id.value] = water ? Style::water : Style::fixed_obstacle;
+        styles[obstacle.id.value] = style_of(obstacle.destructible, site::kind_of(kinds, obstacle.id));
     }
     for (const Breach& breach : removed) styles[breach.obstacle.value] = Style::removed;
     return styles;
@@ -25,14 +39,10 @@ using StyleCounts = std::array<int, style_count>;
 
 // Label of a coarse cell: its style + 1, or 0 where it is free.
 std::uint32_t coarse_label(const StyleCounts& counts, int cells) {
-    const auto count = [&](Style style) { return counts[std::size_t(style)]; };
-    if (count(Style::removed) > 0) return std::uint32_t(Style::removed) + 1;
-    if (2 * (count(Style::obstacle) + count(Style::fixed_obstacle) + count(Style::water)) < cells) return 0;
-    Style most = Style::obstacle;
-    for (const Style style : {Style::fixed_obstacle, Style::water}) {
-        if (count(style) > count(most)) most = style;
-    }
-    return std::uint32_t(most) + 1;
+    constexpr std::size_t removed = std::size_t(Style::removed);
+    if (counts[removed] > 0) return removed + 1;
+    if (2 * std::accumulate(counts.begin(), counts.end(), 0) < cells) return 0;
+    return std::uint32_t(std::max_element(counts.begin(), counts.end()) - counts.begin()) + 1;
 }
 
 std::vector<std::uint32_t> coarse_labels(const Map& map, std::span<const Style> styles, int step) {
@@ -61,7 +71,8 @@ Sample::Sample(const Map& map, std::span<const Breach> removed, int step, const 
     if (step == 1) return;
     coarse_labels_ = coarse_labels(map, styles_, step);
     // By label; 0 is not used.
-    styles_ = {Style::obstacle, Style::obstacle, Style::fixed_obstacle, Style::water, Style::removed};
+    styles_.assign(style_count + 1, Style::obstacle);
+    for (std::size_t i = 0; i < style_count; ++i) styles_[i + 1] = Style(i);
 }
 
 site::LabelRaster Sample::raster() const {

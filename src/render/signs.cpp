@@ -153,8 +153,11 @@ std::string obstacle_sign(Style style, std::string_view data, Point origin, doub
         double edge_width;
     };
     constexpr Paint paints[style_count] = {{colour::obstacle, colour::obstacle_edge, size::edge},
+                                           {colour::barrier, colour::barrier_edge, size::edge},
                                            {colour::fixed_obstacle, colour::fixed_obstacle_edge, size::edge},
-                                           {colour::deep_water, colour::shore, size::edge},
+                                           {"url(#waves)", colour::shore, size::edge},
+                                           {colour::cliff, colour::cliff_edge, size::edge},
+                                           {"url(#stripes)", colour::forbidden_edge, size::edge},
                                            {"url(#hatching)", colour::removed, size::removed_edge}};
     const Paint& paint = paints[std::size_t(style)];
     // Obstacles hardly a pixel wide would show only their edges, which take most of the drawing time.
@@ -165,13 +168,28 @@ std::string obstacle_sign(Style style, std::string_view data, Point origin, doub
         origin.x, origin.y, scale, paint.fill, edged ? paint.edge : "none", paint.edge_width * unit / scale, data);
 }
 
-std::string hatching(double unit, double scale) {
-    const double step = 7 * unit / scale;
-    return fmt::format(
-        R"svg(<pattern id="hatching" width="{0:.4g}" height="{0:.4g}" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">)svg"
-        R"(<rect width="{0:.4g}" height="{0:.4g}" fill="{1}"/><rect width="{2:.4g}" height="{0:.4g}" fill="{3}"/></pattern>)"
-        "\n",
-        step, colour::removed_tint, 0.3 * step, colour::removed);
+std::string patterns(double unit, double scale) {
+    const auto pattern = [&](std::string_view id, double size, int turn, std::string_view content) {
+        return fmt::format(
+            R"svg(<pattern id="{0}" width="{1:.4g}" height="{1:.4g}" patternUnits="userSpaceOnUse" patternTransform="rotate({2})">{3}</pattern>)svg"
+            "\n",
+            id, size, turn, content);
+    };
+    const auto striped = [](double step, double share, std::string_view fill, std::string_view stripe) {
+        return fmt::format(
+            R"(<rect width="{0:.4g}" height="{0:.4g}" fill="{1}"/><rect width="{2:.4g}" height="{0:.4g}" fill="{3}"/>)",
+            step, fill, share * step, stripe);
+    };
+    const double hatch = 7 * unit / scale;
+    const double stripe = 6 * unit / scale;
+    const double wave = 16 * unit / scale;
+    // Dashes, every second row shifted.
+    const std::string waves = fmt::format(
+        R"(<rect width="{0:.4g}" height="{0:.4g}" fill="{1}"/><path d="M0 {2:.4g}h{3:.4g}M{3:.4g} {4:.4g}h{3:.4g}" stroke="{5}" stroke-width="{6:.4g}"/>)",
+        wave, colour::deep_water, 0.25 * wave, 0.5 * wave, 0.75 * wave, colour::shore, unit / scale);
+    return pattern("hatching", hatch, 45, striped(hatch, 0.3, colour::removed_tint, colour::removed)) +
+           pattern("waves", wave, 0, waves) +
+           pattern("stripes", stripe, -45, striped(stripe, 0.22, colour::forbidden, colour::forbidden_edge));
 }
 
 std::string text(Point at, std::string_view content, double pixels, std::string_view colour, Anchor anchor, bool bold) {

@@ -138,6 +138,67 @@ TEST(Picture, DistinguishesFixedObstacles) {
     EXPECT_FALSE(says(picture, "obstacle"));
 }
 
+TEST(Picture, TellsApartWhatTheGroundIs) {
+    std::vector<ObstacleAttributes> attributes(7);
+    for (const std::size_t fixed : {1U, 2U, 3U, 4U}) attributes[fixed].destructible = false;
+    const World world = unsolved(Map::from_labels(8, 1, {0, 1, 2, 3, 4, 5, 6, 0}, attributes), {0, 0}, {7, 0});
+    using enum site::ObstacleKind;
+    const auto picture =
+        parsed(svg_of(world, {.kinds = {unknown, water, cliff, forbidden, building, barrier, building}}));
+    const auto drawn = [&](const std::string& fill, const std::string& path) {
+        return count(picture, "/svg/path[@fill='" + fill + "'][@d='" + path + "']");
+    };
+    EXPECT_EQ(drawn("url(#waves)", "m1 0h1v1h-1z"), 1U);
+    EXPECT_EQ(drawn("#776d62", "m2 0h1v1h-1z"), 1U);
+    EXPECT_EQ(drawn("url(#stripes)", "m3 0h1v1h-1z"), 1U);
+    EXPECT_EQ(drawn("#a89f93", "m4 0h1v1h-1z"), 1U);
+    EXPECT_EQ(drawn("#a8885f", "m5 0h1v1h-1z"), 1U);
+    EXPECT_EQ(drawn("#dcd4c8", "m6 0h1v1h-1z"), 1U);
+    for (const char* entry :
+         {"water", "step of the ground", "forbidden ground", "not removable", "wall, fence, hedge", "obstacle"}) {
+        EXPECT_TRUE(says(picture, entry)) << entry;
+    }
+}
+
+TEST(Picture, HasALegendOfWhatIsThere) {
+    World world = wall();
+    world.map = map_from_ascii("....a...\n....a...\nS...a..G\n....a...\n....a...\n....a...\n........");  // and it goes
+    EXPECT_FALSE(says(parsed(svg_of(world)), "obstacle"));
+    world.plan.breaches.clear();
+    const auto picture = parsed(svg_of(world));
+    EXPECT_TRUE(says(picture, "obstacle"));
+    for (const char* entry :
+         {"water", "step of the ground", "forbidden ground", "not removable", "wall, fence, hedge"}) {
+        EXPECT_FALSE(says(picture, entry)) << entry;
+    }
+}
+
+TEST(Picture, HasRoomForALongLegend) {
+    World world = wall();
+    const auto lowest_and_height = [&](const PictureOptions& options) {
+        const auto picture = parsed(svg_of(world, options));
+        double lowest = 0;
+        for (const auto& found : picture.select_nodes("//text")) {
+            lowest = std::max(lowest, found.node().attribute("y").as_double());
+        }
+        return std::pair(lowest, picture.child("svg").attribute("height").as_double());
+    };
+    const auto [usual, height] = lowest_and_height({});
+    world.plan.agents = {{"ground", AgentKind::ground, 1, {{0, 2, 0}, {0, 2, 1}, {7, 2, 8}}, {0, 2}, {7, 2}}};  // waits
+    const Map& map = world.map;
+    std::vector<std::uint32_t> labels(map.labels().begin(), map.labels().end());
+    for (std::uint32_t i = 0; i < 6; ++i) labels[i] = i + 2;
+    std::vector<ObstacleAttributes> attributes(8);
+    for (const std::size_t fixed : {2U, 3U, 4U, 5U}) attributes[fixed].destructible = false;
+    world.map = Map::from_labels(map.width(), map.height(), labels, attributes);
+    using enum site::ObstacleKind;
+    const auto [last, higher] =
+        lowest_and_height({.kinds = {unknown, building, water, cliff, forbidden, building, barrier, building}});
+    EXPECT_GT(higher, height + 29);
+    EXPECT_LT(last, higher);
+    EXPECT_DOUBLE_EQ(height - usual, higher - last) << "the attribution, below the legend";
+}
+
 TEST(Picture, TellsWaterFromTheRest) {
     std::vector<ObstacleAttributes> attributes(3);
     attributes[1].destructible = false;
@@ -275,8 +336,8 @@ TEST(Picture, SaysWhichOfSeveralAircraftOpensWhat) {
     }
     const auto picture = parsed(svg_of(world));
     EXPECT_TRUE(says(picture, "0.0 heli"));
-    EXPECT_EQ(count(picture, "//circle[@fill='#f7d454']"), 1U);  // the second aircraft's colour
-    EXPECT_EQ(count(picture, "//path[@stroke='#f7d454']"), 1U);
+    EXPECT_EQ(count(picture, "//circle[@fill='#f6e27a']"), 1U);  // the second aircraft's colour
+    EXPECT_EQ(count(picture, "//path[@stroke='#f6e27a']"), 1U);
 
     world.mission.agents.erase(world.mission.agents.begin() + 1);  // one aircraft alone needs no mark
     world.plan.agents.erase(world.plan.agents.begin() + 1);
