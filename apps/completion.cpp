@@ -102,13 +102,14 @@ std::string zsh_option(const CLI::Option& option) {
         const std::string place = option.get_expected_max() > 1 ? "*" : "1";
         return " \\\n    " + quoted(fmt::format("{}:{}:{}", place, option.get_name(true, false), action));
     }
-    const std::string value =
-        takes_value(option) ? fmt::format(":{}:{}", words_of(option).empty() ? option.get_type_name() : "value", action)
-                            : "";
+    const std::string what = words_of(option).empty() ? option.get_type_name() : "value";
+    std::string value = takes_value(option) ? fmt::format(":{}:{}", what, action) : "";
+    if (may_take_value(option)) value = fmt::format("::{}:{}", what, action);
     std::string out;
     for (const std::string& name : names_of(option)) {
         const bool joined = takes_value(option) && name.starts_with("--");
-        out += " \\\n    " + quoted(fmt::format("{}{}[{}]{}", name, joined ? "=" : "", text, value));
+        const char* const sign = joined ? "=" : may_take_value(option) ? "=-" : "";
+        out += " \\\n    " + quoted(fmt::format("{}{}[{}]{}", name, sign, text, value));
     }
     return out;
 }

@@ -34,10 +34,12 @@ void run(const ExperimentReportOptions& options) {
     for (const experiment::ReportFile& file : experiment::report(summary)) {
         io::write_whole((std::filesystem::path(options.folder) / file.name).string(), file.bytes);
     }
+    const bool teams = summary.teams.missions > 0;
+    const std::size_t compared = teams ? summary.teams.compared : summary.all.compared;
+    const std::size_t missions = teams ? summary.teams.missions : summary.all.missions;
     io::write_whole("-",
                     fmt::format("{}: {} of {} missions compared{}\n",
-                                (std::filesystem::path(options.folder) / "index.html").string(), summary.all.compared,
-                                summary.all.missions,
+                                (std::filesystem::path(options.folder) / "index.html").string(), compared, missions,
                                 summary.missing == 0 ? "" : fmt::format("; {} results are missing", summary.missing)));
 }
 
@@ -51,7 +53,7 @@ void setup_experiment_report(CLI::App& experiment, Run& run_chosen) {
         "Writes a page, index.html, that needs nothing beside it, and each figure as SVG and PNG: nodes, runtime, path "
         "lengths, flowtime and makespan by number of removals, with 95 % confidence intervals and what the paper says. "
         "Means are over the missions that all methods solved. Several scenario files are also compared with each "
-        "other.");
+        "other. Of teams: gap, time, success and flowtime against the size of the team.");
     add_file(*command, "RESULTS", options->results, "Results of an experiment")->required();
     add_file(*command, "-o,--output", options->folder, "The folder to write to")->required()->type_name("FOLDER");
     set_examples(*command, {"waybreaker experiment report results.db -o report"});

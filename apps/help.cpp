@@ -42,6 +42,7 @@ std::string option_entry(const CLI::Option& option) {
     std::string names = CLI::detail::find_and_replace(option.get_name(false, true), ",", ", ");
     if (names.starts_with("--")) names = "    " + names;  // in line with those that have a short name
     if (takes_value(option)) names += " " + option.get_type_name();
+    if (may_take_value(option)) names += fmt::format("[={}]", option.get_type_name());
     return entry(names, option.get_description() + (option.get_required() ? " (required)" : ""));
 }
 
@@ -125,6 +126,10 @@ std::vector<const CLI::Option*> options_of(const CLI::App& app) {
 
 bool takes_value(const CLI::Option& option) {
     return option.get_expected_max() > 0;
+}
+
+bool may_take_value(const CLI::Option& option) {
+    return !takes_value(option) && !option.get_type_name().empty();
 }
 
 }  // namespace waybreaker::apps

@@ -34,5 +34,7 @@ std::vector<const CLI::Option*> positionals_of(const CLI::App& app);
 std::vector<const CLI::Option*> options_of(const CLI::App& app);
 
 bool takes_value(const CLI::Option& option);
+// Only behind "=".
+bool may_take_value(const CLI::Option& option);
 
 }  // namespace waybreaker::apps

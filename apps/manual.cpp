@@ -36,6 +36,7 @@ std::string bold(const std::string& text) {
 
 // What is to be replaced is set in italics, words to type in bold.
 std::string argument(const CLI::Option& option) {
+    if (may_take_value(option)) return fmt::format("[=\\fI{}\\fR]", plain(option.get_type_name()));
     if (!takes_value(option) || option.get_type_name().empty()) return "";
     const bool words = !words_of(option).empty();
     return fmt::format(" \\f{}{}\\fR", words ? "B" : "I", plain(option.get_type_name()));

@@ -1,13 +1,16 @@
 // `waybreaker missions generate`: the missions of an experiment, drawn as the paper draws them.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <filesystem>
 
 #include "commands.hpp"
+#include "experiment/document.hpp"
 #include "experiment/missions.hpp"
 #include "experiment/parallel.hpp"
 #include "help.hpp"
 #include "io/map_file.hpp"
+#include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_reader.hpp"
 #include "named_files.hpp"
@@ -25,7 +28,25 @@ struct MissionsGenerateOptions {
     std::string output;
     std::optional<double> min_distance;
     experiment::MissionRules rules;
+    std::optional<experiment::TeamSize> team;
+    std::optional<Objective> objective;
 };
+
+// "5+2"
+experiment::TeamSize team_size(const std::string& given) {
+    experiment::TeamSize size;
+    const char* const end = given.data() + given.size();
+    const auto vehicles = std::from_chars(given.data(), end, size.vehicles);
+    const bool joined = vehicles.ec == std::errc() && vehicles.ptr != end && *vehicles.ptr == '+';
+    const auto aircraft = joined ? std::from_chars(vehicles.ptr + 1, end, size.aircraft) : vehicles;
+    const int most = int(most_agents) / 2;
+    if (!joined || aircraft.ec != std::errc() || aircraft.ptr != end || size.vehicles < 1 || size.vehicles > most ||
+        size.aircraft < 0 || size.aircraft > most) {
+        throw CLI::ValidationError(
+            "--team", fmt::format("'{}' is no team: K+M are vehicles and aircraft, such as 5+2", shown(given)));
+    }
+    return size;
+}
 
 // As seen from the scenario file, so that the two can be moved together.
 std::string name_of(const std::string& map, const std::string& scenarios) {
@@ -33,37 +54,59 @@ std::string name_of(const std::string& map, const std::string& scenarios) {
     return fs::proximate(map, fs::absolute(scenarios).parent_path()).generic_string();
 }
 
-experiment::DrawnMissions draw(const std::string& path, const MissionsGenerateOptions& options) {
+// Of one map.
+struct Drawn {
+    experiment::DrawnMissions missions;
+    std::string teams = {};  // a document on each line
+    std::size_t team_count = 0;
+};
+
+Drawn draw(const std::string& path, const MissionsGenerateOptions& options) {
     const io::MapFile file = mapfile::read_map_file(path);
     try {
         experiment::DrawnMissions missions = experiment::draw_missions(file.map, options.rules);
         for (Scenario& scenario : missions.kept) scenario.map = name_of(path, options.output);
-        return missions;
+        Drawn drawn{std::move(missions)};
+        if (!options.team) return drawn;
+        Rules rules;
+        rules.objective = options.objective.value_or(rules.objective);
+        for (const Mission& team : experiment::teams_of(file.map, drawn.missions.kept, *options.team, rules)) {
+            drawn.teams += experiment::document_of(team, name_of(path, options.output)) + "\n";
+            ++drawn.team_count;
+        }
+        return drawn;
     } catch (const InputError& error) {
         throw InputError(path, 0, error.what());
     }
 }
 
 void run(const MissionsGenerateOptions& options) {
+    if (options.objective && !options.team) throw InputError("--objective is for --team: scenario files have none");
     NamedFiles maps;
     for (const std::string& map : options.maps) maps.emplace_back("MAP", map);
     keep_inputs({{"--output", options.output}}, maps);
-    std::vector<experiment::DrawnMissions> of_map(options.maps.size());
+    std::vector<Drawn> of_map(options.maps.size());
     {
         const Progress progress(fmt::format("drawing missions on {} maps", options.maps.size()));
         experiment::for_each_index(options.maps.size(), 0,
                                    [&](std::size_t i) { of_map[i] = draw(options.maps[i], options); });
     }
     experiment::DrawnMissions all;
-    for (const experiment::DrawnMissions& missions : of_map) {
+    std::string teams;
+    std::size_t team_count = 0;
+    for (const auto& [missions, of_teams, count] : of_map) {
+        teams += of_teams;
+        team_count += count;
         all.kept.insert(all.kept.end(), missions.kept.begin(), missions.kept.end());
         all.drawn += missions.drawn;
         all.without_way += missions.without_way;
     }
-    io::write_whole(options.output, movingai_scenarios(all.kept));
+    io::write_whole(options.output, options.team ? teams : movingai_scenarios(all.kept));
     if (options.output == "-") return;
+    const std::string made =
+        options.team ? fmt::format("{} {}, ", team_count, team_count == 1 ? "team" : "teams") : std::string();
     io::write_whole(
-        "-", fmt::format("{}: {} of {} pairs kept; {} have no way, {} too small a detour\n", options.output,
+        "-", fmt::format("{}: {}{} of {} pairs kept; {} have no way, {} too small a detour\n", options.output, made,
                          all.kept.size(), all.drawn, all.without_way, all.drawn - all.kept.size() - all.without_way));
 }
 
@@ -96,10 +139,22 @@ void setup_missions_generate(CLI::App& root, Run& run_chosen) {
     add_count(
         *command, "--seed", [&rules](auto n) { rules.seed = std::uint64_t(n); }, 0,
         std::numeric_limits<std::int64_t>::max(), fmt::format("Of the draw (default: {})", rules.seed));
-    add_file(*command, "-o,--output", options->output, "The scenario file to write")->required();
+    command
+        ->add_option_function<std::string>(
+            "--team", [options](const std::string& given) { options->team = team_size(given); },
+            "Join the pairs of each map to teams of so many vehicles and aircraft, each aircraft with a vehicle's "
+            "start "
+            "and goal; the file then has a mission document on each line")
+        ->type_name("K+M");
+    add_choice(*command, "--objective", io::objective_words, options->objective,
+               "With --team: what their plans make small (default: makespan)");
+    add_file(*command, "-o,--output", options->output, "The scenario file to write, or with --team the missions")
+        ->required();
     set_examples(*command, {"waybreaker missions generate data/berlin-mitte.tif data/turin.tif -o cities.scen",
                             "waybreaker missions generate maze.map --pairs 1000 --min-distance 100 --min-detour 0 "
-                            "--seed 7 -o maze.scen"});
+                            "--seed 7 -o maze.scen",
+                            "waybreaker missions generate data/turin.tif --team 5+2 --objective flowtime -o "
+                            "teams.jsonl"});
     command->callback([options, &run_chosen] {
         options->rules.min_distance = options->min_distance.value_or(options->rules.min_distance);
         run_chosen = [options] { run(*options); };

@@ -123,6 +123,10 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     if (!context.method.explain) {  // for the page alone
         for (Breach& breach : plan.breaches) breach.saves.reset();
         plan.next.clear();
+        for (Itinerary& agent : plan.agents) {
+            agent.gain.reset();
+            agent.waits.clear();
+        }
     }
     const io::MapFile& file = context.map;
     const render::PictureOptions picture = picture_options(context);

@@ -55,8 +55,8 @@ double radius_of(const Measure& radius, const io::MapFile& map) {
 
 void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
     const Places places = places_of(options, map);
+    validate_sources_of_agents(options);
     if (!options.agents.empty()) mission.agents = team_of(options, map.map, {places.air_start, places.air_goal});
-    validate_team_options(options, mission);
     const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
                               const char* option) {
         if (given) return *given;
@@ -67,7 +67,9 @@ void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mis
         mission = ground_and_air(place(places.start, &io::MapTask::start, "--start"),
                                  place(places.goal, &io::MapTask::goal, "--goal"));
         if (map.task) mission.agents.front().body = map.task->search.body;
+        share_out_flight(options, mission);
     }
+    validate_team_options(options, mission);
     for (Agent& agent : mission.agents) {
         const bool flies = agent.kind == AgentKind::air;
         agent.start = places.start.value_or(agent.start);
@@ -161,6 +163,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     const Limits limits{.seconds = default_seconds};
     io::MissionDocument result{.mission = {}, .limits = limits};
     if (!options.mission.empty()) result = io::read_mission_file(options.mission, limits);
+    result.map.clear();  // it is for the map given
     Mission& mission = result.mission;
     Method& method = result.method;
     const bool from_map = map.task && options.mission.empty() && options.agents.empty();

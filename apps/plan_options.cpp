@@ -131,7 +131,7 @@ void add_budget(CLI::App& command, PlanOptions& options) {
     });
 }
 
-// A share, as such or in per cent: "0.005", "0.5%".
+// A share, as such or in per cent: "0.005", "0.5%"; behind "=", so that what follows the option is never taken for it.
 void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
     const auto read = [&options](const std::string& given) {
         constexpr std::string_view name = "--minimise-demolition";
@@ -141,10 +141,12 @@ void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
         const char* const last = given.data() + given.size() - (percent ? 1 : 0);
         const auto [end, error] = std::from_chars(given.data(), last, share);
         if (percent) share /= 100;
-        if (given.empty()) share = usual;
-        if (!given.empty() && (error != std::errc() || end != last || !(share >= 0 && share <= 1))) {
+        const bool alone = given == "true";  // as CLI11 calls it
+        if (alone) share = usual;
+        if (!alone && (error != std::errc() || end != last || !(share >= 0 && share <= 1))) {
             throw CLI::ValidationError(
-                std::string(name), fmt::format("'{}' is not a share from 0 to 1, such as 0.005 or 0.5%", shown(given)));
+                std::string(name),
+                fmt::format("'{}' is not a share from 0 to 1, such as =0.005 or =0.5%", shown(given)));
         }
         options.minimise_demolition = share;
     };
@@ -154,7 +156,7 @@ void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
                                           "one that demolishes the smallest "
                                           "area (default: 0.5%, of the objective)")
         ->type_name("TOLERANCE")
-        ->expected(0, 1);
+        ->expected(0);
 }
 
 void add_method_options(CLI::App& command, PlanOptions& options) {
@@ -176,8 +178,10 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
         "Stop planning so long after the start, with the best plan known and how far it can be from the best; none "
         "takes the time it needs (default: 10)");
     command.add_flag("--bound", options.bound, "Prove a limit that no plan can beat also where the method proves none");
-    command.add_flag("--explain", options.explain,
-                     "Say what each removal saves, and which obstacle one removal more would take");
+    command.add_flag(
+        "--explain", options.explain,
+        "Say what each removal saves, which obstacle one removal more would take, what each ground agent of a "
+        "team gains, and who waits for whom");
     add_choice(command, "--flight", io::flight_words, options.flight,
                "Shortest flight that touches every removed obstacle, or the paper's: past the cells nearest to the "
                "straight line (default: optimal)");

@@ -10,74 +10,11 @@
 
 #include "io/option_words.hpp"
 #include "site/demolition.hpp"
+#include "table.hpp"
+#include "team_table.hpp"
 
 namespace waybreaker::apps {
 namespace {
-
-using Row = std::vector<std::string>;
-
-const std::string nothing = "-";
-
-// In characters, which can be several bytes.
-std::size_t width(const std::string& text) {
-    return std::size_t(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
-// The first column to the left, the others to the right, names in the last one as they are; the first row is the
-// heading.
-std::string aligned(const std::vector<Row>& rows, bool bold, bool names = false) {
-    std::vector<std::size_t> widths(rows.front().size(), 0);
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-    }
-    if (names) widths.back() = 0;
-    std::string table;
-    for (const Row& row : rows) {
-        std::string line = row[0] + std::string(widths[0] - width(row[0]), ' ');
-        for (std::size_t i = 1; i < row.size(); ++i) {
-            const std::size_t blanks = widths[i] - std::min(width(row[i]), widths[i]);
-            line += "  " + std::string(blanks, ' ') + row[i];
-        }
-        line.erase(line.find_last_not_of(' ') + 1);
-        table += bold && &row == &rows.front() ? fmt::format("\033[1m{}\033[0m\n", line) : line + "\n";
-    }
-    return table;
-}
-
-std::string text(std::optional<double> value, int digits) {
-    return value ? fmt::format("{:.{}f}", *value, digits) : nothing;
-}
-
-std::string text(Cell c) {
-    return fmt::format("{},{}", c.x, c.y);
-}
-
-std::string change(std::optional<double> before, std::optional<double> after) {
-    if (!before || !after) return "";
-    if (*before == *after) return "same";
-    if (*before <= 0) return "";
-    return fmt::format("{:+.1f} %", 100 * (*after / *before - 1));
-}
-
-// With unit speeds times are lengths (paper, section 2).
-bool unit_speeds(const Mission& mission) {
-    return std::ranges::all_of(
-        mission.agents, [](double speed) { return speed == 1; }, &Agent::speed);
-}
-
-bool times_are_lengths(const io::PlanContext& context) {
-    return !context.in_seconds && unit_speeds(context.mission);
-}
-
-const char* time_unit(const io::PlanContext& context) {
-    return context.in_seconds ? "seconds" : unit_speeds(context.mission) ? "cells at speed 1" : "units of time";
-}
-
-// "time", in seconds "time (s)".
-std::string timed(const char* what, const io::PlanContext& context) {
-    return what + std::string(context.in_seconds ? " (s)" : "");
-}
 
 // The map, the mission, and what the figures are in.
 std::string heading(const io::PlanContext& context, const TableStyle& style) {
@@ -146,38 +83,6 @@ std::string searches(const Route& before, const Route& after, const io::PlanCont
     return aligned(rows, bold) + "\n";
 }
 
-double waited(const Itinerary& agent) {
-    double all = 0;
-    for (std::size_t i = 1; i < agent.path.size(); ++i) {
-        const Waypoint& a = agent.path[i - 1];
-        const Waypoint& b = agent.path[i];
-        if (a.x == b.x && a.y == b.y) all += b.t - a.t;
-    }
-    return all;
-}
-
-// Each agent of a team, and all together: if each were alone, and as planned.
-std::string team(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
-    std::vector<Row> rows{
-        {"agent", "from", "to", "alone", "length", timed("arrival", context), timed("wait", context)}};
-    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-        const Itinerary& agent = plan.agents[i];
-        rows.push_back({agent.id, text(agent.start), text(agent.goal), text(plan.before.routes[i].length, 3),
-                        text(plan.after.routes[i].length, 3), text(agent.path.back().t, 3), text(waited(agent), 3)});
-    }
-    const double cell_size = context.map.cell_size;
-    const bool seconds = style.metres && times_are_lengths(context);
-    std::vector<Row> times{{timed("time", context), "alone", "together", "change"}};
-    if (seconds) times.front().emplace_back("together (s)");
-    const auto add = [&](const char* name, std::optional<double> alone, std::optional<double> together) {
-        times.push_back({name, text(alone, 3), text(together, 3), change(alone, together)});
-        if (seconds) times.back().push_back(fmt::format("{:.1f}", together.value_or(0) * cell_size));
-    };
-    add("makespan", plan.before.makespan, plan.after.makespan);
-    add("flowtime", plan.before.flowtime, plan.after.flowtime);
-    return aligned(rows, style.bold) + "\n" + aligned(times, style.bold);
-}
-
 // Lengths and times in tables of their own: one is not the other.
 std::string outcomes(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     const Outcome& before = plan.before;
@@ -235,9 +140,13 @@ bool is_best(const Plan& plan) {
     return plan.gap.value_or(1) < rounding;
 }
 
-// What all removals save, by the figures as shown: what each saves does not add up to it.
-std::string saved_together(const Plan& plan, Objective objective) {
-    const auto shown = [&](const Outcome& o) { return std::round(1000 * value(o, objective).value_or(NAN)) / 1000; };
+// What all removals save, by the figures as shown: what each saves does not add up to it. Of a team the figures without
+// removals are those of each agent alone.
+std::string saved_together(const Plan& plan, const Mission& mission) {
+    if (mission.is_team()) return "";
+    const auto shown = [&](const Outcome& o) {
+        return std::round(1000 * value(o, mission.rules.objective).value_or(NAN)) / 1000;
+    };
     const double saved = shown(plan.before) - shown(plan.after);
     return plan.breaches.size() > 1 && saved == saved ? fmt::format("together they save {:.3f}\n", saved) : "";
 }
@@ -265,7 +174,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
                         text(breach.entered_at, 3)});
         if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(breach.hits));
         if (style.metres) rows.back().insert(rows.back().begin() + 3, area(breach.cells, context.map));
-        if (explained) rows.back().push_back(text(breach.saves, 3));
+        if (explained) rows.back().push_back(breach.saves == INFINITY ? "needed" : text(breach.saves, 3));
         if (shared) rows.back().push_back(breach.by);
         const std::string source_id = named(breach) ? std::to_string(breach.source_id) : nothing;
         if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);
@@ -273,7 +182,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     }
     if (rows.size() > 1) {
         return aligned(rows, style.bold, names) + demolition(plan, context.map) + least_demolition(plan, context) +
-               (explained ? saved_together(plan, context.mission.rules.objective) : "");
+               (explained ? saved_together(plan, context.mission) : "");
     }
     if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
     if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";
@@ -286,6 +195,11 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     }
     return is_best(plan) ? "nothing removed: no removal gains anything\n"
                          : "nothing removed: no removal was found that gains anything\n";
+}
+
+// Of a team without aircraft.
+std::string without_aircraft(const Mission& mission) {
+    return mission.rules.removals == 0 ? "" : "\nnothing is removed: the team has no aircraft\n";
 }
 
 // The objective as a person says it.
@@ -331,25 +245,6 @@ std::string next(const Plan& plan, const io::PlanContext& context) {
     return lines;
 }
 
-// Where the ground agent waits, and how long.
-std::string waits(const Plan& plan) {
-    double all = 0;
-    std::vector<std::string> lines;
-    for (const Itinerary& agent : plan.agents) {
-        if (agent.kind != AgentKind::ground) continue;
-        for (std::size_t i = 1; i < agent.path.size(); ++i) {
-            const Waypoint& a = agent.path[i - 1];
-            const Waypoint& b = agent.path[i];
-            if (a.x != b.x || a.y != b.y || a.t == b.t) continue;
-            all += b.t - a.t;
-            lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}\n", agent.id,
-                                        b.t - a.t, a.x, a.y, a.t, b.t));
-        }
-    }
-    if (lines.size() > 1) lines.push_back(fmt::format("it waits {:.3f} in all\n", all));
-    return lines.empty() ? "" : fmt::format("\n{}", fmt::join(lines, ""));
-}
-
 // How far the plan can be from the best.
 std::string bound(const Plan& plan, const io::PlanContext& context) {
     const std::optional<double> reached = value(plan.after, context.mission.rules.objective);
@@ -389,12 +284,14 @@ std::string plan_table(const Plan& plan, const io::PlanContext& context, const T
         const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
         const bool may_remove =
             context.mission.rules.removals > 0 && std::ranges::any_of(context.mission.agents, flies);
-        return heading(context, style) + "\n" + front(context, style) + team(plan, context, style) +
-               (may_remove ? "\n" + removals(plan, context, style) : "") + bound(plan, context) + limit(plan);
+        return heading(context, style) + "\n" + front(context, style) + team_table(plan, context, style) +
+               (may_remove ? "\n" + removals(plan, context, style) : without_aircraft(context.mission)) +
+               next(plan, context) + (context.method.explain ? waits(plan, context) : "") + bound(plan, context) +
+               limit(plan);
     }
     return heading(context, style) + "\n" + front(context, style) + outcomes(plan, context, style) +
-           removals(plan, context, style) + next(plan, context) + waits(plan) + bound(plan, context) + limit(plan) +
-           warning(plan, context);
+           removals(plan, context, style) + next(plan, context) + waits(plan, context) + bound(plan, context) +
+           limit(plan) + warning(plan, context);
 }
 
 }  // namespace waybreaker::apps

@@ -57,17 +57,31 @@ std::vector<Agent> team_of(const PlanOptions& options, const Map& map, const Bas
     return agents;
 }
 
-void validate_team_options(const PlanOptions& options, const Mission& mission) {
+void share_out_flight(const PlanOptions& options, Mission& mission) {
+    if (options.breaches) mission.agents.back().breaches = *options.breaches;
+    const int aircraft = options.aircraft.value_or(1);
+    if (aircraft == 1) return;
+    const Agent one = mission.agents.back();
+    mission.agents.pop_back();
+    for (int i = 1; i <= aircraft; ++i) {
+        mission.agents.push_back(one);
+        mission.agents.back().id = fmt::format("air{}", i);
+    }
+}
+
+void validate_sources_of_agents(const PlanOptions& options) {
     if (options.agents.empty()) {
         if (options.count) throw InputError("--count is for --agents FILE");
-        if (options.aircraft) {
-            throw InputError(
-                "--aircraft is for --agents FILE; with one ground agent, list all agents in a --mission file");
+        if (options.aircraft && !options.mission.empty()) {
+            throw InputError("--aircraft and --mission both say who flies; list the aircraft in the mission file");
         }
     } else if (!options.mission.empty()) {
         throw InputError("--agents and --mission both say who the agents are; drop one of them");
     }
     if (options.breaches && !options.aircraft) throw InputError("--breaches is for --aircraft N");
+}
+
+void validate_team_options(const PlanOptions& options, const Mission& mission) {
     if (!mission.is_team()) return;
     const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
     if (ways) {
@@ -78,12 +92,15 @@ void validate_team_options(const PlanOptions& options, const Mission& mission) {
     const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
     const bool removes = options.removals.value_or(0) > 0 || options.budget || !options.weights.empty();
     if (removes && std::ranges::none_of(mission.agents, flies)) {
-        throw InputError("-n, --budget and --weights need somebody who removes: add --aircraft N, or drop them");
-    }
-    const bool elsewhere = (options.air_start || options.air_goal) && !options.aircraft;
-    if (options.start || options.goal || elsewhere) {
         throw InputError(
-            "--start and --goal are for one ground and one air agent; the agents have places of their own");
+            "-n, --budget and --weights need somebody who removes: add --aircraft N, or in a mission file an agent of "
+            "kind air, or drop them");
+    }
+    const bool have_places = !options.agents.empty() || !options.mission.empty();
+    const bool elsewhere = (options.air_start || options.air_goal) && !options.aircraft;
+    if (have_places && (options.start || options.goal || elsewhere)) {
+        throw InputError(
+            "--start and --goal are for one ground agent and its aircraft; these agents have places of their own");
     }
 }
 
@@ -95,8 +112,9 @@ void add_team_options(CLI::App& command, PlanOptions& options) {
         "Only so many of them, the first ones (default: all)");
     add_count(
         command, "--aircraft", [&options](std::int64_t n) { options.aircraft = int(n); }, 1, most_agents,
-        "With --agents: so many aircraft that remove obstacles for them. They start at --air-start, or where the first "
-        "ground agent does, and return there unless --air-goal says otherwise (default: none)");
+        "So many aircraft that remove obstacles. With --agents they start at --air-start, or where the first ground "
+        "agent does, and return there unless --air-goal says otherwise (default: none); without, they fly from start "
+        "to goal (default: 1)");
     add_count(
         command, "--breaches", [&options](std::int64_t n) { options.breaches = int(n); }, 0, any_number,
         "How many obstacles each of the aircraft may breach (default: as many as may be removed)");

@@ -15,4 +15,11 @@ inline Agent vehicle(const std::string& id, Cell start, Cell goal, double radius
     return agent;
 }
 
+inline Agent aircraft(const std::string& id, Cell start, Cell goal, double speed = 1) {
+    Agent agent = vehicle(id, start, goal);
+    agent.kind = AgentKind::air;
+    agent.speed = speed;
+    return agent;
+}
+
 }  // namespace waybreaker

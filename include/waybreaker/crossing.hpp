@@ -61,7 +61,8 @@ struct CrossingPath {
     double length = 0;                // cells
     double cost = 0;                  // cells: driven, waited for obstacles to open, or as `done_after` says; and paid
     std::vector<ObstacleId> crossed;  // in the order of the path, each once; without those of `removed`
-    // Where it waits. Such a path is a lower limit: it may come to a gate through what stands, half a cell early.
+    // Where it waits. A path of the relaxed body is a lower limit: it may come to a gate through what stands, half a
+    // cell early.
     std::vector<CrossingGate> gates = {};
 };
 

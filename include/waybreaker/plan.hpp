@@ -19,6 +19,22 @@ struct Waypoint {
     friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
+// What a ground agent waits for. `readiness`: its own Agent::ready_at; `opening`: an obstacle that stands; `agent`: one
+// that it would touch; `nothing`: it could go on, and only the planner did not see it.
+enum class WaitReason { nothing, readiness, opening, agent };
+
+// A time for which a ground agent stands on its way, and why: had it gone on at any moment of it, along its path to
+// where it waits next or to its goal, that would have been in its way. Two in a row at one place are two reasons, one
+// after the other. Where several things are in the way at once, it is the one that is so for longest.
+struct Wait {
+    Point at = {};
+    double from = 0;  // units of time
+    double until = 0;
+    WaitReason reason = WaitReason::nothing;
+    ObstacleId obstacle = {};  // of an opening
+    std::string agent = {};    // who is in the way, or breaches the obstacle
+};
+
 // An agent of the mission, and its path in time.
 struct Itinerary {
     std::string id = {};
@@ -27,6 +43,16 @@ struct Itinerary {
     std::vector<Waypoint> path = {};
     Cell start = {};
     Cell goal = {};
+    // Of a ground agent, if asked for: how much earlier it is at its goal than if it were alone and nothing were
+    // removed, in units of time (below 0: later); empty where it has no way then. And where it waits, in order.
+    std::optional<double> gain = {};
+    std::vector<Wait> waits = {};
+};
+
+// An obstacle of the map that is gone from that time on. The opened map must have it removed.
+struct TimedOpening {
+    ObstacleId obstacle;
+    double at = 0;
 };
 
 // One obstacle an air agent removes.

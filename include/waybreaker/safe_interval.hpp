@@ -55,12 +55,6 @@ class Traffic {
     std::unique_ptr<Index> index_;
 };
 
-// An obstacle of the map that is gone from that time on. The opened map must have it removed.
-struct TimedOpening {
-    ObstacleId obstacle;
-    double at = 0;
-};
-
 struct SafeIntervalOptions {
     Body body = {};
     double speed = 1;

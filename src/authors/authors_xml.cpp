@@ -8,7 +8,8 @@
 
 #include "authors/authors_xml_words.hpp"
 #include "authors/xml_element.hpp"
-#include "movingai/text_lines.hpp"
+#include "core/in_quotes.hpp"
+#include "core/number.hpp"
 
 namespace waybreaker::authors {
 namespace {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coalition/all_sets.hpp"
 #include "coalition/joint.hpp"
 #include "coalition/picks.hpp"
 #include "coalition/relaxation.hpp"
-#include "plan/timeline.hpp"
+#include "plan/objective.hpp"
+#include "schedule/tour_times.hpp"
 
 namespace waybreaker::coalition {
 namespace {
@@ -21,10 +23,15 @@ constexpr double near = 6e-3;
 constexpr double near_enough = 5e-3;
 // Relative, for each vehicle: columns that cost so much more than the best are worth knowing while prices change.
 constexpr double margin = 1e-3;
+// Prices aim at what the best set reaches; no farther, while there is none or a bad one.
+constexpr double farthest_aim = 1.1;
 // Of what is missing: when a round of prices gains less, no other follows.
 constexpr double least_gain = 0.1;
 // Sets put in time, one after the other, that are no better than the best.
-constexpr int most_vain_tries = 6;
+constexpr int most_vain_tries = 4;
+// All sets are tried if they are no more.
+constexpr std::size_t most_sets = 128;
+constexpr std::uint64_t most_effort = 100'000;  // as Ways::effort() counts
 // Relative: what vehicles may lose on each other.
 constexpr double close_on_others = 2e-4;
 // Sets planned past collisions, while another one may still be better.
@@ -39,17 +46,19 @@ class Planning {
           choice_{interrupts.deadline.share(share_of_choice), interrupts.stop, interrupts.expansions},
           problem_(map, mission, choice_),
           crossing_(crossing),
+          limits_(crossing.another()),
           theta_(theta) {}
 
     CoalitionPlan run(bool selects, const std::function<void(double, double)>& improved) {
         if (!drive_alone()) return std::move(plan_);
-        Columns columns(problem_, crossing_, flights_, Shape::relaxed);
+        Columns columns(problem_, limits_, flights_, Shape::relaxed);
         Relaxation relaxation(problem_, columns);
         plan_.bound = relaxation.bound();
         if (std::isinf(plan_.bound)) return std::move(plan_);
         Ways ways(problem_, plan_.closed, crossing_, theta_);
         SortiePlanner sorties(problem_, ways);
         sorties_ = &sorties;
+        ways_ = &ways;
         draft({});
         if (selects) choose(columns, relaxation);
         plan_.limited = columns.limited() || choice_.due();
@@ -78,7 +87,10 @@ class Planning {
         const Set all = united(problem_.forced(), set);
         if (std::ranges::find(drafted_, all) != drafted_.end()) return;
         drafted_.push_back(all);
-        Draft draft = sorties_->plan(all, reached());
+        put(sorties_->plan(all, reached()));
+    }
+
+    void put(Draft draft) {
         if (draft.cost.missing > 0) return;
         const auto worse = [&](const Draft& other) { return team::better(draft.cost, other.cost); };
         drafts_.insert(std::ranges::find_if(drafts_, worse), std::move(draft));
@@ -90,6 +102,16 @@ class Planning {
         if (none) draft_for_own_bodies(relaxation);
         try_jointly(columns, relaxation);
         if (!none && !is_within(near_enough)) draft_for_own_bodies(relaxation);
+        if (!is_within(close)) try_all(columns);
+    }
+
+    // With more care than before, as long as that takes little.
+    void try_all(const Columns& columns) {
+        const std::uint64_t enough = ways_->effort() + most_effort;
+        for (const Set& set : all_sets(problem_, columns, most_sets)) {
+            if (choice_.due() || ways_->effort() >= enough) return;
+            put(sorties_->plan(united(problem_.forced(), set), reached(), enough));
+        }
     }
 
     double reached() const { return drafts_.empty() ? infinity : drafts_.front().cost.first; }
@@ -99,7 +121,7 @@ class Planning {
     void improve_prices(Columns& columns, Relaxation& relaxation) {
         draft(Picks(problem_, columns).best_from({}));
         for (int round = 0; round < most_rounds && !choice_.due() && !is_within(near); ++round) {
-            const double aim = std::min(reached(), 2 * plan_.bound);
+            const double aim = std::min(reached(), farthest_aim * plan_.bound);
             const bool found = relaxation.tighten(aim, margin * aim / double(columns.size()));
             const double gain = relaxation.bound() - plan_.bound;
             const double missing = reached() - plan_.bound;
@@ -164,8 +186,7 @@ class Planning {
             team::TeamPlan planned = team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_,
                                                       close_on_others, [](const team::Cost&) {});
             if (planned.status != SearchStatus::found) continue;
-            Openings begun;
-            std::vector<team::Path> flights = sorties_->flights(draft, begun);
+            std::vector<team::Path> flights = this->flights(draft);
             const double reached = objective(planned.paths, flights);
             if (reached >= best) continue;
             best = reached;
@@ -173,7 +194,7 @@ class Planning {
             plan_.limited = plan_.limited || planned.limited;
             plan_.team = std::move(planned);
             plan_.flights = std::move(flights);
-            plan_.breaches = breaches(draft, begun);
+            plan_.breaches = breaches(draft);
             improved(best, std::min(plan_.bound, best));
         }
     }
@@ -190,35 +211,40 @@ class Planning {
     }
 
     double objective(const std::vector<team::Path>& paths, const std::vector<team::Path>& flights) const {
-        double sum = 0;
-        double last = 0;
-        double last_on_ground = 0;
-        for (const team::Path& path : paths) {
-            sum += path.back().t;
-            last_on_ground = std::max(last_on_ground, path.back().t);
-        }
-        last = last_on_ground;
-        for (const team::Path& path : flights) {
-            sum += path.back().t;
-            last = std::max(last, path.back().t);
-        }
-        return problem_.objective(sum, last, last_on_ground);
+        Finish finish;
+        for (const team::Path& path : paths) finish.add(AgentKind::ground, path.back().t);
+        for (const team::Path& path : flights) finish.add(AgentKind::air, path.back().t);
+        return rank(problem_.rules().objective, finish).first;
     }
 
-    std::vector<Breach> breaches(const Draft& draft, const Openings& begun) const {
+    // How long an aircraft stays at the targets of a draft.
+    auto stay(const Draft& draft) const {
+        return [this, &draft](std::size_t target) { return problem_.breach_time(draft.set[target]); };
+    }
+
+    std::vector<team::Path> flights(const Draft& draft) const {
+        std::vector<team::Path> flights;
+        for (std::size_t a = 0; a < draft.sorties.size(); ++a) {
+            flights.push_back(flown(*problem_.aircraft()[a], draft.sorties[a], stay(draft)));
+        }
+        return flights;
+    }
+
+    std::vector<Breach> breaches(const Draft& draft) const {
         std::vector<Breach> breaches;
         for (std::size_t a = 0; a < draft.sorties.size(); ++a) {
-            for (const Stop& stop : draft.sorties[a]) {
+            const Agent& aircraft = *problem_.aircraft()[a];
+            fly(aircraft, draft.sorties[a], stay(draft), [&](const Stop& stop, double begun, double cleared) {
                 const Obstacle& obstacle = problem_.map().obstacle(draft.set[stop.target]);
                 Breach& breach = breaches.emplace_back();
                 breach.obstacle = obstacle.id;
                 breach.source_id = obstacle.source_id;
                 breach.cells = obstacle.cells;
                 breach.at = stop.at;
-                breach.by = problem_.aircraft()[a]->id;
-                breach.begun_at = begun.at(obstacle.id);
-                breach.cleared_at = *breach.begun_at + problem_.breach_time(obstacle.id);
-            }
+                breach.by = aircraft.id;
+                breach.begun_at = begun;
+                breach.cleared_at = cleared;
+            });
         }
         std::ranges::stable_sort(breaches, {}, &Breach::cleared_at);
         return breaches;
@@ -228,8 +254,10 @@ class Planning {
     team::Interrupts choice_;
     Problem problem_;
     CrossingSearcher& crossing_;
+    CrossingSearcher limits_;  // for columns: a searcher remembers more of one kind of body than of two in turn
     Searcher& theta_;
     FlightLimits flights_{problem_};
+    Ways* ways_ = nullptr;
     SortiePlanner* sorties_ = nullptr;
     std::vector<Set> drafted_;
     std::vector<Draft> drafts_;  // the best first

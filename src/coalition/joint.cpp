@@ -6,7 +6,6 @@
 namespace waybreaker::coalition {
 namespace {
 
-constexpr double rounding = 1e-9;    // relative
 constexpr int most_expanded = 2000;  // nodes
 
 // The most promising node comes out of the heap first; of these the one with most vehicles.
@@ -70,13 +69,6 @@ void Joint::add_candidates(std::size_t vehicle) {
     std::ranges::stable_sort(all, {}, &Candidate::cost);
 }
 
-bool Joint::allowed(const Set& set) const {
-    if (set.size() > std::size_t(problem_.spare_removals())) return false;
-    double weight = 0;
-    for (const ObstacleId id : set) weight += problem_.map().obstacle(id).weight;
-    return weight <= problem_.spare_budget() * (1 + rounding);
-}
-
 // None if it is `reached` or more.
 std::optional<double> Joint::bound_of(const Node& node) const {
     const FlightLimits::Limits& flights = flights_.of(united(problem_.forced(), node.opened));
@@ -108,7 +100,7 @@ void Joint::expand(const Node& node) {
                   node.sum + candidate.column->arrival,
                   std::max(node.last, candidate.column->arrival),
                   united(node.opened, candidate.opened)};
-        if (!allowed(next.opened)) continue;
+        if (!problem_.allows(next.opened)) continue;
         const std::optional<double> bound = bound_of(next);
         if (!bound) continue;
         next.bound = std::max(*bound, node.bound);

@@ -48,7 +48,6 @@ class Joint {
     void expand(const Node& node);
     std::optional<double> bound_of(const Node& node) const;
     double bound_by_prices(const Node& node, double flights) const;
-    bool allowed(const Set& set) const;
 
     const Problem& problem_;
     const Columns& columns_;

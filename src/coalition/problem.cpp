@@ -22,6 +22,14 @@ bool contains(const Set& set, ObstacleId id) {
     return std::ranges::binary_search(set, id);
 }
 
+bool Problem::allows(const Set& set) const {
+    constexpr double rounding = 1e-9;
+    if (set.size() > std::size_t(spare_removals_)) return false;
+    double weight = 0;
+    for (const ObstacleId id : set) weight += map_.obstacle(id).weight;
+    return weight <= spare_budget_ * (1 + rounding);
+}
+
 Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts& interrupts)
     : map_(map), mission_(mission), interrupts_(interrupts), forced_(mission.rules.force) {
     std::int64_t capacity = 0;

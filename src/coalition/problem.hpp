@@ -39,6 +39,8 @@ class Problem {
     // How many obstacles may be removed beside those, and what they may weigh.
     int spare_removals() const { return spare_removals_; }
     double spare_budget() const { return spare_budget_; }
+    // Whether all of these may be removed beside those that must be.
+    bool allows(const Set& set) const;
     bool sums() const { return rules().objective == Objective::flowtime; }
     // The objective where all arrivals add up to that, and the last ones are these.
     double objective(double sum, double last, double last_on_ground) const {

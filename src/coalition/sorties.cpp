@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "flight/target.hpp"
+#include "plan/objective.hpp"
 
 namespace waybreaker::coalition {
 namespace {
@@ -12,21 +13,20 @@ namespace {
 constexpr std::size_t few_targets = 4;  // all orders of inserting them are tried
 constexpr int most_rounds = 4;          // of ways for the times of sorties, and sorties for these ways
 
-double flying(const Agent& aircraft, Cell from, Cell to) {
-    return distance(from, to) / aircraft.speed;
-}
-
 }  // namespace
 
-Draft SortiePlanner::plan(Set set, double worth) {
+Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
+    const bool thorough = ways_.effort() < enough;
     for (;;) {
         Draft draft = best_for(set);
         if (draft.cost.missing > 0) return draft;
-        for (int round = 0; round < most_rounds && could_cost(draft) < worth && find_timed_ways(draft); ++round) {
+        for (int round = 0; round < most_rounds && could_cost(draft) < worth && find_timed_ways(draft, thorough);
+             ++round) {
             Draft again = best_for(set);
             if (!team::better(again.cost, draft.cost)) break;
             draft = std::move(again);
         }
+        if (thorough) try_all_orders(draft, worth, enough);
         // What nobody drives through costs flights for nothing.
         Set used = problem_.forced();
         for (const Way& way : draft.taken) {
@@ -38,6 +38,43 @@ Draft SortiePlanner::plan(Set set, double worth) {
         if (used.size() == set.size()) return draft;
         set = std::move(used);
     }
+}
+
+// Each aircraft flies to the nearest cell each time. The ways for these times are among the others from then on.
+void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t enough) {
+    const Set set = draft.set;
+    if (set.size() > few_targets || could_cost(draft) >= worth) return;
+    std::vector<Sortie> sorties(problem_.aircraft().size());
+    const auto give = [&](auto& self, std::size_t first, std::size_t given) -> void {
+        if (ways_.effort() >= enough || problem_.interrupts().due()) return;
+        if (given == targets_.size()) {
+            Draft eager = draft;
+            eager.sorties = sorties;
+            fill(eager);
+            while (find_timed_ways(eager, true)) {
+                prepare(set);
+                fill(eager);
+            }
+            return;
+        }
+        for (std::size_t a = first; a < sorties.size(); ++a) {
+            const Agent& aircraft = *problem_.aircraft()[a];
+            if (sorties[a].size() == std::size_t(aircraft.breaches)) continue;
+            const Cell from = sorties[a].empty() ? aircraft.start : sorties[a].back().at;
+            for (std::size_t target = 0; target < targets_.size(); ++target) {
+                const auto is_target = [&](const Stop& stop) { return stop.target == target; };
+                if (std::ranges::any_of(sorties, [&](const Sortie& s) { return std::ranges::any_of(s, is_target); }))
+                    continue;
+                const auto away = [&](Cell c) { return distance(from, c); };
+                sorties[a].push_back({target, *std::ranges::min_element(targets_[target].cells, {}, away)});
+                self(self, a, given + 1);
+                sorties[a].pop_back();
+            }
+        }
+    };
+    give(give, 0, 0);
+    Draft again = best_for(set);
+    if (team::better(again.cost, draft.cost)) draft = std::move(again);
 }
 
 // With no vehicle waiting for any of the set, at least.
@@ -54,45 +91,39 @@ double SortiePlanner::could_cost(const Draft& draft) const {
 }
 
 // For those that have to wait, by the times of a draft. Whether there are any.
-bool SortiePlanner::find_timed_ways(const Draft& draft) {
+bool SortiePlanner::find_timed_ways(const Draft& draft, bool thorough) {
     bool any = false;
     for (std::size_t i = 0; i < menus_.size() && !problem_.interrupts().due(); ++i) {
         const Agent& agent = *problem_.vehicles()[i];
         const double time = arrival(agent, draft.taken[i], draft.openings);
         const bool could_gain = std::ranges::any_of(
             ways_.of(i, draft.set), [&](const Way& other) { return arrival(agent, other, {}) < time * (1 - 1e-9); });
-        any = (could_gain && ways_.find_timed(i, draft.set, draft.openings, time)) || any;
+        any = (could_gain && ways_.find_timed(i, draft.set, draft.openings, time, thorough)) || any;
     }
     return any;
 }
 
 void SortiePlanner::prepare(const Set& set) {
-    targets_.clear();
-    for (waybreaker::Target& target : targets_of(problem_.map(), set)) {
-        targets_.push_back({target.obstacle, std::move(target.cells), problem_.breach_time(target.obstacle)});
-    }
+    targets_ = targets_of(problem_.map(), set);
+    std::vector<double> stays;
+    for (const ObstacleId id : set) stays.push_back(problem_.breach_time(id));
+    precedence_ = Precedence({problem_.aircraft().begin(), problem_.aircraft().end()}, std::move(stays));
+    const bool waits = problem_.rules().timing != Timing::ignore;
     menus_.clear();
-    options_.clear();
-    others_sum_ = 0;
-    others_last_ = 0;
     for (std::size_t i = 0; i < problem_.vehicles().size(); ++i) {
+        const Agent& agent = *problem_.vehicles()[i];
         std::vector<const Way*>& menu = menus_.emplace_back();
-        for (const Way& way : ways_.of(i, set)) menu.push_back(&way);
-        std::vector<Option> options;
-        for (const Way* way : menu) {
-            Option& option = options.emplace_back();
-            option.arrival = arrival(*problem_.vehicles()[i], *way, {});
-            for (const Gate& gate : way->gates) {
-                const auto target = std::ranges::lower_bound(set, gate.obstacle);
-                option.gates.emplace_back(target - set.begin(), problem_.vehicles()[i]->ready_at + gate.after);
+        std::vector<Drive> drives;
+        for (const Way& way : ways_.of(i, set)) {
+            menu.push_back(&way);
+            Drive& drive = drives.emplace_back(Drive{arrival(agent, way, {})});
+            if (!waits) continue;
+            for (const Gate& gate : way.gates) {
+                const auto target = std::ranges::lower_bound(set, gate.obstacle) - set.begin();
+                drive.passages.push_back({std::size_t(target), agent.ready_at + gate.after});
             }
         }
-        if (options.size() == 1 && options.front().gates.empty()) {
-            others_sum_ += options.front().arrival;
-            others_last_ = std::max(others_last_, options.front().arrival);
-        } else {
-            options_.push_back(std::move(options));
-        }
+        precedence_.add_vehicle(std::move(drives));
     }
 }
 
@@ -125,30 +156,13 @@ Draft SortiePlanner::best_for(const Set& set) {
     return best;
 }
 
-// When each target is gone; those without a stop at the end of time.
-std::vector<double> SortiePlanner::openings_of(const std::vector<Sortie>& sorties) const {
-    constexpr double never = 1e15;
-    std::vector<double> openings(targets_.size(), never);
-    for (std::size_t a = 0; a < sorties.size(); ++a) {
-        const Agent& aircraft = *problem_.aircraft()[a];
-        double time = 0;
-        Cell at = aircraft.start;
-        for (const Stop& stop : sorties[a]) {
-            time += flying(aircraft, at, stop.at) + targets_[stop.target].stay;
-            openings[stop.target] = time;
-            at = stop.at;
-        }
-    }
-    if (problem_.rules().timing == Timing::ignore) openings.assign(targets_.size(), 0);
-    return openings;
-}
-
 // Of a set in time: when its obstacles are gone, and which ways vehicles take.
 void SortiePlanner::fill(Draft& draft) const {
-    const std::vector<double> openings = openings_of(draft.sorties);
+    const std::vector<double> cleared = precedence_.cleared(draft.sorties);
+    const bool waits = problem_.rules().timing != Timing::ignore;
     draft.openings.clear();
     for (std::size_t target = 0; target < targets_.size(); ++target) {
-        draft.openings[targets_[target].obstacle] = openings[target];
+        draft.openings[targets_[target].obstacle] = waits ? cleared[target] : 0;
     }
     draft.taken.clear();
     for (std::size_t i = 0; i < menus_.size(); ++i) {
@@ -180,42 +194,10 @@ std::vector<std::size_t> SortiePlanner::by_need() const {
 }
 
 team::Cost SortiePlanner::cost_of(const std::vector<Sortie>& sorties) const {
-    const std::vector<double> openings = openings_of(sorties);
-    double sum = others_sum_;
-    double last_on_ground = others_last_;
-    for (const std::vector<Option>& options : options_) {
-        double least = infinity;
-        for (const Option& option : options) {
-            double delay = 0;
-            for (const auto& [target, needed] : option.gates) delay = std::max(delay, openings[target] - needed);
-            least = std::min(least, option.arrival + delay);
-        }
-        if (std::isinf(least)) return {1, infinity, infinity};
-        sum += least;
-        last_on_ground = std::max(last_on_ground, least);
-    }
-    double last = last_on_ground;
-    for (std::size_t a = 0; a < sorties.size(); ++a) {
-        const Agent& aircraft = *problem_.aircraft()[a];
-        double time = 0;
-        Cell at = aircraft.start;
-        for (const Stop& stop : sorties[a]) {
-            time += flying(aircraft, at, stop.at) + targets_[stop.target].stay;
-            at = stop.at;
-        }
-        time += flying(aircraft, at, aircraft.goal);
-        sum += time;
-        last = std::max(last, time);
-    }
-    switch (problem_.rules().objective) {
-        case Objective::makespan:
-            return {0, last, sum};
-        case Objective::flowtime:
-            return {0, sum, last};
-        case Objective::ground_makespan:
-            break;
-    }
-    return {0, last_on_ground, sum};
+    const Finish finish = precedence_.finish(sorties);
+    if (std::isinf(finish.ground)) return {1, infinity, infinity};
+    const Rank figures = rank(problem_.rules().objective, finish);
+    return {0, figures.first, figures.second};
 }
 
 // Where a stop may be: nearest to where the aircraft comes from, and with the least detour.
@@ -223,11 +205,24 @@ std::vector<Cell> SortiePlanner::likely_cells(const Target& target, const Agent&
                                               std::size_t at) {
     const Cell before = at > 0 ? sortie[at - 1].at : aircraft.start;
     const Cell after = at < sortie.size() ? sortie[at].at : aircraft.goal;
-    const auto nearest = std::ranges::min_element(target.cells, {}, [&](Cell c) { return distance(before, c); });
-    const auto on_way =
-        std::ranges::min_element(target.cells, {}, [&](Cell c) { return distance(before, c) + distance(c, after); });
-    if (*nearest == *on_way) return {*nearest};
-    return {*nearest, *on_way};
+    Cell nearest;
+    Cell on_way;
+    double least = infinity;
+    double least_by = infinity;
+    for (const Cell c : target.cells) {
+        const double there = distance(before, c);
+        const double by = there + distance(c, after);
+        if (there < least) {
+            least = there;
+            nearest = c;
+        }
+        if (by < least_by) {
+            least_by = by;
+            on_way = c;
+        }
+    }
+    if (nearest == on_way) return {nearest};
+    return {nearest, on_way};
 }
 
 // Gives a target to the aircraft, and puts it in the place, where it costs least. False if no aircraft may breach more.
@@ -292,28 +287,6 @@ bool SortiePlanner::exchange_cells(std::vector<Sortie>& sorties, team::Cost& lea
         }
     }
     return any;
-}
-
-std::vector<team::Path> SortiePlanner::flights(const Draft& draft, Openings& begun) const {
-    std::vector<team::Path> flights;
-    for (std::size_t a = 0; a < draft.sorties.size(); ++a) {
-        const Agent& aircraft = *problem_.aircraft()[a];
-        team::Path& path = flights.emplace_back();
-        path.push_back({double(aircraft.start.x), double(aircraft.start.y), 0});
-        const auto fly_to = [&](Cell to) {
-            const Waypoint from = path.back();
-            path.push_back({double(to.x), double(to.y), from.t + distance(Point(from.x, from.y), to) / aircraft.speed});
-        };
-        for (const Stop& stop : draft.sorties[a]) {
-            fly_to(stop.at);
-            const ObstacleId obstacle = draft.set[stop.target];
-            begun[obstacle] = path.back().t;
-            const double stay = problem_.breach_time(obstacle);
-            if (stay > 0) path.push_back({path.back().x, path.back().y, path.back().t + stay});
-        }
-        fly_to(aircraft.goal);
-    }
-    return flights;
 }
 
 }  // namespace waybreaker::coalition

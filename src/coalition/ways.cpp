@@ -1,8 +1,11 @@
 #include "coalition/ways.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "plan/timeline.hpp"
+#include "select/punctual.hpp"
 #include "select/shortened.hpp"
 #include "select/timed_path.hpp"
 
@@ -11,6 +14,8 @@ namespace {
 
 constexpr std::size_t most_ways = 16;  // for one set
 constexpr std::uint64_t most_expansions_in_time = 2'000;
+constexpr std::uint64_t effort_of_label = 8;  // of a judged path: 1
+constexpr std::size_t most_bent = 3;          // of the known ways, to come later
 constexpr double rounding = 1e-9;
 constexpr std::uint64_t most_expansions = 20'000;
 
@@ -26,14 +31,36 @@ double arrival(const Agent& agent, const Way& way, const Openings& openings) {
 }
 
 Ways::Ways(const Problem& problem, std::span<const team::Vehicle> closed, CrossingSearcher& crossing, Searcher& theta)
-    : problem_(problem), closed_(closed), crossing_(crossing), theta_(theta), known_(closed.size()) {}
+    : problem_(problem),
+      closed_(closed),
+      crossing_(crossing),
+      theta_(theta),
+      known_(closed.size()),
+      timed_(closed.size()) {}
 
 const std::vector<Way>& Ways::of(std::size_t vehicle, const Set& set) {
     Set part = near(vehicle, set);
     const auto known = known_[vehicle].find(part);
-    if (known != known_[vehicle].end()) return known->second;
-    std::vector<Way> found = search(vehicle, part);
-    return known_[vehicle].emplace(std::move(part), std::move(found)).first->second;
+    if (known != known_[vehicle].end()) return known->second.ways;
+    Menu menu;
+    if (const Menu* larger = larger_menu(vehicle, part)) {
+        const auto fits = [&](const Way& way) {
+            return std::ranges::all_of(way.gates, [&](const Gate& gate) { return contains(part, gate.obstacle); });
+        };
+        std::ranges::copy_if(larger->ways, std::back_inserter(menu.ways), fits);
+    } else {
+        menu = search(vehicle, part);
+    }
+    return known_[vehicle].emplace(std::move(part), std::move(menu)).first->second.ways;
+}
+
+// Of a set that holds this one: its ways are among those. None if it is not known.
+const Ways::Menu* Ways::larger_menu(std::size_t vehicle, const Set& part) const {
+    if (!team::drives_by_crossing(closed_[vehicle].agent.body)) return nullptr;
+    for (const auto& [set, menu] : known_[vehicle]) {
+        if (menu.complete && std::ranges::includes(set, part)) return &menu;
+    }
+    return nullptr;
 }
 
 // Those that a way can cross that is no longer than the one past all of them.
@@ -69,26 +96,30 @@ Way Ways::way_of(const Agent& agent, std::span<const Point> path, std::span<cons
     return way;
 }
 
-std::vector<Way> Ways::search(std::size_t vehicle, const Set& set) {
+Ways::Menu Ways::search(std::size_t vehicle, const Set& set) {
     const team::Vehicle& closed = closed_[vehicle];
-    std::vector<Way> ways;
-    if (!closed.way.empty()) ways.push_back(closed_way(vehicle));
-    if (set.empty() || problem_.interrupts().due()) return ways;
+    Menu menu;
+    if (!closed.way.empty()) menu.ways.push_back(closed_way(vehicle));
+    if (set.empty() || problem_.interrupts().due()) {
+        menu.complete = set.empty();
+        return menu;
+    }
     if (team::drives_by_crossing(closed.agent.body)) {
-        std::ranges::move(search_crossing(vehicle, set), std::back_inserter(ways));
-        return ways;
+        search_crossing(vehicle, set, menu);
+        return menu;
     }
     const SearchOptions options{.body = closed.agent.body, .limits = problem_.interrupts().limits()};
     const OpenedMap opened(problem_.map(), set);
     const SearchResult found = theta_.find(opened, closed.agent.start, closed.agent.goal, options);
-    if (found.status != SearchStatus::found) return ways;
-    ways.push_back(way_of(closed.agent, std::vector<Point>(found.path.begin(), found.path.end()), set));
-    ways.back().expanded = found.expanded;
-    ways.back().generated = found.generated;
-    return ways;
+    if (found.status != SearchStatus::found) return menu;
+    Way& way =
+        menu.ways.emplace_back(way_of(closed.agent, std::vector<Point>(found.path.begin(), found.path.end()), set));
+    way.expanded = found.expanded;
+    way.generated = found.generated;
+    return menu;
 }
 
-std::vector<Way> Ways::search_crossing(std::size_t vehicle, const Set& set) {
+void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu) {
     const team::Vehicle& closed = closed_[vehicle];
     const Agent& agent = closed.agent;
     CrossingOptions options;
@@ -97,19 +128,24 @@ std::vector<Way> Ways::search_crossing(std::size_t vehicle, const Set& set) {
     options.only = set;
     options.limits = problem_.interrupts().limits();
     options.limits.expansions = std::min(options.limits.expansions, most_expansions);
-    if (!closed.way.empty()) options.length_limit = (closed.alone - agent.ready_at) * agent.speed;
-    std::vector<Way> ways;
+    if (!closed.way.empty()) {
+        options.length_limit = (closed.alone - agent.ready_at) * agent.speed;
+        options.expected = options.length_limit;  // it is all looked at
+    }
+    const std::size_t before = menu.ways.size();
     const CrossingResult all =
         crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (!path.crossed.empty())
-                ways.push_back(way_of(agent, shorter(agent, path.path, path.crossed), path.crossed));
-            return ways.size() < most_ways;
+                menu.ways.push_back(way_of(agent, shorter(agent, path.path, path.crossed), path.crossed));
+            return menu.ways.size() < before + most_ways;
         });
-    for (Way& way : ways) {
+    effort_ += effort_of_label * all.expanded;
+    menu.complete = menu.ways.size() < before + most_ways && all.status != SearchStatus::limit_reached &&
+                    all.status != SearchStatus::stopped;
+    for (Way& way : std::span(menu.ways).subspan(before)) {
         way.expanded = all.expanded;
         way.generated = all.generated;
     }
-    return ways;
 }
 
 Way Ways::closed_way(std::size_t vehicle) const {
@@ -120,10 +156,48 @@ Way Ways::closed_way(std::size_t vehicle) const {
     return way;
 }
 
-bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before) {
+bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before,
+                      bool thorough) {
     const Agent& agent = closed_[vehicle].agent;
     const Set part = near(vehicle, set);
-    if (part.empty() || !team::drives_by_crossing(agent.body)) return false;
+    if (part.empty() || !team::drives_by_crossing(agent.body) || !(arrive_before > agent.ready_at)) return false;
+    std::vector<std::pair<ObstacleId, double>> times;
+    for (const ObstacleId id : part) times.emplace_back(id, openings.at(id));
+    const auto [tried, is_new] = timed_[vehicle].emplace(std::move(times), thorough);
+    if (!is_new && (tried->second || !thorough)) return false;
+    tried->second = thorough;
+    std::vector<Way> found;
+    if (thorough) found = waiting(vehicle, part, openings, arrive_before);
+    if (std::optional<Way> way = search_timed(vehicle, part, openings, arrive_before)) found.push_back(std::move(*way));
+    if (found.empty()) return false;
+    const OpenedMap opened(problem_.map(), part);
+    std::optional<Way> best;
+    for (const Way& way : found) {
+        Way bent = punctual_way(opened, agent, way, part, openings);
+        const double time = arrival(agent, bent, openings);
+        if (!(time < arrive_before * (1 - rounding))) continue;
+        arrive_before = time;
+        best = std::move(bent);
+    }
+    if (!best) return false;
+    known_[vehicle][part].ways.push_back(std::move(*best));
+    return true;
+}
+
+// The known ways that are best but for waits.
+std::vector<Way> Ways::waiting(std::size_t vehicle, const Set& part, const Openings& openings, double arrive_before) {
+    const Agent& agent = closed_[vehicle].agent;
+    std::vector<Way> ways = known_[vehicle][part].ways;
+    std::erase_if(ways, [&](const Way& way) { return arrival(agent, way, {}) >= arrive_before; });
+    std::ranges::stable_sort(ways, {}, [&](const Way& way) { return arrival(agent, way, openings); });
+    if (ways.size() > most_bent) ways.resize(most_bent);
+    return ways;
+}
+
+// A path of the crossing search in time, as the vehicle can drive it.
+std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, const Openings& openings,
+                                      double arrive_before) {
+    const Agent& agent = closed_[vehicle].agent;
     CrossingOptions options;
     options.body = agent.body;
     options.crossings = int(part.size());
@@ -136,22 +210,32 @@ bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openi
         for (const ObstacleId id : crossed) last = std::max(last, openings.at(id) - agent.ready_at);
         return last * agent.speed;
     };
-    if (!(options.length_limit > 0)) return false;
     const CrossingResult found = crossing_.find(problem_.map(), agent.start, agent.goal, options);
-    if (found.best.path.empty()) return false;
+    effort_ += effort_of_label * found.expanded;
+    if (found.best.path.empty()) return std::nullopt;
     const Method method;
     const Limits limits = options.limits;
     const Task task{problem_.map(), agent,  *problem_.aircraft().front(),   problem_.rules(),
                     method,         limits, problem_.interrupts().deadline, 0};
     const Opening driven = drivable(task, {theta_, crossing_}, found.best, part);
-    if (driven.status != SearchStatus::found) return false;
+    if (driven.status != SearchStatus::found) return std::nullopt;
     // Not shortened: who bends may do so to come late.
     Way way = way_of(agent, driven.ground.path, part);
-    if (!(arrival(agent, way, openings) < arrive_before * (1 - rounding))) return false;
     way.expanded = found.expanded;
     way.generated = found.generated;
-    known_[vehicle][part].push_back(std::move(way));
-    return true;
+    return way;
+}
+
+Way Ways::punctual_way(const OpenedMap& opened, const Agent& agent, const Way& way, const Set& part,
+                       const Openings& openings) {
+    std::vector<TimedOpening> times;
+    for (const ObstacleId id : part) times.push_back({id, openings.at(id)});
+    const auto [path, judged] = punctual(opened, agent, way.path, std::move(times));
+    effort_ += judged;
+    Way bent = way_of(agent, std::vector<Point>(path.begin(), path.end()), part);
+    bent.expanded = way.expanded;
+    bent.generated = way.generated;
+    return bent;
 }
 
 }  // namespace waybreaker::coalition

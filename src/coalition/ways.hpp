@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "coalition/problem.hpp"
@@ -40,13 +41,26 @@ class Ways {
 
     // Looks for a way of a vehicle that is earlier than that, obstacles of a set being gone at certain times: who has
     // to wait anyway waits where the rest of the way is shortest. Whether there is one; it is among its ways from then
-    // on.
-    bool find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before);
+    // on. `thorough`: also by bends of known ways.
+    bool find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before, bool thorough);
+
+    // Of all that was done so far: labels of searches and paths judged, as many as take as long.
+    std::uint64_t effort() const { return effort_; }
 
   private:
+    struct Menu {
+        std::vector<Way> ways;
+        bool complete = true;  // no limit has ended the search
+    };
     Set near(std::size_t vehicle, const Set& set) const;
-    std::vector<Way> search(std::size_t vehicle, const Set& set);
-    std::vector<Way> search_crossing(std::size_t vehicle, const Set& set);
+    const Menu* larger_menu(std::size_t vehicle, const Set& part) const;
+    Menu search(std::size_t vehicle, const Set& set);
+    void search_crossing(std::size_t vehicle, const Set& set, Menu& menu);
+    std::vector<Way> waiting(std::size_t vehicle, const Set& part, const Openings& openings, double arrive_before);
+    std::optional<Way> search_timed(std::size_t vehicle, const Set& part, const Openings& openings,
+                                    double arrive_before);
+    Way punctual_way(const OpenedMap& opened, const Agent& agent, const Way& way, const Set& part,
+                     const Openings& openings);
     Way closed_way(std::size_t vehicle) const;
     Way way_of(const Agent& agent, std::span<const Point> path, std::span<const ObstacleId> set) const;
     std::vector<Point> shorter(const Agent& agent, std::vector<Point> path, std::span<const ObstacleId> crossed) const;
@@ -55,7 +69,10 @@ class Ways {
     std::span<const team::Vehicle> closed_;
     CrossingSearcher& crossing_;
     Searcher& theta_;
-    std::vector<std::map<Set, std::vector<Way>>> known_;  // by vehicle and the part of a set that is near its way
+    std::uint64_t effort_ = 0;
+    std::vector<std::map<Set, Menu>> known_;  // by vehicle and the part of a set that is near its way
+    // By vehicle: such parts, and when they open, for which ways were looked for; and whether thoroughly.
+    std::vector<std::map<std::vector<std::pair<ObstacleId, double>>, bool>> timed_;
 };
 
 }  // namespace waybreaker::coalition

@@ -69,6 +69,7 @@ class CrossingSearcher::Search {
     double arrival_at_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
     double way_to_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
     std::uint32_t since_of(std::uint32_t label) const;
+    std::uint32_t since_all_open(std::uint32_t label, std::span<const ObstacleId> sorted) const;
 
     const Map* map_ = nullptr;
     const CrossingOptions* options_ = nullptr;

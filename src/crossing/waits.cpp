@@ -82,8 +82,8 @@ void CrossingSearcher::Search::push_gates(std::uint32_t parent) {
             too_late = false;
         }
         if (too_late) continue;
-        terms.since = since_of(parent);
         terms.region = entered.region;
+        terms.since = options_->relaxed ? since_of(parent) : since_all_open(parent, set);
         terms.opened = add_members(entered.region, set);
         terms.open = opened_after(set);
         std::uint32_t group = 0;
@@ -91,7 +91,8 @@ void CrossingSearcher::Search::push_gates(std::uint32_t parent) {
         if (!entered.surely) {
             std::erase_if(set, [&](ObstacleId o) { return std::ranges::binary_search(terms.opened, o); });
         } else if (terms.open > cost + entered.at + early_) {
-            too_late = group == 0;
+            // Only a lower limit may go on through what is not open yet.
+            too_late = group == 0 || !options_->relaxed;
             terms.passed.push_back(group);
         }
     }
@@ -187,6 +188,15 @@ double CrossingSearcher::Search::way_to_gate(const GateGroup::Terms& terms, Vert
         way_to_gate_->regions_of_ = regions_of_;
         return way_to_gate_->run_between(*map_, terms.from, gate, options, nullptr);
     });
+}
+
+// The first of the places on the way to a label from which every way through the set is in time; the label itself if
+// none is.
+std::uint32_t CrossingSearcher::Search::since_all_open(std::uint32_t label, std::span<const ObstacleId> sorted) const {
+    const double open = opened_after(sorted);
+    const std::uint32_t since = since_of(label);
+    while (label != since && labels_[labels_[label].parent].cost >= open) label = labels_[label].parent;
+    return label;
 }
 
 std::uint32_t CrossingSearcher::Search::since_of(std::uint32_t label) const {

@@ -43,7 +43,7 @@ class Database {
 
 // In the header of every results file: "WBrk", and the version of the tables.
 inline constexpr int application_id = 0x5742726b;
-inline constexpr int results_format = 1;
+inline constexpr int results_format = 2;
 
 // Makes the tables and says whose they are, in the transaction that is open.
 void make_tables(SQLite::Database& sql);

@@ -18,6 +18,7 @@ waybreaker::Method method_of(const Configuration& configuration, Mission& missio
         case Method::none:
             method.select = Selection::none;
             mission.rules.timing = Timing::ignore;
+            mission.rules.force.clear();
             break;
         case Method::greedy:
             method.select = Selection::greedy;
@@ -31,13 +32,18 @@ waybreaker::Method method_of(const Configuration& configuration, Mission& missio
 }
 
 Stage stage_of(const Outcome& outcome) {
-    return {.ground = outcome.ground().length,
-            .expanded = outcome.ground().expanded,
-            .generated = outcome.ground().generated,
-            .seconds = outcome.ground().seconds,
-            .air = outcome.air().length.value_or(0),
-            .makespan = outcome.makespan,
-            .flowtime = outcome.flowtime};
+    Stage stage{.ground = 0, .makespan = outcome.makespan, .flowtime = outcome.flowtime};
+    for (const Route& route : outcome.routes) {
+        if (route.kind == AgentKind::air) {
+            stage.air += route.length.value_or(0);
+            continue;
+        }
+        stage.expanded += route.expanded;
+        stage.generated += route.generated;
+        stage.seconds += route.seconds;
+        stage.ground = stage.ground && route.length ? std::optional(*stage.ground + *route.length) : std::nullopt;
+    }
+    return stage;
 }
 
 ResultStatus status_of(PlanStatus status) {
@@ -57,13 +63,14 @@ ResultStatus status_of(PlanStatus status) {
 
 Result Evaluator::plan(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
                        const StopToken& stop) {
-    Mission asked = ground_and_air(mission.start, mission.goal);
+    Mission asked = mission.mission;
     const waybreaker::Method method = method_of(configuration, asked);
     const Plan plan = planner_.plan(map, asked, method, {.stop = stop});
     Result result{.status = status_of(plan.status),
                   .before = stage_of(plan.before),
                   .after = stage_of(plan.after),
-                  .bound = plan.bound};
+                  .bound = plan.bound,
+                  .gap = plan.gap};
     for (const Breach& breach : plan.breaches) result.removed.push_back(breach.obstacle);
     return result;
 }

@@ -1,7 +1,7 @@
 // Experiment: which missions are planned how. Read from a spec, a TOML file:
 //
 //     name = "The paper's section 4"
-//     missions = ["cities.scen"]     # MovingAI scenario files; they name their maps
+//     missions = ["cities.scen"]     # MovingAI scenario files, or lines of mission documents; they name their maps
 //     time_limit = 60                # seconds for one mission; this is the default
 //
 //     [[run]]                        # as often as one likes; lists are multiplied
@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,11 +43,16 @@ struct ExperimentMap {
 };
 
 struct ExperimentMission {
-    std::uint32_t set = 0;  // of Experiment::sets: the scenario file it comes from
+    std::uint32_t set = 0;  // of Experiment::sets: the file it comes from
     std::uint32_t map = 0;  // of Experiment::maps
-    Cell start;
-    Cell goal;
-    double octile = 0;  // length of the optimal octile path, as the scenario file says
+    // Who and by which rules; a configuration says how many obstacles may be removed.
+    Mission mission;
+    std::optional<double> octile = {};  // length of the optimal octile path, as a scenario file says
+
+    // Of the first ground agent.
+    Cell start() const { return mission.first(AgentKind::ground).start; }
+    Cell goal() const { return mission.first(AgentKind::ground).goal; }
+    std::size_t count(AgentKind kind) const;
 };
 
 // Every mission is planned in every configuration; that is a job. Jobs are numbered mission by mission.
@@ -63,8 +69,8 @@ struct Experiment {
     std::size_t job_count() const { return missions.size() * configurations.size(); }
 };
 
-// Reads a spec and the scenario files it names; maps are found from the scenario file's folder, and are only digested
-// here. Throws InputError with file and line.
+// Reads a spec and the files of missions it names; maps are found from these files' folder, and are only digested here.
+// Throws InputError with file and line.
 Experiment read_experiment(const std::string& spec_path);
 
 // The words of a spec.

@@ -33,6 +33,15 @@ std::pair<Cell, Cell> draw_pair(const Map& map, double min_distance, Random& ran
                      " draws: lower --min-distance");
 }
 
+bool has_room(const Map& map, const Mission& mission) {
+    try {
+        validate(map, mission);
+    } catch (const InputError&) {
+        return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 DrawnMissions draw_missions(const Map& map, const MissionRules& rules) {
@@ -58,6 +67,30 @@ DrawnMissions draw_missions(const Map& map, const MissionRules& rules) {
         }
     }
     return missions;
+}
+
+std::vector<Mission> teams_of(const Map& map, std::span<const Scenario> pairs, const TeamSize& size,
+                              const Rules& rules) {
+    std::vector<Mission> teams;
+    Mission team;
+    team.rules = rules;
+    for (const Scenario& pair : pairs) {
+        Agent& vehicle = team.agents.emplace_back();
+        vehicle.id = std::to_string(team.agents.size());
+        vehicle.start = pair.start;
+        vehicle.goal = pair.goal;
+        if (!has_room(map, team)) team.agents.pop_back();
+        if (int(team.agents.size()) < size.vehicles) continue;
+        for (int i = 0; i < size.aircraft; ++i) {
+            Agent aircraft = team.agents[std::size_t(i % size.vehicles)];
+            aircraft.id = "air" + std::to_string(i + 1);
+            aircraft.kind = AgentKind::air;
+            team.agents.push_back(std::move(aircraft));
+        }
+        teams.push_back(team);
+        team.agents.clear();
+    }
+    return teams;
 }
 
 }  // namespace waybreaker::experiment

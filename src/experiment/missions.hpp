@@ -6,9 +6,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "waybreaker/map.hpp"
+#include "waybreaker/mission.hpp"
 #include "waybreaker/movingai.hpp"
 
 namespace waybreaker::experiment {
@@ -29,5 +31,16 @@ struct DrawnMissions {
 // The same for the same cells, whatever file they come from, on every platform. Throws InputError if the map has no
 // such pairs, or they are too rare to find.
 DrawnMissions draw_missions(const Map& map, const MissionRules& rules);
+
+struct TeamSize {
+    int vehicles = 1;
+    int aircraft = 1;
+};
+
+// Missions of teams: as many vehicles drive pairs in their order, one that has no room beside those before it left out;
+// and each aircraft starts and ends with a vehicle, the first with the first. What is left over makes no team. A team
+// of one and one is the paper's coalition. REQUIRES: at least one vehicle; the pairs are of that map.
+std::vector<Mission> teams_of(const Map& map, std::span<const Scenario> pairs, const TeamSize& size,
+                              const Rules& rules);
 
 }  // namespace waybreaker::experiment

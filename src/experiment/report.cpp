@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "experiment/figures.hpp"
+#include "experiment/team_figures.hpp"
 #include "raster/png.hpp"
 #include "render/chart.hpp"
 #include "render/xml_text.hpp"
@@ -68,14 +71,25 @@ std::string opening(const Summary& summary) {
         "<style>{1}</style></head>\n<body><h1>{0}</h1>\n",
         escaped(title), style);
     const SetSummary& all = summary.all;
-    html += fmt::format(
-        "<p>{} missions; every mean is over the {} of them, on {} maps, that all methods solved and that have a "
-        "way without removal. &#177; is half of a 95 % confidence interval, which allows for missions of one "
-        "map being alike.</p>\n<p>Results:",
-        all.missions, all.compared, all.maps);
+    html += "<p>";
+    if (all.missions > 0) {
+        html += fmt::format(
+            "{} missions{}; every mean is over the {} of them, on {} maps, that all methods solved and that have a way "
+            "without removal. ",
+            all.missions, summary.teams.missions > 0 ? " of one vehicle and one aircraft" : "", all.compared, all.maps);
+    }
+    if (const TeamSummary& teams = summary.teams; teams.missions > 0) {
+        html += fmt::format(
+            "By size of the team: {} missions; means are over the {} of them that all configurations solved. ",
+            teams.missions, teams.compared);
+    }
+    html +=
+        "&#177; is half of a 95 % confidence interval, which allows for missions of one map being alike.</p>\n"
+        "<p>Results:";
     for (const auto& [status, count] : summary.statuses) html += fmt::format(" {} {};", count, escaped(status));
     html += fmt::format(" {} missing. waybreaker {}, experiment <code>{}</code>.</p>\n", summary.missing,
                         escaped(summary.version), escaped(summary.digest));
+    if (all.missions == 0) return html;
     html +=
         "<p>Compared with the figures of A. Andreychuk, K. Yakovlev: Path Finding for the Coalition of Co-operative "
         "Agents "
@@ -88,8 +102,9 @@ std::string opening(const Summary& summary) {
 }  // namespace
 
 std::vector<ReportFile> report(const Summary& summary) {
-    std::vector<Figure> figures = paper_figures(summary.all);
-    if (summary.sets.size() > 1) figures.push_back(conjecture_figure(summary.sets));
+    std::vector<Figure> figures = team_figures(summary.teams);
+    if (summary.all.missions > 0) std::ranges::move(paper_figures(summary.all), std::back_inserter(figures));
+    if (summary.all.missions > 0 && summary.sets.size() > 1) figures.push_back(conjecture_figure(summary.sets));
     std::string page = opening(summary);
     std::vector<ReportFile> files;
     for (const Figure& figure : figures) {

@@ -15,7 +15,8 @@ namespace waybreaker::experiment {
 // `timed_out`: the time limit ended it. `failed`: it threw. `crashed`: it took the program down twice.
 enum class ResultStatus { solved, no_plan, timed_out, failed, crashed };
 
-// The mission without removal, or as planned. Lengths in cells, makespan and flowtime for speeds of 1.
+// The mission without removal, or as planned. Lengths in cells, makespan and flowtime in units of time. Of a team the
+// sums over its agents.
 struct Stage {
     std::optional<double> ground;  // length of path A
     std::uint64_t expanded = 0;
@@ -31,7 +32,8 @@ struct Result {
     std::string message = {};  // why it failed
     Stage before = {};
     Stage after = {};
-    std::optional<double> bound = {};      // proven: no makespan is below it
+    std::optional<double> bound = {};      // proven: the objective is not below it
+    std::optional<double> gap = {};        // objective / bound - 1
     std::vector<ObstacleId> removed = {};  // in flight order
     double seconds = 0;                    // of the whole mission's planning
 };

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "experiment/words.hpp"
+#include "io/mission_json.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::experiment {
@@ -31,8 +33,9 @@ Result result(SQLite::Statement& row, int at) {
             .before = stage(row, at + 2),
             .after = stage(row, at + 9),
             .bound = number(row.getColumn(at + 16)),
+            .gap = number(row.getColumn(at + 17)),
             .removed = {},
-            .seconds = row.getColumn(at + 18).getDouble()};
+            .seconds = row.getColumn(at + 19).getDouble()};
 }
 
 // A cell of CSV: quoted where it must be.
@@ -61,6 +64,12 @@ std::string Results::property(const char* key) {
     query.bind(1, key);
     if (!query.executeStep()) throw InputError(path(), 0, fmt::format("does not say its {}", key));
     return query.getColumn(0).getString();
+}
+
+Mission Results::mission(const std::string& document) const {
+    Mission mission = io::parse_mission(document, path()).mission;
+    if (std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind) > 0) return mission;
+    throw InputError(path(), 0, "is damaged: a mission of no ground agent");
 }
 
 std::size_t Results::number(const char* key) {
@@ -94,8 +103,7 @@ void Results::read() {
                                               value_of(planner_words, one.getColumn(1).getText()),
                                               one.getColumn(2).getDouble(), one.getColumn(3).getInt()});
     }
-    for (SQLite::Statement one(
-             sql, "SELECT \"set\", map, start_x, start_y, goal_x, goal_y, octile FROM missions ORDER BY id");
+    for (SQLite::Statement one(sql, "SELECT \"set\", map, octile, document FROM missions ORDER BY id");
          one.executeStep();) {
         const auto index = [&](int column, std::size_t limit) {
             const std::int64_t value = one.getColumn(column).getInt64();
@@ -103,11 +111,9 @@ void Results::read() {
                 throw InputError(path(), 0, "is damaged: a mission of nothing");
             return std::uint32_t(value);
         };
-        experiment_.missions.push_back({index(0, experiment_.sets.size()),
-                                        index(1, experiment_.maps.size()),
-                                        {one.getColumn(2).getInt(), one.getColumn(3).getInt()},
-                                        {one.getColumn(4).getInt(), one.getColumn(5).getInt()},
-                                        one.getColumn(6).getDouble()});
+        experiment_.missions.push_back({index(0, experiment_.sets.size()), index(1, experiment_.maps.size()),
+                                        mission(one.getColumn(3).getString()),
+                                        ::waybreaker::experiment::number(one.getColumn(2))});
     }
 }
 

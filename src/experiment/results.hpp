@@ -42,6 +42,7 @@ class Results {
   private:
     std::string property(const char* key);
     std::size_t number(const char* key);
+    Mission mission(const std::string& document) const;
     void read();
 
     Database database_;

@@ -14,7 +14,8 @@ CREATE TABLE maps (id INTEGER PRIMARY KEY, name TEXT NOT NULL, digest TEXT NOT N
     width INTEGER NOT NULL, height INTEGER NOT NULL) STRICT;
 CREATE TABLE missions (id INTEGER PRIMARY KEY, "set" INTEGER NOT NULL REFERENCES sets, map INTEGER NOT NULL REFERENCES maps,
     start_x INTEGER NOT NULL, start_y INTEGER NOT NULL, goal_x INTEGER NOT NULL, goal_y INTEGER NOT NULL,
-    octile REAL NOT NULL) STRICT;
+    octile REAL, vehicles INTEGER NOT NULL, aircraft INTEGER NOT NULL, objective TEXT NOT NULL,
+    document TEXT NOT NULL) STRICT;
 CREATE TABLE configurations (id INTEGER PRIMARY KEY, method TEXT NOT NULL, planner TEXT NOT NULL, weight REAL NOT NULL,
     removals INTEGER NOT NULL) STRICT;
 CREATE TABLE results (
@@ -24,14 +25,14 @@ CREATE TABLE results (
     before_expanded INTEGER NOT NULL, before_generated INTEGER NOT NULL, before_seconds REAL NOT NULL,
     after_ground REAL, after_air REAL NOT NULL, after_makespan REAL, after_flowtime REAL,
     after_expanded INTEGER NOT NULL, after_generated INTEGER NOT NULL, after_seconds REAL NOT NULL,
-    bound REAL, removed TEXT NOT NULL, seconds REAL NOT NULL,
+    bound REAL, gap REAL, removed TEXT NOT NULL, seconds REAL NOT NULL,
     PRIMARY KEY (mission, configuration)) STRICT, WITHOUT ROWID;
 CREATE VIEW rows AS SELECT
     results.mission, sets.name AS "set", maps.name AS map, maps.digest AS map_digest,
-    start_x, start_y, goal_x, goal_y, octile, method, planner, weight, removals, status, message,
+    start_x, start_y, goal_x, goal_y, octile, vehicles, aircraft, objective, method, planner, weight, removals, status, message,
     before_ground, before_air, before_makespan, before_flowtime, before_expanded, before_generated, before_seconds,
     after_ground, after_air, after_makespan, after_flowtime, after_expanded, after_generated, after_seconds,
-    bound, removed, seconds, (SELECT value FROM experiment WHERE key = 'version') AS version
+    bound, gap, removed, seconds, (SELECT value FROM experiment WHERE key = 'version') AS version
     FROM results JOIN missions ON missions.id = results.mission JOIN sets ON sets.id = missions."set"
     JOIN maps ON maps.id = missions.map JOIN configurations ON configurations.id = results.configuration
     ORDER BY results.mission, results.configuration;

@@ -159,9 +159,10 @@ Spec parse_spec(std::string_view text, const std::string& name) {
     Spec spec;
     if (const toml::node* node = file.get("name")) spec.name = reader.text(*node, "'name'");
     for (const toml::node* node : reader.items(file, "missions")) {
-        spec.missions.push_back(reader.text(*node, "the name of a scenario file"));
+        spec.missions.push_back(reader.text(*node, "the name of a file of missions"));
     }
-    if (spec.missions.empty()) throw InputError(name, 0, "'missions' is missing: a list of MovingAI scenario files");
+    if (spec.missions.empty())
+        throw InputError(name, 0, "'missions' is missing: a list of scenario files or files of mission documents");
     if (const toml::node* node = file.get("time_limit")) {
         spec.time_limit = reader.number(*node, "'time_limit'", 0.001, longest_time);
     }

@@ -11,7 +11,7 @@ namespace waybreaker::experiment {
 
 struct Spec {
     std::string name;
-    std::vector<std::string> missions;  // scenario files as written
+    std::vector<std::string> missions;  // files as written
     double time_limit = 60;
     std::vector<Configuration> configurations;  // in the order of the file, each once
 };

@@ -7,7 +7,9 @@
 #include <iterator>
 #include <optional>
 
+#include "experiment/document.hpp"
 #include "experiment/words.hpp"
+#include "io/option_words.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::experiment {
@@ -47,6 +49,7 @@ void insert(SQLite::Statement& statement, const Row& row, std::size_t configurat
     bind(statement, at, result.before);
     bind(statement, at, result.after);
     bind(statement, at, result.bound);
+    bind(statement, at, result.gap);
     statement.bind(++at, list_of(result.removed));
     statement.bind(++at, result.seconds);
     statement.exec();
@@ -54,12 +57,30 @@ void insert(SQLite::Statement& statement, const Row& row, std::size_t configurat
 }
 
 constexpr const char* insert_result =
-    "INSERT INTO results VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
+    "INSERT INTO results VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
 
 template <class... Values>
 void insert_line(SQLite::Statement& statement, const Values&... values) {
     int at = 0;
     (statement.bind(++at, values), ...);
+    statement.exec();
+    statement.reset();
+}
+
+void insert_mission(SQLite::Statement& statement, std::size_t number, const ExperimentMission& one) {
+    int at = 0;
+    for (const std::int64_t value : {std::int64_t(number), std::int64_t(one.set), std::int64_t(one.map)}) {
+        statement.bind(++at, value);
+    }
+    for (const Cell c : {one.start(), one.goal()}) {
+        statement.bind(++at, c.x);
+        statement.bind(++at, c.y);
+    }
+    bind(statement, at, one.octile);
+    for (const AgentKind kind : {AgentKind::ground, AgentKind::air})
+        statement.bind(++at, std::int64_t(one.count(kind)));
+    statement.bind(++at, std::string(io::word_of(io::objective_words, one.mission.rules.objective)));
+    statement.bind(++at, document_of(one.mission));
     statement.exec();
     statement.reset();
 }
@@ -97,12 +118,11 @@ void Store::begin(const std::string& version) {
         insert_line(configuration, std::int64_t(i), std::string(word_for(one.method)),
                     std::string(word_for(one.planner)), one.weight, one.removals);
     }
-    SQLite::Statement mission(sql, "INSERT INTO missions VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    SQLite::Statement mission(sql, "INSERT INTO missions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < experiment_.missions.size(); ++i) {
         const ExperimentMission& one = experiment_.missions[i];
         if (!shard_.holds(i)) continue;
-        insert_line(mission, std::int64_t(i), std::int64_t(one.set), std::int64_t(one.map), one.start.x, one.start.y,
-                    one.goal.x, one.goal.y, one.octile);
+        insert_mission(mission, i, one);
     }
     transaction.commit();
 }

@@ -76,7 +76,7 @@ class Collector {
 
     void add(const ExperimentMission& mission, MissionResults row) {
         ++missions_;
-        const double straight = distance(mission.start, mission.goal);
+        const double straight = distance(mission.start(), mission.goal());
         if (!comparable(row) || straight == 0) return;
         ++compared_;
         maps_.insert(mission.map);
@@ -145,7 +145,10 @@ Summary summarise(Results& results) {
     Collector all(experiment, experiment.name);
     std::vector<Collector> sets;
     for (const std::string& set : experiment.sets) sets.emplace_back(experiment, set);
+    TeamCollector teams(experiment);
     results.for_each_mission([&](const ExperimentMission& mission, MissionResults row) {
+        teams.add(mission, row);
+        if (mission.mission.is_team()) return;
         all.add(mission, row);
         sets[mission.set].add(mission, row);
     });
@@ -156,7 +159,8 @@ Summary summarise(Results& results) {
                     results.missing(),
                     all.summary(),
                     {},
-                    all.most_removals()};
+                    all.most_removals(),
+                    teams.summary()};
     for (const Collector& set : sets) summary.sets.push_back(set.summary());
     return summary;
 }

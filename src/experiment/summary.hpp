@@ -9,6 +9,7 @@
 
 #include "experiment/estimate.hpp"
 #include "experiment/results.hpp"
+#include "experiment/team_summary.hpp"
 
 namespace waybreaker::experiment {
 
@@ -44,9 +45,10 @@ struct Summary {
     std::string digest;
     std::vector<std::pair<std::string, std::size_t>> statuses;
     std::size_t missing = 0;  // jobs without a result
-    SetSummary all;           // over all sets
+    SetSummary all;           // over all sets; without teams
     std::vector<SetSummary> sets;
     std::size_t most_removals = 0;
+    TeamSummary teams;
 };
 
 Summary summarise(Results& results);

@@ -94,9 +94,14 @@ void clear_for(const GroundMap& ground, const std::vector<Seen>& seen, std::vect
     }
 }
 
+// Who chooses obstacles wants them as the paper had them.
+Profile profile_of(const ImportOptions& options) {
+    return options.profile.value_or(options.choice.obstacles.empty() ? Profile::rover : Profile::paper);
+}
+
 // In cells; 0 for whole obstacles.
 int section_side(const ImportOptions& options) {
-    const double metres = *options.section;
+    const double metres = options.section.value_or(profile_of(options) == Profile::paper ? 0 : usual_section);
     if (metres == 0) return 0;
     if (metres < options.cell) {
         throw InputError(
@@ -172,22 +177,21 @@ void move_barriers(Ground& ground, const Window& window, std::vector<Footprint>&
     });
 }
 
-// What the profile, which is given, says about the choice of obstacles.
+// What the profile says about the choice of obstacles.
 ImportOptions with_profile(ImportOptions options) {
     ObstacleChoice& choice = options.choice;
-    if (!options.profile) options.profile = choice.obstacles.empty() ? Profile::rover : Profile::paper;
-    if (!options.section) options.section = options.profile == Profile::paper ? 0 : usual_section;
-    choice.only_in_the_way = options.profile != Profile::paper;
-    if (choice.destructible.empty() && choice.protect.empty()) choice.shelter = protection(*options.profile).filters;
+    const Profile profile = profile_of(options);
+    choice.only_in_the_way = profile != Profile::paper;
+    if (choice.destructible.empty() && choice.protect.empty()) choice.shelter = protection(profile).filters;
     return options;
 }
 
 Material read_in_order(const std::string& source, const Window& window, const ImportOptions& options) {
     Material material{.footprints = read_footprints(source, window, options.choice, options.cell), .survey = {}};
-    if (options.background || options.profile != Profile::paper) {
+    if (options.background || profile_of(options) != Profile::paper) {
         material.survey = read_survey(source, window,
                                       {.scenery = options.background,
-                                       .profile = *options.profile,
+                                       .profile = profile_of(options),
                                        .cell = options.cell,
                                        .choice = options.choice,
                                        .data = material.footprints.extent});
@@ -219,7 +223,7 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
     if (options.merge_touching) cells = merged(cells, joins(seen), !options.choice.weight.of.empty());
     append_ground(ground, pieces, cells);
     if (!options.names) cells.names.clear();
-    if (options.profile == Profile::paper) {
+    if (profile_of(options) == Profile::paper) {
         cells.kinds.clear();
         cells.tags.clear();
     }
@@ -239,7 +243,7 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
                    .sections = std::move(described.sections)};
     ImportReport report{.tiff = std::move(tiff),
                         .covered = material.covered,
-                        .profile = *options.profile,
+                        .profile = profile_of(options),
                         .notes = material.survey.ground.notes};
     for (const Seen& one : seen) {
         if (one.footprint->sheltered) ++report.sheltered;

@@ -21,7 +21,7 @@ struct JudgeOptions {
 // The map that the plan is judged on if its obstacles weigh something else than the map says: their area if the budget
 // is one of square metres (of a map without metres, those that the plan says a cell has), else what `options` say, else
 // their number of cells, where the plan says that of all it removes.
-std::optional<Map> reweighed(const PlanFile& plan, const MapFile& map, const JudgeOptions& options);
+std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const JudgeOptions& options);
 
 // What is wrong with the plan, that it was made for another map included.
 std::vector<Violation> judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options = {});

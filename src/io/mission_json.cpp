@@ -230,8 +230,9 @@ void read_method(const JsonField& field, Method& method) {
 
 MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (document["format"].text() != format) document["format"].fail(std::string("is not ") + format);
-    document.allow({"format", "time_unit", "agents", "rules", "method", "limits", "page"});
+    document.allow({"format", "map", "time_unit", "agents", "rules", "method", "limits", "page"});
     MissionDocument result;
+    if (const auto map = document.find("map")) result.map = map->text();
     if (const auto unit = document.find("time_unit")) result.in_seconds = unit->one_of<bool>({{"s", true}});
     result.limits = limits;
     for (const JsonField& agent : document["agents"].items()) result.mission.agents.push_back(read_agent(agent));
@@ -261,6 +262,7 @@ Json mission_json(const MissionDocument& document) {
     Json agents = Json::array();
     for (const Agent& agent : document.mission.agents) agents.push_back(agent_json(agent));
     Json json{{"format", format}};
+    if (!document.map.empty()) json["map"] = document.map;
     if (document.in_seconds) json["time_unit"] = "s";
     json["agents"] = std::move(agents);
     json["rules"] = rules_json(document);

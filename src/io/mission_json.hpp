@@ -29,6 +29,8 @@ struct MissionDocument {
     bool in_seconds = false;   // a unit of time is a second
     // What is protected beside mission.rules.protect, until the map is known (tagged_obstacles.hpp).
     std::vector<site::TagFilter> protect_tags = {};
+    // Which map it is for, as seen from the document's file; empty where that is said elsewhere.
+    std::string map = {};
 };
 
 // Larger files are refused.

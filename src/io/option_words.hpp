@@ -42,6 +42,10 @@ inline const Words<PlanStatus> status_words{{"solved", PlanStatus::solved},
                                             {"no_plan", PlanStatus::no_plan},
                                             {"limit_reached", PlanStatus::limit_reached},
                                             {"stopped", PlanStatus::stopped}};
+inline const Words<WaitReason> wait_words{{"nothing", WaitReason::nothing},
+                                          {"readiness", WaitReason::readiness},
+                                          {"opening", WaitReason::opening},
+                                          {"agent", WaitReason::agent}};
 
 // Precondition: there is a word for the value.
 template <class Value>

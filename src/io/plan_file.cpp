@@ -113,6 +113,19 @@ Cell end_of(const JsonField& agent, const char* key, const Waypoint& point) {
     return {whole(point.x), whole(point.y)};
 }
 
+Wait wait(const JsonField& field) {
+    const std::vector<JsonField> place = field["at"].items();
+    if (place.size() != 2) field["at"].fail("is not a place, [x, y]");
+    Wait result;
+    result.at = {place[0].number(), place[1].number()};
+    result.from = field["from"].number();
+    result.until = field["until"].number();
+    result.reason = field["reason"].one_of(wait_words);
+    if (const auto obstacle = field.find("obstacle")) result.obstacle = read_obstacle(*obstacle, 0);
+    if (const auto who = field.find("agent")) result.agent = who->text();
+    return result;
+}
+
 Itinerary agent(const JsonField& field) {
     Itinerary result;
     result.id = field["id"].text();
@@ -126,6 +139,10 @@ Itinerary agent(const JsonField& field) {
     if (result.path.empty()) field["path"].fail("is empty");
     result.start = end_of(field, "start", result.path.front());
     result.goal = end_of(field, "goal", result.path.back());
+    result.gain = number_or_null(field.find("gain"));
+    if (const auto waits = field.find("waits")) {
+        for (const JsonField& item : waits->items()) result.waits.push_back(wait(item));
+    }
     return result;
 }
 

@@ -152,17 +152,30 @@ Json next_json(const NextBreach& next, const MapFile& map) {
     return json;
 }
 
+Json wait_json(const Wait& wait) {
+    Json json{{"at", Json::array({coordinate(wait.at.x), coordinate(wait.at.y)})},
+              {"from", number(wait.from)},
+              {"until", number(wait.until)},
+              {"reason", word_of(wait_words, wait.reason)}};
+    if (wait.obstacle) json["obstacle"] = wait.obstacle.value;
+    if (!wait.agent.empty()) json["agent"] = wait.agent;
+    return json;
+}
+
 Json agent_json(const Itinerary& agent) {
     Json path = Json::array();
     for (const Waypoint& point : agent.path) {
         path.push_back(Json::array({coordinate(point.x), coordinate(point.y), number(point.t)}));
     }
-    return {{"id", agent.id},
-            {"kind", word_of(agent_words, agent.kind)},
-            {"speed", number(agent.speed)},
-            {"start", cell_json(agent.start)},
-            {"goal", cell_json(agent.goal)},
-            {"path", std::move(path)}};
+    Json json{{"id", agent.id},
+              {"kind", word_of(agent_words, agent.kind)},
+              {"speed", number(agent.speed)},
+              {"start", cell_json(agent.start)},
+              {"goal", cell_json(agent.goal)}};
+    if (agent.gain) json["gain"] = number(agent.gain);
+    for (const Wait& wait : agent.waits) json["waits"].push_back(wait_json(wait));
+    json["path"] = std::move(path);
+    return json;
 }
 
 // One step of the front: what so many removals reach.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/number.hpp"
 #include "core/range.hpp"
 #include "io/output_file.hpp"
 #include "movingai/text_lines.hpp"

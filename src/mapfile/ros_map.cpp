@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/in_quotes.hpp"
+#include "core/number.hpp"
 #include "io/shortest_text.hpp"
 #include "map/label.hpp"
-#include "movingai/text_lines.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::mapfile {

@@ -1,6 +1,9 @@
 #include "mission/explain.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "mission/waits.hpp"
 
 namespace waybreaker {
 namespace {
@@ -51,6 +54,45 @@ void explain(const Task& task, const Searchers& searchers, Selector& selector, c
         plan.next.push_back({id, task.map.obstacle(id).source_id, gain});
         return;
     }
+}
+
+void explain_team(const Map& map, const Mission& mission, const Deadline& deadline,
+                  const std::function<Plan(const Mission&)>& planned, Plan& plan) {
+    const Objective objective = mission.rules.objective;
+    const auto reached_by = [objective](const Plan& made) {
+        return value(made.after, objective).value_or(std::numeric_limits<double>::infinity());
+    };
+    const double reached = reached_by(plan);
+    for (Breach& breach : plan.breaches) {
+        Mission without = mission;
+        without.rules.protect.push_back(breach.obstacle);
+        std::erase(without.rules.force, breach.obstacle);
+        const Plan other = planned(without);
+        if (deadline.passed() || (other.status != PlanStatus::solved && other.status != PlanStatus::no_plan)) return;
+        breach.saves = reached_by(other) - reached;
+    }
+    Mission more = mission;
+    ++more.rules.removals;
+    const Plan other = planned(more);
+    if (deadline.passed() || other.status != PlanStatus::solved) return;
+    const double gain = reached - reached_by(other);
+    if (gain <= 0 || other.breaches.size() <= std::size_t(mission.rules.removals)) return;
+    for (const Breach& breach : other.breaches) {
+        if (std::ranges::find(plan.breaches, breach.obstacle, &Breach::obstacle) != plan.breaches.end()) continue;
+        plan.next.push_back({breach.obstacle, map.obstacle(breach.obstacle).source_id, gain});
+        return;
+    }
+}
+
+void explain_agents(const Map& map, const Mission& mission, Plan& plan) {
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        const Agent& agent = mission.agents[i];
+        if (agent.kind == AgentKind::air) continue;
+        const Route& alone = mission.is_team() ? plan.before.routes[i] : plan.before.ground();
+        if (!alone.length) continue;
+        plan.agents[i].gain = agent.ready_at + *alone.length / agent.speed - plan.agents[i].path.back().t;
+    }
+    add_waits(map, mission, plan);
 }
 
 }  // namespace waybreaker

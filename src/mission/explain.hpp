@@ -1,6 +1,9 @@
 // What each removal is worth.
 #pragma once
 
+#include <functional>
+
+#include "core/stopwatch.hpp"
 #include "select/selector.hpp"
 #include "waybreaker/plan.hpp"
 
@@ -10,5 +13,13 @@ namespace waybreaker {
 // which obstacle one removal more would take. What there is no time for stays empty.
 void explain(const Task& task, const Searchers& searchers, Selector& selector, const Candidate& baseline,
              const Candidate& best, Plan& plan);
+
+// The same for a team: `planned` plans it under other rules, and there is time until the deadline.
+void explain_team(const Map& map, const Mission& mission, const Deadline& deadline,
+                  const std::function<Plan(const Mission&)>& planned, Plan& plan);
+
+// Fills in what each ground agent gains, and where and for what it waits. REQUIRES: the plan is solved, and its agents
+// are the mission's.
+void explain_agents(const Map& map, const Mission& mission, Plan& plan);
 
 }  // namespace waybreaker

@@ -55,11 +55,32 @@ std::vector<Breach> breaches(const Task& task, const Schedule& schedule, std::sp
     return breaches;
 }
 
+// The plan first, as if nothing were to be explained; that takes what time is left.
+Plan explained_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                    Searcher& searcher, CrossingSearcher& crossing) {
+    const Stopwatch total;
+    const Deadline deadline(limits.seconds);
+    Plan plan = plan_team(map, mission, method, limits, searcher, crossing);
+    if (!method.explain || plan.status != PlanStatus::solved) return plan;
+    explain_team(
+        map, mission, deadline,
+        [&](const Mission& other) {
+            Limits left = limits;
+            left.seconds = std::max(deadline.left(), 1e-3);
+            left.progress = nullptr;
+            return plan_team(map, other, method, left, searcher, crossing);
+        },
+        plan);
+    explain_agents(map, mission, plan);
+    plan.seconds.total = total.seconds();
+    return plan;
+}
+
 }  // namespace
 
 Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
-    if (mission.is_team()) return plan_team(map, mission, method, limits, searcher_, crossing_);
+    if (mission.is_team()) return explained_team(map, mission, method, limits, searcher_, crossing_);
     const Task task = task_of(map, mission, method, limits);
     const Stopwatch total;
     const Searchers searchers{searcher_, crossing_};
@@ -102,7 +123,10 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
             plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
         }
         if (least) plan.least_demolition = least->least;
-        if (method.explain) explain(task, searchers, *selector, baseline, best, plan);
+        if (method.explain) {
+            explain(task, searchers, *selector, baseline, best, plan);
+            explain_agents(map, mission, plan);
+        }
     }
     const auto limited = [](const Candidate& candidate) { return candidate.opening.limited; };
     plan.limit_reached = selected.limited || (least && least->limited) || limited(baseline) || limited(start) ||

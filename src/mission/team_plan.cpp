@@ -6,31 +6,18 @@
 #include "coalition/coalition.hpp"
 #include "core/stopwatch.hpp"
 #include "mission/plan_status.hpp"
+#include "plan/objective.hpp"
 #include "plan/timeline.hpp"
 #include "team/team.hpp"
 
 namespace waybreaker {
 namespace {
 
-// The figures of an outcome, from when each agent is at its goal.
-class Arrivals {
-  public:
-    void add(AgentKind kind, double time) {
-        flowtime_ += time;
-        makespan_ = std::max(makespan_, time);
-        if (kind == AgentKind::ground) ground_makespan_ = std::max(ground_makespan_, time);
-    }
-    void fill(Outcome& outcome) const {
-        outcome.makespan = makespan_;
-        outcome.flowtime = flowtime_;
-        outcome.ground_makespan = ground_makespan_;
-    }
-
-  private:
-    double flowtime_ = 0;
-    double makespan_ = 0;
-    double ground_makespan_ = 0;
-};
+void set_figures(Outcome& outcome, const Finish& finish) {
+    outcome.makespan = finish.makespan();
+    outcome.flowtime = finish.flowtime;
+    outcome.ground_makespan = finish.ground;
+}
 
 Route flight(const Agent& agent) {
     Route route;
@@ -61,8 +48,8 @@ std::vector<Point> places(std::span<const Waypoint> path) {
 
 // Every agent as if it were alone, and the earliest that each can arrive; no figures of all where one has no way.
 void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, Plan& plan) {
-    Arrivals alone;
-    Arrivals least;
+    Finish alone;
+    Finish least;
     bool all = true;
     plan.before.routes.clear();
     auto vehicle = vehicles.begin();
@@ -82,10 +69,8 @@ void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, 
         }
     }
     if (!all) return;
-    alone.fill(plan.before);
-    Outcome bound;
-    least.fill(bound);
-    plan.bound = value(bound, mission.rules.objective);
+    set_figures(plan.before, alone);
+    plan.bound = rank(mission.rules.objective, least).first;
 }
 
 // Where the aircraft fly: in the mission's order, each straight unless it breaches.
@@ -100,7 +85,7 @@ Flights straight_flights(const Mission& mission) {
 }
 
 void add_paths(const Mission& mission, team::TeamPlan& team, Flights flights, Plan& plan) {
-    Arrivals arrivals;
+    Finish finish;
     plan.after.routes.clear();
     std::size_t vehicle = 0;
     std::size_t aircraft = 0;
@@ -118,11 +103,11 @@ void add_paths(const Mission& mission, team::TeamPlan& team, Flights flights, Pl
             plan.after.routes.push_back(drive(team.vehicles[vehicle], places(path)));
             ++vehicle;
         }
-        arrivals.add(agent.kind, path.back().t);
+        finish.add(agent.kind, path.back().t);
         plan.agents.push_back({agent.id, agent.kind, agent.speed, std::move(path), agent.start, agent.goal});
     }
-    arrivals.fill(plan.after);
-    const double reached = value(plan.after, mission.rules.objective).value_or(0);
+    set_figures(plan.after, finish);
+    const double reached = rank(mission.rules.objective, finish).first;
     const double bound = std::min(plan.bound.value_or(0), reached);
     plan.bound = bound;
     plan.gap = bound > 0 ? reached / bound - 1 : 0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/number.hpp"
 #include "movingai/text_lines.hpp"
 
 namespace waybreaker {

@@ -1,10 +1,8 @@
-// Text cut into lines, words and numbers, with the line number that errors name.
+// Text cut into lines and words, with the line number that errors name.
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,15 +50,6 @@ inline std::vector<std::string_view> words(std::string_view line) {
         begin = end;
     }
     return found;
-}
-
-// The number a word is, if it is one from end to end.
-template <class Number>
-std::optional<Number> number(std::string_view word) {
-    Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
 }
 
 }  // namespace waybreaker

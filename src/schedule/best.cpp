@@ -24,13 +24,13 @@ class Best {
     Best(const Course& course, const Tour& shortest, const Deadline& deadline)
         : course_(course),
           deadline_(deadline),
-          rounding_(1e-9 * (1 + course.finish(shortest).flowtime())),
+          rounding_(1e-9 * (1 + course.finish(shortest).flowtime)),
           shortest_(course.finish(shortest)),
           tour_(shortest),
           rank_(rank_of(shortest_)) {
         if (shortest_.ground <= course_.unhindered() + rounding_) return;  // both agents finish as early as they can
         consider(improved_tour(course_, shortest, rounding_, deadline_));
-        if (rank_.first <= rank_of({course_.unhindered(), shortest_.air}).first + rounding_) return;
+        if (rank_.first <= rank_of(finish_of_two(course_.unhindered(), shortest_.air)).first + rounding_) return;
         consider(improved_tour(course_, in_order_of_entry(shortest), rounding_, deadline_));
     }
 
@@ -45,14 +45,14 @@ class Best {
             bool halve;
         };
         const double first = course_.unhindered();
-        if (promises({first, shortest_.air})) fastest(first, first);
+        if (promises(finish_of_two(first, shortest_.air))) fastest(first, first);
         std::vector<Stretch> open{{first, shortest_.ground, shortest_.air, false}};
         while (!open.empty()) {
             const Stretch stretch = open.back();
             open.pop_back();
             if (deadline_.passed()) return false;
             if (stretch.ground_high - stretch.ground_low <= 4 * rounding_) continue;
-            if (!promises({stretch.ground_low + 2 * rounding_, stretch.air_low})) continue;
+            if (!promises(finish_of_two(stretch.ground_low + 2 * rounding_, stretch.air_low))) continue;
             const bool sum = objective() == Objective::flowtime;
             const double last_useful = rank_.first - (sum ? stretch.air_low : 0);
             const double top = std::min(stretch.ground_high - 2 * rounding_, last_useful);

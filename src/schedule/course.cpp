@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "plan/timeline.hpp"
 
@@ -10,24 +11,19 @@ namespace waybreaker {
 Course::Course(const Map& map, const ScheduleTask& task) : task_(task), targets_(targets_of(map, task.removed)) {
     const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed);
     unhindered_ = driven.back().t;
-    for (const Target& target : targets_) {
-        breachings_.push_back(breaching_of(map, task, driven, target.obstacle));
-        stays_ += breachings_.back().stay;
+    Drive drive{unhindered_};
+    std::vector<double> stays;
+    for (std::size_t target = 0; target < targets_.size(); ++target) {
+        const Breaching& breaching =
+            breachings_.emplace_back(breaching_of(map, task, driven, targets_[target].obstacle));
+        if (!std::isinf(breaching.needed_by)) drive.passages.push_back({target, breaching.needed_by});
+        stays.push_back(breaching.stay);
+        stays_ += breaching.stay;
     }
+    precedence_ = Precedence({&task.flyer}, std::move(stays));
+    precedence_.add_vehicle({std::move(drive)});
     const double across = std::hypot(map.width(), map.height());
     longest_tour_ = across * double(targets_.size() + 1);
-}
-
-Finish Course::finish(const Tour& tour) const {
-    Finish finish{unhindered_, 0};
-    Cell at = start();
-    for (const Stop& stop : tour) {
-        finish.air += distance(at, stop.at) / task_.flyer.speed + breachings_[stop.target].stay;
-        finish.ground = std::max(finish.ground, unhindered_ + lateness(stop.target, finish.air));
-        at = stop.at;
-    }
-    finish.air += distance(at, goal()) / task_.flyer.speed;
-    return finish;
 }
 
 Deadlines Course::deadlines(double ground_finish) const {

@@ -9,17 +9,11 @@
 
 #include "flight/exact.hpp"
 #include "flight/target.hpp"
+#include "schedule/precedence.hpp"
 #include "schedule/timetable.hpp"
 #include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
-
-struct Finish {
-    double ground = 0;
-    double air = 0;
-    double makespan() const { return ground > air ? ground : air; }
-    double flowtime() const { return ground + air; }
-};
 
 class Course {
   public:
@@ -37,7 +31,7 @@ class Course {
     // How long the ground agent would have to wait for a target; negative if it comes later.
     double lateness(std::size_t target, double cleared_at) const { return cleared_at - breachings_[target].needed_by; }
 
-    Finish finish(const Tour& tour) const;
+    Finish finish(const Tour& tour) const { return precedence_.finish(std::span(&tour, 1)); }
 
     // What a tour must meet so that the ground agent finishes by a certain time; and how far it may go so that the air
     // agent does.
@@ -49,6 +43,7 @@ class Course {
     std::vector<Target> targets_;
     double unhindered_ = 0;
     std::vector<Breaching> breachings_;
+    Precedence precedence_;    // of one vehicle and one aircraft
     double stays_ = 0;         // of all together
     double longest_tour_ = 0;  // cells; no tour without a detour is longer
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "schedule/rank.hpp"
+#include "schedule/tour_times.hpp"
 
 namespace waybreaker {
 namespace {
@@ -52,27 +53,28 @@ class LocalSearch {
     bool better_cell(std::size_t i) {
         const std::size_t target = tour_[i].target;
         const double stay = course_.breaching(target).stay;
-        double time = 0;
         double left = 0;   // when the stop before is left
         double here = 0;   // when this one is left
         double early = 0;  // the worst lateness of the stops before, and after
         double late = -std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < tour_.size(); ++k) {
-            if (k == i) left = time;
-            time += flying(before(k), at(k)) + course_.breaching(tour_[k].target).stay;
-            if (k == i) here = time;
-            if (k < i) early = std::max(early, course_.lateness(tour_[k].target, time));
-            if (k > i) late = std::max(late, course_.lateness(tour_[k].target, time));
-        }
+        std::size_t k = 0;
+        const auto pass = [&](const Stop& stop, double, double cleared) {
+            if (k < i) left = cleared;
+            if (k == i) here = cleared;
+            double& worst = k < i ? early : late;
+            if (k != i) worst = std::max(worst, course_.lateness(stop.target, cleared));
+            ++k;
+        };
+        const double end = fly(
+            course_.task().flyer, tour_, [this](std::size_t t) { return course_.breaching(t).stay; }, pass);
         const double onward = flying(at(i), at(i + 1));
-        const double end = time + flying(before(tour_.size()), course_.goal());
 
         bool found = false;
         for (const Cell c : cells_[target]) {
             const double cleared = left + flying(before(i), c) + stay;
             const double delay = cleared + flying(c, at(i + 1)) - here - onward;
             const double wait = std::max({early, course_.lateness(target, cleared), late + delay});
-            const Rank changed = rank_of({course_.unhindered() + wait, end + delay});
+            const Rank changed = rank_of(finish_of_two(course_.unhindered() + wait, end + delay));
             if (!better(changed, rank_, rounding_)) continue;
             rank_ = changed;
             tour_[i].at = c;

@@ -1,29 +1,11 @@
-// Rank: how good it is to finish at certain times, for an objective. Ties of the flowtime go to the makespan, all
-// others to the flowtime.
+// Ranks of one ground and one air agent: what the air agent must keep to for a rank, and which of two is better.
 #pragma once
 
 #include <limits>
 
-#include "schedule/course.hpp"
+#include "plan/objective.hpp"
 
 namespace waybreaker {
-
-struct Rank {
-    double first = 0;
-    double second = 0;
-};
-
-inline Rank rank(Objective objective, const Finish& finish) {
-    switch (objective) {
-        case Objective::makespan:
-            return {finish.makespan(), finish.flowtime()};
-        case Objective::flowtime:
-            return {finish.flowtime(), finish.makespan()};
-        case Objective::ground_makespan:
-            break;
-    }
-    return {finish.ground, finish.flowtime()};
-}
 
 // When the air agent must be done so that a rank's first figure can be `first`, the ground agent not finishing before
 // `ground`.

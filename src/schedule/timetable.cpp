@@ -7,6 +7,7 @@
 
 #include "core/range.hpp"
 #include "plan/timeline.hpp"
+#include "schedule/tour_times.hpp"
 
 namespace waybreaker {
 
@@ -35,20 +36,11 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
     schedule.flight = flight;
 
     // The air agent stays at each breach point until the obstacle is gone.
-    const auto fly_to = [&](Cell to) {
-        const Waypoint& from = schedule.air.back();
-        const double t = from.t + distance(Point(from.x, from.y), to) / task.flyer.speed;
-        schedule.air.push_back({double(to.x), double(to.y), t});
-    };
-    schedule.air.push_back({double(task.flyer.start.x), double(task.flyer.start.y), 0});
-    for (std::size_t i = 0; i < breachings.size(); ++i) {
-        fly_to(flight.breaches[i].at);
-        Waypoint there = schedule.air.back();
-        there.t += breachings[i].stay;
-        if (breachings[i].stay > 0) schedule.air.push_back(there);
-        schedule.cleared_at.push_back(there.t);
-    }
-    fly_to(task.flyer.goal);
+    Tour tour;
+    for (const BreachPoint& breach : flight.breaches) tour.push_back({tour.size(), breach.at});
+    const auto stay = [&](std::size_t target) { return breachings[target].stay; };
+    schedule.air = flown(task.flyer, tour, stay);
+    fly(task.flyer, tour, stay, [&](const Stop&, double, double cleared) { schedule.cleared_at.push_back(cleared); });
 
     // The ground agent waits for each obstacle at the last turn before it touches it: how long it is delayed from each
     // turn on.

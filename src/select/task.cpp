@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "plan/objective.hpp"
 #include "waybreaker/flight.hpp"
 
 namespace waybreaker {
@@ -37,15 +38,7 @@ Task Task::within(double share_of_time) const {
 }
 
 double Task::objective(double ground_time, double air_time) const {
-    switch (rules.objective) {
-        case Objective::makespan:
-            return std::max(ground_time, air_time);
-        case Objective::flowtime:
-            return ground_time + air_time;
-        case Objective::ground_makespan:
-            break;
-    }
-    return ground_time;
+    return rank(rules.objective, finish_of_two(ground_time, air_time)).first;
 }
 
 double Task::spare_budget() const {

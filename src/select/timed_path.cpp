@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "plan/timeline.hpp"
+#include "select/punctual.hpp"
 #include "select/shortened.hpp"
 
 namespace waybreaker {
@@ -19,11 +21,9 @@ bool waits(const Task& task, const Candidate& candidate) {
     return candidate.schedule.ground.back().t > driven * (1 + rounding);
 }
 
-CrossingOptions options_for(const Task& task, std::span<const ObstacleId> crossed) {
+CrossingOptions options_for(const Task& task) {
     CrossingOptions options;
     options.body = task.driver.body;
-    options.crossings = int(crossed.size());
-    options.only = crossed;
     options.limits = limits_of(task, task.deadline.left());
     return options;
 }
@@ -32,7 +32,9 @@ CrossingOptions options_for(const Task& task, std::span<const ObstacleId> crosse
 std::optional<Opening> other_path(const Task& task, const Searchers& searchers, Candidate& known) {
     const Stopwatch watch;
     const Schedule& schedule = known.schedule;
-    CrossingOptions options = options_for(task, known.opening.removed);
+    CrossingOptions options = options_for(task);
+    options.crossings = int(known.opening.removed.size());
+    options.only = known.opening.removed;
     options.length_limit = schedule.ground.back().t * task.driver.speed * (1 - rounding);
     options.opened_after = [&](std::span<const ObstacleId> obstacles) {
         double last = 0;
@@ -56,6 +58,19 @@ std::optional<Opening> other_path(const Task& task, const Searchers& searchers, 
     return opening;
 }
 
+// The path of a candidate, bent so that the agent comes when obstacles open.
+std::vector<Point> bent_for(const Task& task, const Candidate& candidate) {
+    std::vector<TimedOpening> openings;
+    for (std::size_t i = 0; i < candidate.schedule.cleared_at.size(); ++i) {
+        openings.push_back({candidate.schedule.flight.breaches[i].obstacle, candidate.schedule.cleared_at[i]});
+    }
+    std::vector<Cell> path;
+    for (const Point p : candidate.opening.ground.path) path.push_back(cell_of(p));
+    const OpenedMap opened(task.map, candidate.opening.removed);
+    const std::vector<Cell> bent = punctual(opened, task.driver, std::move(path), std::move(openings)).path;
+    return {bent.begin(), bent.end()};
+}
+
 }  // namespace
 
 Opening drivable(const Task& task, const Searchers& searchers, const CrossingPath& path,
@@ -74,8 +89,9 @@ Opening drivable(const Task& task, const Searchers& searchers, const CrossingPat
             *ground.length += distance(from, to);
             continue;
         }
-        const CrossingResult leg =
-            searchers.crossing.find(task.map, cell_of(from), cell_of(to), options_for(task, (gate++)->crossed));
+        CrossingOptions options = options_for(task);
+        options.removed = (gate++)->crossed;  // a gate may be where one of them stood
+        const CrossingResult leg = searchers.crossing.find(task.map, cell_of(from), cell_of(to), options);
         if (leg.best.path.empty()) {
             return {std::move(opening.removed), leg.status, {}, leg.status == SearchStatus::limit_reached};
         }
@@ -94,6 +110,16 @@ Candidate timed_candidate(const Task& task, const Searchers& searchers, Opening 
         std::optional<Opening> other = other_path(task, searchers, best);
         if (!other || other->ground.path == best.opening.ground.path) break;
         Candidate next = candidate_of(task, std::move(*other));
+        if (!(cost(task, next) < cost(task, best) * (1 - rounding))) break;
+        best = std::move(next);
+    }
+    // The search moves a square, which touches obstacles before the disc does.
+    while (waits(task, best) && !task.deadline.passed()) {
+        Opening other = best.opening;
+        other.ground.path = bent_for(task, best);
+        if (other.ground.path == best.opening.ground.path) break;
+        other.ground.length = path_length(other.ground.path);
+        Candidate next = candidate_of(task, std::move(other));
         if (!(cost(task, next) < cost(task, best) * (1 - rounding))) break;
         best = std::move(next);
     }

@@ -16,7 +16,7 @@ namespace waybreaker::server {
 
 class HeadCheck {
   public:
-    static constexpr std::size_t most_bytes = 32 * 1024;  // of a head
+    static constexpr std::size_t most_bytes = std::size_t{32} * 1024;  // of a head
     static constexpr std::size_t most_fields = 100;
     static constexpr std::size_t longest_target = 8192;
 

@@ -89,7 +89,7 @@ class Listener::Impl : public SessionHost {
     void drain();
     std::size_t limit_for(const Client& client) const;
     // Closes one of these sessions that can be closed without losing a request. Whether there was one.
-    bool make_room(const std::vector<Session*>& sessions);
+    static bool close_one_of(const std::vector<Session*>& sessions);
     std::vector<Session*> sessions_of(const Client& client) const;
     // The sessions of the client that has the most.
     std::vector<Session*> largest_group() const;
@@ -123,7 +123,7 @@ void Listener::Impl::accepted(const Error& error, tcp::socket socket) {
     if (draining_) return;
     if (!error) return admit(std::move(socket));
     // No file descriptor is left, or the client is gone already.
-    make_room(largest_group());
+    close_one_of(largest_group());
     pause_.expires_after(pause);
     pause_.async_wait([this](const Error&) { accept(); });
 }
@@ -132,8 +132,8 @@ void Listener::Impl::admit(tcp::socket socket) {
     Error error;
     const Client client = client_of(socket.remote_endpoint(error).address());
     const bool too_many = sessions_of(client).size() >= limit_for(client);
-    const bool may_stay = !too_many || make_room(sessions_of(client));
-    if (may_stay && sessions_.size() >= options_.connections && !make_room(largest_group())) {
+    const bool may_stay = !too_many || close_one_of(sessions_of(client));
+    if (may_stay && sessions_.size() >= options_.connections && !close_one_of(largest_group())) {
         pending_.emplace(std::move(socket));
         return;
     }
@@ -152,12 +152,12 @@ bool Listener::Impl::take_memory(std::size_t bytes) {
 
 void Listener::Impl::on_answered(Session& session) {
     if (draining_) return session.close();
-    if (pending_) make_room(largest_group());
+    if (pending_) close_one_of(largest_group());
 }
 
 void Listener::Impl::on_closed(Session& session) {
     sessions_.erase(&session);
-    if (pending_) admit(*std::exchange(pending_, {}));
+    if (auto next = std::exchange(pending_, {})) admit(std::move(*next));
     if (draining_ && sessions_.empty()) work_.reset();
 }
 
@@ -168,7 +168,7 @@ std::size_t Listener::Impl::limit_for(const Client& client) const {
 
 // Sessions between two requests are closed first, then those whose request is incomplete; of each the one that has been
 // in that phase longest.
-bool Listener::Impl::make_room(const std::vector<Session*>& sessions) {
+bool Listener::Impl::close_one_of(const std::vector<Session*>& sessions) {
     const auto order = [](const Session* session) {
         return std::pair(session->phase() != Session::Phase::idle, session->since());
     };

@@ -72,7 +72,7 @@ std::string tag_of(const StoredMap& map, const std::string& part) {
 
 // A response that clients can cache and revalidate.
 Answer tagged(const Call& call, MapStore& store, const std::string& part,
-              std::function<Response(const SharedMap&)> answer) {
+              const std::function<Response(const SharedMap&)>& answer) {
     return of_map(store, call.id, [headers = call.request.headers, part, answer](const SharedMap& map) {
         const std::string tag = tag_of(*map, part);
         if (has_already(headers, tag)) return not_changed(tag);

@@ -187,7 +187,8 @@ bool Session::admit() {
     if (!admission.body) reader_.drop_body();
     if (!admission.refusal) return true;
     refused_ = true;
-    last_ = last_ || !reader_.length() || *reader_.length() > most_skipped || reader_.expects_continue();
+    const bool short_enough = reader_.length().value_or(most_skipped + 1) <= most_skipped;
+    last_ = last_ || !short_enough || reader_.expects_continue();
     reader_.drop_body();
     start(std::move(*admission.refusal));
     return false;

@@ -78,7 +78,7 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
 
     void begin_events();
     void tick();
-    void send_piece(std::string piece);
+    void send_piece(const std::string& piece);
     void piece_sent(bool failed);
 
     boost::asio::ip::tcp::socket socket_;

@@ -123,11 +123,11 @@ void Session::tick() {
     if (sending_piece_) {
         if (Clock::now() - write_began_ > host_.options().timeouts.writing) close();
     } else if (!text.empty() || !head_.empty()) {
-        send_piece(std::move(text));
+        send_piece(text);
     }
 }
 
-void Session::send_piece(std::string piece) {
+void Session::send_piece(const std::string& piece) {
     sending_piece_ = true;
     piece_ = std::exchange(head_, {}) + (takes_chunks_ ? chunk(piece) : piece);
     write_began_ = Clock::now();
@@ -139,11 +139,11 @@ void Session::piece_sent(bool failed) {
     sending_piece_ = false;
     if (phase_ != Phase::serving) return;
     if (failed) return close();
-    if (!last_piece_) return;
+    const std::optional<std::string> last = std::exchange(last_piece_, {});
+    if (!last) return;
     // The last piece is written like any other response.
     host_.release_memory(std::exchange(memory_, 0));
-    std::string end =
-        takes_chunks_ ? chunk(*std::exchange(last_piece_, {})) + "0\r\n\r\n" : *std::exchange(last_piece_, {});
+    std::string end = takes_chunks_ ? chunk(*last) + "0\r\n\r\n" : *last;
     waiting_ = {};
     body_ = std::move(end);
     sent_ = 0;

@@ -19,9 +19,8 @@ std::string removals_text(const Demolition& demolition) {
 }
 
 std::string removals_text(const Demolition& demolition, const Sections& sections) {
-    const std::string text = removals_text(demolition);
-    if (demolition.structures.empty()) return text;
-    return text + " in " + structures_text(sections, demolition.structures);
+    if (demolition.structures.empty()) return removals_text(demolition);
+    return removals_text(demolition) + " in " + structures_text(sections, demolition.structures);
 }
 
 std::string area_text(double square_metres) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "plan/objective.hpp"
 #include "safe_interval/driven.hpp"
 
 namespace waybreaker::team {
@@ -11,6 +12,24 @@ namespace {
 // In radii driven at its speed: time enough to get out of the way in most cases.
 constexpr double first_hold = 8;
 constexpr double longest_hold = 1e9;
+
+struct Times {
+    double from;
+    double to;
+};
+
+// When any of them moves, one after the other.
+std::vector<Times> moves_of(std::span<const Path> paths) {
+    std::vector<Times> moves;
+    for (const Path& path : paths) {
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            const bool stands = path[i].x == path[i - 1].x && path[i].y == path[i - 1].y;
+            if (!stands) moves.push_back({path[i - 1].t, path[i].t});
+        }
+    }
+    std::ranges::sort(moves, {}, &Times::from);
+    return moves;
+}
 
 }  // namespace
 
@@ -42,19 +61,17 @@ void Fleet::hold_as_at_first() {
 
 Cost Fleet::cost() const {
     Cost cost;
-    double flowtime = 0;
-    double makespan = 0;
+    Finish finish;
     for (std::uint32_t i = 0; i < size(); ++i) {
         if (!has_path(i)) {
             ++cost.missing;
             continue;
         }
-        flowtime += arrival(i);
-        makespan = std::max(makespan, arrival(i));
+        finish.add(AgentKind::ground, arrival(i));
     }
-    const bool sums = rules_.objective == Objective::flowtime;
-    cost.first = sums ? flowtime : makespan;
-    cost.second = sums ? makespan : flowtime;
+    const Rank figures = rank(rules_.objective, finish);
+    cost.first = figures.first;
+    cost.second = figures.second;
     return cost;
 }
 
@@ -112,6 +129,30 @@ void Fleet::put(std::uint32_t i, Path path) {
     paths_[i] = std::move(path);
     traffic_.remove(i);
     traffic_.add(i, paths_[i], vehicles_[i].agent.body.reach(), rules_.at_goal == AtGoal::stay);
+}
+
+void Fleet::skip_standstill() {
+    // By then all may leave, and all is open.
+    double settled = 0;
+    for (const Vehicle& vehicle : vehicles_) settled = std::max(settled, vehicle.agent.ready_at);
+    for (const TimedOpening& opening : ground_.openings) settled = std::max(settled, opening.at);
+    std::vector<Times> skipped;
+    for (const Times& move : moves_of(paths_)) {
+        const double rounding = 1e-9 * std::max(move.from, 1.0);
+        if (move.from > settled + rounding) skipped.push_back({settled, move.from});
+        settled = std::max(settled, move.to);
+    }
+    if (skipped.empty()) return;
+    for (std::uint32_t i = 0; i < size(); ++i) {
+        Path path = paths_[i];
+        double before = 0;  // rounding must not turn time back
+        for (Waypoint& point : path) {
+            double saved = 0;
+            for (const Times& times : skipped) saved += std::clamp(point.t, times.from, times.to) - times.from;
+            before = point.t = std::max(before, point.t - saved);
+        }
+        put(i, std::move(path));
+    }
 }
 
 std::vector<std::uint32_t> Fleet::in_its_way(std::uint32_t i) const {

@@ -54,6 +54,9 @@ class Fleet {
     void put(std::uint32_t i, Path path);
     // Those that it would meet, were it to drive as if it were alone.
     std::vector<std::uint32_t> in_its_way(std::uint32_t i) const;
+    // Leaves out the times at which all of them stand and nothing opens: one may wait for a start that was kept free
+    // for long, the others for it. REQUIRES: all have a path.
+    void skip_standstill();
     // Its start was passed by others before it could leave: they will have to leave it more time.
     void hold_longer(std::uint32_t i) { hold_[i] *= 2; }
     void hold_as_at_first();

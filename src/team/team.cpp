@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "plan/objective.hpp"
 #include "team/neighbourhoods.hpp"
 
 namespace waybreaker::team {
@@ -44,13 +45,9 @@ void plan_all(const TeamPlan& plan, Objective objective, const Interrupts& inter
 
 // The objective if nobody lost time on the others.
 double alone(std::span<const Vehicle> vehicles, Objective objective) {
-    double sum = 0;
-    double last = 0;
-    for (const Vehicle& vehicle : vehicles) {
-        sum += vehicle.alone;
-        last = std::max(last, vehicle.alone);
-    }
-    return objective == Objective::flowtime ? sum : last;
+    Finish finish;
+    for (const Vehicle& vehicle : vehicles) finish.add(AgentKind::ground, vehicle.alone);
+    return rank(objective, finish).first;
 }
 
 }  // namespace
@@ -79,9 +76,11 @@ TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const R
         return plan;
     }
     plan.status = SearchStatus::found;
+    fleet.skip_standstill();
     improved(fleet.cost());
     const double enough = close > 0 ? alone(plan.vehicles, rules.objective) * (1 + close) : 0;
     search.improve(enough, [&] { improved(fleet.cost()); });
+    fleet.skip_standstill();
     plan.limited = interrupts.due();
     for (std::uint32_t i = 0; i < fleet.size(); ++i) plan.paths.push_back(fleet.path(i));
     return plan;

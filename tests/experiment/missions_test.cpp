@@ -95,5 +95,37 @@ TEST(DrawMissions, SayThatTheMapHasNoSuchPairs) {
     EXPECT_NE(input_error([&] { draw_missions(closed, {.pairs = 1, .min_distance = 0}); }), "");
 }
 
+TEST(DrawMissions, MakeTeamsOfThePairs) {
+    const Map map = walled();
+    MissionRules near = rules;
+    near.pairs = 2000;
+    const std::vector<Scenario> pairs = draw_missions(map, near).kept;
+    Rules of_team;
+    of_team.objective = Objective::flowtime;
+    const std::vector<Mission> teams = teams_of(map, pairs, {5, 7}, of_team);
+    ASSERT_GT(teams.size(), 3U);
+    EXPECT_LE(teams.size(), pairs.size() / 5);
+    std::size_t pair = 0;
+    for (const Mission& team : teams) {
+        ASSERT_EQ(team.agents.size(), 12U);
+        validate(map, team);
+        EXPECT_EQ(team.rules.objective, Objective::flowtime);
+        for (std::size_t i = 0; i < 12; ++i) {
+            const Agent& agent = team.agents[i];
+            EXPECT_EQ(agent.kind, i < 5 ? AgentKind::ground : AgentKind::air);
+            if (i >= 5) {
+                EXPECT_EQ(agent.start, team.agents[(i - 5) % 5].start);
+                EXPECT_EQ(agent.goal, team.agents[(i - 5) % 5].goal);
+                continue;
+            }
+            // Each pair once, in order; some are left out.
+            while (pair < pairs.size() && (pairs[pair].start != agent.start || pairs[pair].goal != agent.goal)) ++pair;
+            ASSERT_LT(pair++, pairs.size());
+        }
+    }
+    EXPECT_EQ(teams_of(map, pairs, {1, 1}, {}).size(), pairs.size());
+    EXPECT_FALSE(teams_of(map, pairs, {1, 1}, {}).front().is_team());
+}
+
 }  // namespace
 }  // namespace waybreaker::experiment

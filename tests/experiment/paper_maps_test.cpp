@@ -45,7 +45,7 @@ TEST(PaperMaps, HaveTheMissionsThatTheirCommandDraws) {
     const std::string name = "monaco-02.tif";
     std::vector<Cell> listed;
     for (const ExperimentMission& mission : experiment.missions) {
-        if (experiment.maps[mission.map].name == name) listed.push_back(mission.start);
+        if (experiment.maps[mission.map].name == name) listed.push_back(mission.start());
     }
     std::vector<Cell> drawn;
     for (const Scenario& mission : draw_missions(mapfile::read_map_file(folder / name).map, {}).kept) {

@@ -11,7 +11,9 @@
 #include "core/random.hpp"
 #include "experiment/estimate.hpp"
 #include "experiment/figures.hpp"
+#include "mapfile/map_reader.hpp"
 #include "small_experiment.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker::experiment {
 namespace {
@@ -171,6 +173,53 @@ TEST_F(Report, OfNothingIsStillAPage) {
     files = report(summarise(results));
     EXPECT_NE(file("index.html").find("1 missions; every mean is over the 0 of them"), std::string::npos);
     EXPECT_EQ(file("index.html").find("nan"), std::string::npos);
+}
+
+class TeamReport : public SmallExperiment {
+  protected:
+    TeamReport() {
+        const auto row = [](const char* more) {
+            return std::string(R"({"format": "waybreaker-mission/1", "map": "street.map", "agents": [)") +
+                   R"({"id": "a", "kind": "ground", "start": [1, 3], "goal": [11, 3]},)" +
+                   R"({"id": "b", "kind": "ground", "start": [0, 5], "goal": [11, 5]})" + more +
+                   R"(], "rules": {"objective": "flowtime"}})" + "\n";
+        };
+        const char* const air = R"(,{"id": "x", "kind": "air", "start": [1, 3], "goal": [1, 3]})";
+        const char* const in_wall = R"(,{"id": "c", "kind": "ground", "start": [3, 3], "goal": [11, 0]})";
+        put("teams.jsonl", row(air) + row("") + row(in_wall));
+        experiment = read_experiment(
+            put("teams.toml", "missions = 'teams.jsonl'\n[[run]]\nmethods = ['exact', 'none']\nremovals = 1\n"));
+        run_into("r.db");
+    }
+};
+
+TEST_F(TeamReport, ShowsWhatTeamsReachByTheirSize) {
+    Results results(path("r.db"));
+    const Summary summary = summarise(results);
+    const TeamSummary& teams = summary.teams;
+    EXPECT_EQ(teams.sizes, (std::vector<std::string>{"2+0", "2+1", "3+0"}));
+    EXPECT_EQ(teams.missions, 3U);
+    EXPECT_EQ(teams.compared, 2U);
+    ASSERT_EQ(teams.series.size(), 2U);
+    EXPECT_EQ(teams.series[0].name, "exact, 1 removal");
+    EXPECT_EQ(teams.series[1].name, "no removal");
+    EXPECT_EQ(teams.series[0].of(TeamMeasure::solved, 1)->mean, 100);
+    EXPECT_EQ(teams.series[0].of(TeamMeasure::solved, 2)->mean, 0) << "one starts in a wall";
+    EXPECT_FALSE(teams.series[0].of(TeamMeasure::gap, 2).has_value());
+    Mission mission = results.experiment().missions[0].mission;
+    mission.rules.removals = 1;
+    const Plan plan = MissionPlanner().plan(mapfile::read_map_file(path("street.map")).map, mission);
+    ASSERT_EQ(plan.breaches.size(), 1U);
+    EXPECT_NEAR(teams.series[0].of(TeamMeasure::flowtime, 1)->mean, 100 * *plan.after.flowtime / *plan.before.flowtime,
+                1e-9);
+    EXPECT_NEAR(teams.series[0].of(TeamMeasure::gap, 1)->mean, 100 * *plan.gap, 1e-9);
+    EXPECT_NE(teams.series[0].of(TeamMeasure::flowtime, 1)->mean, teams.series[1].of(TeamMeasure::flowtime, 1)->mean);
+    EXPECT_EQ(summary.all.missions, 0U) << "the paper's figures are of pairs";
+    std::vector<std::string> names;
+    for (const ReportFile& file : report(summary)) names.push_back(file.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"team-gap.svg", "team-gap.png", "team-time.svg", "team-time.png",
+                                               "team-success.svg", "team-success.png", "team-flowtime.svg",
+                                               "team-flowtime.png", "index.html"}));
 }
 
 }  // namespace

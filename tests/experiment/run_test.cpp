@@ -78,7 +78,7 @@ TEST_F(RunExperiment, StoresWhatThePlannerSays) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             const Configuration& one = results.experiment().configurations[i];
             if (one.method != Method::paper && one.method != Method::exact) continue;
-            Mission asked = ground_and_air(mission.start, mission.goal);
+            Mission asked = ground_and_air(mission.start(), mission.goal());
             asked.rules.removals = one.removals;
             waybreaker::Method how{.weight = one.weight};
             if (one.method == Method::paper) follow_paper(asked.rules, how);
@@ -192,7 +192,7 @@ TEST_F(RunExperiment, RecordsWhatTakesTooLong) {
 
 TEST_F(RunExperiment, RecordsAJobThatTakesTheProgramDownTwice) {
     const auto crash = [](const ExperimentMission& mission, const Configuration& one, const StopToken&) {
-        if (mission.start == Cell{6, 1} && one.method == Method::greedy && one.removals == 1) std::abort();
+        if (mission.start() == Cell{6, 1} && one.method == Method::greedy && one.removals == 1) std::abort();
     };
     const auto attempt = [&] {
         return status_of_child([&] { run_into("r.db", {.threads = 2, .evaluators = evaluators(crash)}); });

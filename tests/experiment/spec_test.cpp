@@ -31,9 +31,10 @@ TEST(Spec, SaysWhatIsWrongAndWhere) {
     const auto run = [&](const std::string& text) { return message("missions = 'a.scen'\n[[run]]\n" + text); };
     EXPECT_TRUE(message("missions = 'a.scen'\nname = \n").starts_with("s.toml:2: not TOML: "));
     EXPECT_EQ(message("mission = 'a.scen'\n"), "s.toml:1: unknown key 'mission': use name, missions, time_limit, run");
-    EXPECT_EQ(message("[[run]]\n"), "s.toml: 'missions' is missing: a list of MovingAI scenario files");
+    EXPECT_EQ(message("[[run]]\n"),
+              "s.toml: 'missions' is missing: a list of scenario files or files of mission documents");
     EXPECT_EQ(message("missions = []\n"), "s.toml:1: 'missions' is an empty list");
-    EXPECT_EQ(message("missions = 7\n"), "s.toml:1: the name of a scenario file must be a text, such as \"...\"");
+    EXPECT_EQ(message("missions = 7\n"), "s.toml:1: the name of a file of missions must be a text, such as \"...\"");
     EXPECT_EQ(message("missions = 'a.scen'\n"), "s.toml: it has no [[run]]: say which methods with how many removals");
     EXPECT_EQ(message("missions = 'a.scen'\nrun = 3\n"), "s.toml:2: 'run' must be tables, each under its [[run]]");
     EXPECT_EQ(message("missions = 'a.scen'\ntime_limit = 0\n"),
@@ -75,7 +76,7 @@ TEST_F(ReadExperiment, FindsMapsFromTheScenarioFile) {
     ASSERT_EQ(experiment.missions.size(), 6U);
     EXPECT_EQ(experiment.missions[2].map, 1U);
     EXPECT_EQ(experiment.missions[5].map, 0U);
-    EXPECT_EQ(experiment.missions[5].start, (Cell{6, 1}));
+    EXPECT_EQ(experiment.missions[5].start(), (Cell{6, 1}));
     EXPECT_EQ(experiment.sets, std::vector<std::string>{"cities"});
     EXPECT_EQ(experiment.configurations.size(), 12U);
 }
@@ -97,10 +98,58 @@ TEST_F(ReadExperiment, SaysWhatIsMissing) {
         put("cities.scen", scenarios);
         return input_error([&] { read_experiment(path("small.toml")); });
     };
-    EXPECT_EQ(message("version 1\n"), path("small.toml") + ": its scenario files hold no mission");
+    EXPECT_EQ(message("version 1\n"), path("small.toml") + ": its files hold no mission");
     EXPECT_EQ(message("1 none.map 7 5 0 0 1 1 2\n"), "cannot read " + path("none.map") + ": No such file or directory");
     EXPECT_EQ(message("1 yard.map 7 5 0 0 1 1 2\n1 yard.map 8 5 0 0 1 1 2\n"),
               path("cities.scen") + ": gives yard.map two sizes");
+}
+
+constexpr const char* of_team =
+    R"({"format": "waybreaker-mission/1", "map": "street.map", "agents": [)"
+    R"({"id": "a", "kind": "ground", "start": [1, 3], "goal": [11, 3], "speed": 2},)"
+    R"({"id": "b", "kind": "ground", "start": [0, 6], "goal": [6, 5]},)"
+    R"({"id": "x", "kind": "air", "start": [1, 3], "goal": [1, 3]}], "rules": {"objective": "flowtime", "breach_time": 2}})"
+    "\n";
+
+TEST_F(ReadExperiment, TakesMissionDocumentsAsRows) {
+    put("teams.jsonl", std::string(of_team) + "\n" + of_team);
+    const Experiment teams = read_experiment(
+        put("teams.toml", "missions = ['teams.jsonl']\n[[run]]\nmethods = ['exact', 'none']\nremovals = 1\n"));
+    ASSERT_EQ(teams.missions.size(), 2U);
+    ASSERT_EQ(teams.maps.size(), 1U);
+    EXPECT_EQ(teams.maps[0].width, 12);
+    const ExperimentMission& mission = teams.missions[1];
+    EXPECT_EQ(mission.count(AgentKind::ground), 2U);
+    EXPECT_EQ(mission.count(AgentKind::air), 1U);
+    EXPECT_EQ(mission.start(), (Cell{1, 3}));
+    EXPECT_EQ(mission.mission.agents[0].speed, 2);
+    EXPECT_EQ(mission.mission.rules.objective, Objective::flowtime);
+    EXPECT_EQ(mission.mission.rules.breach_time.per_obstacle, 2);
+    EXPECT_FALSE(mission.octile.has_value());
+}
+
+TEST_F(ReadExperiment, SaysWhatRowsCannotBe) {
+    const auto message = [&](const std::string& lines, const std::string& run) {
+        put("teams.jsonl", lines);
+        put("teams.toml", "missions = 'teams.jsonl'\n[[run]]\n" + run);
+        return input_error([&] { read_experiment(path("teams.toml")); });
+    };
+    const std::string exact = "methods = 'exact'\nremovals = 1\n";
+    const std::string rows = path("teams.jsonl");
+    const auto changed = [](const std::string& from, const std::string& to) {
+        std::string text = of_team;
+        return text.replace(text.find(from), from.size(), to);
+    };
+    EXPECT_TRUE(message(std::string(of_team) + "{\n", exact).starts_with(rows + ", line 2:1"));
+    EXPECT_EQ(message(changed(R"("map": "street.map", )", ""), exact), rows + ":1: does not say its map");
+    EXPECT_EQ(message(changed(R"("breach_time": 2)", R"("budget_m2": 2)"), exact),
+              rows + ":1: budget_m2 is not for experiments; weigh the map's obstacles and give budget");
+    EXPECT_EQ(message(R"({"format": "waybreaker-mission/1", "map": "street.map", "agents": []})", exact),
+              rows + ":1: has no ground agent");
+    EXPECT_EQ(message(of_team, "methods = 'paper'\nremovals = 1\n"),
+              path("teams.toml") +
+                  ": teams are planned by exact and none, without planners and weights: give a spec of its own to the "
+                  "rest");
 }
 
 }  // namespace

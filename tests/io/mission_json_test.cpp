@@ -56,6 +56,7 @@ MissionDocument any_document() {
     document.in_seconds = *rc::gen::arbitrary<bool>();
     if (*rc::gen::arbitrary<bool>()) document.protect_tags = {{"amenity", {"school", "a \"b*"}}, {"historic"}};
     document.area_budget = std::isfinite(document.mission.rules.budget) && *rc::gen::arbitrary<bool>();
+    document.map = *rc::gen::element<std::string>("", "maps/city \"7\".tif");
     document.limits.expansions = *rc::gen::element<std::uint64_t>(1, 1000, UINT64_MAX);
     return document;
 }
@@ -134,7 +135,7 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
         return error.substr(error.find(' ') + 1);
     };
     EXPECT_EQ(says(R"("removals": 2)"),
-              "the document has a member that is none of format, time_unit, agents, rules, method, limits, page");
+              "the document has a member that is none of format, map, time_unit, agents, rules, method, limits, page");
     EXPECT_EQ(says(R"("rules": {"removals": -1})"), "rules.removals is not between 0 and 2147483647");
     EXPECT_EQ(says(R"("rules": {"protect": [0]})"), "rules.protect[0] is not between 1 and 4294967295");
     EXPECT_EQ(says(R"("rules": {"protect": [1, "=b"]})"),

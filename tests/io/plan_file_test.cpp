@@ -57,6 +57,30 @@ void expect_same(const Itinerary& written, const Itinerary& read) {
     RC_ASSERT(read.start == written.start);
     RC_ASSERT(read.goal == written.goal);
     RC_ASSERT(read.path == written.path);
+    RC_ASSERT(read.gain == written.gain);
+    RC_ASSERT(read.waits.size() == written.waits.size());
+    for (std::size_t i = 0; i < read.waits.size(); ++i) {
+        const Wait& wait = read.waits[i];
+        RC_ASSERT(wait.at == written.waits[i].at);
+        RC_ASSERT(wait.from == written.waits[i].from);
+        RC_ASSERT(wait.until == written.waits[i].until);
+        RC_ASSERT(wait.reason == written.waits[i].reason);
+        RC_ASSERT(wait.obstacle == written.waits[i].obstacle);
+        RC_ASSERT(wait.agent == written.waits[i].agent);
+    }
+}
+
+void explain(Itinerary& agent) {
+    agent.gain = *rc::gen::element(std::optional<double>(), std::optional(-0.25));
+    for (int i = *number(0, 2); i > 0; --i) {
+        agent.waits.push_back(
+            {{*rc::gen::element(3.0, 2.5), 4},
+             0.1,
+             7,
+             *rc::gen::element(WaitReason::nothing, WaitReason::readiness, WaitReason::opening, WaitReason::agent),
+             {std::uint32_t(*number(0, 3))},
+             *rc::gen::element<std::string>("", "heli \"7\"")});
+    }
 }
 
 Rules any_rules(const Map& map) {
@@ -94,6 +118,7 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
         breach.by = *rc::gen::element<std::string>("", "air 1");
         breach.begun_at = *rc::gen::element(std::optional<double>(), std::optional(0.3));
     }
+    for (Itinerary& agent : plan.agents) explain(agent);
     plan.next = {{.obstacle = {7}, .source_id = -7, .saves = 0.7}};
     const PlanFile read = parse_plan(plan_json(plan, {file, mission, method, Connectivity::eight, true}), "plan.json");
 

@@ -45,7 +45,7 @@ class Image {
     std::vector<png_byte> pixels_;
 };
 
-constexpr unsigned paper = 0xfaf8f4, street = 0xfffefb, obstacle = 0xddd6ca, vermilion = 0xd55e00, tint = 0xfbe3d1,
+constexpr unsigned paper = 0xfaf8f4, street = 0xfffefb, obstacle = 0xdcd4c8, vermilion = 0xd55e00, tint = 0xffe2cc,
                    blue = 0x0072b2, ink = 0x26231f;
 
 bool is_near(unsigned a, unsigned b, int tolerance = 2) {

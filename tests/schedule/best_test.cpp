@@ -61,14 +61,14 @@ World any_world(int width, int height, int obstacles, int side) {
     return world;
 }
 
-using Rank = std::pair<double, double>;
-Rank rank(Objective objective, double ground, double air) {
+using Pair = std::pair<double, double>;
+Pair rank(Objective objective, double ground, double air) {
     const double makespan = std::max(ground, air);
     const double flowtime = ground + air;
     if (objective == Objective::ground_makespan) return {ground, flowtime};
-    return objective == Objective::makespan ? Rank{makespan, flowtime} : Rank{flowtime, makespan};
+    return objective == Objective::makespan ? Pair{makespan, flowtime} : Pair{flowtime, makespan};
 }
-Rank rank(Objective objective, const Schedule& schedule) {
+Pair rank(Objective objective, const Schedule& schedule) {
     return rank(objective, schedule.ground.back().t, schedule.air.back().t);
 }
 
@@ -86,13 +86,13 @@ class BruteForce {
         visited_.assign(cells_.size(), false);
         go(task_.flyer.start, 0, unhindered_);
     }
-    Rank best() const { return best_; }
+    Pair best() const { return best_; }
 
   private:
     void go(Cell at, double t, double ground) {
         if (std::ranges::count(visited_, false) == 0) {
             const double air = t + distance(at, task_.flyer.goal) / task_.flyer.speed;
-            const Rank found = rank(task_.rules.objective, ground, air);
+            const Pair found = rank(task_.rules.objective, ground, air);
             if (found.first < best_.first - 1e-9) best_ = found;
             if (found.first < best_.first + 1e-9) best_.second = std::min(best_.second, found.second);
         }
@@ -115,7 +115,7 @@ class BruteForce {
     std::vector<std::optional<double>> entries_;
     std::vector<double> stays_;
     std::vector<bool> visited_;
-    Rank best_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Pair best_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 };
 
 // What any schedule promises: the path at its speed with waits at its turns, the flight with stays, nothing touched
@@ -183,8 +183,8 @@ void expect_best(const World& world) {
     show(world, schedule);
     RC_ASSERT(schedule.optimal);
     expect_consistent(world, schedule);
-    const Rank expected = BruteForce(world).best();
-    const Rank found = rank(world.rules.objective, schedule);
+    const Pair expected = BruteForce(world).best();
+    const Pair found = rank(world.rules.objective, schedule);
     RC_LOG() << "found " << found.first << ' ' << found.second << ", best " << expected.first << ' ' << expected.second;
     RC_ASSERT(std::abs(found.first - expected.first) < 1e-6);
     RC_ASSERT(std::abs(found.second - expected.second) < 1e-6);

@@ -7,6 +7,8 @@
 #include <bit>
 #include <limits>
 
+#include "ascii_map.hpp"
+#include "coalition/all_sets.hpp"
 #include "coalition/flight_limits.hpp"
 #include "coalition/offers.hpp"
 #include "random_map.hpp"
@@ -149,6 +151,38 @@ RC_GTEST_PROP(FlightLimits, AreBelowEveryFlight, ()) {
     RC_ASSERT(limits.sum >= exact.sum - 1e-9);
     RC_ASSERT(limits.last >= exact.last - 1e-9);
     RC_ASSERT(set.empty() || limits.open >= exact.open - 1e-9);
+}
+
+// The subsets of what may be removed beside what must be; one vehicle gains by all of them, if by any.
+TEST(AllSets, AreThoseThatMayBeRemoved) {
+    const std::string_view picture = R"(
+        S.a.b.G
+        ###c###
+        d......)";
+    const Map map = map_from_ascii(picture);
+    const auto id = [&](char mark) { return map.obstacle_at(mark_in_ascii(picture, mark)); };
+    Mission mission;
+    mission.agents.resize(3);
+    mission.agents[0].start = mark_in_ascii(picture, 'S');
+    mission.agents[0].goal = mark_in_ascii(picture, 'G');
+    for (Agent* agent : {&mission.agents[1], &mission.agents[2]}) agent->kind = AgentKind::air;
+    mission.rules.removals = 3;
+    mission.rules.force = {id('d')};
+    mission.rules.protect = {id('c'), id('#')};
+    mission.rules.budget = 3;
+    const team::Interrupts interrupts{Deadline(), {}};
+    CrossingSearcher crossing;
+    const auto sets = [&](std::size_t most) {
+        const Problem problem(map, mission, interrupts);
+        FlightLimits flights(problem);
+        return all_sets(problem, Columns(problem, crossing, flights, Shape::relaxed), most);
+    };
+    EXPECT_EQ(sets(4), (std::vector<Set>{{}, {id('a')}, {id('b')}, {id('a'), id('b')}}));
+    EXPECT_EQ(sets(3), std::vector<Set>());
+    mission.rules.budget = 2;
+    EXPECT_EQ(sets(4), (std::vector<Set>{{}, {id('a')}, {id('b')}}));
+    mission.rules.removals = 1;
+    EXPECT_EQ(sets(4), std::vector<Set>{{}});
 }
 
 }  // namespace

@@ -14,16 +14,6 @@
 namespace waybreaker {
 namespace {
 
-Agent aircraft(const std::string& id, Cell start, Cell goal, double speed = 1) {
-    Agent agent;
-    agent.id = id;
-    agent.kind = AgentKind::air;
-    agent.start = start;
-    agent.goal = goal;
-    agent.speed = speed;
-    return agent;
-}
-
 // Random vehicles with room at their starts and goals, and aircraft.
 Mission any_coalition(const PlainMap& plain, const Map& map) {
     Mission mission;

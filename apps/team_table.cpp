@@ -1,0 +1,89 @@
+#include "team_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "table.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+// The waits of a path, without reasons.
+std::vector<Wait> stands(const Itinerary& agent) {
+    std::vector<Wait> waits;
+    for (std::size_t i = 1; i < agent.path.size(); ++i) {
+        const Waypoint& a = agent.path[i - 1];
+        const Waypoint& b = agent.path[i];
+        if (a.x == b.x && a.y == b.y && a.t != b.t) waits.push_back({{a.x, a.y}, a.t, b.t});
+    }
+    return waits;
+}
+
+double waited(const Itinerary& agent) {
+    double all = 0;
+    for (const Wait& wait : stands(agent)) all += wait.until - wait.from;
+    return all;
+}
+
+std::string reason(const Wait& wait, const io::MapFile& map) {
+    switch (wait.reason) {
+        case WaitReason::readiness:
+            return ", until it is ready";
+        case WaitReason::opening: {
+            const std::string_view name = map.name_of(wait.obstacle);
+            return fmt::format(", until {} has opened {}{}", wait.agent, wait.obstacle.value,
+                               name.empty() ? "" : fmt::format(" ({})", name));
+        }
+        case WaitReason::agent:
+            return fmt::format(", for {}", wait.agent);
+        case WaitReason::nothing:
+            break;
+    }
+    return ", though it could go on";
+}
+
+}  // namespace
+
+std::string team_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
+    std::vector<Row> rows{
+        {"agent", "from", "to", "alone", "length", timed("arrival", context), timed("wait", context)}};
+    if (context.method.explain) rows.front().push_back(timed("gain", context));
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        const Itinerary& agent = plan.agents[i];
+        rows.push_back({agent.id, text(agent.start), text(agent.goal), text(plan.before.routes[i].length, 3),
+                        text(plan.after.routes[i].length, 3), text(agent.path.back().t, 3), text(waited(agent), 3)});
+        if (context.method.explain) rows.back().push_back(text(agent.gain, 3));
+    }
+    const double cell_size = context.map.cell_size;
+    const bool seconds = style.metres && times_are_lengths(context);
+    std::vector<Row> times{{timed("time", context), "alone", "together", "change"}};
+    if (seconds) times.front().emplace_back("together (s)");
+    const auto add = [&](const char* name, std::optional<double> alone, std::optional<double> together) {
+        times.push_back({name, text(alone, 3), text(together, 3), change(alone, together)});
+        if (seconds) times.back().push_back(fmt::format("{:.1f}", together.value_or(0) * cell_size));
+    };
+    add("makespan", plan.before.makespan, plan.after.makespan);
+    add("flowtime", plan.before.flowtime, plan.after.flowtime);
+    return aligned(rows, style.bold) + "\n" + aligned(times, style.bold);
+}
+
+std::string waits(const Plan& plan, const io::PlanContext& context) {
+    const bool explained = context.method.explain;
+    double all = 0;
+    std::vector<std::string> lines;
+    for (const Itinerary& agent : plan.agents) {
+        if (agent.kind != AgentKind::ground) continue;
+        for (const Wait& wait : explained ? agent.waits : stands(agent)) {
+            all += wait.until - wait.from;
+            lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}{}\n", agent.id,
+                                        wait.until - wait.from, wait.at.x, wait.at.y, wait.from, wait.until,
+                                        explained ? reason(wait, context.map) : ""));
+        }
+    }
+    if (lines.size() > 1 && !context.mission.is_team()) lines.push_back(fmt::format("it waits {:.3f} in all\n", all));
+    return lines.empty() ? "" : fmt::format("\n{}", fmt::join(lines, ""));
+}
+
+}  // namespace waybreaker::apps

@@ -1,0 +1,17 @@
+#include "experiment/document.hpp"
+
+#include "io/mission_json.hpp"
+
+namespace waybreaker::experiment {
+
+std::string document_of(const Mission& mission, const std::string& map) {
+    io::MissionDocument document;
+    document.mission = mission;
+    document.map = map;
+    nlohmann::ordered_json json = io::mission_json(document);
+    json.erase("method");
+    json.erase("limits");
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace waybreaker::experiment

@@ -1,0 +1,49 @@
+// Objective: what a plan makes small, from when its agents are at their goals.
+#pragma once
+
+#include <algorithm>
+
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+
+// When agents are at their goals, in units of time.
+struct Finish {
+    double ground = 0;    // the last of the ground agents
+    double air = 0;       // the last of the air agents
+    double flowtime = 0;  // sum over all
+
+    double makespan() const { return std::max(ground, air); }
+
+    void add(AgentKind kind, double time) {
+        double& last = kind == AgentKind::ground ? ground : air;
+        last = std::max(last, time);
+        flowtime += time;
+    }
+};
+
+// Of one ground and one air agent.
+inline Finish finish_of_two(double ground, double air) {
+    return {ground, air, ground + air};
+}
+
+// How good it is to finish so, the smaller the better: by the first figure, and of equals by the second. Ties of the
+// flowtime go to the makespan, all others to the flowtime.
+struct Rank {
+    double first = 0;
+    double second = 0;
+};
+
+inline Rank rank(Objective objective, const Finish& finish) {
+    switch (objective) {
+        case Objective::makespan:
+            return {finish.makespan(), finish.flowtime};
+        case Objective::flowtime:
+            return {finish.flowtime, finish.makespan()};
+        case Objective::ground_makespan:
+            break;
+    }
+    return {finish.ground, finish.flowtime};
+}
+
+}  // namespace waybreaker

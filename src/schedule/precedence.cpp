@@ -1,0 +1,56 @@
+#include "schedule/precedence.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "schedule/tour_times.hpp"
+
+namespace waybreaker {
+namespace {
+
+double earliest(std::span<const Drive> drives, std::span<const double> cleared) {
+    double first = std::numeric_limits<double>::infinity();
+    for (const Drive& drive : drives) first = std::min(first, drive.end(cleared));
+    return first;
+}
+
+}  // namespace
+
+double Drive::end(std::span<const double> cleared) const {
+    double delay = 0;
+    for (const Passage& passage : passages) delay = std::max(delay, cleared[passage.target] - passage.due);
+    return arrival + delay;
+}
+
+Precedence::Precedence(std::vector<const Agent*> aircraft, std::vector<double> stays)
+    : aircraft_(std::move(aircraft)), stays_(std::move(stays)) {}
+
+void Precedence::add_vehicle(std::vector<Drive> drives) {
+    const bool may_wait = std::ranges::any_of(drives, [](const Drive& drive) { return !drive.passages.empty(); });
+    if (may_wait) {
+        vehicles_.push_back(std::move(drives));
+    } else {
+        others_.add(AgentKind::ground, earliest(drives, {}));
+    }
+}
+
+Precedence::Flights Precedence::flights(std::span<const Tour> tours) const {
+    Flights flights{std::vector<double>(stays_.size(), never), others_};
+    const auto stay = [this](std::size_t target) { return stays_[target]; };
+    const auto clear = [&](const Stop& stop, double, double cleared) { flights.cleared[stop.target] = cleared; };
+    for (std::size_t a = 0; a < tours.size(); ++a) {
+        flights.finish.add(AgentKind::air, fly(*aircraft_[a], tours[a], stay, clear));
+    }
+    return flights;
+}
+
+Finish Precedence::finish(std::span<const Tour> tours) const {
+    Flights known = flights(tours);
+    for (const std::vector<Drive>& drives : vehicles_) {
+        known.finish.add(AgentKind::ground, earliest(drives, known.cleared));
+    }
+    return known.finish;
+}
+
+}  // namespace waybreaker
