@@ -35,7 +35,7 @@ export function ObstacleCard({ page }: { page: PageState }) {
         <p>
           Opened at {duration(removed.cleared_at, units)}
           {removed.entered_at !== null && <>, entered at {duration(removed.entered_at, units)}</>}
-          {removed.saves != null && <>; if it had to stay, {duration(removed.saves, units)} later</>}.
+          {removed.saves != null && removed.saves > 0 && <>; if it had to stay, {duration(removed.saves, units)} later</>}.
         </p>
       )}
       {obstacle.destructible ? (

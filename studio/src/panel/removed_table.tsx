@@ -1,6 +1,6 @@
 // What is removed, in the order in which the aircraft opens it. Rows and map point at each other.
 import { isTeam, type Plan, type Removed } from "../domain/plan";
-import { area, clockTime, duration } from "../domain/units";
+import { area, clockTime, duration, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { usersOf } from "../domain/users";
 import { nounOf, savedBy } from "../mission/words";
@@ -112,18 +112,24 @@ function Row({ page, removed, order, users }: RowProps) {
         )}
       </td>
       <td>
-        {users ? (
-          <AgentNames page={page} ids={users} />
-        ) : removed.saves === undefined ? (
-          <span class="pending">…</span>
-        ) : removed.saves === null ? (
-          "no way"
-        ) : (
-          <data value={removed.saves}>+{clockTime(removed.saves, units)}</data>
+        {users && <AgentNames page={page} ids={users} />}
+        {(!users || removed.saves !== undefined) && (
+          <span class={users ? "if-kept" : ""}>
+            <IfKept saves={removed.saves} units={units} />
+            {users && " if kept"}
+          </span>
         )}
       </td>
     </tr>
   );
+}
+
+// How much later it would be without a removal; not known while that is still looked for.
+function IfKept({ saves, units }: { saves: Removed["saves"]; units: Units }) {
+  if (saves === undefined) return <span class="pending">…</span>;
+  if (saves === null) return <>no way</>;
+  if (saves <= 0) return <>no later</>; // another choice is as good
+  return <data value={saves}>+{clockTime(saves, units)}</data>;
 }
 
 const mostNamed = 4;

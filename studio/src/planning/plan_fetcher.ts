@@ -154,7 +154,7 @@ export class PlanFetcher {
   async #explain(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after;
     const short = shown !== undefined && isHasty(shown.plan);
-    const isExplained = isOfTeam(question) || shown?.plan.removed.length === 0; // as far as it can be
+    const isExplained = shown?.plan.removed.length === 0; // as far as it can be
     if (!shown || (isExplained && !short)) return;
     const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
     const onProgress = (progress: Progress) => {

@@ -119,7 +119,7 @@ export function draftBeforeRequest(question: Question): PlanRequest {
 
 // With all the time that the service gives, and what the mission would lose without each removal.
 export function thoroughRequest(question: Question, removals: number): PlanRequest {
-  return request(question, question.method, { removals, ...(!isOfTeam(question) && { explain: true }) });
+  return request(question, question.method, { removals, explain: true });
 }
 
 // A step of the curve: there are many, and the next waits.
