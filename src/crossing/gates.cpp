@@ -71,6 +71,21 @@ double GateGroup::past(Vertex v, const std::function<bool(Vertex)>& stands,
 void GateGroup::prove(std::uint32_t point, double arrival) {
     points_[point].proven = true;
     learn(point, arrival);
+    prove_around(point, arrival);
+}
+
+// Whoever gets from there to a neighbour before the obstacle opens needs no shorter way to it.
+void GateGroup::prove_around(std::uint32_t point, double arrival) {
+    std::vector<std::pair<std::uint32_t, double>> queue{{point, arrival}};
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+        const double there = queue[i].second + spacing;
+        if (there > terms_.open) return;  // as all that follow
+        for (const std::uint32_t next : border_->neighbours[queue[i].first]) {
+            if (next == no_neighbour || points_[next].proven) continue;
+            points_[next].proven = true;
+            queue.emplace_back(next, there);
+        }
+    }
 }
 
 // From its neighbours no way there can be shorter than theirs.

@@ -68,6 +68,7 @@ class GateGroup {
     void open_up(const std::function<bool(Vertex)>& stands);
     void prove(std::uint32_t point, double arrival);
     void learn(std::uint32_t point, double arrival);
+    void prove_around(std::uint32_t point, double arrival);
 
     Terms terms_;
     const Border* border_ = nullptr;

@@ -101,12 +101,14 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
         chosen = &least->candidate;
     }
     const Candidate& best = *chosen;
+    // The path of a choice that removes nothing was there before.
+    const Candidate& before = best.opening.removed.empty() && cost(task, best) < cost(task, baseline) ? best : baseline;
     const double selecting_seconds = selecting.seconds();
 
     // Report both, without removal and with the best.
     Plan plan;
     plan.status = plan_status(best.opening.status);
-    plan.before = outcome(task, baseline);
+    plan.before = outcome(task, before);
     plan.after = outcome(task, best);
     plan.breaches = breaches(task, best.schedule, selector->hits());
     if (plan.status == PlanStatus::solved) {

@@ -2,6 +2,7 @@
 // so that candidates can be compared.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,14 @@ struct Opening {
 Opening opening_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds);
 Opening opening_of(const Task& task, std::vector<ObstacleId> removed, const CrossingResult& search, double seconds);
 
+// Whether the unit square gets nearly as far as the disc within it (docs/exact.md, Theorem 2).
+bool square_stands_for(const Body& body);
+
+// Other discs than these drive a path along that of the relaxed body, or, if they know none, Theta*'s; if that could be
+// shorter than so many cells.
+void fit_to_disc(const Task& task, const Searchers& searchers, Opening& opening,
+                 double shorter_than = std::numeric_limits<double>::infinity());
+
 // Whether the crossing search drives the ground agent itself, for its body is one that it moves.
 bool drives_by_crossing(const Task& task);
 
@@ -46,7 +55,8 @@ struct Candidate {
     double flight_seconds = 0;  // what it took to make the schedule
 };
 
-// Flies as the method says, with the time that is left to find out how.
+// Flies as the method says, with the time that is left to find out how. What the ground path does without stands again,
+// but for what must be removed; not where obstacles do not stand in time (the paper).
 Candidate candidate_of(const Task& task, Opening opening);
 
 // The objective; infinity where there is no ground path.

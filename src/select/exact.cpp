@@ -12,21 +12,16 @@
 namespace waybreaker {
 namespace {
 
-// Sets to try after the first, and expansions to look for them. A search for each takes long, and so do schedules of
-// many obstacles; where breaching takes time, there are very many sets that could be better and hardly one that is.
-int patience(const Task& task) {
-    if (!drives_by_crossing(task)) return 8;
-    return task.rules.removals <= 3 ? 256 : 16;
-}
 constexpr std::uint64_t patient_expansions = 10'000;
 constexpr std::uint64_t least_patience = 1'000;  // for further sets, however short the search for the first
-// Where obstacles open in time: for the ground agent's own body, and for the bound of a point.
+// Where obstacles open in time.
 constexpr std::uint64_t patient_expansions_in_time = 4'000;
-constexpr std::uint64_t patient_expansions_of_bound = 400'000;
 // Relative: where obstacles open in time, a plan so near to its bound is good enough.
-constexpr double close = 5e-4;
+constexpr double close = 1e-3;
 // Relative: where a set that is best without waits ends so much later than without them, others are best in time.
 constexpr double most_above = 0.03;
+// Relative: a plan so far from its bound may not remove what the disc needs gone where neither point nor square do.
+constexpr double far_from_bound = 0.05;
 // Of the time that is left when selecting begins; the rest is for sets that are likely to be good, if the proof is not
 // done by then.
 constexpr double share_of_proof = 0.8;
@@ -40,52 +35,9 @@ constexpr double grace = 0.01;
 // No path of the unit square that crosses as much is longer than this times a path of the disc (docs/exact.md, Theorem
 // 2): a step to one of eight neighbours after the other is never longer.
 constexpr double most_of_square = 1.0823922002923940;  // sqrt(4 - 2 sqrt(2))
-constexpr double least_radius_of_square = 0.36;
 
 bool square_bounds(const Task& task, const OpeningTimes& opening_times) {
-    const Body& body = task.driver.body;
-    return drives_by_crossing(task) && !body.is_point() && body.reach() >= least_radius_of_square &&
-           body.reach() <= 0.5 && !opening_times.matter();
-}
-
-// What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the
-// whole objective.
-double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
-    const bool flight_apart = task.rules.objective == Objective::flowtime && !opening_times.matter();
-    return (flight_apart ? objective - task.least_flight : objective) * task.driver.speed;
-}
-
-// No plan with such a path is below.
-double least_objective(const Task& task, double path_cost, const OpeningTimes& opening_times) {
-    const double time = path_cost / task.driver.speed;
-    return opening_times.matter() ? time : task.objective(time, task.least_flight);
-}
-
-// `relaxed`: for a lower limit of all paths.
-CrossingOptions crossing_options(const Task& task, bool relaxed, double objective, double seconds,
-                                 OpeningTimes& opening_times) {
-    const Rules& rules = task.rules;
-    CrossingOptions crossing;
-    if (task.driver.body.corners == Corners::none) crossing.body = task.driver.body;
-    // Who cuts corners is a point.
-    if (task.driver.body.corners != Corners::none && relaxed) crossing.body = point_body;
-    crossing.relaxed = relaxed;
-    crossing.crossings = task.spare_removals();
-    crossing.removed = rules.force;
-    crossing.protect = rules.protect;
-    crossing.budget = task.spare_budget();
-    crossing.length_limit = dearest_path(task, objective, opening_times);
-    crossing.limits = limits_of(task, seconds);
-    if (opening_times.matter()) {
-        crossing.opened_after = [&](std::span<const ObstacleId> obstacles) { return opening_times.cells(obstacles); };
-        if (rules.objective != Objective::ground_makespan) {
-            crossing.done_after = [&](std::span<const ObstacleId> obstacles) {
-                return opening_times.flight_cells(obstacles);
-            };
-        }
-        crossing.adds_both = rules.objective == Objective::flowtime;
-    }
-    return crossing;
+    return drives_by_crossing(task) && square_stands_for(task.driver.body) && !opening_times.matter();
 }
 
 // The shortest path that crosses none but some obstacles: that is quickly found.
@@ -115,13 +67,13 @@ class ExactSelection {
           proven_(bound.objective) {}
 
     Selected run() && {
-        if (task_.spare_removals() == 0) {
-            if (best_ > bound_.objective * most_of_square && square_bounds(task_, opening_times_))
-                raise_bound(find_first());
-        } else {
+        if (task_.spare_removals() > 0) {
             try_sets();
-            if (opening_times_.matter()) try_as_if_forced();
+            if (passes_more_than_square() && best_ > bound_.objective * (1 + far_from_bound)) try_most_hit();
+        } else if (best_ > bound_.objective * most_of_square && square_bounds(task_, opening_times_)) {
+            raise_bound(find_first());
         }
+        if (opening_times_.matter()) try_as_if_forced();
         selected_.bound = proven_;
         return std::move(selected_);
     }
@@ -168,11 +120,31 @@ class ExactSelection {
         if (!try_others(first)) try_with_fewer_removals();
     }
 
-    // To force what the plan removes must not be better.
+    // To force what the plan removes must not be better, nor must it be worse to force that.
     void try_as_if_forced() {
-        if (selected_.candidates.empty()) return;
-        add_candidate(open(task_, searchers_, best_of(task_, start_, selected_.candidates).opening.removed));
+        const std::vector<ObstacleId> removed = selected_.candidates.empty()
+                                                    ? start_.opening.removed
+                                                    : best_of(task_, start_, selected_.candidates).opening.removed;
+        if (removed.empty()) return;
+        if (!selected_.candidates.empty()) add_candidate(open(task_, searchers_, removed));
+        if (!task_.rules.force.empty()) try_in_time(removed);
         report();
+    }
+
+    // The path in time through these; what must be removed stands until it opens, too.
+    void try_in_time(const std::vector<ObstacleId>& removed) {
+        if (!drives_by_crossing(task_) || task_.driver.body.is_point()) return;
+        CrossingOptions options =
+            crossing_options(task_, false, best_, std::max(task_.deadline.left(), grace), opening_times_);
+        options.only = removed;
+        options.removed = {};
+        options.crossings = int(removed.size());
+        options.budget = infinity;
+        const CrossingResult found =
+            searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
+        if (found.best.path.empty()) return;
+        Opening opening = drivable(task_, searchers_, found.best, removed);
+        if (opening.status == SearchStatus::found) add_candidate(std::move(opening));
     }
 
     // Where the relaxed body slips through what stops the disc, the square's shortest path tells more.
@@ -195,7 +167,7 @@ class ExactSelection {
         CrossingResult found = search;
         found.best = path;
         if (!opening_times_.matter()) {
-            add_candidate(drives_by_crossing(task_) ? opening_of(task_, removed, found, since_last_.seconds())
+            add_candidate(drives_by_crossing(task_) ? fitted_opening(removed, found)
                                                     : open(task_, searchers_, removed));
         } else {
             if (drives_by_crossing(task_) && !task_.driver.body.is_point()) {
@@ -210,6 +182,12 @@ class ExactSelection {
         }
         report();
         since_last_ = {};
+    }
+
+    Opening fitted_opening(const std::vector<ObstacleId>& removed, const CrossingResult& found) {
+        Opening opening = opening_of(task_, removed, found, since_last_.seconds());
+        fit_to_disc(task_, searchers_, opening, dearest_path(task_, best_, opening_times_));
+        return opening;
     }
 
     std::uint64_t patience_of_search() const {
@@ -232,20 +210,32 @@ class ExactSelection {
     void try_within(std::span<const ObstacleId> likely) {
         const CrossingResult found = find_within(task_, searchers_.crossing, likely, best_, opening_times_);
         if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
+        if (!passes_more_than_square() || likely.empty()) return;
+        add_candidate(open(task_, searchers_, task_.with_forced(likely)));
+        report();
+    }
+
+    bool passes_more_than_square() const {
+        const Body& body = task_.driver.body;
+        return drives_by_crossing(task_) && !body.is_point() && !square_stands_for(body);
     }
 
     // Another agent may not fit where a point slips through: what is in its way most often, and what opens the way for
     // the square.
     void try_for_other_planners() {
+        try_most_hit();
+        const CrossingOptions options = crossing_options(task_, false, best_, deadline_.left(), opening_times_);
+        const CrossingResult found =
+            searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
+        if (!found.best.path.empty()) try_out(found.best, found);
+    }
+
+    void try_most_hit() {
         const SearchResult search = search_counting_hits(task_, searchers_.cells);
         const std::vector<ObstacleId> hit = chosen_by_hits(task_, search.hits);
         for (std::size_t count = task_.rules.force.size() + 1; count <= hit.size() && !deadline_.passed(); ++count) {
             add_candidate(open(task_, searchers_, {hit.begin(), hit.begin() + std::ptrdiff_t(count)}));
         }
-        const CrossingOptions options = crossing_options(task_, false, best_, deadline_.left(), opening_times_);
-        const CrossingResult found =
-            searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
-        if (!found.best.path.empty()) try_out(found.best, found);
     }
 
     // The set whose shortest path is shortest.
@@ -331,7 +321,7 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     // Often nobody has to wait; and what is proven as if nobody did makes the search in time short.
     OpeningTimes at_once = OpeningTimes::at_once(task);
     const Deadline soon = deadline.share(share_of_waitless);
-    const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), soon, at_once);
+    const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), soon, at_once, 0);
     auto [first, is_best] =
         ExactSelection(task, searchers_, start, cost(task, start), bound, soon, at_once).run_first();
     if (is_best) return std::move(first);
@@ -343,7 +333,8 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
 
 Selected ExactSelector::select(const Task& task, const Candidate& start, double reached, double proven,
                                const Deadline& deadline, OpeningTimes& opening_times) {
-    Bound bound = prove_bound(task, searchers_.crossing, reached, deadline.share(share_of_relaxed), opening_times);
+    Bound bound =
+        prove_bound(task, searchers_.crossing, reached, deadline.share(share_of_relaxed), opening_times, proven);
     bound.objective = std::max(bound.objective, proven);
     task.report(reached, bound.objective);
     ExactSelection selection(task, searchers_, start, reached, bound, deadline, opening_times);
@@ -351,46 +342,6 @@ Selected ExactSelector::select(const Task& task, const Candidate& start, double 
     Selected selected = std::move(selection).run();
     selected.limited = selected.limited || bound.limited;
     return selected;
-}
-
-Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
-    OpeningTimes opening_times(task);
-    return prove_bound(task, crossing, reached, deadline, opening_times);
-}
-
-Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
-                  OpeningTimes& opening_times) {
-    CrossingOptions options = crossing_options(task, true, reached, deadline.left(), opening_times);
-    const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
-    if (opening_times.matter()) {
-        options.limits.expansions = std::min(options.limits.expansions, patient_expansions_of_bound);
-        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
-        const bool cut = found.status == SearchStatus::limit_reached;
-        const bool own_patience = cut && found.expanded >= patient_expansions_of_bound;
-        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
-                std::move(found.best.crossed), cut && !own_patience};
-    }
-    if (task.rules.objective != Objective::flowtime) {
-        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
-        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
-                std::move(found.best.crossed), found.status == SearchStatus::limit_reached};
-    }
-    // The flight past the obstacles of a set counts as well.
-    Bound best{infinity, {}};
-    int tried = 0;
-    const CrossingResult rest =
-        crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
-            if (least(path.cost, task.least_flight) >= std::min(best.objective, reached) || tried == patience(task))
-                return false;
-            ++tried;
-            const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
-            const double objective = least(path.cost, least_flight_time(task, removed));
-            if (objective < best.objective) best = {objective, path.crossed};
-            return true;
-        });
-    best.objective = std::min({best.objective, least(rest.lower_bound, task.least_flight), reached});
-    best.limited = rest.status == SearchStatus::limit_reached;
-    return best;
 }
 
 }  // namespace waybreaker

@@ -1,25 +1,11 @@
 // The best obstacles to remove, with proof: docs/exact.md.
 #pragma once
 
-#include <vector>
-
+#include "select/bound.hpp"
 #include "select/opening_times.hpp"
 #include "select/selector.hpp"
 
 namespace waybreaker {
-
-// What is known of all plans that keep to the rules.
-struct Bound {
-    double objective = 0;                  // no plan is below it, whatever the agent's radius
-    std::vector<ObstacleId> removed = {};  // of the best way that the proof has found: worth a try
-    bool limited = false;                  // a limit ended the proof
-};
-
-// Of a point, the air agent on its shortest way. `reached`: the objective of a plan; the bound is never above. A proof
-// that a limit ends is a bound as well.
-Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline);
-Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
-                  OpeningTimes& opening_times);
 
 class ExactSelector : public Selector {
   public:

@@ -7,24 +7,11 @@
 namespace waybreaker {
 namespace {
 
-// Lets stand again what the ground path does without, but for what must be removed, which comes first.
-void keep_needed(const Task& task, Opening& opening, std::span<const Cell> path) {
-    for (std::size_t i = opening.removed.size(); i-- > task.rules.force.size();) {
-        std::vector<ObstacleId> others = opening.removed;
-        others.erase(others.begin() + std::ptrdiff_t(i));
-        const OpenedMap map(task.map, others);
-        const auto blocked = [&](Cell a, Cell b) { return !line_of_sight(map, a, b, task.driver.body); };
-        if (std::ranges::adjacent_find(path, blocked) == path.end()) opening.removed = std::move(others);
-    }
-}
-
 Candidate opened(const Task& task, Searcher& searcher, std::span<const ObstacleId> removed) {
     const Stopwatch watch;
     const SearchResult search =
         searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, cell_search(task));
-    Opening opening = opening_of({removed.begin(), removed.end()}, search, watch.seconds());
-    if (task.rules.timing == Timing::enforce && opening.ground.length) keep_needed(task, opening, search.path);
-    return candidate_of(task, std::move(opening));
+    return candidate_of(task, opening_of({removed.begin(), removed.end()}, search, watch.seconds()));
 }
 
 }  // namespace

@@ -249,5 +249,31 @@ TEST(ExactSelection, BoundsTheDiscWhereAPointSlipsThrough) {
     EXPECT_LT(*plan.gap, 0.0824);
 }
 
+// To force what would be chosen anyway changes nothing, nor does what must go beside it.
+TEST(ExactChoice, DrivesThroughWhatIsForcedWhenItOpens) {
+    const Map both = map_from_ascii(R"(
+        a..
+        .bb
+        .a.)");
+    Mission mission = ground_and_air({1, 0}, {0, 2});
+    mission.agents[1].goal = {2, 0};
+    mission.rules = {.removals = 2, .breach_time = {1, 0}};
+    const double chosen = *MissionPlanner().plan(both, mission).after.makespan;
+    mission.rules.force = {both.obstacle_at({1, 1}), both.obstacle_at({0, 0})};
+    EXPECT_DOUBLE_EQ(*MissionPlanner().plan(both, mission).after.makespan, chosen);
+
+    const Map beside = map_from_ascii(R"(
+        a.bb
+        aac.)");
+    mission = ground_and_air({3, 1}, {1, 0});
+    mission.agents[1] = {.id = "air", .kind = AgentKind::air, .start = {0, 1}, .goal = {2, 0}, .speed = 5};
+    mission.rules = {.removals = 2, .breach_time = {2.5, 0.3}};
+    mission.rules.protect = {beside.obstacle_at({0, 0})};
+    mission.rules.force = {beside.obstacle_at({2, 1})};
+    const Plan plan = MissionPlanner().plan(beside, mission);
+    ASSERT_TRUE(is_valid(beside, mission, plan));
+    EXPECT_LT(*plan.after.makespan, 6.4);  // through b while c is still to go
+}
+
 }  // namespace
 }  // namespace waybreaker

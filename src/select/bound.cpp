@@ -1,0 +1,97 @@
+#include "select/bound.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "select/candidate.hpp"
+
+namespace waybreaker {
+namespace {
+
+constexpr std::uint64_t most_expanded_in_time = 400'000;  // where obstacles open in time
+
+}  // namespace
+
+int patience(const Task& task) {
+    if (!drives_by_crossing(task)) return 8;
+    return task.rules.removals <= 3 ? 256 : 16;
+}
+
+double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
+    const bool flight_apart = task.rules.objective == Objective::flowtime && !opening_times.matter();
+    return (flight_apart ? objective - task.least_flight : objective) * task.driver.speed;
+}
+
+double least_objective(const Task& task, double path_cost, const OpeningTimes& opening_times) {
+    const double time = path_cost / task.driver.speed;
+    return opening_times.matter() ? time : task.objective(time, task.least_flight);
+}
+
+CrossingOptions crossing_options(const Task& task, bool relaxed, double objective, double seconds,
+                                 OpeningTimes& opening_times) {
+    const Rules& rules = task.rules;
+    CrossingOptions crossing;
+    if (task.driver.body.corners == Corners::none) crossing.body = task.driver.body;
+    // Who cuts corners is a point.
+    if (task.driver.body.corners != Corners::none && relaxed) crossing.body = point_body;
+    crossing.relaxed = relaxed;
+    crossing.crossings = task.spare_removals();
+    crossing.removed = rules.force;
+    crossing.protect = rules.protect;
+    crossing.budget = task.spare_budget();
+    crossing.length_limit = dearest_path(task, objective, opening_times);
+    crossing.limits = limits_of(task, seconds);
+    if (opening_times.matter()) {
+        crossing.opened_after = [&](std::span<const ObstacleId> obstacles) { return opening_times.cells(obstacles); };
+        if (rules.objective != Objective::ground_makespan) {
+            crossing.done_after = [&](std::span<const ObstacleId> obstacles) {
+                return opening_times.flight_cells(obstacles);
+            };
+        }
+        crossing.adds_both = rules.objective == Objective::flowtime;
+    }
+    return crossing;
+}
+
+Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
+    OpeningTimes opening_times(task);
+    return prove_bound(task, crossing, reached, deadline, opening_times, 0);
+}
+
+Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
+                  OpeningTimes& opening_times, double proven) {
+    CrossingOptions options = crossing_options(task, true, reached, deadline.left(), opening_times);
+    const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
+    if (opening_times.matter()) {
+        options.limits.expansions = std::min(options.limits.expansions, most_expanded_in_time);
+        options.expected = dearest_path(task, proven, opening_times);
+        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        const bool cut = found.status == SearchStatus::limit_reached;
+        const bool own_patience = cut && found.expanded >= most_expanded_in_time;
+        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
+                std::move(found.best.crossed), cut && !own_patience};
+    }
+    if (task.rules.objective != Objective::flowtime) {
+        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
+                std::move(found.best.crossed), found.status == SearchStatus::limit_reached};
+    }
+    // The flight past the obstacles of a set counts as well.
+    Bound best{infinity, {}};
+    int tried = 0;
+    const CrossingResult rest =
+        crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
+            if (least(path.cost, task.least_flight) >= std::min(best.objective, reached) || tried == patience(task))
+                return false;
+            ++tried;
+            const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
+            const double objective = least(path.cost, least_flight_time(task, removed));
+            if (objective < best.objective) best = {objective, path.crossed};
+            return true;
+        });
+    best.objective = std::min({best.objective, least(rest.lower_bound, task.least_flight), reached});
+    best.limited = rest.status == SearchStatus::limit_reached;
+    return best;
+}
+
+}  // namespace waybreaker

@@ -1,0 +1,41 @@
+// Bound: what no plan that keeps to the rules is below, and the crossing searches that tell.
+#pragma once
+
+#include <vector>
+
+#include "select/opening_times.hpp"
+#include "select/task.hpp"
+#include "waybreaker/crossing.hpp"
+
+namespace waybreaker {
+
+// What is known of all plans that keep to the rules.
+struct Bound {
+    double objective = 0;                  // no plan is below it, whatever the agent's radius
+    std::vector<ObstacleId> removed = {};  // of the best way that the proof has found: worth a try
+    bool limited = false;                  // a limit ended the proof
+};
+
+// Of a point, the air agent on its shortest way. `reached`: the objective of a plan; the bound is never above. A proof
+// that a limit ends is a bound as well.
+Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline);
+// `proven`: no plan is below that.
+Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
+                  OpeningTimes& opening_times, double proven);
+
+// What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the
+// whole objective.
+double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times);
+
+// No plan with such a path is below.
+double least_objective(const Task& task, double path_cost, const OpeningTimes& opening_times);
+
+// `relaxed`: for a lower limit of all paths. The opening times must outlive the options.
+CrossingOptions crossing_options(const Task& task, bool relaxed, double objective, double seconds,
+                                 OpeningTimes& opening_times);
+
+// Sets to try after the first, and expansions to look for them. A search for each takes long, and so do schedules of
+// many obstacles; where breaching takes time, there are very many sets that could be better and hardly one that is.
+int patience(const Task& task);
+
+}  // namespace waybreaker

@@ -1,0 +1,123 @@
+// Discs that the unit square does not stand for: what they pass, and that nothing goes that they do without.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+#include "ascii_map.hpp"
+#include "checked_plan.hpp"
+#include "random_map.hpp"
+#include "waybreaker/planner.hpp"
+
+namespace waybreaker {
+namespace {
+
+Mission mission_of_disc(double radius, Cell start, Cell goal, int removals) {
+    Mission mission = ground_and_air(start, goal);
+    mission.agents[0].body.radius = radius;
+    mission.rules.removals = removals;
+    return mission;
+}
+
+TEST(Disc, PassesBetweenRowsOfCells) {
+    const Map door = map_from_ascii(R"(
+        ....
+        ....
+        ....
+        ....
+        #..#
+        ....
+        ....
+        ....
+        ....)");
+    for (const int removals : {0, 3}) {
+        Mission mission = mission_of_disc(0.8, {1, 1}, {2, 7}, removals);
+        mission.rules.breach_time.per_obstacle = 30;
+        const Plan plan = MissionPlanner().plan(door, mission);
+        ASSERT_TRUE(is_valid(door, mission, plan));
+        EXPECT_TRUE(plan.breaches.empty());
+        EXPECT_DOUBLE_EQ(*plan.after.makespan, distance(Cell{1, 1}, Cell{2, 7}));
+        EXPECT_EQ(plan.before.makespan, plan.after.makespan);
+    }
+}
+
+TEST(Disc, BendsWhereItsSquareDoesNotFit) {
+    const Map map = map_from_ascii(R"(
+        .....
+        aa...
+        .....
+        ....b
+        ....b)");
+    for (const int removals : {0, 2}) {
+        Mission mission = mission_of_disc(1, {1, 3}, {3, 1}, removals);
+        mission.rules.breach_time.per_obstacle = 50;
+        const Plan plan = MissionPlanner().plan(map, mission);
+        ASSERT_TRUE(is_valid(map, mission, plan));
+        EXPECT_TRUE(plan.breaches.empty());
+        EXPECT_DOUBLE_EQ(*plan.after.makespan, 1 + distance(Cell{2, 3}, Cell{3, 1}));
+    }
+}
+
+TEST(Disc, TakesNoDetourBecauseItsSquareDoes) {
+    const Map map = map_from_ascii(R"(
+        .......
+        .......
+        .......
+        ...a...
+        .......
+        .......
+        ....b..)");
+    const Mission mission = mission_of_disc(0.7, {5, 3}, {3, 5}, 0);
+    const Plan plan = MissionPlanner().plan(map, mission);
+    ASSERT_TRUE(is_valid(map, mission, plan));
+    EXPECT_DOUBLE_EQ(*plan.after.makespan, distance(Cell{5, 3}, Cell{3, 5}));
+}
+
+TEST(Disc, GoesWhereForcingASetShowsAWay) {
+    const Map map = map_from_ascii(R"(
+        ........
+        ..a....a
+        ...b..bc
+        .....b..
+        b..d....
+        ....dc..)");
+    Mission mission = mission_of_disc(0.7, {4, 1}, {1, 2}, 1);
+    const Plan chosen = MissionPlanner().plan(map, mission);
+    ASSERT_TRUE(is_valid(map, mission, chosen));
+    mission.rules.force = {map.obstacle_at({3, 2})};
+    EXPECT_LE(*chosen.after.makespan, *MissionPlanner().plan(map, mission).after.makespan * (1 + 1e-9));
+}
+
+// Theta* drives to a wall that is opened too late, and past it.
+TEST(Disc, LeavesWhatItDoesNotEnter) {
+    const Map map = map_from_ascii("...a.\n...b.");
+    Mission mission = mission_of_disc(0.5, {1, 1}, {4, 1}, 3);
+    mission.agents[1].goal = {1, 1};
+    mission.rules.breach_time.per_obstacle = 8;
+    mission.rules.objective = Objective::ground_makespan;
+    const Plan plan = MissionPlanner().plan(map, mission, {.planner = Planner::theta});
+    ASSERT_TRUE(is_valid(map, mission, plan));
+    ASSERT_EQ(plan.breaches.size(), 1U);
+    EXPECT_EQ(plan.breaches[0].obstacle, map.obstacle_at({3, 1}));
+}
+
+RC_GTEST_PROP(Disc, EntersAllThatGoes, ()) {
+    const PlainMap plain = *random_map(10, 8);
+    const Map map(plain.grid());
+    const OpenedMap closed(map);
+    const double radius = *rc::gen::element(0.2, 0.5, 0.6, 0.7, 1.0, 1.5);
+    Mission mission = mission_of_disc(radius, any_free_cell(plain), any_free_cell(plain), *number(0, 3));
+    mission.rules.breach_time.per_obstacle = *rc::gen::element(0.0, 2.0, 20.0);
+    const bool fits_there = fits(closed, mission.agents[0].start, mission.agents[0].body) &&
+                            fits(closed, mission.agents[0].goal, mission.agents[0].body);
+    RC_PRE(fits_there);
+    const Planner planner = *rc::gen::element(Planner::optimal, Planner::theta);
+    const Plan plan = MissionPlanner().plan(map, mission, {.planner = planner});
+    RC_ASSERT(plan_faults(map, mission, plan) == "");
+    RC_ASSERT(std::ranges::all_of(plan.breaches, [](const Breach& breach) { return breach.entered_at.has_value(); }));
+    if (plan.status != PlanStatus::solved || !plan.before.makespan) return;
+    RC_ASSERT(*plan.after.makespan <= *plan.before.makespan * (1 + 1e-9));
+}
+
+}  // namespace
+}  // namespace waybreaker
