@@ -12,12 +12,23 @@ export interface Units {
   seconds: number;
 }
 
-// `speeds` of a plan that was not asked for in metres: if all are 1, they stand for 1 m/s, as in tables and pictures.
-export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">, speeds: number[] = []): Units {
+// What a file says of its unit of time: its speeds, in cells, and whether the unit is a second.
+export interface Pace {
+  inSeconds: boolean;
+  speeds: readonly (number | undefined)[]; // 1 where nothing is said
+}
+
+// How many seconds a unit of time is. Where all speeds are 1 and nothing else is said, they stand for 1 m/s, as in the tables
+// and pictures of the command.
+export function secondsPerUnit({ inSeconds, speeds }: Pace, cell: number): number {
+  return !inSeconds && speeds.length > 0 && speeds.every((speed = 1) => speed === 1) ? cell : 1;
+}
+
+// `pace`: of a plan that is in the units of its file; the page itself asks in metres and seconds.
+export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">, pace: Pace | null = null): Units {
   const metric = map.georeference !== null || map.cell_size !== 1;
   const cell = metric ? map.cell_size : 1;
-  const inCells = speeds.length > 0 && speeds.every((speed) => speed === 1);
-  return { metric, cell, time: metric ? "seconds" : "steps", seconds: inCells ? cell : 1 };
+  return { metric, cell, time: metric ? "seconds" : "steps", seconds: pace ? secondsPerUnit(pace, cell) : 1 };
 }
 
 export function cellsPerUnit(speed: number, units: Units): number {

@@ -1,9 +1,10 @@
 // Mission files: waybreaker-mission/1 (docs/contract.md), as the command and the service read them. What only the page
 // knows, such as drawn walls, stands in `page`, which they pass by.
-import { type AgentDocument, agentDocuments, agentsOf, speedOf } from "../domain/agent_document";
+import { type AgentDocument, agentDocuments, agentsOf, type Scale, scaled, speedOf } from "../domain/agent_document";
 import { isPair } from "../domain/agents";
 import { marked, type Method, type Mission, mostRemovals } from "../domain/mission";
 import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
+import { secondsPerUnit } from "../domain/units";
 import { holdsMission } from "./address";
 import { encodeAgents } from "./agent_code";
 import { encodeLink } from "./link";
@@ -98,14 +99,19 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   const air = agents.find((agent) => agent.kind === "air");
   if (!ground) return null;
   const cell = typeof page.cell_size === "number" ? page.cell_size : shown;
+  const pace = { inSeconds: document.time_unit === "s", speeds: agents.map((agent) => agent.speed) };
+  const scale = { cell, seconds: secondsPerUnit(pace, cell) };
   const isOfTwo = agents.length === 2 && air !== undefined;
   const query = new URLSearchParams({
-    ...(isOfTwo ? pairInQuery(ground, air, cell) : encodeAgents(agentsOf(agents, cell))),
+    ...(isOfTwo ? pairInQuery(ground, air, scale) : encodeAgents(agentsOf(agents, scale))),
     removals: String(Math.min(Number(rules.removals ?? 3), mostRemovals)),
     method: !isOfTwo || method.select !== "hits" ? "exact" : "paper",
   });
-  for (const name of ["objective", "breach_time", "breach_time_per_cell", ...(isOfTwo ? [] : ["separation", "at_goal"])]) {
+  for (const name of ["objective", ...(isOfTwo ? [] : ["separation", "at_goal"])]) {
     if (rules[name] !== undefined) query.set(name, String(rules[name]));
+  }
+  for (const name of ["breach_time", "breach_time_per_cell"]) {
+    if (rules[name] !== undefined) query.set(name, String(scaled(Number(rules[name]), scale.seconds)));
   }
   for (const [name, said] of Object.entries(page)) if (name !== "cell_size") query.set(name, String(said));
   for (const mark of ["protect", "force"]) {
@@ -117,12 +123,12 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   return { query: query.toString(), leftOut: leftOut(document) };
 }
 
-function pairInQuery(ground: AgentDocument, air: AgentDocument, cell: number): Record<string, string> {
+function pairInQuery(ground: AgentDocument, air: AgentDocument, scale: Scale): Record<string, string> {
   const query: Record<string, string> = {
     start: ground.start.join(),
     goal: ground.goal.join(),
-    ground_speed: String(speedOf(ground, cell)),
-    air_speed: String(speedOf(air, cell)),
+    ground_speed: String(speedOf(ground, scale)),
+    air_speed: String(speedOf(air, scale)),
   };
   if (ground.radius !== undefined) query.radius = String(ground.radius);
   for (const place of ["start", "goal"] as const) {

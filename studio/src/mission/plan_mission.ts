@@ -1,8 +1,9 @@
 // The mission that a plan file answers, as far as the page can ask it.
-import { type AgentDocument, agentsOf } from "../domain/agent_document";
+import { type AgentDocument, agentsOf, type Scale, scaled } from "../domain/agent_document";
 import { type Agents, ofPair, usualVehicle } from "../domain/agents";
 import { defaults, type Mark, type Mission, mostRemovals } from "../domain/mission";
-import type { Plan } from "../domain/plan";
+import { paceOf, type Plan } from "../domain/plan";
+import { secondsPerUnit } from "../domain/units";
 import { isObject } from "./mission_file";
 
 export function isPlan(value: unknown): value is Plan {
@@ -21,7 +22,9 @@ export function mapsOfPlan({ map }: Plan): string[] {
 
 // Null where there was no plan: such a file does not say where from and where to.
 export function missionOfPlan(plan: Plan, map: string): Mission | null {
-  const agents = agentsOfPlan(plan);
+  const cell = plan.map.cell_size;
+  const scale = { cell, seconds: secondsPerUnit(paceOf(plan), cell) };
+  const agents = agentsOfPlan(plan, scale);
   if (!agents) return null;
   const { options } = plan;
   const rules = plan.mission?.rules ?? {};
@@ -33,8 +36,8 @@ export function missionOfPlan(plan: Plan, map: string): Mission | null {
     removals: Math.min(options.removals ?? defaults.removals, mostRemovals),
     method: options.select === "hits" ? "paper" : "exact",
     objective: options.objective ?? defaults.objective,
-    breachTime: options.breach_time ?? 0,
-    breachTimePerCell: options.breach_time_per_cell ?? 0,
+    breachTime: scaled(options.breach_time ?? 0, scale.seconds),
+    breachTimePerCell: scaled(options.breach_time_per_cell ?? 0, scale.seconds),
     separation: Number(rules.separation ?? defaults.separation),
     atGoal: rules.at_goal === "leave" ? "leave" : "stay",
     marks: new Map([...marks(options.protect, "protect"), ...marks(options.force, "force")]),
@@ -42,12 +45,12 @@ export function missionOfPlan(plan: Plan, map: string): Mission | null {
 }
 
 // Of a pair what the options say, of a team what its mission says.
-function agentsOfPlan({ agents, options, mission, map }: Plan): Agents | null {
+function agentsOfPlan({ agents, options, mission }: Plan, scale: Scale): Agents | null {
   if (!agents.some((agent) => agent.kind === "ground")) return null;
   const said = (mission?.agents ?? []) as Partial<AgentDocument>[];
   const known = agentsOf(
     agents.map(({ id, kind, start, goal, speed }, i) => ({ ...said[i], id, kind, start, goal, speed })),
-    map.cell_size,
+    scale,
   );
   const two = ofPair(known);
   if (!two) return known;

@@ -63,6 +63,7 @@ function missionOfPair({ ground, air }: { ground: Vehicle; air: Aircraft }, unit
     ...(air.goal && { air_goal: air.goal }),
     ground_speed: cellsPerUnit(ground.speed, units),
     air_speed: cellsPerUnit(air.speed, units),
+    ...(units.metric && { time_unit: "s" as const }),
   };
 }
 

@@ -24,11 +24,14 @@ describe("units", () => {
   });
 
   it("take a plan in cells for one at 1 m/s", () => {
-    const units = unitsOf({ cell_size: 2.4, georeference: null }, [1, 1]);
+    const units = unitsOf({ cell_size: 2.4, georeference: null }, { inSeconds: false, speeds: [1, undefined] });
     expect(plain(duration(100, units))).toBe("4 min");
     expect(plain(clockTime(100, units))).toBe("4:00");
-    expect(unitsOf({ cell_size: 2.4, georeference: null }, [1, 2]).seconds).toBe(1);
-    expect(unitsOf({ cell_size: 1, georeference: null }, [1, 1])).toEqual(grid);
+    const seconds = (inSeconds: boolean, ...speeds: number[]) =>
+      unitsOf({ cell_size: 2.4, georeference: null }, { inSeconds, speeds }).seconds;
+    expect(seconds(false, 1, 2)).toBe(1);
+    expect(seconds(true, 1, 1)).toBe(1); // a cell a second
+    expect(unitsOf({ cell_size: 1, georeference: null }, { inSeconds: false, speeds: [1, 1] })).toEqual(grid);
   });
 
   it("turn speeds into the service's", () => {
