@@ -25,7 +25,10 @@ export interface PlanOptions {
 }
 
 // Of a request: tags and names beside ids. Plans name ids alone.
-export interface RequestOptions extends Omit<PlanOptions, "protect"> {
+export interface RequestOptions extends Omit<PlanOptions, "protect" | "select" | "planner"> {
+  select?: string;
+  planner?: string;
+  minimise_demolition?: number;
   protect?: (number | string)[];
 }
 

@@ -10,6 +10,7 @@ import {
   canRemove,
   draftBeforeRequest,
   draftRequest,
+  hasDraft,
   isHasty,
   isOfTeam,
   keyOf,
@@ -49,7 +50,7 @@ export class PlanFetcher {
 
   // What has to follow the mouse: the plan, or a draft of it.
   async fetchFirst(question: Question, stop: AbortSignal): Promise<void> {
-    const isSlow = this.#took > this.fluent && !this.#isKnown(question);
+    const isSlow = this.#took > this.fluent && hasDraft(question) && !this.#isKnown(question);
     if (!isSlow || !(await this.#draft(question, stop))) await this.#plan(question, stop);
   }
 
