@@ -33,7 +33,7 @@ void set_truth(const JsonField& object, const char* key, bool& target) {
 }
 
 MissionRequest short_mission(const JsonField& field) {
-    field.allow({"start", "goal", "air_start", "air_goal", "ground_speed", "air_speed"});
+    field.allow({"start", "goal", "air_start", "air_goal", "ground_speed", "air_speed", "time_unit"});
     MissionRequest result;
     result.start = cell_if(field.find("start"));
     result.goal = cell_if(field.find("goal"));
@@ -165,6 +165,9 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) 
             set_document(*field, request);
         } else {
             request.mission = short_mission(*field);
+            if (const auto unit = field->find("time_unit")) {
+                request.options.in_seconds = unit->one_of<bool>({{"s", true}});
+            }
         }
     }
     if (const auto field = root.find("options")) request.options = options(*field, request.options);

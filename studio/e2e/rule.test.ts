@@ -12,6 +12,7 @@ const setting = new Setting("rule");
 const { scratch } = setting;
 const mission = {
   format: "waybreaker-mission/1",
+  time_unit: "s",
   agents: [
     { id: "ground", kind: "ground", start: [130, 104], goal: [466, 105] },
     { id: "air", kind: "air", start: [130, 104], goal: [130, 104] },
@@ -44,7 +45,7 @@ it("keeps a rule of a mission file, and plans as the command does", async () => 
   await choice.waitFor();
   await expect.poll(async () => essence(await studio.plan()), { timeout: 20_000 }).toEqual(essence(expected));
   await studio.settled();
-  expect(await studio.page.getByRole("status").getByText(/does not know/).count()).toBe(0);
+  expect(await studio.page.getByRole("status").getByText(/Left out/).count()).toBe(0);
 
   await studio.page.getByRole("slider", { name: "Removals" }).fill("1");
   await expect.poll(async () => (await studio.plan()).options.removals, { timeout: 20_000 }).toBe(1);
@@ -60,6 +61,31 @@ it("keeps a rule of a mission file, and plans as the command does", async () => 
   await expect.poll(async () => (await studio.plan()).options.protect, { timeout: 20_000 }).toEqual([17]);
   expect(await studio.accessibilityFaults()).toEqual([]);
   expect(studio.faults).toEqual([]);
+  await studio.close();
+});
+
+it("keeps a limit that it has no control for, plans as the command does, and drops it when told to", async () => {
+  const file = join(scratch, "budget.json");
+  const [start, goal] = [[130, 104], [466, 105]];
+  const agents = [{ id: "ground", kind: "ground", start, goal, ready_at: 5 }, { id: "air", kind: "air", start, goal }];
+  writeFileSync(file, JSON.stringify({ format: "waybreaker-mission/1", agents, rules: { removals: 2, budget_m2: 100 } }));
+  const studio = await setting.visit();
+  const { page } = studio;
+  await studio.settled();
+  await page.getByLabel("File to open").setInputFiles(file);
+  await page.getByText("Left out: ready_at, which only a vehicle of a team has.").waitFor();
+  const choice = page.getByText("Also asked: budget 100\u00a0m²", { exact: true });
+  await choice.waitFor();
+  await studio.settled();
+  const { options, demolition, mission } = await studio.plan();
+  expect(options.budget_m2).toBe(100);
+  expect(demolition!.area_m2).toBeLessThanOrEqual(100);
+  expect(mission!.time_unit).toBe("s");
+  expect((await studio.figures())[0]).toBeGreaterThan(800); // seconds at 1 m/s, as the command says
+  await page.getByRole("button", { name: /^Take back: Also asked/ }).click();
+  await choice.waitFor({ state: "detached" });
+  await studio.settled();
+  expect((await studio.plan()).options).not.toHaveProperty("budget_m2");
   await studio.close();
 });
 

@@ -194,6 +194,23 @@ describe("the mission", () => {
 });
 
 describe("playback", () => {
+  it("says what a number may be, and has the last one again when the field is left", async () => {
+    const page = await visit();
+    await page.page.getByText("Mission settings").click();
+    const field = page.page.getByLabel("Aircraft’s speed");
+    for (const wrong of ["0", "-3", ""]) {
+      await field.fill(wrong);
+      await page.page.getByText("From 0.01 to 1000 m/s. Planned with 1.").waitFor();
+      expect([await field.inputValue(), await field.getAttribute("aria-invalid")]).toEqual([wrong, "true"]);
+      await field.blur();
+      expect([await field.inputValue(), await field.getAttribute("aria-invalid")]).toEqual(["1", "false"]);
+    }
+    await field.fill("2.5");
+    await field.blur();
+    expect(await field.inputValue()).toBe("2.5");
+    expect(await page.accessibilityFaults()).toEqual([]);
+  });
+
   it("plays, pauses and can be scrubbed", async () => {
     const page = await visit();
     const time = page.page.getByRole("slider", { name: "Time of the mission" });

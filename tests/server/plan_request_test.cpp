@@ -38,6 +38,15 @@ TEST(PlanRequest, AgentsHaveTheirStartsAndGoals) {
     }
 }
 
+TEST(PlanRequest, AMissionInShortMayBeInSecondsToo) {
+    const auto in_seconds = [](const std::string& mission) {
+        const PlanRequest request = parse_plan_request(R"({"mission": )" + mission + "}");
+        return document_of(request.mission, request.options, three_cells()).in_seconds;
+    };
+    EXPECT_TRUE(in_seconds(R"({"start": [0, 0], "goal": [2, 0], "time_unit": "s"})"));
+    EXPECT_FALSE(in_seconds(R"({"start": [0, 0], "goal": [2, 0]})"));
+}
+
 TEST(PlanRequest, ThePaperIsItsMethodUnlessOneSaysOtherwise) {
     const PlanRequest request =
         parse_plan_request(R"({"options": {"paper": true, "removals": 2, "timing": "enforce"}})");

@@ -23,6 +23,7 @@ export interface PairMission {
   air_goal?: Cell;
   ground_speed?: number;
   air_speed?: number;
+  time_unit?: "s"; // on maps with metres
 }
 
 // A mission file; what options say is not in its rules.

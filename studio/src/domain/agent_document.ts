@@ -26,23 +26,33 @@ export function agentDocuments(agents: Agents, cell: number): AgentDocument[] {
   });
 }
 
+// What the units of a file are on the page.
+export interface Scale {
+  cell: number; // metres, or 1
+  seconds: number; // of a unit of time
+}
+
 // An aircraft that starts or ends where the first vehicle does stays with it.
-export function agentsOf(documents: readonly AgentDocument[], cell: number): Agents {
+export function agentsOf(documents: readonly AgentDocument[], scale: Scale): Agents {
   const first = documents.find((agent) => agent.kind === "ground");
   const isApart = (place: Cell, other: Cell | undefined) => place.join() !== other?.join();
   return documents.map((agent): MissionAgent => {
     const { id, kind, start, goal } = agent;
-    const speed = speedOf(agent, cell);
+    const speed = speedOf(agent, scale);
     if (kind === "ground") {
       const { radius = usualVehicle.radius, ready_at: readyAt = usualVehicle.readyAt } = agent;
-      return { kind, id, start, goal, speed, radius, readyAt };
+      return { kind, id, start, goal, speed, radius, readyAt: scaled(readyAt, scale.seconds) };
     }
     const places = { start: isApart(start, first?.start) ? start : null, goal: isApart(goal, first?.goal) ? goal : null };
     return { kind, id, ...places, speed, breaches: agent.breaches ?? usualAircraft.breaches };
   });
 }
 
-// As it was said: dividing by the size of a cell and multiplying again leaves something in the last digits.
-export function speedOf({ speed = 1 }: AgentDocument, cell: number): number {
-  return Number((speed * cell).toPrecision(15));
+export function speedOf({ speed = 1 }: Pick<AgentDocument, "speed">, { cell, seconds }: Scale): number {
+  return scaled(speed, cell / seconds);
+}
+
+// As it was said: dividing by a factor and multiplying again leaves something in the last digits.
+export function scaled(value: number, factor: number): number {
+  return Number((value * factor).toPrecision(15));
 }

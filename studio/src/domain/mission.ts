@@ -1,5 +1,6 @@
 // What is asked, as one immutable value: undo keeps old ones, a link holds one.
 import { type Agents, pair } from "./agents";
+import type { Also, Method } from "./also";
 import type { Cell, Run } from "./geometry";
 import type { Objective } from "./plan";
 import type { TagFilter } from "./tag_filter";
@@ -7,7 +8,7 @@ import type { TagFilter } from "./tag_filter";
 // A way to end up at the goal: what the layers of the map are.
 export type LayerName = "before" | "after" | "paper";
 
-export type Method = "exact" | "paper";
+export type { Method };
 
 // What the vehicles of a team do once they have arrived: stand in the way of others, or vanish.
 export type AtGoal = "stay" | "leave";
@@ -35,6 +36,7 @@ export interface Mission {
   protectAll: readonly TagFilter[]; // beside what is marked: all obstacles that any of these means
   walls: readonly Run[]; // drawn
   erased: readonly Run[];
+  also: Also; // what there is no control for
   layers: readonly LayerName[];
   time: number | null; // where playback stands
 }
@@ -52,6 +54,7 @@ export const defaults = {
   protectAll: [] as readonly TagFilter[],
   walls: [] as readonly Run[],
   erased: [] as readonly Run[],
+  also: {} as Also,
   layers: ["before", "after"] as readonly LayerName[],
   time: null,
 } satisfies Omit<Mission, "map" | "agents">;

@@ -1,5 +1,6 @@
 // Plans as plan files have them.
 import type { Cell } from "./geometry";
+import type { Pace } from "./units";
 
 export type Objective = "makespan" | "ground-makespan" | "flowtime";
 
@@ -24,7 +25,10 @@ export interface PlanOptions {
 }
 
 // Of a request: tags and names beside ids. Plans name ids alone.
-export interface RequestOptions extends Omit<PlanOptions, "protect"> {
+export interface RequestOptions extends Omit<PlanOptions, "protect" | "select" | "planner"> {
+  select?: string;
+  planner?: string;
+  minimise_demolition?: number;
   protect?: (number | string)[];
 }
 
@@ -109,6 +113,12 @@ export function isTeam({ after }: Plan): boolean {
 
 export function objectiveOf(plan: Plan): Objective {
   return plan.options.objective ?? "makespan";
+}
+
+// Where there is no plan, its mission alone says who was to go.
+export function paceOf({ agents, mission }: Plan): Pace {
+  const all = agents.length > 0 ? agents : ((mission?.agents ?? []) as { speed?: number }[]);
+  return { inSeconds: mission?.time_unit === "s", speeds: all.map((agent) => agent.speed) };
 }
 
 const members = { makespan: "makespan", "ground-makespan": "ground_makespan", flowtime: "flowtime" } as const;

@@ -12,12 +12,23 @@ export interface Units {
   seconds: number;
 }
 
-// `speeds` of a plan that was not asked for in metres: if all are 1, they stand for 1 m/s, as in tables and pictures.
-export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">, speeds: number[] = []): Units {
+// What a file says of its unit of time: its speeds, in cells, and whether the unit is a second.
+export interface Pace {
+  inSeconds: boolean;
+  speeds: readonly (number | undefined)[]; // 1 where nothing is said
+}
+
+// How many seconds a unit of time is. Where all speeds are 1 and nothing else is said, they stand for 1 m/s, as in the tables
+// and pictures of the command.
+export function secondsPerUnit({ inSeconds, speeds }: Pace, cell: number): number {
+  return !inSeconds && speeds.length > 0 && speeds.every((speed = 1) => speed === 1) ? cell : 1;
+}
+
+// `pace`: of a plan that is in the units of its file; the page itself asks in metres and seconds.
+export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">, pace: Pace | null = null): Units {
   const metric = map.georeference !== null || map.cell_size !== 1;
   const cell = metric ? map.cell_size : 1;
-  const inCells = speeds.length > 0 && speeds.every((speed) => speed === 1);
-  return { metric, cell, time: metric ? "seconds" : "steps", seconds: inCells ? cell : 1 };
+  return { metric, cell, time: metric ? "seconds" : "steps", seconds: pace ? secondsPerUnit(pace, cell) : 1 };
 }
 
 export function cellsPerUnit(speed: number, units: Units): number {
@@ -26,16 +37,45 @@ export function cellsPerUnit(speed: number, units: Units): number {
 
 const space = "\u00a0"; // between a number and its unit, where no line may break
 
-// 16 min 15 s.
-export function duration(time: number, units: Units): string {
-  if (time < 0) return `−${duration(-time, units)}`;
-  if (units.time === "steps") return `${decimals(time)}${space}steps`;
+// 16 min 15 s. From an hour on without seconds, unless it has to be `fine`.
+export function duration(time: number, units: Units, fine = false): string {
+  if (time < 0) return `−${duration(-time, units, fine)}`;
+  return durationText(shownTime(time, units, fine), units, fine);
+}
+
+// As it is displayed: in seconds, or in steps.
+function shownTime(time: number, units: Units, fine: boolean): number {
   const exact = time * units.seconds;
-  if (exact < 59.95) return `${exact < 9.995 ? trimmed(exact, 2) : trimmed(exact, 1)}${space}s`;
-  const whole = Math.round(exact);
-  const [hours, minutes, seconds] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
-  if (hours > 0) return `${hours}${space}h ${minutes}${space}min`;
-  return seconds === 0 ? `${minutes}${space}min` : `${minutes}${space}min ${seconds}${space}s`;
+  const to = (digits: number) => Number(exact.toFixed(digits));
+  if (units.time === "steps") return exact < 99.95 ? to(2) : to(1);
+  if (exact < 59.95) return exact < 9.995 ? to(2) : to(1);
+  return fine || to(0) < 3600 ? to(0) : 60 * Math.round(exact / 60);
+}
+
+function durationText(shown: number, units: Units, fine: boolean): string {
+  if (units.time === "steps") return `${decimals(shown)}${space}steps`;
+  if (shown < 60) return `${trimmed(shown, 2)}${space}s`;
+  const [hours, minutes, seconds] = [Math.floor(shown / 3600), Math.floor(shown / 60) % 60, trimmed(shown % 60, 2)];
+  const parts = [`${minutes}${space}min`, ...(seconds === "0" ? [] : [`${seconds}${space}s`])];
+  return hours === 0 ? parts.join(" ") : [`${hours}${space}h`, ...(fine ? parts : parts.slice(0, 1))].join(" ");
+}
+
+// Times that stand beside each other: with seconds where these tell them apart.
+export function durations(times: readonly number[], units: Units): string[] {
+  const fine = areNear(times, units);
+  return times.map((time) => duration(time, units, fine));
+}
+
+function areNear(times: readonly number[], units: Units): boolean {
+  const [first = 0, ...others] = [...new Set(times)].sort((a, b) => a - b);
+  return others.some((time, i) => (time - (others[i - 1] ?? first)) * units.seconds < 600);
+}
+
+// How much later one time is than another, as anyone finds who subtracts what `durations` says of them.
+export function difference(earlier: number, later: number, units: Units): string {
+  const fine = areNear([earlier, later], units);
+  const shown = shownTime(later, units, fine) - shownTime(earlier, units, fine);
+  return shown > 1e-9 ? durationText(Number(shown.toFixed(2)), units, true) : duration(later - earlier, units);
 }
 
 // 16:15, for where there is little room.

@@ -1,5 +1,6 @@
 // A mission as the query of an address, and back. Defaults are left out.
 import { type Agents, changed, ofPair, usualAircraft, usualVehicle } from "../domain/agents";
+import { alsoText, parseAlso } from "../domain/also";
 import type { Cell, Run } from "../domain/geometry";
 import {
   type AtGoal,
@@ -48,12 +49,14 @@ export function encodeLink(mission: Mission, width: number): string {
     if (keys.length > 0) query.push([mark, keys.map((key) => markText(key, width)).join()]);
   }
   if (mission.protectAll.length > 0) query.push(["protect_all", filtersText(mission.protectAll)]);
+  if (Object.keys(mission.also).length > 0) query.push(["also", alsoText(mission.also)]);
   if (mission.walls.length > 0) query.push(["walls", encodeRuns(mission.walls)]);
   if (mission.erased.length > 0) query.push(["erased", encodeRuns(mission.erased)]);
   if (mission.layers.join() !== defaults.layers.join()) query.push(["show", mission.layers.join()]);
   if (mission.time !== null) query.push(["time", String(Math.round(mission.time * 100) / 100)]);
-  // Commas need no escape in a query, and are easier to read without.
-  return query.map(([name, value]) => `${name}=${encodeURIComponent(value).replaceAll("%2C", ",")}`).join("&");
+  // Commas and colons need no escape in a query, and are easier to read without.
+  const escaped = (value: string) => encodeURIComponent(value).replaceAll("%2C", ",").replaceAll("%3A", ":");
+  return query.map(([name, value]) => `${name}=${escaped(value)}`).join("&");
 }
 
 function placesOf(agents: Agents): [string, string][] {
@@ -148,6 +151,7 @@ export function decodeLink(query: string, map: string, ends: Ends, width: number
     );
   }
   mission.marks = has;
+  take("also", parseAlso, (also) => (mission.also = also));
   take("protect_all", parseTagFilters, (filters) => (mission.protectAll = filters));
   for (const name of ["walls", "erased"] as const) {
     take(

@@ -1,9 +1,11 @@
 // Mission files: waybreaker-mission/1 (docs/contract.md), as the command and the service read them. What only the page
 // knows, such as drawn walls, stands in `page`, which they pass by.
-import { type AgentDocument, agentDocuments, agentsOf, speedOf } from "../domain/agent_document";
+import { type AgentDocument, agentDocuments, agentsOf, type Scale, scaled, speedOf } from "../domain/agent_document";
 import { isPair } from "../domain/agents";
+import { type Also, alsoNames, alsoOf, alsoText, methodWords } from "../domain/also";
 import { marked, type Method, type Mission, mostRemovals } from "../domain/mission";
 import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
+import { secondsPerUnit } from "../domain/units";
 import { holdsMission } from "./address";
 import { encodeAgents } from "./agent_code";
 import { encodeLink } from "./link";
@@ -23,7 +25,8 @@ interface MissionDocument {
 // What a mission file says, as the query of a link.
 export interface MissionQuery {
   query: string;
-  leftOut: string[]; // members that the page has no words for
+  leftOut: string[]; // what the page has no words for
+  names: string[]; // that the page does not keep
 }
 
 // What the file needs to know of the map that the mission is on.
@@ -39,23 +42,25 @@ export function missionFile(mission: Mission, map: MapOfMission, removals: numbe
   const { agents, method } = mission;
   const count = mission.removals === "auto" ? removals : mission.removals;
   const isTeam = !isPair(agents);
-  const { timing, ...how } = methodOf(isTeam ? "exact" : method, count);
+  const said: Also = { ...methodWords(isTeam ? "exact" : method, count), ...mission.also };
+  const { corners } = said;
+  const isCut = (agent: AgentDocument) => corners !== undefined && agent.kind === "ground";
   const ids = (mark: "protect" | "force") => marked(mission, mark).filter((key) => key > 0).sort((a, b) => a - b);
   const document: MissionDocument = {
     format,
     ...(map.metric && { time_unit: "s" as const }),
-    agents: agentDocuments(agents, map.cell),
+    agents: agentDocuments(agents, map.cell).map((one) => (isCut(one) ? { ...one, corners: String(corners) } : one)),
     rules: {
       removals: count,
       protect: [...ids("protect"), ...mission.protectAll.map(filterText)],
       force: ids("force"),
       breach_time: mission.breachTime,
       breach_time_per_cell: mission.breachTimePerCell,
-      timing,
+      ...only(said, alsoNames.rules),
       objective: mission.objective,
       ...(isTeam && { separation: mission.separation, at_goal: mission.atGoal }),
     },
-    method: how,
+    method: only(said, alsoNames.method),
     page: pageOf(mission, map),
   };
   return `${JSON.stringify(document, null, 2)}\n`;
@@ -74,11 +79,8 @@ export function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-function methodOf(method: Method, removals: number) {
-  // As the paper has it: see `waybreaker plan --paper`.
-  return method === "exact"
-    ? { timing: "enforce", select: "exact" }
-    : { timing: "ignore", select: "hits", planner: "theta", flight: removals === 1 ? "optimal" : "nearest" };
+function only(said: Also, names: readonly string[]): Also {
+  return Object.fromEntries(Object.entries(said).filter(([name]) => names.includes(name)));
 }
 
 // Of the mission's link what the file has no other place for.
@@ -86,7 +88,7 @@ function pageOf(mission: Mission, { width, cell, file }: MapOfMission): Record<s
   const walls = new Map([...mission.marks].filter(([key, mark]) => key < 0 || mark === "exclude" || mark === "allow"));
   const link = new URLSearchParams(encodeLink({ ...mission, marks: walls }, width));
   const pair = ["start", "goal", "air_start", "air_goal", "ground_speed", "air_speed", "radius"];
-  const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal", "protect_all"];
+  const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal", "protect_all", "also"];
   for (const name of [...pair, "vehicles", "aircraft", "method", ...rules]) link.delete(name);
   if (mission.removals !== "auto") link.delete("removals");
   return { ...Object.fromEntries(link), cell_size: cell, ...(file !== undefined && { file }) };
@@ -98,14 +100,24 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   const air = agents.find((agent) => agent.kind === "air");
   if (!ground) return null;
   const cell = typeof page.cell_size === "number" ? page.cell_size : shown;
+  const pace = { inSeconds: document.time_unit === "s", speeds: agents.map((agent) => agent.speed) };
+  const scale = { cell, seconds: secondsPerUnit(pace, cell) };
   const isOfTwo = agents.length === 2 && air !== undefined;
+  const removals = Number(rules.removals ?? usualRemovals);
+  const how: Method = !isOfTwo || method.select !== "hits" ? "exact" : "paper";
+  const corners = cornersOf(agents);
   const query = new URLSearchParams({
-    ...(isOfTwo ? pairInQuery(ground, air, cell) : encodeAgents(agentsOf(agents, cell))),
-    removals: String(Math.min(Number(rules.removals ?? 3), mostRemovals)),
-    method: !isOfTwo || method.select !== "hits" ? "exact" : "paper",
+    ...(isOfTwo ? pairInQuery(ground, air, scale) : encodeAgents(agentsOf(agents, scale))),
+    removals: String(Math.min(removals, mostRemovals)),
+    method: how,
   });
-  for (const name of ["objective", "breach_time", "breach_time_per_cell", ...(isOfTwo ? [] : ["separation", "at_goal"])]) {
+  const also = alsoOf({ ...rules, ...method, ...(corners && { corners }) }, how, removals);
+  if (Object.keys(also).length > 0) query.set("also", alsoText(also));
+  for (const name of ["objective", ...(isOfTwo ? [] : ["separation", "at_goal"])]) {
     if (rules[name] !== undefined) query.set(name, String(rules[name]));
+  }
+  for (const name of ["breach_time", "breach_time_per_cell"]) {
+    if (rules[name] !== undefined) query.set(name, String(scaled(Number(rules[name]), scale.seconds)));
   }
   for (const [name, said] of Object.entries(page)) if (name !== "cell_size") query.set(name, String(said));
   for (const mark of ["protect", "force"]) {
@@ -114,15 +126,15 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   }
   const all = textsIn(rules.protect);
   if (all.length > 0) query.set("protect_all", inOne(all));
-  return { query: query.toString(), leftOut: leftOut(document) };
+  return { query: query.toString(), leftOut: leftOut(document), names: namesLost(agents) };
 }
 
-function pairInQuery(ground: AgentDocument, air: AgentDocument, cell: number): Record<string, string> {
+function pairInQuery(ground: AgentDocument, air: AgentDocument, scale: Scale): Record<string, string> {
   const query: Record<string, string> = {
     start: ground.start.join(),
     goal: ground.goal.join(),
-    ground_speed: String(speedOf(ground, cell)),
-    air_speed: String(speedOf(air, cell)),
+    ground_speed: String(speedOf(ground, scale)),
+    air_speed: String(speedOf(air, scale)),
   };
   if (ground.radius !== undefined) query.radius = String(ground.radius);
   for (const place of ["start", "goal"] as const) {
@@ -146,15 +158,39 @@ function inOne(texts: readonly string[]): string {
   return wrong < 0 ? filtersText(filters.flatMap((some) => some ?? [])) : texts[wrong]!;
 }
 
+const usualRemovals = 3; // of the command
+
+// Those of all vehicles; null where they differ.
+function cornersOf(agents: readonly Partial<AgentDocument>[]): string | null {
+  const all = new Set(agents.filter((agent) => agent.kind !== "air").map(({ corners = "none" }) => corners));
+  return all.size === 1 ? [...all][0]! : null;
+}
+
 const known = {
-  rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "timing", "objective", "separation", "at_goal"],
-  method: ["select", "planner", "flight", "weight", "tie_break", "moves", "bound", "explain"],
+  rules: ["removals", "protect", "force", "breach_time", "breach_time_per_cell", "objective", "separation", "at_goal", ...alsoNames.rules],
+  method: ["bound", "explain", ...alsoNames.method],
 };
 
-function leftOut({ agents, rules = {}, method = {} }: MissionDocument): string[] {
+// What the page has no words for, or the command refuses.
+export function leftOut({ agents, rules = {}, method = {} }: Pick<MissionDocument, "agents" | "rules" | "method">): string[] {
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
-  const cuts = agents.some(({ corners = "none" }) => corners !== "none");
-  return [...of(rules, known.rules), ...of(method, known.method), ...(cuts ? ["corners"] : [])];
+  const isOfTwo = isPair(agents);
+  const says = (name: "ready_at" | "breaches", kind: AgentDocument["kind"]) =>
+    agents.some((agent) => agent[name] !== undefined && (isOfTwo || agent.kind !== kind));
+  const removals = Number(rules.removals ?? usualRemovals);
+  return [
+    ...of(rules, known.rules),
+    ...of(method, known.method),
+    ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),
+    ...(says("ready_at", "ground") ? ["ready_at, which only a vehicle of a team has"] : []),
+    ...(says("breaches", "air") ? ["breaches, which only an aircraft of a team has"] : []),
+    ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
+  ];
+}
+
+// Only agents of a team have names on the page.
+export function namesLost(agents: readonly Pick<AgentDocument, "id" | "kind">[]): string[] {
+  return isPair(agents) ? agents.filter(({ id, kind }) => id !== kind).map(({ id }) => id) : [];
 }
 
 // As the page once wrote them: what a link says, a line each.
@@ -163,5 +199,5 @@ function queryOfFormerFile(value: Record<string, unknown>): MissionQuery | null 
     ([name, one]) => name !== "format" && ["string", "number"].includes(typeof one),
   );
   const query = new URLSearchParams(said.map(([name, one]) => [name, String(one)])).toString();
-  return holdsMission(query) ? { query, leftOut: [] } : null;
+  return holdsMission(query) ? { query, leftOut: [], names: [] } : null;
 }

@@ -3,8 +3,8 @@ import type { Plan } from "../domain/plan";
 import { type Given, NotUnderstood, understood } from "./given";
 import { encodeLink, mapOfLink } from "./link";
 import { isUpload } from "./maps";
-import { queryOfFile } from "./mission_file";
-import { mapsOfPlan, missionOfPlan } from "./plan_mission";
+import { type MissionQuery, namesLost, queryOfFile } from "./mission_file";
+import { leftOutOfPlan, mapsOfPlan, missionOfPlan } from "./plan_mission";
 import type { Studio } from "./studio";
 
 export function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
@@ -36,9 +36,7 @@ async function openMissionFile(studio: Studio, value: Record<string, unknown>): 
   const said = queryOfFile(value, studio.units.value.cell);
   if (!said) throw new NotUnderstood("Nobody drives in this mission: it has no ground agent.");
   await openMission(studio, said.query);
-  if (said.leftOut.length > 0 && !studio.notice.value) {
-    studio.notify("info", `The page does not know what the file says about ${said.leftOut.join(", ")}.`);
-  }
+  if (!studio.notice.value) say(studio, "", said);
 }
 
 async function openPlan(studio: Studio, plan: Plan): Promise<void> {
@@ -46,10 +44,20 @@ async function openPlan(studio: Studio, plan: Plan): Promise<void> {
   const [there, query] = asked(plan, new Set(studio.mapList.value.map((entry) => entry.id)));
   if (!(await studio.open(there, query, plan.map.digest)) || studio.notice.value) return;
   if (studio.shown.value?.base.description.digest === plan.map.digest) {
-    studio.notify("info", "The mission of the plan is planned anew.");
+    const lost = { leftOut: leftOutOfPlan(plan), names: namesLost(plan.agents) };
+    say(studio, "The mission of the plan is planned anew.", lost);
   } else {
     studio.notify("bad", `The plan was made on another state of “${there}”; its mission is planned on this one.`);
   }
+}
+
+// What is left out of a file stands until it is read: what is planned is not all that was asked.
+function say(studio: Studio, first: string, { leftOut, names }: Pick<MissionQuery, "leftOut" | "names">): void {
+  const left = leftOut.length > 0 ? `Not all of the file is planned. Left out: ${leftOut.join("; ")}.` : "";
+  const quoted = names.map((name) => `“${name}”`).join(" and ");
+  const unnamed = quoted && `Only agents of a team keep their names: ${quoted} ${names.length > 1 ? "are" : "is"} left out.`;
+  const text = [first, left, unnamed].filter((part) => part !== "").join(" ");
+  if (text) studio.notify(left ? "bad" : "info", text);
 }
 
 // The map and the mission of a plan.

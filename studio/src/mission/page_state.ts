@@ -4,7 +4,7 @@ import { computed, effect, signal, type Signal } from "@preact/signals";
 import { looksOf } from "../domain/agents";
 import { asksTheSame, defaults, type LayerName, type Mark, type Mission } from "../domain/mission";
 import { ruledObstacles, type TagFilter } from "../domain/tag_filter";
-import { type Units, unitsOf } from "../domain/units";
+import { type Pace, type Units, unitsOf } from "../domain/units";
 import type { Results } from "../planning/results";
 import { Clock } from "../play/clock";
 import { drawnObstacles } from "./edited";
@@ -35,7 +35,7 @@ export class PageState {
   });
   readonly units: Signal<Units> = computed(() =>
     this.shown.value
-      ? unitsOf(this.shown.value.base.description, this.speeds)
+      ? unitsOf(this.shown.value.base.description, this.pace)
       : { metric: true, cell: 1, time: "seconds", seconds: 1 },
   );
   readonly loading = signal(true); // a map is on its way
@@ -49,10 +49,10 @@ export class PageState {
   // Whether what is shown answers an older question, and has for a moment: what follows the mouse does so within it.
   readonly old = signal(false);
 
-  // `speeds`: of a plan that was made in cells (unitsOf).
+  // `pace`: of a plan that is in the units of its file (unitsOf).
   constructor(
     readonly results: Results,
-    private readonly speeds: number[] = [],
+    private readonly pace: Pace | null = null,
   ) {
     const isOld = computed(() => {
       const answered = results.answered.value?.of;

@@ -1,9 +1,11 @@
 // The mission that a plan file answers, as far as the page can ask it.
-import { type AgentDocument, agentsOf } from "../domain/agent_document";
+import { type AgentDocument, agentsOf, type Scale, scaled } from "../domain/agent_document";
 import { type Agents, ofPair, usualVehicle } from "../domain/agents";
+import { alsoOf } from "../domain/also";
 import { defaults, type Mark, type Mission, mostRemovals } from "../domain/mission";
-import type { Plan } from "../domain/plan";
-import { isObject } from "./mission_file";
+import { paceOf, type Plan } from "../domain/plan";
+import { secondsPerUnit } from "../domain/units";
+import { isObject, leftOut } from "./mission_file";
 
 export function isPlan(value: unknown): value is Plan {
   if (!isObject(value) || value.format !== "waybreaker-plan/1") return false;
@@ -21,33 +23,50 @@ export function mapsOfPlan({ map }: Plan): string[] {
 
 // Null where there was no plan: such a file does not say where from and where to.
 export function missionOfPlan(plan: Plan, map: string): Mission | null {
-  const agents = agentsOfPlan(plan);
+  const cell = plan.map.cell_size;
+  const scale = { cell, seconds: secondsPerUnit(paceOf(plan), cell) };
+  const agents = agentsOfPlan(plan, scale);
   if (!agents) return null;
   const { options } = plan;
   const rules = plan.mission?.rules ?? {};
+  const method = options.select === "hits" && ofPair(agents) ? "paper" : "exact";
   const marks = (ids: number[] | undefined, mark: Mark) => (ids ?? []).map((id): [number, Mark] => [id, mark]);
   return {
     ...defaults,
     map,
     agents,
     removals: Math.min(options.removals ?? defaults.removals, mostRemovals),
-    method: options.select === "hits" ? "paper" : "exact",
+    method,
     objective: options.objective ?? defaults.objective,
-    breachTime: options.breach_time ?? 0,
-    breachTimePerCell: options.breach_time_per_cell ?? 0,
+    breachTime: scaled(options.breach_time ?? 0, scale.seconds),
+    breachTimePerCell: scaled(options.breach_time_per_cell ?? 0, scale.seconds),
     separation: Number(rules.separation ?? defaults.separation),
     atGoal: rules.at_goal === "leave" ? "leave" : "stay",
+    also: alsoOf(saidOf(plan), method, options.removals ?? defaults.removals),
     marks: new Map([...marks(options.protect, "protect"), ...marks(options.force, "force")]),
   };
 }
 
+// Rules and method in the terms of requests. The heuristic of options is the one that the planner has anyway.
+function saidOf({ options, mission }: Plan): Record<string, unknown> {
+  const { heuristic, ...others } = options;
+  return { ...mission?.rules, ...(mission?.method as object | undefined), ...others };
+}
+
+// A plan is of agents that the command took: only what the page cannot say is left out.
+export function leftOutOfPlan({ agents, options, mission }: Plan): string[] {
+  const said = (mission?.agents ?? agents) as AgentDocument[];
+  const known = said.length === agents.length ? said.map((agent, i) => ({ ...agents[i]!, ...agent })) : said;
+  return leftOut({ agents: known, rules: { removals: options.removals ?? defaults.removals } });
+}
+
 // Of a pair what the options say, of a team what its mission says.
-function agentsOfPlan({ agents, options, mission, map }: Plan): Agents | null {
+function agentsOfPlan({ agents, options, mission }: Plan, scale: Scale): Agents | null {
   if (!agents.some((agent) => agent.kind === "ground")) return null;
   const said = (mission?.agents ?? []) as Partial<AgentDocument>[];
   const known = agentsOf(
     agents.map(({ id, kind, start, goal, speed }, i) => ({ ...said[i], id, kind, start, goal, speed })),
-    map.cell_size,
+    scale,
   );
   const two = ofPair(known);
   if (!two) return known;

@@ -40,6 +40,6 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     time: page.clock.time.value,
     tool: studio?.tool.value ?? "move",
     editable: studio !== null,
-    formatTime: (time) => duration(time, units),
+    formatTime: (time) => duration(time, units, true),
   };
 }

@@ -1,6 +1,6 @@
 // Plans of teams in plain words.
 import { type Agent, objectiveOf, type Plan, valueOf } from "../domain/plan";
-import { duration, percent, type Units } from "../domain/units";
+import { duration, durations, percent, type Units } from "../domain/units";
 import { arrival } from "../play/motion";
 import { counted, type Headline, isProven } from "./words";
 
@@ -64,7 +64,8 @@ export function teamArrivals(plan: Plan, units: Units): string | null {
   const when = objective === "flowtime" ? `, after ${duration(arrival(last), units)}` : "";
   const alone = valueOf(plan.before, objective);
   const what = objective === "flowtime" ? "they would take" : "the last would arrive after";
-  const compared = alone === null ? "" : ` Each alone, with nothing removed, ${what} ${duration(alone, units)}.`;
+  const said = valueOf(plan.after, objective) ?? 0; // by the headline
+  const compared = alone === null ? "" : ` Each alone, with nothing removed, ${what} ${durations([alone, said], units)[0]}.`;
   return `${nameOf(last)} arrives last${when}.${compared}`;
 }
 

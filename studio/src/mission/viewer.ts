@@ -4,7 +4,7 @@ import type { CheckReport } from "../api/client";
 import { CellMap } from "../domain/cell_map";
 import type { Background, MapDescription, Obstacles } from "../domain/map";
 import { freshMission, type LayerName, type Mission } from "../domain/mission";
-import { type FrontPoint, objectiveOf, type Plan, valueOf } from "../domain/plan";
+import { type FrontPoint, objectiveOf, paceOf, type Plan, valueOf } from "../domain/plan";
 import { consistent } from "../planning/curve";
 import { type Judged, type Results, verdictOf } from "../planning/results";
 import { begin } from "./history";
@@ -34,8 +34,7 @@ export function viewerOf(document: PlanDocument): PageState {
     progress: signal(null),
     failure: signal(null),
   };
-  const speeds = plan?.agents.map((agent) => agent.speed);
-  const page = new PageState(results, speeds);
+  const page = new PageState(results, plan && paceOf(plan));
   const cells = new CellMap(document.obstacles);
   const map = { description: document.map, cells, background: document.background };
   page.shown.value = { base: map, map, ids: new Translation(cells, cells, []) };

@@ -1,6 +1,6 @@
 // Plans in plain words: what the person reads first.
 import { isTeam, objectiveOf, type Plan, valueOf } from "../domain/plan";
-import { duration, percent, percentUp, type Units } from "../domain/units";
+import { difference, durations, percent, percentUp, type Units } from "../domain/units";
 import { agentOf, arrival } from "../play/motion";
 
 export interface Headline {
@@ -28,11 +28,11 @@ export function counted(count: number, buildings: boolean): string {
   return `${few[count] ?? count} ${nounOf(count, buildings)}`;
 }
 
-// What all removals together save; null where there is no way without.
-export function savedBy(plan: Plan): number | null {
+// What all removals together save; null where that is nothing, or there is no way without.
+export function savedBy(plan: Plan, units: Units): string | null {
   if (isTeam(plan)) return null; // its plan file compares with each alone
   const [before, after] = [valueOf(plan.before, objectiveOf(plan)), valueOf(plan.after, objectiveOf(plan))];
-  return before === null || after === null ? null : before - after;
+  return before === null || after === null || before <= after ? null : difference(after, before, units);
 }
 
 export function headline(plan: Plan, buildings: boolean): Headline {
@@ -60,10 +60,14 @@ export function headline(plan: Plan, buildings: boolean): Headline {
   return { tone, title: `${removing} ${what} ${change}`, figures, remedies: [] };
 }
 
+// The result, and that without removals if it is known.
+export function figureTexts({ after, before }: NonNullable<Headline["figures"]>, units: Units): string[] {
+  return durations(before === null ? [after] : [after, before], units);
+}
+
 // “16 min 15 s instead of 20 min 55 s”
 export function figuresText(figures: NonNullable<Headline["figures"]>, units: Units): string {
-  const after = duration(figures.after, units);
-  return figures.before === null ? after : `${after} instead of ${duration(figures.before, units)}`;
+  return figureTexts(figures, units).join(" instead of ");
 }
 
 function unhelped(plan: Plan): string {
@@ -77,12 +81,13 @@ function unhelped(plan: Plan): string {
 export function arrivals(plan: Plan, units: Units): string | null {
   const [ground, air] = [agentOf(plan, "ground"), agentOf(plan, "air")];
   if (!ground || !air) return null;
-  const after = (agent: typeof ground) => `after ${duration(arrival(agent), units)}`;
+  const last = valueOf(plan.after, objectiveOf(plan)) ?? 0; // what the headline says
+  const after = (agent: typeof ground) => `after ${durations([arrival(agent), last], units)[0]}`;
   if (objectiveOf(plan) === "flowtime") return `The ground robot is there ${after(ground)}, the aircraft ${after(air)}.`;
   if (objectiveOf(plan) === "ground-makespan") return `The aircraft is there ${after(air)}.`;
-  const last = lastOf(plan);
-  if (last === "both") return "Both arrive then.";
-  if (last === "air") return `The aircraft arrives last; the ground robot is there ${after(ground)}.`;
+  const who = lastOf(plan);
+  if (who === "both") return "Both arrive then.";
+  if (who === "air") return `The aircraft arrives last; the ground robot is there ${after(ground)}.`;
   return `The ground robot arrives last; the aircraft is there ${after(air)}.`;
 }
 

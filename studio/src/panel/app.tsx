@@ -113,7 +113,7 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
       <ObstacleCard page={page} />
       <div class="timeline-box">
         {plan && cells && plan.agents.length > 0 && (
-          <Timeline plan={plan} cells={cells} clock={page.clock} formatTime={(time) => duration(time, page.units.value)} />
+          <Timeline plan={plan} cells={cells} clock={page.clock} formatTime={(time) => duration(time, page.units.value, true)} />
         )}
       </div>
     </section>

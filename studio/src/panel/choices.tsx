@@ -1,4 +1,5 @@
 // All that was said about obstacles, and what was drawn, each to be taken back.
+import { alsoWords, without } from "../domain/also";
 import type { CellMap } from "../domain/cell_map";
 import type { Choice as Said } from "../domain/mission";
 import { filterText, ruledObstacles, type TagFilter } from "../domain/tag_filter";
@@ -23,12 +24,21 @@ export function Choices({ studio }: { studio: Studio }) {
   const shown = studio.shown.value;
   if (!mission || !shown) return null;
   const { marks, protectAll, walls, erased } = mission;
-  if (marks.size === 0 && protectAll.length === 0 && walls.length === 0 && erased.length === 0) return null;
+  const also = Object.entries(mission.also);
+  if ([also, protectAll, walls, erased].every((some) => some.length === 0) && marks.size === 0) return null;
   const units = studio.units.value;
   const [listed, others] = [[...marks].slice(0, mostListed), [...marks].slice(mostListed)];
   return (
     <Section title="Your choices">
       <ul class="choices">
+        {also.map(([name, value]) => (
+          <Choice
+            key={name}
+            icon="about"
+            text={`Also asked: ${alsoWords(name, value)}`}
+            onUndo={() => studio.change((old) => ({ ...old, also: without(old.also, name) }))}
+          />
+        ))}
         {protectAll.map((rule) => (
           <Choice
             key={filterText(rule)}

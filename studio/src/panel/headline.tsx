@@ -6,7 +6,7 @@ import { duration, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { teamArrivals, teamHeadline } from "../mission/team_words";
-import { arrivals, figuresText, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
+import { arrivals, figuresText, figureTexts, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
 import type { Judged } from "../planning/results";
 import { Icon, type IconName } from "./icons";
 import { areBuildings } from "./obstacle_words";
@@ -40,6 +40,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
   const closed = page.results.plans.value.before?.plan ?? null;
   const words = team ? teamHeadline(after.plan, closed, buildings) : headline(after.plan, buildings);
   const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
+  const figures = words.figures ? figureTexts(words.figures, units) : [];
   const spoken = [words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title, who].join(" ");
   return (
     <section class={`headline ${words.tone}`} aria-label="Result">
@@ -50,12 +51,12 @@ export function HeadlineSection({ page }: { page: PageState }) {
       {words.figures && (
         <p class="figures">
           <data class="figure" value={words.figures.after}>
-            {duration(words.figures.after, units)}
+            {figures[0]}
           </data>
           {words.figures.before !== null && (
             <span class="instead">
               {" instead of "}
-              <data value={words.figures.before}>{duration(words.figures.before, units)}</data>
+              <data value={words.figures.before}>{figures[1]}</data>
             </span>
           )}
         </p>

@@ -1,7 +1,7 @@
 // Which layers the map shows, a legend of their lines, and the result of each.
 import type { LayerName } from "../domain/mission";
 import { valueOf } from "../domain/plan";
-import { duration } from "../domain/units";
+import { durations } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { counted, tooEarly } from "../mission/words";
 import { Section } from "./controls";
@@ -34,6 +34,8 @@ export function Layers({ page }: { page: PageState }) {
     const outcome = plans[name]?.plan.after ?? (name === "before" && !team ? plans.after?.plan.before : undefined);
     return outcome ? valueOf(outcome, mission.objective) : undefined;
   };
+  const times = layers.map(({ name }) => value(name) ?? null).filter((time) => time !== null);
+  const texts = new Map(durations(times, units).map((text, i) => [times[i]!, text]));
   return (
     <Section title="On the map" kind="layers">
       <ul class="layer-list">
@@ -56,7 +58,7 @@ export function Layers({ page }: { page: PageState }) {
                   <span class="layer-value">no way</span>
                 ) : (
                   <data class="layer-value" value={reached}>
-                    {duration(reached, units)}
+                    {texts.get(reached)}
                   </data>
                 )}
               </label>

@@ -33,8 +33,8 @@ export function ObstacleCard({ page }: { page: PageState }) {
       {obstacle.breach_time > 0 && <p>Opening it takes {duration(obstacle.breach_time, units)} longer.</p>}
       {removed && (
         <p>
-          Opened at {duration(removed.cleared_at, units)}
-          {removed.entered_at !== null && <>, entered at {duration(removed.entered_at, units)}</>}
+          Opened at {duration(removed.cleared_at, units, true)}
+          {removed.entered_at !== null && <>, entered at {duration(removed.entered_at, units, true)}</>}
           {removed.saves != null && removed.saves > 0 && <>; if it had to stay, {duration(removed.saves, units)} later</>}.
         </p>
       )}

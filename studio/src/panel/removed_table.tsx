@@ -1,6 +1,6 @@
 // What is removed, in the order in which the aircraft opens it. Rows and map point at each other.
-import { isTeam, type Plan, type Removed } from "../domain/plan";
-import { area, clockTime, duration, type Units } from "../domain/units";
+import { isTeam, type Plan, reached, type Removed } from "../domain/plan";
+import { area, clockTime, difference, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { usersOf } from "../domain/users";
 import { nounOf, savedBy } from "../mission/words";
@@ -171,10 +171,10 @@ function Demolished({ page, plan }: { page: PageState; plan: Plan }) {
 
 // Why the last column does not add up to what the curve shows.
 function Together({ page, plan }: { page: PageState; plan: Plan }) {
-  const [saved, count] = [savedBy(plan), plan.removed.length];
+  const [saved, count] = [savedBy(plan, page.units.value), plan.removed.length];
   const known = plan.removed.every((one) => one.saves !== undefined);
-  if (saved === null || saved <= 0 || !known) return null;
-  const total = <strong>{duration(saved, page.units.value)}</strong>;
+  if (saved === null || !known) return null;
+  const total = <strong>{saved}</strong>;
   return (
     <p class="together">
       {count === 1 ? "It saves" : `All ${count} together save`} {total}. <em>If kept</em> is how much later it would be if{" "}
@@ -190,7 +190,8 @@ function Next({ page }: { page: PageState }) {
   const shown = page.shown.value;
   const next = plan?.next?.filter((one) => one.saves !== null && one.saves > 0) ?? [];
   if (!shown || next.length === 0) return null;
-  const gain = next[0]!.saves!;
+  const now = reached(plan!);
+  const gain = difference(now - next[0]!.saves!, now, page.units.value);
   return (
     <p class="next">
       One removal more would take{" "}
@@ -208,7 +209,7 @@ function Next({ page }: { page: PageState }) {
           </button>
         </>
       ))}{" "}
-      and save {duration(gain, page.units.value)}.
+      and save {gain}.
     </p>
   );
 }

@@ -1,6 +1,6 @@
 // The curve: what each number of removals reaches, as far as it is known.
 import { mostRemovals } from "../domain/mission";
-import { type FrontPoint, type Objective, type Plan, reached, valueOf } from "../domain/plan";
+import { type Bound, type FrontPoint, type Objective, objectiveOf, type Plan, reached, valueOf } from "../domain/plan";
 
 export interface Front {
   points: readonly FrontPoint[]; // for `from` removals, one more, ...
@@ -29,7 +29,7 @@ export class Curve {
   // One removal more may stay unused: where the time did not do for a plan as good as the last, the last is kept.
   add(plan: Plan): void {
     const last = this.plans.at(-1);
-    this.plans.push(last && reached(last) < reached(plan) ? last : plan);
+    this.plans.push(last && reached(last) < reached(plan) ? instead(plan, last) : plan);
   }
 
   front(objective: Objective): Front {
@@ -40,18 +40,40 @@ export class Curve {
   }
 }
 
+// A plan of fewer removals as the answer for those of `plan`. What was proven with fewer does not hold with more: the bound is
+// that of `plan`, and what one removal more would take is not known.
+export function instead(plan: Plan, better: Plan): Plan {
+  const { limit_reached, next, mission, ...kept } = better;
+  const objective = objectiveOf(plan);
+  const { removals } = plan.options;
+  return {
+    ...kept,
+    ...(plan.limit_reached && { limit_reached: true }),
+    options: { ...better.options, ...(removals !== undefined && { removals }) },
+    ...(mission && { mission: { ...mission, rules: { ...mission.rules, removals } } }),
+    bound: rebound(plan.bound, reached(better), objective),
+  };
+}
+
+// A bound beside another value than it was proven with.
+function rebound(bound: Bound | null, value: number, objective: Objective): Bound | null {
+  const limit = bound && valueOf(bound, objective);
+  return bound && { ...bound, gap: limit && Number.isFinite(value) ? Math.max(0, value / limit - 1) : null };
+}
+
 // Where time was short, points can be better than they were planned: what fewer removals reach, more do, and what bounds
 // more of them, bounds fewer.
 export function consistent(points: readonly FrontPoint[], objective: Objective): FrontPoint[] {
   const reached = (point: FrontPoint) => valueOf(point, objective) ?? Infinity;
   const limit = (point: FrontPoint) => (point.bound && valueOf(point.bound, objective)) ?? -Infinity;
+  const bounded = (bound: FrontPoint["bound"], point: FrontPoint) => rebound(bound, reached(point), objective);
   const better: FrontPoint[] = [];
   for (const point of points) {
     const last = better.at(-1);
-    better.push(last && reached(last) < reached(point) ? { ...last, bound: point.bound } : point);
+    better.push(last && reached(last) < reached(point) ? { ...last, bound: bounded(point.bound, last) } : point);
   }
   for (let i = better.length - 2; i >= 0; --i) {
-    if (limit(better[i + 1]!) > limit(better[i]!)) better[i] = { ...better[i]!, bound: better[i + 1]!.bound };
+    if (limit(better[i + 1]!) > limit(better[i]!)) better[i] = { ...better[i]!, bound: bounded(better[i + 1]!.bound, better[i]!) };
   }
   return better;
 }

@@ -4,12 +4,13 @@ import { type CheckReport, type Progress, stopped } from "../api/client";
 import type { PlanRequest } from "../api/documents";
 import type { LayerName } from "../domain/mission";
 import { type Plan, reached } from "../domain/plan";
-import { bestAtPrice, Curve } from "./curve";
+import { bestAtPrice, Curve, instead } from "./curve";
 import {
   beforeRequest,
   canRemove,
   draftBeforeRequest,
   draftRequest,
+  hasDraft,
   isHasty,
   isOfTeam,
   keyOf,
@@ -33,6 +34,7 @@ export interface PlanService {
 
 export class PlanFetcher {
   #curve: Curve | null = null;
+  #kept: { key: string; plan: Plan } | null = null; // what stood in for a draft
   #took = 0; // ms, the last plan that was no draft
 
   // Where plans take longer than `fluent` ms, a draft comes first.
@@ -45,11 +47,12 @@ export class PlanFetcher {
   forget(): void {
     this.#took = 0;
     this.#curve = null;
+    this.#kept = null;
   }
 
   // What has to follow the mouse: the plan, or a draft of it.
   async fetchFirst(question: Question, stop: AbortSignal): Promise<void> {
-    const isSlow = this.#took > this.fluent && !this.#isKnown(question);
+    const isSlow = this.#took > this.fluent && hasDraft(question) && !this.#isKnown(question);
     if (!isSlow || !(await this.#draft(question, stop))) await this.#plan(question, stop);
   }
 
@@ -84,21 +87,46 @@ export class PlanFetcher {
     if (stop.aborted) throw stopped();
     if (!isKnown) this.#took = performance.now() - began;
     const beside = before ? { plan: before, verdict: null } : kept;
-    this.results.answer(question, { after: { plan: after, verdict: null }, ...(beside && { before: beside }) });
+    const plan = removals === "auto" ? after : this.#orKnown(question, after);
+    this.results.answer(question, { after: { plan, verdict: null }, ...(beside && { before: beside }) });
     this.results.progress.value = null;
+  }
+
+  // The best plan of as many removals or fewer, where the question was the same but for their number.
+  #known(question: Question): Plan | null {
+    const { removals } = question;
+    const most = removals === "auto" ? Infinity : removals;
+    const key = keyOf.front(question);
+    const { answered, plans } = this.results;
+    const shown = answered.value && keyOf.front(answered.value) === key ? plans.value.after : undefined;
+    const all = this.#curve?.key === key ? [...this.#curve.plans] : [];
+    if (shown && !shown.draft) all.push(shown.plan);
+    if (this.#kept?.key === key) all.push(this.#kept.plan);
+    const fitting = all.filter((plan) => plan.removed.length <= most);
+    return fitting.reduce<Plan | null>((best, plan) => (best && reached(best) <= reached(plan) ? best : plan), null);
+  }
+
+  // Unless a better one is known.
+  #orKnown(question: Question, plan: Plan): Plan {
+    const known = this.#known(question);
+    return known && !isAsGood(plan, known) ? instead(plan, known) : plan;
   }
 
   // The same, fast but rough. Whether there is a plan.
   async #draft(question: Question, stop: AbortSignal): Promise<boolean> {
     const kept = this.results.beforeFor(question);
     const shown = this.results.plans.value.after;
+    const isAuto = question.removals === "auto";
+    const known = this.#known(question);
     const removals = question.removals === "auto" ? (shown?.plan.removed.length ?? 1) : question.removals;
-    const [plan, before] = await Promise.all([
-      this.service.plan(question.map, draftRequest(question, removals), stop),
+    const [rough, before] = await Promise.all([
+      (isAuto && known) || this.service.plan(question.map, draftRequest(question, removals), stop),
       kept || !question.withBefore ? null : this.service.plan(question.map, draftBeforeRequest(question), stop),
     ]);
     if (stop.aborted) throw stopped();
+    const plan = isAuto ? rough : this.#orKnown(question, rough);
     if (plan.agents.length === 0) return false;
+    if (known) this.#kept = { key: keyOf.front(question), plan: known };
     const beside = before ? { plan: before, verdict: null, draft: true } : kept;
     this.results.answer(question, { after: { plan, verdict: null, draft: true }, ...(beside && { before: beside }) });
     return true;
@@ -115,15 +143,15 @@ export class PlanFetcher {
     if (this.#curve?.key !== key) this.#curve = new Curve(key, question.options.force?.length ?? 0);
     const curve = this.#curve;
     const began = performance.now();
-    const onStepProgress = (progress: Progress) =>
-      onProgress?.({ ...progress, seconds: (performance.now() - began) / 1000 });
+    // The best and the bound of a step are not those of the answer.
+    const onStepProgress = ({ state }: Progress) => onProgress?.({ state, seconds: (performance.now() - began) / 1000 });
     while (!curve.isDone) {
       const plan =
         this.results.planFor(question, curve.next) ??
         (await this.service.plan(question.map, stepRequest(question, curve.next), stop, onStepProgress));
       if (stop.aborted) throw stopped();
       const isWanted = curve.next === question.removals;
-      curve.add(isWanted ? this.#better(plan, stop) : plan);
+      curve.add(isWanted ? this.#better(plan, stop) : this.#orKnown({ ...question, removals: curve.next }, plan));
       if (isWanted) this.#better(curve.plans.at(-1)!, stop); // with fewer removals time may have done for a better one
       this.results.front.value = curve.front(question.of.objective);
     }

@@ -2,6 +2,7 @@
 import type { PlanRequest } from "../api/documents";
 import { agentDocuments } from "../domain/agent_document";
 import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
+import { alsoNames } from "../domain/also";
 import { marked, type Method, type Mission } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
 import { filterText, type TagFilter } from "../domain/tag_filter";
@@ -33,6 +34,7 @@ export function questionOf(
   const ids = (mark: "protect" | "force") =>
     [...new Set([...marked(mission, mark).map(toShown), ...usual[mark]])].filter((id) => id !== 0).sort((a, b) => a - b);
   const options: RequestOptions = {
+    ...mission.also,
     objective: mission.objective,
     breach_time: mission.breachTime,
     breach_time_per_cell: mission.breachTimePerCell,
@@ -63,6 +65,7 @@ function missionOfPair({ ground, air }: { ground: Vehicle; air: Aircraft }, unit
     ...(air.goal && { air_goal: air.goal }),
     ground_speed: cellsPerUnit(ground.speed, units),
     air_speed: cellsPerUnit(air.speed, units),
+    ...(units.metric && { time_unit: "s" as const }),
   };
 }
 
@@ -86,6 +89,11 @@ export function canRemove({ mission }: Question): boolean {
 const hurried: RequestOptions = { planner: "theta", weight: 1.5 };
 // Of a team: the best that is found in so many seconds.
 const teamDraft: RequestOptions = { select: "exact", time_limit: 0.15 };
+
+// What is asked beside what the page knows need not go with a draft's own method.
+export function hasDraft({ of }: Question): boolean {
+  return Object.keys(of.also).length === 0;
+}
 
 function request(question: Question, method: Method | "draft", options: RequestOptions): PlanRequest {
   const how: Record<typeof method, RequestOptions> = {
@@ -133,8 +141,11 @@ export function beforeRequest(question: Question): PlanRequest {
   return { mission: question.mission, options: { select: "exact", ...options, removals: 0, time_limit: quick } };
 }
 
+// Of what is asked besides only limits are for the paper's method as well.
 export function paperRequest(question: Question, removals: number): PlanRequest {
-  return request(question, "paper", { removals });
+  const left = ["timing", "minimise_demolition", ...alsoNames.method];
+  const options = Object.fromEntries(Object.entries(question.options).filter(([name]) => !left.includes(name)));
+  return request({ ...question, options }, "paper", { removals });
 }
 
 // Which questions have the same answer.

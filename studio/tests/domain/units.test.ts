@@ -3,7 +3,9 @@ import {
   area,
   cellsPerUnit,
   clockTime,
+  difference,
   duration,
+  durations,
   length,
   percent,
   percentUp,
@@ -24,11 +26,14 @@ describe("units", () => {
   });
 
   it("take a plan in cells for one at 1 m/s", () => {
-    const units = unitsOf({ cell_size: 2.4, georeference: null }, [1, 1]);
+    const units = unitsOf({ cell_size: 2.4, georeference: null }, { inSeconds: false, speeds: [1, undefined] });
     expect(plain(duration(100, units))).toBe("4 min");
     expect(plain(clockTime(100, units))).toBe("4:00");
-    expect(unitsOf({ cell_size: 2.4, georeference: null }, [1, 2]).seconds).toBe(1);
-    expect(unitsOf({ cell_size: 1, georeference: null }, [1, 1])).toEqual(grid);
+    const seconds = (inSeconds: boolean, ...speeds: number[]) =>
+      unitsOf({ cell_size: 2.4, georeference: null }, { inSeconds, speeds }).seconds;
+    expect(seconds(false, 1, 2)).toBe(1);
+    expect(seconds(true, 1, 1)).toBe(1); // a cell a second
+    expect(unitsOf({ cell_size: 1, georeference: null }, { inSeconds: false, speeds: [1, 1] })).toEqual(grid);
   });
 
   it("turn speeds into the service's", () => {
@@ -47,9 +52,29 @@ describe("units", () => {
     [975.05, "16 min 15 s", "16:15"],
     [3599.6, "1 h 0 min", "1:00:00"],
     [7325, "2 h 2 min", "2:02:05"],
+    [7355, "2 h 3 min", "2:02:35"],
+    [7199, "2 h 0 min", "1:59:59"],
   ])("format %d seconds", (time, long, short) => {
     expect(plain(duration(time, city))).toBe(long);
     expect(plain(clockTime(time, city))).toBe(short);
+  });
+
+  it("tell times apart that stand beside each other", () => {
+    const texts = (...times: number[]) => durations(times, city).map(plain);
+    expect(texts(6252, 6225)).toEqual(["1 h 44 min 12 s", "1 h 43 min 45 s"]);
+    expect(texts(6252, 6900)).toEqual(["1 h 44 min", "1 h 55 min"]);
+    expect(texts(6252, 6252)).toEqual(["1 h 44 min", "1 h 44 min"]);
+    expect(texts(3600, 3612, 860)).toEqual(["1 h 0 min", "1 h 0 min 12 s", "14 min 20 s"]);
+  });
+
+  it("subtract as one sees them", () => {
+    const later = (earlier: number, time: number) => plain(difference(earlier, time, city));
+    expect(later(860.4, 930.6)).toBe("1 min 11 s");
+    expect(later(42.34, 65.2)).toBe("22.7 s");
+    expect(later(6252, 6225 + 52)).toBe("25 s");
+    expect(later(3552, 4210)).toBe("10 min 48 s");
+    expect(later(860.1, 860.3)).toBe("0.2 s"); // no difference is seen
+    expect(plain(difference(12.341, 17.5, grid))).toBe("5.16 steps");
   });
 
   it("format steps where times are those", () => {

@@ -6,7 +6,7 @@ import { fragmentOf } from "../../src/mission/address";
 import { missionInText, understood } from "../../src/mission/given";
 import { decodeLink, encodeLink } from "../../src/mission/link";
 import { missionFile, queryOfFile } from "../../src/mission/mission_file";
-import { mapsOfPlan, missionOfPlan } from "../../src/mission/plan_mission";
+import { leftOutOfPlan, mapsOfPlan, missionOfPlan } from "../../src/mission/plan_mission";
 import { planOf } from "../domain/plans";
 import { Random } from "./random";
 import { height, markers, randomMission, sorted, width } from "./random_mission";
@@ -138,8 +138,76 @@ it("a mission file of the command line opens, and what the page cannot ask is sa
   });
   expect(found?.mission.marks).toEqual(new Map([[5, "protect"], [6, "force"]]));
   expect(found?.mission.protectAll).toEqual([{ key: "amenity", values: ["school"] }]);
-  expect(found?.leftOut).toEqual(["budget", "corners"]);
+  expect(found?.mission.also).toEqual({ budget: 12, corners: "cut" });
+  expect(found?.leftOut).toEqual([]);
   expect(missionIn(JSON.stringify({ ...document, agents: [agents[1]] }))).toBeNull();
+});
+
+it("a mission file whose speeds are all 1 is at 1 m/s, unless its times are seconds", () => {
+  const two = [{ id: "ground", kind: "ground", start: [1, 2], goal: [3, 4] }, { id: "air", kind: "air", start: [1, 2], goal: [3, 4], speed: 1 }];
+  const team = [two[0], { id: "2", kind: "ground", start: [5, 5], goal: [6, 6], ready_at: 10 }, two[1]];
+  const rules = { breach_time: 5, breach_time_per_cell: 0.5 };
+  const opened = (agents: unknown, more: object) => missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, rules, ...more }))!.mission;
+  for (const agents of [two, team]) {
+    const [free, said] = [opened(agents, {}), opened(agents, { time_unit: "s" })];
+    expect(free.agents.map(({ speed }) => speed)).toEqual(agents.map(() => 1));
+    expect(free).toMatchObject({ breachTime: 10, breachTimePerCell: 1 });
+    expect(said.agents.map(({ speed }) => speed)).toEqual(agents.map(() => 2));
+    expect(said).toMatchObject({ breachTime: 5, breachTimePerCell: 0.5 });
+  }
+  expect(opened(team, {}).agents[1]).toMatchObject({ readyAt: 20 });
+});
+
+it("a plan file whose speeds are all 1 is at 1 m/s, unless its times are seconds", () => {
+  const plan = planOf({ after: 9, options: { breach_time: 7 } });
+  plan.map.cell_size = 2;
+  expect(missionOfPlan(plan, "m")).toMatchObject({ agents: [{ speed: 1 }, { speed: 1 }], breachTime: 14 });
+  plan.mission = { time_unit: "s", agents: [{}, {}] };
+  expect(missionOfPlan(plan, "m")).toMatchObject({ agents: [{ speed: 2 }, { speed: 2 }], breachTime: 7 });
+});
+
+it("a mission file keeps what the page has no control for", () => {
+  const agents = [{ id: "ground", kind: "ground", start: [1, 2], goal: [3, 4] }, { id: "air", kind: "air", start: [1, 2], goal: [3, 4] }];
+  const open = (document: object) => missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, ...document }))!;
+  const alsoIn = (rules: object, method: object = {}) => open({ rules, method }).mission.also;
+  expect(alsoIn({ budget_m2: 300 })).toEqual({ budget_m2: 300 });
+  expect(alsoIn({ minimise_demolition: 0.05, timing: "ignore" }, { explain: true })).toEqual({ minimise_demolition: 0.05, timing: "ignore" });
+  expect(alsoIn({}, { select: "none", planner: "optimal", moves: 8, weight: 1 })).toEqual({ select: "none" });
+  const steps = open({ rules: {}, method: { select: "hits", planner: "astar", moves: 4 } });
+  expect(steps.mission).toMatchObject({ method: "paper", also: { timing: "enforce", flight: "optimal", planner: "astar", moves: 4 } });
+  const saved = JSON.parse(missionFile(steps.mission, tenWide, 3)) as Record<string, unknown>;
+  expect(saved).toMatchObject({ rules: { timing: "enforce" }, method: { select: "hits", flight: "optimal", planner: "astar", moves: 4 } });
+  expect(open(saved).mission).toEqual(steps.mission);
+  expect(open({ rules: { timing: "late" } }).complaints).toEqual(["“also=timing:late” in the link cannot be read"]);
+});
+
+it("a mission file says what is left out of it", () => {
+  const agents = [
+    { id: "truck", kind: "ground", start: [1, 2], goal: [3, 4], ready_at: 5 },
+    { id: "heli", kind: "air", start: [1, 2], goal: [3, 4], breaches: 1 },
+  ];
+  const open = (document: object) => missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, ...document }))!;
+  expect(open({ rules: { removals: 12, noise: 1 } }).leftOut).toEqual([
+    "noise",
+    "ready_at, which only a vehicle of a team has",
+    "breaches, which only an aircraft of a team has",
+    "12 removals: 8 are the most here",
+  ]);
+  expect(queryOfFile({ format: "waybreaker-mission/1", agents }, 2)?.names).toEqual(["truck", "heli"]);
+  const two = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2" }, { ...agents[1], ready_at: 3 }];
+  expect(open({ agents: two }).leftOut).toEqual([
+    "corners, which differ between its vehicles",
+    "ready_at, which only a vehicle of a team has",
+  ]);
+});
+
+it("a plan file says what was asked beside, and what is left out", () => {
+  const plan = planOf({ after: 9, options: { removals: 12, select: "exact", timing: "ignore" } });
+  Object.assign(plan.options, { budget_m2: 300, heuristic: "octile", planner: "optimal", corners: "none", connectivity: 4 });
+  plan.mission = { agents: [{}, {}], rules: { minimise_demolition: 0.05 }, method: { moves: 4 } };
+  const also = { budget_m2: 300, minimise_demolition: 0.05, timing: "ignore", moves: 4 };
+  expect(missionOfPlan(plan, "m")).toMatchObject({ method: "exact", also });
+  expect(leftOutOfPlan(plan)).toEqual(["12 removals: 8 are the most here"]);
 });
 
 it("a mission file keeps what it protects by tag or name", () => {

@@ -49,6 +49,9 @@ describe("link", () => {
     ["erased=__8", "erased"],
     ["show=all", "show"],
     ["time=-1", "time"],
+    ["also=budget:x", "also"],
+    ["also=toString:1", "also"],
+    ["also=timing:late", "also"],
   ])("says what cannot be read in %s and takes the usual", (query, name) => {
     const { mission, complaints } = decodeLink(query, "m", markers, width, height);
     expect(complaints).toHaveLength(1);

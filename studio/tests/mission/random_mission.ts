@@ -69,6 +69,7 @@ export function randomMission(random: Random): Mission {
     marks: new Map(marks),
     protectAll: random.chance(0.3) ? [{ key: "*", values: [] }, { key: "name", values: ["b=%c", "St. Mary’s & Co*"] }] : [],
     walls: randomRuns(random),
+    also: random.oneOf([{}, {}, { budget_m2: 300.5, moves: 4 }, { minimise_demolition: 0.05, corners: "cut" }]),
     erased: randomRuns(random),
     layers,
     time: random.oneOf([null, 0, 12.34]),

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { type Client, ServiceError } from "../../src/api/client";
+import { without } from "../../src/domain/also";
 import { Studio } from "../../src/mission/studio";
 import { FakeClient } from "./fake_client";
 
@@ -38,6 +39,22 @@ it("opens what a link says, and says itself the same", async () => {
     },
   });
   expect(studio.query().split("&").sort()).toEqual(link.slice(1).split("&").sort());
+});
+
+it("plans with what it has no control for, and keeps it until it is taken back", async () => {
+  const link = "map=yard.map&start=0,2&goal=3,0&removals=1&also=budget_m2:300,timing:ignore,moves:4";
+  await studio.start(`?${link}`);
+  await settle(5000);
+  expect(last().request.options).toMatchObject({ paper: true, budget_m2: 300 });
+  expect(last().request.options).not.toHaveProperty("moves"); // the paper's method is another
+  for (const { request } of client.planned.filter((one) => !one.request.options?.paper)) {
+    expect(request.options).toMatchObject({ budget_m2: 300, timing: "ignore", moves: 4 });
+  }
+  expect(studio.query()).toContain("&also=budget_m2:300,timing:ignore,moves:4");
+  expect(JSON.parse(studio.missionFile()!)).toMatchObject({ rules: { budget_m2: 300, timing: "ignore" }, method: { moves: 4 } });
+  studio.change((old) => ({ ...old, also: without(old.also, "budget_m2") }));
+  await settle();
+  expect(last().request.options).not.toHaveProperty("budget_m2");
 });
 
 it("shows another map where the link's is not there, and says so", async () => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Units } from "../../src/domain/units";
-import { arrivals, counted, figuresText, headline, proof, tooEarly } from "../../src/mission/words";
+import { arrivals, counted, figuresText, headline, proof, savedBy, tooEarly } from "../../src/mission/words";
 import { planOf } from "../domain/plans";
 
 const city: Units = { metric: true, cell: 2.4, time: "seconds", seconds: 1 };
@@ -103,4 +103,12 @@ describe("proof", () => {
 
 it("counts", () => {
   expect([0, 1, 2].map((n) => counted(n, true))).toEqual(["no buildings", "one building", "2 buildings"]);
+});
+
+it("what is saved is the difference of the figures shown", () => {
+  const plan = planOf({ removed: [1], before: 930.6, after: 860.4 });
+  expect(plain(figuresText({ after: 860.4, before: 930.6 }, city))).toBe("14 min 20 s instead of 15 min 31 s");
+  expect(plain(savedBy(plan, city)!)).toBe("1 min 11 s");
+  expect(savedBy(planOf({ removed: [1], before: 90, after: 90 }), city)).toBeNull();
+  expect(plain(figuresText({ after: 6225, before: 6252 }, city))).toBe("1 h 43 min 45 s instead of 1 h 44 min 12 s");
 });

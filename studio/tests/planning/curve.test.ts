@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import type { FrontPoint } from "../../src/domain/plan";
-import { consistent } from "../../src/planning/curve";
+import { consistent, Curve } from "../../src/planning/curve";
+import { planOf } from "../domain/plans";
 
 const point = (makespan: number | null, bound: number | null, removed: number[] = []): FrontPoint => ({
   makespan,
@@ -19,4 +20,29 @@ it("a curve never rises, nor does what bounds it", () => {
 it("a curve without faults stays as it is", () => {
   const points = [point(120, 110), point(100, 95, [1]), point(100, 95, [1, 2])];
   expect(consistent(points, "makespan")).toEqual(points);
+});
+
+it("what is proven for fewer removals is not said of more", () => {
+  const curve = new Curve("", 0);
+  const plan = (removals: number, makespan: number, bound: number) => ({
+    ...planOf({ after: makespan, removed: [], options: { removals } }),
+    mission: { agents: [], rules: { removals } },
+    next: [],
+    bound: { makespan: bound, gap: makespan / bound - 1 },
+  });
+  curve.add({ ...plan(0, 100, 100), limit_reached: true });
+  curve.add(plan(1, 120, 80));
+  const kept = curve.plans[1]!;
+  expect(kept).toMatchObject({ options: { removals: 1 }, mission: { rules: { removals: 1 } }, after: { makespan: 100 } });
+  expect(kept.bound).toEqual({ makespan: 80, gap: 0.25 });
+  expect(kept).not.toHaveProperty("next");
+  expect(kept).not.toHaveProperty("limit_reached");
+  expect(curve.front("makespan").points[1]!.bound).toEqual(kept.bound);
+  curve.add({ ...plan(2, 130, 70), bound: null, limit_reached: true });
+  expect(curve.plans[2]).toMatchObject({ bound: null, limit_reached: true, options: { removals: 2 } });
+});
+
+it("a gap is that of the value that it stands beside", () => {
+  const [none, one] = consistent([point(100, 50), point(120, 80, [1])], "makespan");
+  expect([none!.bound, one!.bound]).toEqual([{ makespan: 80, gap: 0.25 }, { makespan: 80, gap: 0.25 }]);
 });

@@ -1,59 +1,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { type CheckReport, type Progress, ServiceError } from "../../src/api/client";
+import { ServiceError } from "../../src/api/client";
 import type { PairMission, PlanRequest } from "../../src/api/documents";
-import { freshMission } from "../../src/domain/mission";
-import type { Plan } from "../../src/domain/plan";
-import type { PlanService } from "../../src/planning/plan_fetcher";
 import { Planner } from "../../src/planning/planner";
-import type { Question } from "../../src/planning/request";
 import { planOf } from "../domain/plans";
+import { type Asked, FakeService, question } from "./fake_service";
 
-interface Asked {
-  what: "plan" | "check";
-  request: PlanRequest | null;
-  signal: AbortSignal | undefined;
-  answer(plan: Plan): void;
-  report(report: CheckReport): void;
-  fail(error: ServiceError): void;
-  onProgress(progress: Progress): void;
-}
-
-// A service whose answers the test gives.
-class FakeService implements PlanService {
-  readonly asked: Asked[] = [];
-
-  plan: PlanService["plan"] = (_, request, signal, onProgress) => this.#note<Plan>("plan", request, signal, onProgress);
-  check = (_: string, __: Plan, signal?: AbortSignal) => this.#note<CheckReport>("check", null, signal);
-
-  last(): Asked {
-    return this.asked.at(-1)!;
-  }
-
-  #note<T>(
-    what: Asked["what"],
-    request: PlanRequest | null,
-    signal?: AbortSignal,
-    onProgress: (progress: Progress) => void = () => undefined,
-  ): Promise<T> {
-    return new Promise((done, fail) => {
-      signal?.addEventListener("abort", () => fail(new ServiceError("stopped", "")));
-      const give = (value: unknown) => done(value as T);
-      this.asked.push({ what, request, signal, answer: give, report: give, fail, onProgress });
-    });
-  }
-}
-
-const question = (x: number, more: Partial<Question> = {}): Question => ({
-  of: freshMission("m", { start: [x, 0], goal: [9, 9] }),
-  map: "m",
-  mission: { start: [x, 0], goal: [9, 9] },
-  options: {},
-  method: "exact",
-  removals: 2,
-  price: 10,
-  withBefore: false,
-  ...more,
-});
 const startIn = (request: { mission: PlanRequest["mission"] } | null) => (request?.mission as PairMission | undefined)?.start;
 const startOf = (asked: Asked) => startIn(asked.request)?.[0];
 const settle = () => vi.advanceTimersByTimeAsync(0);
@@ -345,6 +296,40 @@ describe("where plans take long", () => {
     await settle();
     expect(planner.results.plans.value.after).toEqual({ plan, verdict: null });
     expect(service.last().what).toBe("check");
+  });
+
+  it("a known plan is never replaced by a worse draft", async () => {
+    const shown = () => planner.results.plans.value.after!;
+    planner.ask(question(1, { removals: 3 }));
+    expect(service.last().request?.options).toMatchObject({ ...draft, removals: 3 });
+    service.last().answer(planOf({ removed: [4], after: 95, options: { removals: 3 } }));
+    await settle();
+    expect(shown().plan).toMatchObject({ after: { makespan: 90 }, options: { removals: 3 }, bound: null });
+    expect(shown().draft).toBe(true);
+    await vi.advanceTimersByTimeAsync(pace.calm + 1);
+    await vi.advanceTimersByTimeAsync(pace.fluent + 50);
+    service.last().answer(planOf({ removed: [5], after: 80, options: { removals: 3 } }));
+    await settle();
+    expect(shown().plan.after.makespan).toBe(80);
+
+    planner.ask(question(1, { removals: "auto" })); // at once: the curve is not known yet
+    await settle();
+    expect(shown()).toMatchObject({ plan: { after: { makespan: 80 } }, draft: true });
+    expect(service.asked.filter((one) => one.request?.options?.select === "hits")).toHaveLength(1);
+    await vi.advanceTimersByTimeAsync(pace.calm + 1);
+    service.last().onProgress({ state: "planning", seconds: 1, best: 100, bound: 100 });
+    expect(planner.results.progress.value?.best).toBeUndefined(); // of a step with fewer removals
+  });
+
+  it("nor by a worse plan of more removals", async () => {
+    planner.ask(question(1, { removals: 3 }));
+    service.last().answer(planOf({ after: null }));
+    await vi.advanceTimersByTimeAsync(pace.calm + 1);
+    service.last().answer({ ...planOf({ removed: [5], after: 97, gap: 0.2, options: { removals: 3 } }), bound: { makespan: 80, gap: 0.2125 } });
+    await settle();
+    const { after } = planner.results.plans.value;
+    expect(after?.plan).toMatchObject({ after: { makespan: 90 }, bound: { makespan: 80, gap: 0.125 } });
+    expect(after?.draft).toBeUndefined();
   });
 
   it("the plan is given up at once when the mouse moves again", async () => {

@@ -1,0 +1,53 @@
+// A service whose answers the test gives, and what it is asked.
+import { type CheckReport, type Progress, ServiceError } from "../../src/api/client";
+import type { PlanRequest } from "../../src/api/documents";
+import { freshMission } from "../../src/domain/mission";
+import type { Plan } from "../../src/domain/plan";
+import type { PlanService } from "../../src/planning/plan_fetcher";
+import type { Question } from "../../src/planning/request";
+
+export interface Asked {
+  what: "plan" | "check";
+  request: PlanRequest | null;
+  signal: AbortSignal | undefined;
+  answer(plan: Plan): void;
+  report(report: CheckReport): void;
+  fail(error: ServiceError): void;
+  onProgress(progress: Progress): void;
+}
+
+export class FakeService implements PlanService {
+  readonly asked: Asked[] = [];
+
+  plan: PlanService["plan"] = (_, request, signal, onProgress) => this.#note<Plan>("plan", request, signal, onProgress);
+  check = (_: string, __: Plan, signal?: AbortSignal) => this.#note<CheckReport>("check", null, signal);
+
+  last(): Asked {
+    return this.asked.at(-1)!;
+  }
+
+  #note<T>(
+    what: Asked["what"],
+    request: PlanRequest | null,
+    signal?: AbortSignal,
+    onProgress: (progress: Progress) => void = () => undefined,
+  ): Promise<T> {
+    return new Promise((done, fail) => {
+      signal?.addEventListener("abort", () => fail(new ServiceError("stopped", "")));
+      const give = (value: unknown) => done(value as T);
+      this.asked.push({ what, request, signal, answer: give, report: give, fail, onProgress });
+    });
+  }
+}
+
+export const question = (x: number, more: Partial<Question> = {}): Question => ({
+  of: freshMission("m", { start: [x, 0], goal: [9, 9] }),
+  map: "m",
+  mission: { start: [x, 0], goal: [9, 9] },
+  options: {},
+  method: "exact",
+  removals: 2,
+  price: 10,
+  withBefore: false,
+  ...more,
+});
