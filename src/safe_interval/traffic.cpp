@@ -78,7 +78,7 @@ void Traffic::Index::add(std::uint32_t who, std::span<const Waypoint> path, doub
     std::vector<std::uint32_t>& squares = squares_of_[who];
     for (const Leg& leg : legs(path, stays)) add_leg(who, leg, radius, squares);
     std::ranges::sort(squares);
-    squares.erase(std::ranges::unique(squares).begin(), squares.end());
+    squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
 }
 
 void Traffic::Index::add_leg(std::uint32_t who, const Leg& leg, double radius, std::vector<std::uint32_t>& squares) {
