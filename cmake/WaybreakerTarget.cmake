@@ -7,6 +7,8 @@ option(WAYBREAKER_PRECOMPILE "Precompile the headers of large libraries" ON)
 function(waybreaker_flags target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
                          -Wnon-virtual-dtor -Woverloaded-virtual $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>)
+  # The last bit of a time is the same on processors with and without fused multiply-add.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
   if(PROJECT_IS_TOP_LEVEL)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

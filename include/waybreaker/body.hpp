@@ -36,12 +36,12 @@ inline constexpr Body point_body{.radius = 0};
 // Throws InputError, naming what is wrong, if the members contradict each other or are out of range.
 void validate(const Body& body);
 
-// Whether the agent can stand on a cell of the map; a point can wherever the cell is free. Throws as validate does.
+// Whether the agent can stand on a cell; a point can wherever the cell is free, nobody off the map. Throws as validate
+// does.
 bool fits(const OpenedMap& map, Cell at, const Body& body = {});
 
 // Whether the agent can move straight from one cell centre to another: exact, in integers. False where it does not fit
 // on either end. Throws as validate does. Time O(distance), times the radius for a wide disc.
-// REQUIRES: both cells lie on the map.
 // Laws: line_of_sight(m, a, b) == line_of_sight(m, b, a); line_of_sight(m, a, a) == fits(m, a).
 bool line_of_sight(const OpenedMap& map, Cell from, Cell to, const Body& body = {});
 

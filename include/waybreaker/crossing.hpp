@@ -36,10 +36,12 @@ struct CrossingOptions {
     std::span<const ObstacleId> protect = {};
     std::span<const ObstacleId> only = {};                    // if not empty: no others are crossed
     double budget = std::numeric_limits<double>::infinity();  // the crossed weigh at most so much together
-    // How many cells the agent could drive until the last of these obstacles is open; never less for more of them. The
-    // agent waits for that, wherever at the border of an obstacle the rest of the way is shortest. Empty: all are open.
+    // How many cells the agent could drive until the last of these obstacles is open; never less for more of them; at
+    // or below 0: they are open from the start. The agent waits for that, wherever at the border of an obstacle the
+    // rest of the way is shortest. Empty: all are open.
     std::function<double(std::span<const ObstacleId>)> opened_after = {};
-    // The same of the whole mission of whoever opens them. A path costs no less; `adds_both`: it costs the sum of both.
+    // The same of the whole mission of whoever opens them, none below 0. A path costs no less; `adds_both`: it costs
+    // the sum of both.
     std::function<double(std::span<const ObstacleId>)> done_after = {};
     bool adds_both = false;
     // What a path pays beside all else for each obstacle that it crosses: by id, in cells, none below 0. Empty:
@@ -68,8 +70,10 @@ struct CrossingPath {
 
 struct CrossingResult {
     SearchStatus status = SearchStatus::no_path;
-    CrossingPath best;       // if found; the best known, or empty, if a limit ended the search
-    double lower_bound = 0;  // no path costs less; the cost if found, infinity if there is none
+    CrossingPath best;  // if found; the best known, or empty, if a limit ended the search
+    // No path costs less: the cost if found; for `no_path` the `length_limit`, or infinity if start or goal are closed;
+    // what was proven by then if a limit ended the search.
+    double lower_bound = 0;
     std::uint64_t expanded = 0;
     std::uint64_t generated = 0;
 };
@@ -86,11 +90,12 @@ class CrossingSearcher {
 
     // The shortest path; of equally short ones always the same. No path if start or goal lie in an obstacle that is not
     // removed, or off the map. Cost grows with the ellipse that the path needs, not with the map. Throws InputError on
-    // options out of range. Not for use by two threads at once.
+    // options out of range, and on such answers of `opened_after` and `done_after`. Not for use by two threads at once.
     CrossingResult find(const Map& map, Cell start, Cell goal, const CrossingOptions& options = {});
 
     // For each set of at most `crossings` obstacles that no set within it beats: a path of least cost, in order of
-    // cost, to `accept` until that says false. The result's lower_bound is what all paths not told of cost at least.
+    // cost, to `accept` until that says false. A set that is just as dear as one within it, but for rounding, may be
+    // told of as well. The result's lower_bound is what all paths not told of cost at least.
     CrossingResult enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                              const std::function<bool(const CrossingPath&)>& accept);
 

@@ -39,7 +39,9 @@ struct Progress {
 };
 
 struct Limits {
-    // Time limit for the whole call, in seconds, > 0; on expiry the best result found so far is returned.
+    // Time limit for the whole call, in seconds, > 0; on expiry the best result found so far is returned. It may be
+    // overrun by what lies between two looks at the clock, which grows with the map: with a limit of 1 ms on 1024 x
+    // 1024 cells, calls took up to 17 ms for a disc of radius 1.
     double seconds = std::numeric_limits<double>::infinity();
     std::uint64_t expansions = UINT64_MAX;  // of each single search
     StopToken stop = {};                    // checked, as the time is, at least every 1024 expansions

@@ -36,9 +36,11 @@ struct Agent {
     AgentKind kind = AgentKind::ground;
     Cell start = {};
     Cell goal = {};
-    double speed = 1;           // cells per unit of time, least_speed to most_speed
-    Body body = {};             // of a ground agent; an air agent has none
-    double ready_at = 0;        // a ground agent of a team stands at its start until then, 0 to most_breach_time
+    double speed = 1;  // cells per unit of time, least_speed to most_speed
+    Body body = {};    // of a ground agent; an air agent has none
+    // A ground agent of a team stands at its start until then, 0 to most_breach_time; it arrives no earlier, wherever
+    // its goal is.
+    double ready_at = 0;
     int breaches = any_number;  // how many obstacles an air agent of a team may breach, >= 0
 };
 

@@ -64,7 +64,8 @@ struct Breach {
     Cell at = {};                           // where the air agent breaches it
     double cleared_at = 0;                  // units of time
     std::optional<double> entered_at = {};  // when the ground agent first touches a cell of it
-    // What the objective would lose if this one had to stay; if asked for (below 0: it gains).
+    // What the objective would lose if this one had to stay; if asked for (below 0: it gains; +infinity: there is no
+    // plan then).
     std::optional<double> saves = {};
     // Of a team's plan: the air agent that breaches it, and when it begins to.
     std::string by = {};

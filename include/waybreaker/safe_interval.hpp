@@ -27,8 +27,10 @@
 
 namespace waybreaker {
 
-// Discs in motion. Two may touch, and overlap by `clearance_slack` cells, which is what rounding of times needs.
-inline constexpr double clearance_slack = 1e-9;
+// Discs in motion. Two may touch, and overlap by `clearance_slack` cells, which is what rounding of times needs. A
+// search lets them overlap by half of that: rounding does not make a path that it finds meet somebody, at times to
+// 100,000.
+inline constexpr double clearance_slack = 2e-9;
 
 class Traffic {
   public:
@@ -58,7 +60,7 @@ class Traffic {
 struct SafeIntervalOptions {
     Body body = {};
     double speed = 1;
-    double ready_at = 0;                          // stands at its start from time 0 until then, at least
+    double ready_at = 0;                          // stands at its start from time 0 until then; arrives no earlier
     bool stays = true;                            // for ever at its goal: nobody else may come by later
     std::span<const TimedOpening> openings = {};  // in units of time
     // A way from start to goal known beforehand, its turning points, legal for the body; found by Theta* where there is

@@ -142,23 +142,21 @@ class TeamJudge {
         return own;
     }
 
-    // It stands at its start until then.
+    // It stands at its start until then, also if that is its goal.
     void judge_ready(const Agent& agent, const Itinerary& path) {
-        for (const Waypoint& at : path.path) {
-            if (Point(at.x, at.y) == Point(agent.start)) continue;
-            const double way = std::hypot(at.x - agent.start.x, at.y - agent.start.y);
-            const double left = at.t - way / agent.speed;
-            if (left + slack(terms_, at.t) < agent.ready_at) {
-                found_.push_back({Rule::start,
-                                  "the " + agent.id + " agent leaves at " + text(left) + ", before it is ready at " +
-                                      text(agent.ready_at),
-                                  agent.id,
-                                  {},
-                                  Point(agent.start),
-                                  left});
-            }
-            return;
-        }
+        const auto moved = std::find_if(path.path.begin(), path.path.end(),
+                                        [&](const Waypoint& at) { return Point(at.x, at.y) != Point(agent.start); });
+        const Waypoint& at = moved == path.path.end() ? path.path.back() : *moved;
+        const double way = std::hypot(at.x - agent.start.x, at.y - agent.start.y);
+        const double left = at.t - way / agent.speed;
+        if (left + slack(terms_, at.t) >= agent.ready_at) return;
+        found_.push_back(
+            {Rule::start,
+             "the " + agent.id + " agent leaves at " + text(left) + ", before it is ready at " + text(agent.ready_at),
+             agent.id,
+             {},
+             Point(agent.start),
+             left});
     }
 
     void judge_figures() {
@@ -187,7 +185,7 @@ class TeamJudge {
             if (length < straight - slack(terms_, straight)) {
                 report(Rule::before, "alone, the " + agent.id + " agent's length is below the straight line's");
             }
-            const double arrival = length > 0 ? agent.ready_at + length / agent.speed : 0;
+            const double arrival = agent.ready_at + length / agent.speed;
             alone = std::max(alone, arrival);
             alone_sum += arrival;
         }

@@ -151,7 +151,6 @@ double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obs
 // Who crosses an obstacle does so no earlier than the first aircraft can have it open, and has the rest of the way to
 // go. Where the last arrival counts, the aircraft's own counts as well.
 double Columns::arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const {
-    if (agent.start == agent.goal) return 0;
     double arrival = agent.ready_at + length / agent.speed;
     if (problem_.rules().timing == Timing::ignore) return arrival;
     for (const ObstacleId id : opened) {
@@ -190,7 +189,7 @@ void Columns::note(const CrossingResult& search) {
 
 Columns::Search Columns::search(std::size_t vehicle, std::span<const double> prices, double margin) {
     const Agent& agent = *problem_.vehicles()[vehicle];
-    if (agent.start == agent.goal) return {0, infinity};
+    if (agent.start == agent.goal) return {agent.ready_at, infinity};
     const Wishes& wishes = wishes_[vehicle];
     std::vector<double> known_prices;
     for (const ObstacleId id : wishes.obstacles) known_prices.push_back(prices[id.value]);

@@ -36,8 +36,7 @@ Picks::Picks(const Problem& problem, const Columns& columns) : problem_(problem)
     }
     for (std::uint32_t j = 0; j < numbered_.size(); ++j) offers_.push_back({j});
     std::ranges::sort(offers_);
-    const auto repeated = std::ranges::unique(offers_);
-    offers_.erase(repeated.begin(), repeated.end());
+    offers_.erase(std::unique(offers_.begin(), offers_.end()), offers_.end());
     open_.assign(numbered_.size(), 0);
     arrivals_.resize(columns.size());
     for (std::size_t i = 0; i < arrivals_.size(); ++i) arrivals_[i] = arrival(i);
@@ -101,8 +100,7 @@ bool Picks::add_best() {
             touched.insert(touched.end(), vehicles_of_[j].begin(), vehicles_of_[j].end());
         }
         std::ranges::sort(touched);
-        const auto repeated = std::ranges::unique(touched);
-        touched.erase(repeated.begin(), repeated.end());
+        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
         before.clear();
         for (const std::uint32_t i : touched) {
             before.push_back(arrivals_[i]);

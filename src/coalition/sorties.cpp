@@ -33,8 +33,7 @@ Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
             for (const Gate& gate : way.gates) used.push_back(gate.obstacle);
         }
         std::ranges::sort(used);
-        const auto repeated = std::ranges::unique(used);
-        used.erase(repeated.begin(), repeated.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
         if (used.size() == set.size()) return draft;
         set = std::move(used);
     }

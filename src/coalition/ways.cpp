@@ -27,7 +27,7 @@ double arrival(const Agent& agent, const Way& way, const Openings& openings) {
         if (openings.empty()) break;
         delay = std::max(delay, openings.at(gate.obstacle) - agent.ready_at - gate.after);
     }
-    return agent.start == agent.goal ? 0 : agent.ready_at + way.drive + delay;
+    return agent.ready_at + way.drive + delay;
 }
 
 Ways::Ways(const Problem& problem, std::span<const team::Vehicle> closed, CrossingSearcher& crossing, Searcher& theta)

@@ -22,4 +22,10 @@ inline void require_range(double value, double least, double most, const std::st
                      number_text(value));
 }
 
+// The same of an enum, which a program can make of any number.
+template <class Enum>
+void require_enumerator(Enum value, Enum last, const std::string& what) {
+    require_range(double(value), 0, double(last), what);
+}
+
 }  // namespace waybreaker

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <ranges>
 
 #include "crossing/dominance.hpp"
 #include "crossing/search.hpp"
@@ -23,8 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 std::vector<ObstacleId> sorted(std::span<const ObstacleId> ids) {
     std::vector<ObstacleId> set(ids.begin(), ids.end());
     std::ranges::sort(set);
-    const auto repeated = std::ranges::unique(set);
-    set.erase(repeated.begin(), repeated.end());
+    set.erase(std::unique(set.begin(), set.end()), set.end());
     return set;
 }
 
@@ -208,7 +206,7 @@ CrossingPath CrossingSearcher::Search::path_of(std::uint32_t index) {
                   [](const Hit& a, const Hit& b) { return a.at != b.at ? a.at < b.at : a.region < b.region; });
         std::vector<ObstacleId> entered;
         for (const Hit& hit : hits) ray.add_missing(hit.region, entered);
-        for (const ObstacleId obstacle : std::views::reverse(entered)) append(obstacle);
+        std::for_each(entered.rbegin(), entered.rend(), append);
     }
     std::reverse(path.gates.begin(), path.gates.end());
     std::reverse(path.path.begin(), path.path.end());

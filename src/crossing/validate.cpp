@@ -1,6 +1,7 @@
 #include "crossing/validate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "waybreaker/error.hpp"
@@ -26,6 +27,8 @@ void validate(const Map& map, const CrossingOptions& options) {
     if (std::ranges::any_of(options.prices, [](double price) { return !(price >= 0); })) {
         throw InputError("the price of an obstacle cannot be negative");
     }
+    if (std::isnan(options.length_limit)) throw InputError("the limit of a path's cost must be a number");
+    if (std::isnan(options.expected)) throw InputError("the expected cost of a path must be a number");
     validate(options.body);
     if (options.body.corners != Corners::none) {
         throw InputError("the crossing search moves an agent that passes no blocked corner");

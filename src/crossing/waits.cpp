@@ -1,9 +1,11 @@
 // Paths in time: obstacles open late, and whoever opens them has to get home.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "crossing/search.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker {
 
@@ -12,11 +14,18 @@ using namespace crossing;
 // When all of them are open, in half cells.
 double CrossingSearcher::Search::opened_after(std::span<const ObstacleId> sorted) const {
     const std::vector<ObstacleId> ids = ids_of(sorted);
-    return ids.empty() ? 0 : 2 * options_->opened_after(ids);
+    if (ids.empty()) return 0;
+    const double cells = options_->opened_after(ids);
+    if (std::isnan(cells)) throw InputError("opened_after must say a number");
+    return 2 * cells;
 }
 
 std::uint32_t CrossingSearcher::Search::add_set(std::span<const ObstacleId> sorted) {
-    if (options_->done_after) done_after_.push_back(2 * options_->done_after(ids_of(sorted)));
+    if (options_->done_after) {
+        const double cells = options_->done_after(ids_of(sorted));
+        if (!(cells >= 0)) throw InputError("done_after must say a number, at least 0");
+        done_after_.push_back(2 * cells);
+    }
     if (!options_->prices.empty()) {
         double paid = 0;
         for (const ObstacleId id : ids_of(sorted)) paid += 2 * options_->prices[id.value];

@@ -33,6 +33,7 @@ int cells_reached(Reaches reaches) {
 
 void validate(const Body& body) {
     if (body.radius != 0) require_range(body.radius, 1 / double(unit), max_radius, "the radius, in cells,");
+    require_enumerator(body.corners, Corners::squeeze, "what an agent does at corners");
     if (body.corners != Corners::none && body.radius != 0.5) {
         throw InputError("an agent that cuts corners or squeezes through is a point: leave its radius at 0.5");
     }
@@ -40,11 +41,13 @@ void validate(const Body& body) {
 
 bool fits(const OpenedMap& map, Cell at, const Body& body) {
     validate(body);
-    return LineOfSight(map, body).fits(at);
+    return map.map().grid().contains(at) && LineOfSight(map, body).fits(at);
 }
 
 bool line_of_sight(const OpenedMap& map, Cell from, Cell to, const Body& body) {
     validate(body);
+    const Grid& grid = map.map().grid();
+    if (!grid.contains(from) || !grid.contains(to)) return false;
     const LineOfSight sight(map, body);
     return sight.fits(from) && sight.fits(to) && sight.clear(from, to);
 }

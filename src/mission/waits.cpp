@@ -117,7 +117,8 @@ class Causes {
         }
         for (const Disc& disc : discs_) {
             if (disc.agent == agent) continue;
-            const double reach = driver.body.reach() + disc.radius + mission_.rules.separation - clearance_slack;
+            const double reach =
+                driver.body.reach() + disc.radius + mission_.rules.separation - Traffic::Index::planning_slack;
             if (!comes_near(run, disc, reach)) continue;
             for (const Interval& departures : unsafe_departures(whole, run, disc, reach)) {
                 add(departures, WaitReason::agent, {}, plan_.agents[disc.agent].id);

@@ -26,7 +26,7 @@ std::optional<Cell> nearest_place(const OpenedMap& map, Cell at, const Body& bod
             const int stride = std::abs(dy) == ring ? 1 : 2 * ring;
             for (int dx = -ring; dx <= ring; dx += stride) {
                 const Cell c{at.x + dx, at.y + dy};
-                if (!map.map().grid().contains(c) || !fits(map, c, body)) continue;
+                if (!fits(map, c, body)) continue;
                 if (!best || distance(c, at) < distance(*best, at)) best = c;
             }
         }
@@ -46,8 +46,9 @@ void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std
     const std::string reason = obstacle ? " lies inside obstacle " + std::to_string(obstacle.value)
                                         : " leaves no room for a radius of " + number_text(agent.body.radius);
     const std::optional<Cell> place = nearest_place(map, at, agent.body);
+    const std::string none = agent.body.reach() > 0.5 ? "cell with room for the agent" : "free cell";
     throw InputError(where + reason +
-                     (place ? "; a free cell near it is " + text(*place) : "; the map has no free cell"));
+                     (place ? "; a free cell near it is " + text(*place) : "; the map has no " + none));
 }
 
 // REQUIRES: all ids are those of obstacles.
@@ -71,6 +72,9 @@ void validate_forced(const Map& map, const Rules& rules) {
 }
 
 void validate(const Map& map, const Rules& rules) {
+    require_enumerator(rules.objective, Objective::ground_makespan, "the objective");
+    require_enumerator(rules.timing, Timing::ignore, "the timing");
+    require_enumerator(rules.at_goal, AtGoal::leave, "what agents do at their goals");
     if (rules.removals < 0) throw InputError("the number of removals cannot be negative");
     require_range(rules.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
     require_range(rules.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
@@ -147,6 +151,7 @@ void validate(const Map& map, const Mission& mission) {
     if (mission.agents.empty()) throw InputError("the mission has no ground agent");
     const OpenedMap closed(map);
     for (const Agent& agent : mission.agents) {
+        require_enumerator(agent.kind, AgentKind::air, "the " + agent.id + " agent's kind");
         require_range(agent.speed, least_speed, most_speed, "the " + agent.id + " agent's speed");
         require_range(agent.ready_at, 0, most_breach_time, "the time at which the " + agent.id + " agent is ready");
         if (agent.kind == AgentKind::ground) validate(agent.body);

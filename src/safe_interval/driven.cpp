@@ -21,7 +21,7 @@ std::vector<Waypoint> driven(const Map& map, std::span<const Cell> way, const Sa
     const Cell start = way.front();
     std::vector<Waypoint> path{{double(start.x), double(start.y), 0}};
     double time = options.ready_at;
-    if (time > 0 && start != way.back()) path.push_back({path[0].x, path[0].y, time});
+    if (time > 0) path.push_back({path[0].x, path[0].y, time});
     for (std::size_t i = 1; i < way.size(); ++i) {
         if (way[i] == way[i - 1]) continue;
         const double duration = distance(way[i - 1], way[i]) / options.speed;

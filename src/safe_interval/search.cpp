@@ -292,7 +292,8 @@ double SafeIntervalSearcher::Search::opened_for(Cell from, Cell to, double durat
 
 std::vector<Waypoint> SafeIntervalSearcher::Search::path_to(std::uint32_t node) const {
     std::vector<Waypoint> path;
-    double departure = 0;  // to the node before, seen from the goal
+    // To the node before, seen from the goal. Who has nowhere to go stands there until it is ready.
+    double departure = nodes_[node].parent == none ? nodes_[node].arrival : 0;
     for (std::uint32_t at = node; at != none; at = nodes_[at].parent) {
         const Node& reached = nodes_[at];
         const double arrival = reached.parent == none ? 0 : reached.arrival;

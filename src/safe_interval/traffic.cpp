@@ -78,7 +78,7 @@ void Traffic::Index::add(std::uint32_t who, std::span<const Waypoint> path, doub
     std::vector<std::uint32_t>& squares = squares_of_[who];
     for (const Leg& leg : legs(path, stays)) add_leg(who, leg, radius, squares);
     std::ranges::sort(squares);
-    squares.erase(std::ranges::unique(squares).begin(), squares.end());
+    squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
 }
 
 void Traffic::Index::add_leg(std::uint32_t who, const Leg& leg, double radius, std::vector<std::uint32_t>& squares) {
@@ -111,6 +111,20 @@ void Traffic::Index::remove(std::uint32_t who) {
     squares_of_.erase(known);
 }
 
+std::vector<std::uint32_t> Traffic::Index::met(std::span<const Waypoint> path, double radius, bool stays,
+                                               double slack) const {
+    std::vector<std::uint32_t> met;
+    for (const Leg& leg : legs(path, stays)) {
+        near(leg, radius, [&](const Piece& piece) {
+            if (!safe_interval::overlap(leg, piece.leg, reach(piece, radius, slack)).empty()) met.push_back(piece.who);
+            return true;
+        });
+    }
+    std::sort(met.begin(), met.end());
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+    return met;
+}
+
 Traffic::Traffic(int width, int height, double separation) {
     require_range(width, 1, max_side, "the width of the map of a traffic");
     require_range(height, 1, max_side, "the height of the map of a traffic");
@@ -129,16 +143,7 @@ void Traffic::remove(std::uint32_t who) {
 }
 
 std::vector<std::uint32_t> Traffic::met(std::span<const Waypoint> path, double radius, bool stays) const {
-    std::vector<std::uint32_t> met;
-    for (const Leg& leg : Index::legs(path, stays)) {
-        index_->near(leg, radius, [&](const Index::Piece& piece) {
-            if (!safe_interval::overlap(leg, piece.leg, index_->reach(piece, radius)).empty()) met.push_back(piece.who);
-            return true;
-        });
-    }
-    std::ranges::sort(met);
-    met.erase(std::ranges::unique(met).begin(), met.end());
-    return met;
+    return index_->met(path, radius, stays, clearance_slack);
 }
 
 }  // namespace waybreaker

@@ -15,6 +15,8 @@ namespace waybreaker {
 
 class Traffic::Index {
   public:
+    static constexpr double planning_slack = clearance_slack / 2;
+
     struct Piece {
         safe_interval::Leg leg;
         double radius = 0;
@@ -28,10 +30,14 @@ class Traffic::Index {
 
     int width() const { return width_; }
     int height() const { return height_; }
-    // How near a disc of that radius may come to the piece.
-    double reach(const Piece& piece, double radius) const {
-        return radius + piece.radius + separation_ - clearance_slack;
+    // How near a disc of that radius may come to the piece; a path that is searched for, not quite so near.
+    double reach(const Piece& piece, double radius, double slack = planning_slack) const {
+        return radius + piece.radius + separation_ - slack;
     }
+
+    // As Traffic::met.
+    std::vector<std::uint32_t> met(std::span<const Waypoint> path, double radius, bool stays,
+                                   double slack = planning_slack) const;
 
     // Calls visit(piece) for the pieces that a disc of that radius may meet on the leg, until visit returns false.
     // Looks at each square only while the disc is within reach of it.

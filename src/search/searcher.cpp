@@ -98,6 +98,9 @@ bool can_drive_optimally(const Body& body, bool diagonal) {
 }
 
 void validate(const SearchOptions& options) {
+    require_enumerator(options.planner, Planner::optimal, "the planner");
+    if (options.heuristic) require_enumerator(*options.heuristic, Heuristic::zero, "the heuristic");
+    require_enumerator(options.tie_break, TieBreak::g_min, "the tie-break");
     require_range(options.weight, 1, most_heuristic_weight, "the heuristic's weight");
     if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
     validate(options.body);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/range.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -96,6 +97,8 @@ void validate_team(const Mission& mission, const Method& method) {
 }  // namespace
 
 void validate(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+    require_enumerator(method.select, Selection::none, "what to select by");
+    require_enumerator(method.flight, FlightRule::nearest, "what to fly by");
     if (!(limits.seconds > 0)) throw InputError("the time limit must be above 0 seconds");
     for (const Agent& agent : mission.agents) {
         if (agent.kind != AgentKind::ground) continue;

@@ -38,7 +38,7 @@ void plan_all(const TeamPlan& plan, Objective objective, const Interrupts& inter
         }
         if (fleet.cost().missing <= few) search.repair();
         if (fleet.cost().missing == 0) return;
-        std::ranges::stable_partition(order, [&](std::uint32_t i) { return !fleet.has_path(i); });
+        std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return !fleet.has_path(i); });
         for (const std::uint32_t i : order) fleet.withdraw(i);
     }
 }

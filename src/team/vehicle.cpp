@@ -56,12 +56,12 @@ SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, Crossi
     }
     if (status != SearchStatus::found) return status;
     // Leg by leg, as it will be driven.
-    vehicle.alone = agent.start == agent.goal ? 0 : agent.ready_at;
+    vehicle.alone = agent.ready_at;
     for (std::size_t i = 1; i < vehicle.way.size(); ++i) {
         vehicle.alone += distance(vehicle.way[i - 1], vehicle.way[i]) / agent.speed;
     }
     const double least = std::min(lower_bound(map, interrupts, crossing, vehicle), length);
-    vehicle.bound = agent.start == agent.goal ? 0 : agent.ready_at + least / agent.speed;
+    vehicle.bound = agent.ready_at + least / agent.speed;
     vehicle.seconds = watch.seconds();
     return status;
 }

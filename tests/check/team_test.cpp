@@ -70,6 +70,18 @@ TEST(TeamCheck, AcceptsThePlan) {
     EXPECT_TRUE(is_valid(yard(), made.mission, made.plan));
 }
 
+// One that has nowhere to go may not vanish before it is ready.
+TEST(TeamCheck, RejectsAnAgentThatVanishesBeforeItIsReady) {
+    TeamPlan made;
+    made.mission.rules.at_goal = AtGoal::leave;
+    made.mission.agents = {vehicle("a", {4, 4}, {4, 4}), vehicle("b", {0, 4}, {8, 4})};
+    made.plan = MissionPlanner().plan(yard(), made.mission);
+    ASSERT_EQ(made.plan.status, PlanStatus::solved);
+    EXPECT_EQ(broken(made), std::set<Rule>{});
+    made.mission.agents[0].ready_at = 3;
+    EXPECT_TRUE(broken(made).contains(Rule::start));
+}
+
 TEST(TeamCheck, RejectsEachFault) {
     const std::map<std::string, std::pair<Rule, std::function<void(TeamPlan&)>>> faults{
         {"all drive as if alone",

@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -242,6 +243,7 @@ TEST(Crossing, StaysWhereItIs) {
 
 TEST(Crossing, RefusesOptionsOutOfRange) {
     const Map map = map_from_ascii("..a");
+    const Map wall = map_from_ascii("..a.. ..a.. ..a..");
     const auto find = [&](const CrossingOptions& options) { CrossingSearcher().find(map, {0, 0}, {1, 0}, options); };
     const std::vector<ObstacleId> unknown{{2}};
     const std::vector<ObstacleId> none{{0}};
@@ -252,7 +254,31 @@ TEST(Crossing, RefusesOptionsOutOfRange) {
     EXPECT_THROW(find({.body = {.radius = 33}}), InputError);
     EXPECT_THROW(find({.body = {.corners = Corners::cut}}), InputError);
     EXPECT_THROW(find({.budget = -1}), InputError);
+    EXPECT_THROW(find({.length_limit = std::nan("")}), InputError);
+    EXPECT_THROW(find({.expected = std::nan("")}), InputError);
     EXPECT_NO_THROW(find({.crossings = 1000}));
+    const auto answer = [](double value) { return [value](std::span<const ObstacleId>) { return value; }; };
+    const auto cross = [&](const CrossingOptions& options) { CrossingSearcher().find(wall, {0, 1}, {4, 1}, options); };
+    EXPECT_THROW(cross({.crossings = 1, .opened_after = answer(std::nan(""))}), InputError);
+    EXPECT_THROW(cross({.crossings = 1, .done_after = answer(std::nan(""))}), InputError);
+    EXPECT_THROW(cross({.crossings = 1, .done_after = answer(-1)}), InputError);
+    EXPECT_NO_THROW(cross({.crossings = 1, .opened_after = answer(-5)}));  // open since long
+}
+
+TEST(Crossing, SaysHowFarItLookedForNothing) {
+    const Map wall = map_from_ascii("..a.. ..a.. ..a..");
+    const auto find = [&](const CrossingOptions& options) {
+        return CrossingSearcher().find(wall, {0, 1}, {4, 1}, options);
+    };
+    const CrossingResult none = find({});
+    EXPECT_EQ(none.status, SearchStatus::no_path);
+    EXPECT_EQ(none.lower_bound, std::numeric_limits<double>::infinity());
+    const CrossingResult dear = find({.crossings = 1, .length_limit = 3.5});
+    EXPECT_EQ(dear.status, SearchStatus::no_path);
+    EXPECT_DOUBLE_EQ(dear.lower_bound, 3.5);
+    const CrossingResult below = find({.crossings = 1, .length_limit = -3});
+    EXPECT_EQ(below.status, SearchStatus::no_path);
+    EXPECT_DOUBLE_EQ(below.lower_bound, -3);
 }
 
 }  // namespace

@@ -104,6 +104,19 @@ TEST(LineOfSight, TouchesButDoesNotCross) {
     EXPECT_TRUE(line_of_sight(OpenedMap(both_sides), {0, 0}, {1, 1}, {.corners = Corners::squeeze}));
 }
 
+TEST(LineOfSight, SeesNothingOffTheMap) {
+    const Map map{Grid(64, 64)};
+    const OpenedMap opened(map);
+    for (const Cell off :
+         {Cell{-1, 2}, {-100, 2}, {64, 2}, {1 << 30, 2}, {2, -1}, {2, -(1 << 30)}, {2, 64}, {2, 9999}}) {
+        for (const Body& body : {Body{}, point_body, Body{.radius = 2}}) {
+            EXPECT_FALSE(fits(opened, off, body));
+            EXPECT_FALSE(line_of_sight(opened, off, {20, 20}, body));
+            EXPECT_FALSE(line_of_sight(opened, {20, 20}, off, body));
+        }
+    }
+}
+
 TEST(LineOfSight, RefusesImpossibleAgents) {
     EXPECT_THROW(validate(Body{.radius = 0.0004}), InputError);
     EXPECT_THROW(validate(Body{.radius = 32.001}), InputError);

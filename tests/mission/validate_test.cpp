@@ -48,9 +48,34 @@ TEST(ValidateMission, RefusesToStartInAWallAndNamesAFreeCell) {
     expect_words(refusal(ground_and_air({0, 0}, {2, 1})), {"ground", "goal", "2,1", "obstacle 1", "free cell"});
     Mission wide = ground_and_air({0, 0}, {3, 2});
     wide.agents[0].body.radius = 0.75;
-    expect_words(refusal(wide), {"ground", "0,0", "0.75", "no free cell"});
+    expect_words(refusal(wide), {"ground", "0,0", "0.75", "the map has no cell with room for the agent"});
     const Map full = map_from_ascii("###");
     expect_words(refusal(ground_and_air({0, 0}, {2, 0}), {}, full), {"obstacle 1", "no free cell"});
+}
+
+// Which a program can make of any number.
+TEST(ValidateMission, RefusesWordsThatThereAreNot) {
+    const Mission good = ground_and_air({0, 0}, {3, 2});
+    Mission mission = good;
+    mission.rules.objective = Objective(99);
+    expect_words(refusal(mission), {"objective"});
+    mission = good;
+    mission.rules.timing = Timing(2);
+    expect_words(refusal(mission), {"timing"});
+    mission = good;
+    mission.rules.at_goal = AtGoal(-1);
+    expect_words(refusal(mission), {"goals"});
+    mission = good;
+    mission.agents[1].kind = AgentKind(2);
+    expect_words(refusal(mission), {"kind"});
+    mission = good;
+    mission.agents[0].body.corners = Corners(3);
+    expect_words(refusal(mission), {"corners"});
+    expect_words(refusal(good, {.select = Selection(4)}), {"select"});
+    expect_words(refusal(good, {.flight = FlightRule(2)}), {"fly"});
+    expect_words(refusal(good, {.planner = Planner(99)}), {"planner"});
+    expect_words(refusal(good, {.planner = Planner::astar, .heuristic = Heuristic(5)}), {"heuristic"});
+    expect_words(refusal(good, {.planner = Planner::astar, .tie_break = TieBreak(2)}), {"tie"});
 }
 
 TEST(ValidateMission, LetsTheAirAgentStartOverAWall) {

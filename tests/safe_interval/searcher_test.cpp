@@ -25,8 +25,8 @@ std::string faults(const OpenedMap& map, const Traffic& traffic, Cell start, Cel
         if (way > 0 && path[i - 1].t < options.ready_at) return "leaves too early";
         if (!line_of_sight(map, cell(path[i - 1]), cell(path[i]), options.body)) return "meets an obstacle";
     }
-    constexpr double rounding = 1e-7;
-    if (!traffic.met(path, options.body.reach() - rounding, options.stays).empty()) return "meets somebody";
+    if (path.back().t < options.ready_at) return "ends before it is ready";
+    if (!traffic.met(path, options.body.reach(), options.stays).empty()) return "meets somebody";
     return "";
 }
 
@@ -101,6 +101,29 @@ TEST(SafeInterval, GoesIntoABayToLetOthersPass) {
     const auto found = SafeIntervalSearcher().find(OpenedMap(map), traffic, {2, 1}, {8, 1}, options);
     ASSERT_EQ(found.status, SearchStatus::found);
     EXPECT_EQ(faults(OpenedMap(map), traffic, {2, 1}, {8, 1}, options, found.path), "");
+}
+
+// Who has nowhere to go stands there until it is ready as well.
+TEST(SafeInterval, StandsAtItsStartUntilItIsReady) {
+    const Map map = map_from_ascii(".........\n.........\n.........");
+    const SafeIntervalOptions options{.ready_at = 3, .stays = false};
+    const std::vector<Waypoint> stands{{4, 1, 0}, {4, 1, 3}};
+    const Traffic nobody(map.width(), map.height());
+    EXPECT_EQ(SafeIntervalSearcher().find(OpenedMap(map), nobody, {4, 1}, {4, 1}, options).path, stands);
+    Traffic early(map.width(), map.height());
+    early.add(0, std::vector<Waypoint>{{0, 1, 0}, {8, 1, 4}}, 0.5, false);
+    EXPECT_EQ(SafeIntervalSearcher().find(OpenedMap(map), early, {4, 1}, {4, 1}, options).status,
+              SearchStatus::no_path);
+    Traffic late(map.width(), map.height());
+    late.add(0, std::vector<Waypoint>{{0, 1, 0}, {8, 1, 8}}, 0.5, false);
+    EXPECT_EQ(SafeIntervalSearcher().find(OpenedMap(map), late, {4, 1}, {4, 1}, options).path, stands);
+    // The search itself, where the way alone is not free.
+    Traffic passes(map.width(), map.height());
+    passes.add(0, std::vector<Waypoint>{{0, 0, 0}, {4, 0, 4}, {4, 2, 6}}, 0.5, false);
+    const SafeIntervalOptions for_ever{.ready_at = 2};
+    const auto found = SafeIntervalSearcher().find(OpenedMap(map), passes, {4, 1}, {4, 1}, for_ever);
+    ASSERT_EQ(found.status, SearchStatus::found);
+    EXPECT_EQ(faults(OpenedMap(map), passes, {4, 1}, {4, 1}, for_ever, found.path), "");
 }
 
 TEST(SafeInterval, ReachesAGoalOnlyForGood) {

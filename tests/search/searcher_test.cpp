@@ -196,6 +196,7 @@ TEST(Searcher, RefusesOptionsThatContradictEachOther) {
     EXPECT_THROW(validate(SearchOptions{.planner = Planner::jps, .diagonal = false}), InputError);
     EXPECT_THROW(validate(SearchOptions{.planner = Planner::jps, .body = {.radius = 1}}), InputError);
     EXPECT_THROW(validate(SearchOptions{.body = {.radius = 0.0001}}), InputError);
+    EXPECT_THROW(validate(SearchOptions{.planner = Planner(99)}), InputError);
     const Map map(Grid(2, 2));
     EXPECT_THROW(Searcher().find(OpenedMap(map), {0, 0}, {1, 1}, {.weight = 0}), InputError);
 }

@@ -61,7 +61,7 @@ class Moves {
             }
         }
         for (std::size_t i = 0; i < cells_.size(); ++i) {
-            if (cells_[i] == agent_.goal) return agent_.start == agent_.goal ? 0 : reached[i];
+            if (cells_[i] == agent_.goal) return reached[i];
         }
         return never;
     }

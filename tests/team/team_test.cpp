@@ -117,6 +117,26 @@ TEST(Team, LetsOneWaitAtACrossing) {
     EXPECT_NEAR(*plan.after.flowtime, 8 + 6 + std::sqrt(2), 1e-6);
 }
 
+// Though it has nowhere to go: others stay away until it vanishes.
+TEST(Team, StandsWhereItIsUntilItIsReady) {
+    const Map map{Grid(10, 10)};
+    Mission mission;
+    mission.rules.objective = Objective::flowtime;
+    mission.agents = {vehicle("a", {4, 4}, {4, 4}), vehicle("b", {0, 4}, {9, 4})};
+    mission.agents[0].ready_at = 3;
+    mission.agents[1].speed = 4;
+    for (const AtGoal at_goal : {AtGoal::leave, AtGoal::stay}) {
+        mission.rules.at_goal = at_goal;
+        const Plan plan = MissionPlanner().plan(map, mission);
+        ASSERT_EQ(plan.status, PlanStatus::solved);
+        EXPECT_TRUE(is_valid(map, mission, plan));
+        EXPECT_EQ(simulate(map, mission, plan, 0.01), "");
+        EXPECT_DOUBLE_EQ(plan.agents[0].path.back().t, 3);
+        EXPECT_GT(plan.agents[1].path.back().t, 9.0 / 4);
+        EXPECT_DOUBLE_EQ(*plan.before.flowtime, 3 + 9.0 / 4);
+    }
+}
+
 // Room was left to vehicles without a path for ever longer, before all had one.
 TEST(Team, WaitsForNobodyWhoHasLeft) {
     const Map map = map_from_ascii(R"(
