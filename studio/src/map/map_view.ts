@@ -11,6 +11,7 @@ import { drawCross, drawGrid, drawGround } from "./layers/base_layer";
 import { drawEvents } from "./layers/event_layer";
 import { drawMarkers } from "./layers/marker_layer";
 import { type Spot, spotAt, spots } from "./layers/marker_spots";
+import { widthOfName } from "./layers/team_markers";
 import { ObstacleLayer } from "./layers/obstacle_layer";
 import { faint, PathLayer } from "./layers/path_layer";
 import { drawScaleBar } from "./layers/scale_bar";
@@ -40,6 +41,7 @@ export class MapView implements GestureTarget {
   #untouched = true; // people have not moved the map: it stays fitted while the page takes shape
   #glide: Glide | null = null;
   #dragged: { spot: Spot; cell: Cell; before: Cell } | null = null;
+  #spotsKnown: { key: unknown[]; all: readonly Spot[] } | null = null;
   #focused: Handle | null = null;
   #hovered: number | null = null;
 
@@ -224,8 +226,20 @@ export class MapView implements GestureTarget {
     return this.#scene!.cells.at(...cellAt(this.#toMap(at))) || null;
   }
 
-  #spots(): Spot[] {
-    return spots(this.#scene!.agents, (point) => toScreen(this.#camera, this.#surface.view, point));
+  // Asked for with each move of the pointer, of teams of thousands too.
+  #spots(): readonly Spot[] {
+    const { agents, chosen } = this.#scene!;
+    const { context, view } = this.#surface;
+    const camera = this.#camera;
+    const key = [agents, chosen, camera, view.width, view.height];
+    if (!this.#spotsKnown || key.some((part, i) => part !== this.#spotsKnown!.key[i])) {
+      const all = spots(agents, (point) => toScreen(camera, view, point), {
+        widthOf: (id) => widthOfName(context, id),
+        first: chosen,
+      });
+      this.#spotsKnown = { key, all };
+    }
+    return this.#spotsKnown.all;
   }
 
   #move(change: (camera: Camera) => Camera): void {
@@ -269,9 +283,9 @@ export class MapView implements GestureTarget {
     const moreLabels = this.#labels.draw(frame, scene);
     this.#paths.draw(frame, scene);
     frame.context.globalAlpha = scene.old ? faint : 1;
-    drawEvents(frame, scene, fadeSpan);
+    drawEvents(frame, scene, this.#spots(), fadeSpan);
     frame.context.globalAlpha = 1;
-    drawMarkers(frame, scene, this.#dragged?.spot.handle ?? this.#focused);
+    drawMarkers(frame, scene, this.#spots(), this.#dragged?.spot.handle ?? this.#focused);
     this.#sketch.draw(frame, scene);
     if (this.#surface.hasKeyboard) drawCross(frame);
     drawScaleBar(frame, scene.map);
