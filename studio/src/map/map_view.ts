@@ -1,6 +1,6 @@
 // The map on a canvas: shows scenes, and reports user actions. Draws only when something has changed.
-import { cellOf, type Handle, isSameHandle } from "../domain/agents";
-import type { Cell, Point } from "../domain/geometry";
+import { cellOf, type Handle, handlesOf, isSameHandle } from "../domain/agents";
+import type { Cell, Point, Size } from "../domain/geometry";
 import type { Scene, SceneEvents } from "../domain/scene";
 import { duration, positionAt } from "../play/motion";
 import { Gestures, type GestureTarget } from "./interaction/gestures";
@@ -25,6 +25,12 @@ import { Surface } from "./viewport/surface";
 
 const fadeShare = 0.05; // of the mission: how long an obstacle takes to vanish
 const frameTime = 8; // milliseconds to draw in, tiles that are missing included
+
+export interface Marked {
+  points: Point[]; // pixels of the map
+  view: Size; // how large it is
+  bottom: number; // pixels of the page
+}
 
 export class MapView implements GestureTarget {
   readonly #surface: Surface;
@@ -110,6 +116,21 @@ export class MapView implements GestureTarget {
     this.#focused = handle;
     this.#keepFocusInView();
     this.#surface.ask();
+  }
+
+  // Where markers, breaches and the selected obstacle are: what should stay in sight.
+  marked(): Marked | null {
+    const scene = this.#scene;
+    if (!scene) return null;
+    const camera = this.#glide?.to ?? this.#camera;
+    const { view, bottom } = this.#surface;
+    const bounds = scene.selected === null ? undefined : scene.cells.obstacle(scene.selected)?.bounds;
+    const cells: Point[] = [
+      ...handlesOf(scene.agents).map((handle) => cellOf(scene.agents, handle)),
+      ...(scene.layers.at(-1)?.plan.removed ?? []).map(({ at }) => at),
+      ...(bounds ? [[(bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2] as Point] : []),
+    ];
+    return { points: cells.map((cell) => toScreen(camera, view, cell)), view, bottom };
   }
 
   destroy(): void {
