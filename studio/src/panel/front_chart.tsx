@@ -152,7 +152,7 @@ function figuresOf(columns: Column[], count: number, place: Placer, width: numbe
     text: clockTime(column.value!, units),
     bold: column.n === count,
   }));
-  const places = placeFigures(figures, on.map(pointOf), width);
+  const places = placeFigures(figures, on.map(pointOf), { width, height });
   return new Map(told.map(({ n }, i) => [n, places[i]!]));
 }
 

@@ -1,6 +1,6 @@
 // Where the figures of the curve stand: over their points, or beside where the line is steep; those without room are left
 // out. Pixels.
-import { type Box, overlap, type Point } from "../domain/geometry";
+import { type Box, overlap, type Point, type Size } from "../domain/geometry";
 
 export interface FigureAt {
   at: Point; // the point of the curve
@@ -14,7 +14,7 @@ const digit = { plain: 7, bold: 7.7 }; // wide, of the widest usual typeface; pu
 const clear = 1.5; // between figures
 
 // Middles, in the order of the figures; null: left out. Bold ones come first, then the ends, then from the left.
-export function placeFigures(figures: readonly FigureAt[], line: readonly Point[], width: number): (Point | null)[] {
+export function placeFigures(figures: readonly FigureAt[], line: readonly Point[], chart: Size): (Point | null)[] {
   const last = figures.length - 1;
   const rank = (i: number) => (figures[i]!.bold ? 0 : i === 0 || i === last ? 1 : 2);
   const order = figures.map((_, i) => i).sort((a, b) => rank(a) - rank(b) || a - b);
@@ -22,7 +22,7 @@ export function placeFigures(figures: readonly FigureAt[], line: readonly Point[
   const places: (Point | null)[] = figures.map(() => null);
   for (const i of order) {
     const figure = figures[i]!;
-    const boxes = tried(figure, width);
+    const boxes = tried(figure, chart);
     const isFree = (box: Box) => !taken.some((other) => overlap(box, other));
     const isClear = (box: Box) => isFree(box) && !line.some((to, k) => k > 0 && crosses(line[k - 1]!, to, box));
     const box = boxes.find(isClear) ?? (figure.bold ? boxes.find(isFree) : undefined);
@@ -34,14 +34,15 @@ export function placeFigures(figures: readonly FigureAt[], line: readonly Point[
 }
 
 // Above, above to the right and to the left, below.
-function tried({ at: [x, y], text, bold }: FigureAt, width: number): Box[] {
+function tried({ at: [x, y], text, bold }: FigureAt, chart: Size): Box[] {
   const half = widthOf(text, bold) / 2 + clear;
-  const most = Math.max(0, width - half);
+  const most = Math.max(0, chart.width - half);
   const boxes = [[x, y - away], [x + 0.6 * half, y - away], [x - 0.6 * half, y - away], [x, y - away - 7], [x, y + away]];
-  return boxes.map(([wanted, middle]) => {
+  const all = boxes.map(([wanted, middle]) => {
     const inside = Math.min(Math.max(wanted!, half - outside), most + outside);
     return { left: inside - half, right: inside + half, top: middle! - height / 2, bottom: middle! + height / 2 };
   });
+  return all.filter(({ bottom }) => bottom <= chart.height);
 }
 
 export function widthOf(text: string, bold: boolean): number {

@@ -25,12 +25,13 @@ function along(line: readonly Point[]): Point[] {
 
 function expectClear(figures: readonly FigureAt[]): (Point | null)[] {
   const line = figures.map(({ at }) => at);
-  const places = placeFigures(figures, line, width);
+  const places = placeFigures(figures, line, { width, height: 92 });
   const boxes = figures.flatMap((figure, i) => (places[i] ? [boxOf(places[i]!, figure)] : []));
   boxes.forEach((one, i) => {
     for (const other of boxes.slice(0, i)) expect(overlap(one, other)).toBe(false);
     expect(one.left).toBeGreaterThan(-9);
     expect(one.right).toBeLessThan(width + 9);
+    expect(one.bottom, "the numbers of removals").toBeLessThanOrEqual(92);
   });
   figures.forEach((figure, i) => {
     if (!places[i] || figure.bold) return;
