@@ -407,6 +407,11 @@ TEST(Picture, WhatWasToBeSmallComesFirstAndIsBold) {
     const auto team = parsed(svg_of(world, {.objective = Objective::flowtime}));
     EXPECT_TRUE(std::ranges::any_of(words(team), [&](const std::string& text) { return text.starts_with(begin); }));
     EXPECT_EQ(bold(team), "flowtime");
+
+    world.plan.bound = 14.2 / 1.5;
+    const std::string end = ", gap of the flowtime 50.0 %";
+    const auto bounded = words(parsed(svg_of(world, {.objective = Objective::flowtime})));
+    EXPECT_TRUE(std::ranges::any_of(bounded, [&](const std::string& text) { return text.ends_with(end); }));
 }
 
 TEST(Picture, ManyRemovalsAreNotNumbered) {
