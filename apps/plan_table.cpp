@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/option_words.hpp"
+#include "render/caption.hpp"
 #include "site/demolition.hpp"
 #include "table.hpp"
 #include "team_table.hpp"
@@ -38,6 +39,25 @@ std::string heading(const io::PlanContext& context, const TableStyle& style) {
     const bool walking = style.metres && times_are_lengths(context);
     return line + fmt::format("lengths in cells, times in {}{}\n", time_unit(context),
                               walking ? " and in seconds at 1 m/s" : "");
+}
+
+// The rules beside how many removals there may be; empty where there are none.
+std::string rules(const io::PlanContext& context) {
+    const Rules& asked = context.mission.rules;
+    std::vector<std::string> parts;
+    const auto counted = [](std::size_t count) { return fmt::format("{} obstacle{}", count, count == 1 ? "" : "s"); };
+    if (asked.budget < INFINITY) {
+        parts.push_back(context.area_budget ? fmt::format("at most {:.6g} m\u00b2 demolished", asked.budget)
+                                            : fmt::format("removals that weigh at most {:.6g}", asked.budget));
+    }
+    if (asked.minimise_demolition == 0.0) parts.emplace_back("of the best plans the one that demolishes least");
+    if (asked.minimise_demolition.value_or(0) > 0) {
+        parts.push_back(
+            fmt::format("the least demolition within {:.3g} % of the best plan", 100 * *asked.minimise_demolition));
+    }
+    if (!asked.protect.empty()) parts.push_back(counted(asked.protect.size()) + " protected");
+    if (!asked.force.empty()) parts.push_back(counted(asked.force.size()) + " to be removed");
+    return parts.empty() ? "" : fmt::format("asked for: {}\n", fmt::join(parts, "; "));
 }
 
 // The first column as wide in one table as in the next, so that they stand under each other.
@@ -89,13 +109,15 @@ std::string outcomes(const Plan& plan, const io::PlanContext& context, const Tab
     const Outcome& after = plan.after;
     const double cell_size = context.map.cell_size;
     const bool seconds = style.metres && times_are_lengths(context);
+    std::vector<Quantity> times;
+    for (const Objective time : render::shown_times(context.mission.rules.objective)) {
+        times.push_back({std::string(render::name_of(time, context.mission)), value(before, time), value(after, time)});
+    }
     return quantities("length",
                       {{"path A (ground)", before.ground().length, after.ground().length},
                        {"path B (air)", before.air().length, after.air().length}},
                       style.metres ? "m" : "", cell_size, style.bold) +
-           quantities(timed("time", context),
-                      {{"makespan", before.makespan, after.makespan}, {"flowtime", before.flowtime, after.flowtime}},
-                      seconds ? "s" : "", cell_size, style.bold) +
+           quantities(timed("time", context), times, seconds ? "s" : "", cell_size, style.bold) +
            searches(before.ground(), after.ground(), context, style.bold);
 }
 
@@ -185,6 +207,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
                (explained ? saved_together(plan, context.mission) : "");
     }
     if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
+    if (context.method.select == Selection::none) return "nothing removed: none was asked for\n";
     if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";
     if (plan.least_demolition) {
         return fmt::format("nothing removed: no removal gains more than {:.3g} %\n",
@@ -284,12 +307,13 @@ std::string plan_table(const Plan& plan, const io::PlanContext& context, const T
         const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
         const bool may_remove =
             context.mission.rules.removals > 0 && std::ranges::any_of(context.mission.agents, flies);
-        return heading(context, style) + "\n" + front(context, style) + team_table(plan, context, style) +
+        return heading(context, style) + rules(context) + "\n" + front(context, style) +
+               team_table(plan, context, style) +
                (may_remove ? "\n" + removals(plan, context, style) : without_aircraft(context.mission)) +
                next(plan, context) + (context.method.explain ? waits(plan, context) : "") + bound(plan, context) +
                limit(plan);
     }
-    return heading(context, style) + "\n" + front(context, style) + outcomes(plan, context, style) +
+    return heading(context, style) + rules(context) + "\n" + front(context, style) + outcomes(plan, context, style) +
            removals(plan, context, style) + next(plan, context) + waits(plan, context) + bound(plan, context) +
            limit(plan) + warning(plan, context);
 }

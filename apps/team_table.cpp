@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "render/caption.hpp"
 #include "table.hpp"
 
 namespace waybreaker::apps {
@@ -60,12 +61,13 @@ std::string team_table(const Plan& plan, const io::PlanContext& context, const T
     const bool seconds = style.metres && times_are_lengths(context);
     std::vector<Row> times{{timed("time", context), "alone", "together", "change"}};
     if (seconds) times.front().emplace_back("together (s)");
-    const auto add = [&](const char* name, std::optional<double> alone, std::optional<double> together) {
-        times.push_back({name, text(alone, 3), text(together, 3), change(alone, together)});
+    const auto add = [&](std::string_view name, std::optional<double> alone, std::optional<double> together) {
+        times.push_back({std::string(name), text(alone, 3), text(together, 3), change(alone, together)});
         if (seconds) times.back().push_back(fmt::format("{:.1f}", together.value_or(0) * cell_size));
     };
-    add("makespan", plan.before.makespan, plan.after.makespan);
-    add("flowtime", plan.before.flowtime, plan.after.flowtime);
+    for (const Objective time : render::shown_times(context.mission.rules.objective)) {
+        add(render::name_of(time, context.mission), value(plan.before, time), value(plan.after, time));
+    }
     return aligned(rows, style.bold) + "\n" + aligned(times, style.bold);
 }
 

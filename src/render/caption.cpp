@@ -68,6 +68,31 @@ std::string gap(const Plan& plan, const PictureOptions& options) {
     return fmt::format(", gap {:.1f} %", 100 * std::max(*reached / *plan.bound - 1, 0.0));
 }
 
+// ", gap of the flowtime 0.2 %": there are two times that it could be of.
+std::string gap_of_team(const Mission& mission, const Plan& plan, const PictureOptions& options) {
+    const std::string plain = gap(plan, options);
+    constexpr std::string_view begin = ", gap ";
+    return plain.empty()
+               ? ""
+               : fmt::format("{}of the {} {}", begin, name_of(options.objective, mission), plain.substr(begin.size()));
+}
+
+// "makespan 552.1, flowtime 1104.2", the objective first.
+std::string times_of_team(const Mission& mission, const Plan& plan, const PictureOptions& options) {
+    std::string times;
+    for (const Objective time : shown_times(options.objective)) {
+        times += fmt::format("{}{} {}", times.empty() ? "" : ", ", name_of(time, mission),
+                             number(value(plan.after, time), time_factor(mission, options)));
+    }
+    return times;
+}
+
+std::string capitalised(std::string_view words) {
+    std::string text(words);
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+    return text;
+}
+
 // Of the ground agents' paths together.
 std::optional<double> length_of_all(const Outcome& outcome) {
     double sum = 0;
@@ -95,23 +120,47 @@ std::string headline(const Map& map, const Mission& mission, const Plan& plan, c
     if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(map, plan, options);
     const double factor = time_factor(mission, options);
     if (mission.is_team()) {
-        return fmt::format("{} agents: makespan {}, flowtime {} {}{}{}", mission.agents.size(),
-                           number(plan.after.makespan, factor), number(plan.after.flowtime, factor),
+        return fmt::format("{} agents: {} {}{}{}", mission.agents.size(), times_of_team(mission, plan, options),
                            time_unit(mission, options),
-                           plan.breaches.empty() ? "" : ", " + removals(map, plan, options), gap(plan, options));
+                           plan.breaches.empty() ? "" : ", " + removals(map, plan, options),
+                           gap_of_team(mission, plan, options));
     }
-    const std::string after = number(plan.after.makespan, factor) + " " + time_unit(mission, options);
+    const std::string what = capitalised(name_of(options.objective, mission));
+    const std::optional<double> before = value(plan.before, options.objective);
+    const std::optional<double> reached = value(plan.after, options.objective);
+    const std::string after = number(reached, factor) + " " + time_unit(mission, options);
     if (plan.breaches.empty())
-        return fmt::format("Makespan {}, {}{}", after, removals(map, plan, options), gap(plan, options));
-    const std::string difference = change(plan.before.makespan, plan.after.makespan);
-    return fmt::format(
-        "Makespan {} {} {}{}, {}{}", plan.before.makespan ? number(plan.before.makespan, factor) : "(no way)", arrow,
-        after, difference.empty() ? "" : " (" + difference + ")", removals(map, plan, options), gap(plan, options));
+        return fmt::format("{} {}, {}{}", what, after, removals(map, plan, options), gap(plan, options));
+    const std::string difference = change(before, reached);
+    return fmt::format("{} {} {} {}{}, {}{}", what, before ? number(before, factor) : "(no way)", arrow, after,
+                       difference.empty() ? "" : " (" + difference + ")", removals(map, plan, options),
+                       gap(plan, options));
+}
+
+std::vector<Objective> shown_times(Objective objective) {
+    std::vector<Objective> times{objective};
+    for (const Objective other : {Objective::makespan, Objective::flowtime}) {
+        if (other != objective) times.push_back(other);
+    }
+    return times;
+}
+
+std::string_view name_of(Objective objective, const Mission& mission) {
+    switch (objective) {
+        case Objective::makespan:
+            return "makespan";
+        case Objective::flowtime:
+            return "flowtime";
+        case Objective::ground_makespan:
+            break;
+    }
+    return mission.is_team() ? "last vehicle" : "ground arrival";
 }
 
 std::vector<FigureGroup> figures(const Mission& mission, const Plan& plan, const PictureOptions& options) {
-    const auto row = [](const char* name, std::optional<double> before, std::optional<double> after, double factor) {
-        return FigureRow{name, number(before, factor), number(after, factor), change(before, after)};
+    const auto row = [](std::string_view name, std::optional<double> before, std::optional<double> after,
+                        double factor) {
+        return FigureRow{std::string(name), number(before, factor), number(after, factor), change(before, after)};
     };
     const Outcome& before = plan.before;
     const Outcome& after = plan.after;
@@ -124,10 +173,13 @@ std::vector<FigureGroup> figures(const Mission& mission, const Plan& plan, const
         lengths = {row("path A, ground", before.ground().length, after.ground().length, of_length),
                    row("path B, air", before.air().length, after.air().length, of_length)};
     }
+    std::vector<FigureRow> times;
+    for (const Objective time : shown_times(options.objective)) {
+        times.push_back(row(name_of(time, mission), value(before, time), value(after, time), of_time));
+        times.back().is_objective = time == options.objective;
+    }
     return {{fmt::format("length in {}", options.metres ? "metres" : "cells"), std::move(lengths)},
-            {fmt::format("time in {}", time_unit(mission, options)),
-             {row("makespan", before.makespan, after.makespan, of_time),
-              row("flowtime", before.flowtime, after.flowtime, of_time)}}};
+            {fmt::format("time in {}", time_unit(mission, options)), std::move(times)}};
 }
 
 }  // namespace waybreaker::render

@@ -34,6 +34,11 @@ struct Layout {
     // The centre of a cell.
     Point at(double x, double y) const { return {map.x + (x + 0.5) * cell, map.y + (y + 0.5) * cell}; }
     Point at(Cell c) const { return at(c.x, c.y); }
+    // For what is written on the map: beside it there is a margin.
+    Rectangle room() const {
+        const double edge = 6 * unit;
+        return {edge, window.y - edge, width - 2 * edge, window.height + 2 * edge};
+    }
 };
 
 // `legend_rows`: lines of text that the part under the map has room for.

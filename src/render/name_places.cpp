@@ -9,35 +9,57 @@
 namespace waybreaker::render {
 namespace {
 
-constexpr double baseline = 0.36;      // of a letter's height, below its middle
-constexpr double letter_width = 0.62;  // of its height: as most are, or less
-constexpr std::size_t most_letters = 12;
+constexpr double baseline = 0.36;          // of a letter's height, below its middle
+constexpr double letter_width = 0.62;      // of its height: as most are, or less
+constexpr std::size_t most_letters = 12;   // of one name
+constexpr std::size_t most_together = 30;  // of those at one place: less than half of the picture
 
 bool overlap(const Rectangle& a, const Rectangle& b) {
     return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-// Right, left, below, above.
-std::array<Rectangle, 4> boxes(const Name& name, double pixels) {
+bool inside(const Rectangle& box, const Rectangle& window) {
+    return box.x >= window.x && box.y >= window.y && box.x + box.width <= window.x + window.width &&
+           box.y + box.height <= window.y + window.height;
+}
+
+// Right, left, below, above; then the corners between.
+std::array<Rectangle, 8> boxes(const Name& name, double pixels) {
     const auto [x, y] = name.at;
     const double width = name.width;
-    const double clear = name.clear;
+    const double right = x + name.clear;
+    const double left = x - name.clear - width;
+    const double below = y + name.clear;
+    const double above = y - name.clear - pixels;
     const double middle = y - pixels / 2;
-    return {{{x + clear, middle, width, pixels},
-             {x - clear - width, middle, width, pixels},
-             {x - width / 2, y + clear, width, pixels},
-             {x - width / 2, y - clear - pixels, width, pixels}}};
+    const double centred = x - width / 2;
+    const auto box = [&](double from, double top) { return Rectangle{from, top, width, pixels}; };
+    return {box(right, middle), box(left, middle), box(centred, below), box(centred, above),
+            box(right, below),  box(left, below),  box(right, above),   box(left, above)};
+}
+
+// As little as it takes.
+Rectangle moved_inside(Rectangle box, const Rectangle& window) {
+    box.x = std::max(window.x, std::min(box.x, window.x + window.width - box.width));
+    box.y = std::max(window.y, std::min(box.y, window.y + window.height - box.height));
+    return box;
 }
 
 Name joined(const std::vector<std::string>& ids, Point at, double pixels) {
     Name name{at, "", 0, 0};
     std::size_t letters = 0;
-    for (const std::string& id : ids) {
-        if (!name.text.empty()) name.text += ", ";
-        letters += std::min(id.size(), most_letters) + (name.text.empty() ? 0 : 2);
-        name.text += xml_text(id, most_letters);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (letters > most_together) {
+            const std::string rest = ", +" + std::to_string(ids.size() - i);
+            name.text += rest;
+            letters += rest.size();
+            break;
+        }
+        if (i > 0) name.text += ", ";
+        letters += std::min(ids[i].size(), most_letters + 1) + (i > 0 ? 2 : 0);
+        name.text += xml_text(ids[i], most_letters);
     }
-    name.width = letter_width * pixels * double(letters);
+    name.width = text_width(letters, pixels);
     return name;
 }
 
@@ -69,7 +91,11 @@ std::vector<Name> names_at_places(const Mission& mission, const Layout& layout) 
     return names;
 }
 
-std::vector<Point> name_places(const std::vector<Name>& names, double pixels) {
+double text_width(std::size_t letters, double pixels) {
+    return letter_width * pixels * double(letters);
+}
+
+std::vector<Point> name_places(const std::vector<Name>& names, double pixels, Rectangle window) {
     std::vector<Rectangle> taken;
     for (const Name& name : names) {
         const double side = 1.4 * name.clear;  // of a square about as large as the sign
@@ -77,11 +103,12 @@ std::vector<Point> name_places(const std::vector<Name>& names, double pixels) {
     }
     std::vector<Point> places;
     for (const Name& name : names) {
-        const std::array<Rectangle, 4> tried = boxes(name, pixels);
+        const std::array<Rectangle, 8> tried = boxes(name, pixels);
         const auto* const free = std::ranges::find_if(tried, [&](const Rectangle& box) {
-            return std::ranges::none_of(taken, [&](const Rectangle& other) { return overlap(box, other); });
+            return inside(box, window) &&
+                   std::ranges::none_of(taken, [&](const Rectangle& other) { return overlap(box, other); });
         });
-        const Rectangle box = free == tried.end() ? tried[0] : *free;
+        const Rectangle box = free == tried.end() ? moved_inside(tried[0], window) : *free;
         taken.push_back(box);
         places.push_back({box.x, box.y + (0.5 + baseline) * pixels});
     }

@@ -17,11 +17,14 @@ struct Name {
     double clear;      // how far the sign of the place reaches, in pixels
 };
 
-// Of a mission's starts and goals, in the order of its agents.
+// Of a mission's starts and goals, in the order of its agents; of many at one place the first few.
 std::vector<Name> names_at_places(const Mission& mission, const Layout& layout);
 
 // Where each begins, on its baseline: to the right of its place if possible, else to the left, below or above, so that
-// it covers neither another name nor a sign. Letters are `pixels` high.
-std::vector<Point> name_places(const std::vector<Name>& names, double pixels);
+// it covers neither another name nor a sign and lies in the window. Letters are `pixels` high.
+std::vector<Point> name_places(const std::vector<Name>& names, double pixels, Rectangle window);
+
+// How wide text of so many letters is at most, as a rule.
+double text_width(std::size_t letters, double pixels);
 
 }  // namespace waybreaker::render

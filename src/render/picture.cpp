@@ -124,6 +124,11 @@ std::vector<Wait> waits(const Plan& plan) {
     return found;
 }
 
+struct Note {
+    std::string text;  // XML already
+    std::size_t letters;
+};
+
 // Of several aircraft the one that breaches, in the mission's order; empty if there is no doubt.
 std::optional<std::size_t> opener(const Scene& scene, const Breach& breach) {
     std::size_t count = 0;
@@ -137,9 +142,22 @@ std::optional<std::size_t> opener(const Scene& scene, const Breach& breach) {
 }
 
 // When it is over, and by whom.
-std::string breach_note(const Scene& scene, const Breach& breach) {
+Note breach_note(const Scene& scene, const Breach& breach) {
     const std::string time = time_text(breach.cleared_at, scene.mission, scene.options);
-    return opener(scene, breach) ? fmt::format("{} {}", time, xml_text(breach.by, 12)) : time;
+    if (!opener(scene, breach)) return {time, time.size()};
+    constexpr std::size_t most = 12;
+    return {fmt::format("{} {}", time, xml_text(breach.by, most)),
+            time.size() + 1 + std::min(breach.by.size(), most + 1)};
+}
+
+// Beside the sign: to its left where the picture ends on its right.
+std::string draw_note(const Scene& scene, Point sign, const Note& content) {
+    const double clear = (size::breach_label + 4) * scene.unit();
+    const double width = text_width(content.letters, size::small_text * scene.unit());
+    const Rectangle room = scene.layout.room();
+    const bool fits = sign.x + clear + width <= room.x + room.width;
+    return words({fits ? sign.x + clear : sign.x - clear - width, sign.y + 0.36 * size::small_text * scene.unit()},
+                 content.text, scene.unit());
 }
 
 // Breaches with their times, then waits with theirs. Many are neither numbered nor timed.
@@ -162,9 +180,10 @@ std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
         if (with_times) {
             const auto waited = [&] {
                 const double time = waiting[i - removed.size()].time;
-                return fmt::format("+{}", time_text(time, scene.mission, scene.options));
+                const std::string text = fmt::format("+{}", time_text(time, scene.mission, scene.options));
+                return Note{text, text.size()};
             };
-            out += note(labels[i], breach ? breach_note(scene, removed[i]) : waited(), scene.unit());
+            out += draw_note(scene, labels[i], breach ? breach_note(scene, removed[i]) : waited());
         }
         if (const auto aircraft = breach && numbered ? opener(scene, removed[i]) : std::nullopt) {
             out += opener_sign(labels[i], *aircraft, scene.unit());
@@ -180,7 +199,7 @@ std::string draw_names(const Scene& scene) {
     constexpr std::size_t most_named = 30;
     if (scene.mission.agents.size() > most_named) return "";
     const std::vector<Name> names = names_at_places(scene.mission, scene.layout);
-    const std::vector<Point> begins = name_places(names, size::small_text * scene.unit());
+    const std::vector<Point> begins = name_places(names, size::small_text * scene.unit(), scene.layout.room());
     std::string out;
     for (std::size_t i = 0; i < names.size(); ++i) out += words(begins[i], names[i].text, scene.unit());
     return out;
@@ -302,7 +321,7 @@ std::string draw_figures(const Scene& scene, double top) {
         out += cell(0, group.name, false, colour::faded_ink);
         y += size::row * unit;
         for (const FigureRow& row : group.rows) {
-            const bool bold = row.name == "makespan";
+            const bool bold = row.is_objective;
             out += cell(0, row.name, bold, colour::ink) + cell(1, row.before, bold, colour::ink) +
                    cell(2, row.after, bold, colour::ink) + cell(3, row.change, bold, colour::ink);
             y += size::row * unit;
@@ -330,13 +349,18 @@ std::string draw_scale_bar(const Scene& scene) {
            text({layout.window.x, baseline}, extent, size::small_text * unit, colour::faded_ink);
 }
 
-constexpr std::size_t figure_rows = 6;  // of their table
+// Of their table.
+std::size_t figure_rows(const Scene& scene) {
+    std::size_t rows = 0;
+    for (const FigureGroup& group : figures(scene.mission, scene.plan, scene.options)) rows += 1 + group.rows.size();
+    return rows;
+}
 
 std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entries) {
     const Layout& layout = scene.layout;
     const double unit = scene.unit();
     const double left = size::margin * unit;
-    const std::size_t rows = std::max(figure_rows, rows_of(entries));
+    const std::size_t rows = std::max(figure_rows(scene), rows_of(entries));
     const double footer = layout.height - (double(rows) * size::row + 44) * unit;
     return text({left, 44 * unit}, xml_text(scene.options.title, 50), size::title * unit, colour::ink, Anchor::start,
                 true) +
@@ -351,11 +375,11 @@ std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entri
 
 std::string svg(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
     validate(options);
-    Scene scene = {map, mission, plan, options, lay_out(map, options, figure_rows), {}};
+    Scene scene = {map, mission, plan, options, lay_out(map, options, 0), {}};
     const Sample sample(map, plan.breaches, scene.layout.sample_step, options.kinds);
     scene.outlines = outlines(sample.raster(), sample.styles());
     const std::vector<LegendEntry> entries = legend(scene);
-    scene.layout = lay_out(map, options, std::max(figure_rows, rows_of(entries)));
+    scene.layout = lay_out(map, options, std::max(figure_rows(scene), rows_of(entries)));
     const Layout& layout = scene.layout;
     const std::string head = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:g}" height="{1:g}" viewBox="0 0 {0:g} {1:g}" role="img" font-family="DejaVu Sans, Verdana, Helvetica, sans-serif">)"

@@ -135,10 +135,6 @@ std::string wait_sign(Point at, double unit) {
     return disc(at, size::breach_label * unit, colour::ground, colour::halo, 2 * unit) + bar(-4.5) + bar(1.5);
 }
 
-std::string note(Point at, std::string_view content, double unit) {
-    return words({at.x + (size::breach_label + 4) * unit, at.y + 0.36 * size::small_text * unit}, content, unit);
-}
-
 std::string words(Point begin, std::string_view content, double unit) {
     return fmt::format(
         R"(<text x="{:.6g}" y="{:.6g}" font-size="{:.4g}" fill="{}" stroke="{}" stroke-width="{:.4g}" paint-order="stroke">{}</text>)"

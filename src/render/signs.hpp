@@ -35,8 +35,7 @@ std::string opener_sign(Point at, std::size_t aircraft, double unit);
 // A disc with two bars where the ground agent waits; as large as a breach's.
 std::string wait_sign(Point at, double unit);
 
-// A few words to the right of a disc; words that begin at a place, on their baseline.
-std::string note(Point at, std::string_view content, double unit);
+// A few words that begin at a place, on their baseline.
 std::string words(Point begin, std::string_view content, double unit);
 
 // Obstacles of one style, given as path data; `scale` is the size of the data's unit in pixels, `origin` its (0, 0).

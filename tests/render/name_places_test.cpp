@@ -11,13 +11,15 @@ namespace {
 
 constexpr double pixels = 10;
 constexpr double clear = 12;
+constexpr Rectangle room{0, 0, 400, 200};
 
 bool cover(const Name& a, Point at, const Name& b, Point other) {
     return at.x < other.x + b.width && other.x < at.x + a.width && std::abs(at.y - other.y) < pixels;
 }
 
 TEST(NamePlaces, StandToTheRightWhereThereIsRoom) {
-    const std::vector<Point> begins = name_places({{{100, 100}, "1", 8, clear}, {{300, 100}, "2", 8, clear}}, pixels);
+    const std::vector<Point> begins =
+        name_places({{{100, 100}, "1", 8, clear}, {{300, 100}, "2", 8, clear}}, pixels, room);
     EXPECT_EQ(begins[0].x, 112);
     EXPECT_EQ(begins[1].x, 312);
     EXPECT_NEAR(begins[0].y, 103.6, 1e-9);
@@ -27,11 +29,40 @@ TEST(NamePlaces, KeepOffEachOtherAndOffSigns) {
     // The second sign is where the first name would stand, the third below it.
     const std::vector<Name> names{
         {{100, 100}, "one", 24, clear}, {{124, 100}, "two", 24, clear}, {{112, 126}, "three", 40, clear}};
-    const std::vector<Point> begins = name_places(names, pixels);
+    const std::vector<Point> begins = name_places(names, pixels, room);
     for (std::size_t i = 0; i < names.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(cover(names[i], begins[i], names[j], begins[j])) << i << j;
     }
     EXPECT_LT(begins[0].x, 100);
+}
+
+TEST(NamePlaces, StayInThePicture) {
+    std::vector<Name> names;
+    for (const Point at : {Point{395, 100}, Point{390, 110}, Point{5, 5}, Point{398, 198}, Point{200, 1}}) {
+        names.push_back({at, "fire engine, drone", 110, clear});
+    }
+    const std::vector<Point> begins = name_places(names, pixels, room);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        EXPECT_GE(begins[i].x, 0) << i;
+        EXPECT_LE(begins[i].x + names[i].width, 400) << i;
+        EXPECT_GE(begins[i].y, 8) << i;
+        EXPECT_LE(begins[i].y, 200) << i;
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(cover(names[i], begins[i], names[j], begins[j])) << i << j;
+    }
+}
+
+TEST(NamePlaces, OfManyAtOnePlaceTheFirstAreNamed) {
+    const World world = wall();
+    Mission mission = world.mission;
+    mission.agents.clear();
+    for (int i = 0; i < 30; ++i) {
+        mission.agents.push_back({.id = "helicopter " + std::to_string(i), .kind = AgentKind::air});
+    }
+    const Layout layout = lay_out(world.map, {}, 6);
+    const std::vector<Name> names = names_at_places(mission, layout);
+    ASSERT_EQ(names.size(), 1U);
+    EXPECT_TRUE(names[0].text.ends_with(", +27")) << names[0].text;
+    EXPECT_LT(names[0].width, layout.width / 2);
 }
 
 TEST(NamePlaces, ThoseOfOnePlaceAreOneName) {

@@ -1,6 +1,6 @@
 // The map on a canvas: shows scenes, and reports user actions. Draws only when something has changed.
-import { cellOf, type Handle, isSameHandle } from "../domain/agents";
-import type { Cell, Point } from "../domain/geometry";
+import { cellOf, type Handle, handlesOf, isSameHandle } from "../domain/agents";
+import type { Cell, Point, Size } from "../domain/geometry";
 import type { Scene, SceneEvents } from "../domain/scene";
 import { duration, positionAt } from "../play/motion";
 import { Gestures, type GestureTarget } from "./interaction/gestures";
@@ -11,6 +11,7 @@ import { drawCross, drawGrid, drawGround } from "./layers/base_layer";
 import { drawEvents } from "./layers/event_layer";
 import { drawMarkers } from "./layers/marker_layer";
 import { type Spot, spotAt, spots } from "./layers/marker_spots";
+import { widthOfName } from "./layers/team_markers";
 import { ObstacleLayer } from "./layers/obstacle_layer";
 import { faint, PathLayer } from "./layers/path_layer";
 import { drawScaleBar } from "./layers/scale_bar";
@@ -24,6 +25,12 @@ import { Surface } from "./viewport/surface";
 
 const fadeShare = 0.05; // of the mission: how long an obstacle takes to vanish
 const frameTime = 8; // milliseconds to draw in, tiles that are missing included
+
+export interface Marked {
+  points: Point[]; // pixels of the map
+  view: Size; // how large it is
+  bottom: number; // pixels of the page
+}
 
 export class MapView implements GestureTarget {
   readonly #surface: Surface;
@@ -40,6 +47,7 @@ export class MapView implements GestureTarget {
   #untouched = true; // people have not moved the map: it stays fitted while the page takes shape
   #glide: Glide | null = null;
   #dragged: { spot: Spot; cell: Cell; before: Cell } | null = null;
+  #spotsKnown: { key: unknown[]; all: readonly Spot[] } | null = null;
   #focused: Handle | null = null;
   #hovered: number | null = null;
 
@@ -108,6 +116,21 @@ export class MapView implements GestureTarget {
     this.#focused = handle;
     this.#keepFocusInView();
     this.#surface.ask();
+  }
+
+  // Where markers, breaches and the selected obstacle are: what should stay in sight.
+  marked(): Marked | null {
+    const scene = this.#scene;
+    if (!scene) return null;
+    const camera = this.#glide?.to ?? this.#camera;
+    const { view, bottom } = this.#surface;
+    const bounds = scene.selected === null ? undefined : scene.cells.obstacle(scene.selected)?.bounds;
+    const cells: Point[] = [
+      ...handlesOf(scene.agents).map((handle) => cellOf(scene.agents, handle)),
+      ...(scene.layers.at(-1)?.plan.removed ?? []).map(({ at }) => at),
+      ...(bounds ? [[(bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2] as Point] : []),
+    ];
+    return { points: cells.map((cell) => toScreen(camera, view, cell)), view, bottom };
   }
 
   destroy(): void {
@@ -224,8 +247,20 @@ export class MapView implements GestureTarget {
     return this.#scene!.cells.at(...cellAt(this.#toMap(at))) || null;
   }
 
-  #spots(): Spot[] {
-    return spots(this.#scene!.agents, (point) => toScreen(this.#camera, this.#surface.view, point));
+  // Asked for with each move of the pointer, of teams of thousands too.
+  #spots(): readonly Spot[] {
+    const { agents, chosen } = this.#scene!;
+    const { context, view } = this.#surface;
+    const camera = this.#camera;
+    const key = [agents, chosen, camera, view.width, view.height];
+    if (!this.#spotsKnown || key.some((part, i) => part !== this.#spotsKnown!.key[i])) {
+      const all = spots(agents, (point) => toScreen(camera, view, point), {
+        widthOf: (id) => widthOfName(context, id),
+        first: chosen,
+      });
+      this.#spotsKnown = { key, all };
+    }
+    return this.#spotsKnown.all;
   }
 
   #move(change: (camera: Camera) => Camera): void {
@@ -269,9 +304,9 @@ export class MapView implements GestureTarget {
     const moreLabels = this.#labels.draw(frame, scene);
     this.#paths.draw(frame, scene);
     frame.context.globalAlpha = scene.old ? faint : 1;
-    drawEvents(frame, scene, fadeSpan);
+    drawEvents(frame, scene, this.#spots(), fadeSpan);
     frame.context.globalAlpha = 1;
-    drawMarkers(frame, scene, this.#dragged?.spot.handle ?? this.#focused);
+    drawMarkers(frame, scene, this.#spots(), this.#dragged?.spot.handle ?? this.#focused);
     this.#sketch.draw(frame, scene);
     if (this.#surface.hasKeyboard) drawCross(frame);
     drawScaleBar(frame, scene.map);

@@ -153,21 +153,23 @@ function Gain({ gain, of, units }: { gain: number | null; of: number; units: Uni
   );
 }
 
-// Of the whole team, together and each alone.
+// Of the whole team, together and each alone; first what counts.
 function Totals({ plan, units }: { plan: Plan; units: Units }) {
   const rows = [
     { name: "Last arrival", member: "makespan", objective: "makespan" },
     { name: "Last vehicle", member: "ground_makespan", objective: "ground-makespan" },
     { name: "Sum", member: "flowtime", objective: "flowtime" },
   ] as const;
+  const counts = ({ objective }: (typeof rows)[number]) => objective === objectiveOf(plan);
+  const ordered = [...rows.filter(counts), ...rows.filter((row) => !counts(row))];
   const time = (value: number | null) => (value === null ? "no way" : <data value={value}>{clockTime(value, units)}</data>);
   return (
     <tfoot>
-      {rows.map(({ name, member, objective }) => (
-        <tr key={name} class={objective === objectiveOf(plan) ? "counts" : ""}>
-          <th scope="row">{name}</th>
-          <td>{time(plan.after[member])}</td>
-          <td>{time(plan.before[member])}</td>
+      {ordered.map((row) => (
+        <tr key={row.name} class={counts(row) ? "counts" : ""}>
+          <th scope="row">{row.name}</th>
+          <td>{time(plan.after[row.member])}</td>
+          <td>{time(plan.before[row.member])}</td>
           <td />
         </tr>
       ))}

@@ -97,6 +97,8 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
     }),
     [page, studio],
   );
+  const view = useRef<MapView | null>(null);
+  const take = (made: MapView | null) => onView((view.current = made));
   const plan = page.results.plans.value.after?.plan;
   const title = page.shown.value?.base.description.title;
   const cells = page.shown.value?.map.cells;
@@ -104,13 +106,13 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
     <section class="map-area" aria-label="Map">
       {studio && <Tools studio={studio} />}
       <div class="map-box">
-        <MapCanvas scene={scene} events={events} label={title ? `Map of ${title}` : "Map"} view={onView} />
+        <MapCanvas scene={scene} events={events} label={title ? `Map of ${title}` : "Map"} view={take} />
         {studio && <Gone studio={studio} />}
         {studio && <LostMapCard studio={studio} />}
         <GroundLegend page={page} />
         <Attribution page={page} />
       </div>
-      <ObstacleCard page={page} />
+      <ObstacleCard page={page} marked={() => view.current?.marked() ?? null} />
       <div class="timeline-box">
         {plan && cells && plan.agents.length > 0 && (
           <Timeline plan={plan} cells={cells} clock={page.clock} formatTime={(time) => duration(time, page.units.value, true)} />

@@ -1,12 +1,14 @@
 // What each number of removals reaches (the Pareto front of removals and time), with the bound below as a faint line. Its
 // columns stand under the slider's ticks.
 import { useEffect, useRef, useState } from "preact/hooks";
+import type { Point } from "../domain/geometry";
 import { mostRemovals } from "../domain/mission";
 import { type Objective, valueOf } from "../domain/plan";
 import { clockTime, duration, squareMetres, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import type { Front } from "../planning/curve";
 import { keyOf } from "../planning/request";
+import { placeFigures } from "./front_labels";
 
 const thumb = 22; // width of the slider's knob: its middle is what the columns are aligned with
 
@@ -72,6 +74,7 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
   const columns = columnsOf(front, mission.objective);
   const place = placer(columns, width);
   const line = (of: "value" | "bound", part: (column: Column) => boolean) => pathOf(columns.filter(part), of, place);
+  const figures = figuresOf(columns, count, place, width, units);
   const gains = columns.findLast((column) => !column.further)?.n ?? front.from;
   return (
     <div
@@ -108,15 +111,7 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
           onClick={() => onChoose?.(column.n)}
         >
           <span class="spoken">{columnLabel(column, units)}</span>
-          {(!column.further || column.n === count) && (
-            <span
-              class="front-value"
-              aria-hidden="true"
-              style={{ top: `${column.value === null ? (column.pending ? height / 2 : top) : place.y(column.value) - 24}px` }}
-            >
-              {column.pending ? "…" : column.value === null ? "no way" : clockTime(column.value, units)}
-            </span>
-          )}
+          <Figure column={column} at={figures.get(column.n)} place={place} units={units} />
           <span class="front-tick" aria-hidden="true">
             {column.n}
           </span>
@@ -124,6 +119,41 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
       ))}
     </div>
   );
+}
+
+interface FigureProps {
+  column: Column;
+  at: Point | null | undefined; // null: no room; undefined: it is not on the curve
+  place: Placer;
+  units: Units;
+}
+
+function Figure({ column, at, place, units }: FigureProps) {
+  if (at === null || (at === undefined && column.value !== null)) return null;
+  const [x, y] = at ?? [place.x(column.n), column.pending ? height / 2 + 8 : top + 8];
+  return (
+    <span
+      class="front-value"
+      aria-hidden="true"
+      style={{ left: `calc(50% + ${x - place.x(column.n)}px)`, top: `${y - 8}px` }}
+    >
+      {column.pending ? "…" : column.value === null ? "no way" : clockTime(column.value, units)}
+    </span>
+  );
+}
+
+// Where the figures of those columns stand that have one.
+function figuresOf(columns: Column[], count: number, place: Placer, width: number, units: Units): Map<number, Point | null> {
+  const on = columns.filter((column) => column.value !== null);
+  const told = on.filter((column) => !column.further || column.n === count);
+  const pointOf = ({ n, value }: Column): Point => [place.x(n), place.y(value!)];
+  const figures = told.map((column) => ({
+    at: pointOf(column),
+    text: clockTime(column.value!, units),
+    bold: column.n === count,
+  }));
+  const places = placeFigures(figures, on.map(pointOf), { width, height });
+  return new Map(told.map(({ n }, i) => [n, places[i]!]));
 }
 
 function columnLabel({ n, value, area, pending }: Column, units: Units): string {

@@ -1,13 +1,14 @@
 // What the plan achieves, in one sentence, and how sure that is.
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Progress } from "../api/client";
-import { isTeam } from "../domain/plan";
+import { isTeam, type Plan } from "../domain/plan";
 import { duration, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { teamArrivals, teamHeadline } from "../mission/team_words";
 import { arrivals, figuresText, figureTexts, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
 import type { Judged } from "../planning/results";
+import { askedRules } from "./asked_rules";
 import { Icon, type IconName } from "./icons";
 import { areBuildings } from "./obstacle_words";
 
@@ -38,9 +39,11 @@ export function HeadlineSection({ page }: { page: PageState }) {
   );
   const team = isTeam(after.plan);
   const closed = page.results.plans.value.before?.plan ?? null;
-  const words = team ? teamHeadline(after.plan, closed, buildings) : headline(after.plan, buildings);
+  const found = team ? teamHeadline(after.plan, closed, buildings) : headline(after.plan, buildings);
+  const words = isUnasked(after.plan) ? { ...found, title: "No removals were asked for" } : found;
   const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const figures = words.figures ? figureTexts(words.figures, units) : [];
+  const asked = page instanceof Studio ? null : askedRules(after.plan); // there the choices are listed
   const spoken = [words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title, who].join(" ");
   return (
     <section class={`headline ${words.tone}`} aria-label="Result">
@@ -62,6 +65,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
         </p>
       )}
       {who && <p class="arrivals">{who}</p>}
+      {asked && <p class="arrivals">Asked for: {asked}.</p>}
       {words.remedies.length > 0 && (
         <ul class="remedies">
           {words.remedies.map((remedy) => (
@@ -81,6 +85,11 @@ export function HeadlineSection({ page }: { page: PageState }) {
       <Spoken text={page.old.value ? `Out of date: ${spoken}` : spoken} />
     </section>
   );
+}
+
+// Whether a plan exists of a mission in which no removal was looked for.
+function isUnasked({ options, agents }: Plan): boolean {
+  return String(options.select) === "none" && agents.length > 0;
 }
 
 function waiting(page: PageState): string {

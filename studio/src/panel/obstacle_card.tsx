@@ -1,26 +1,45 @@
 // What is known about the obstacle that was clicked, and what may be said about it.
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Obstacle, Structure } from "../domain/map";
 import { kindWord, usesOf, whatItIs, whyItStays } from "../domain/obstacle_words";
 import { parseTagFilters } from "../domain/tag_filter";
 import { area, duration } from "../domain/units";
+import type { Marked } from "../map/map_view";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
+import { bestCorner, type Corner } from "./card_place";
 import { IconButton } from "./controls";
 import { Icon } from "./icons";
 import { MarkButtons } from "./mark_buttons";
 import { nameOf, osmPage } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
 
-export function ObstacleCard({ page }: { page: PageState }) {
+interface CardProps {
+  page: PageState;
+  marked: () => Marked | null; // what it should not hide
+}
+
+export function ObstacleCard({ page, marked }: CardProps) {
   const id = page.selected.value;
   const shown = page.shown.value;
   const obstacle = id === null ? undefined : shown?.map.cells.obstacle(id);
+  const card = useRef<HTMLElement>(null);
+  const [corner, setCorner] = useState<Corner>("top right");
+  const [below, setBelow] = useState(0); // the timeline
+  const plan = page.results.plans.value.after?.plan;
+  useLayoutEffect(() => {
+    const all = marked();
+    if (!card.current || !all) return;
+    const { offsetWidth: width, offsetHeight: height, offsetParent } = card.current;
+    setBelow((offsetParent?.getBoundingClientRect().bottom ?? all.bottom) - all.bottom);
+    setCorner((now) => bestCorner({ width, height }, all.view, all.points, now));
+  }, [id, shown, plan]);
   if (!shown || !obstacle) return null;
   const units = page.units.value;
   const name = nameOf(shown, obstacle.id);
-  const removed = page.results.plans.value.after?.plan.removed.find((one) => one.obstacle === obstacle.id);
+  const removed = plan?.removed.find((one) => one.obstacle === obstacle.id);
   return (
-    <aside class="card" aria-label={`About ${name.text}`}>
+    <aside ref={card} class="card" data-corner={corner} style={{ "--below": `${below}px` }} aria-label={`About ${name.text}`}>
       <div class="card-head">
         <h2>{name.text}</h2>
         <IconButton icon="close" label="Close" onClick={() => (page.selected.value = null)} />

@@ -76,6 +76,7 @@ function Row({ page, removed, order, users }: RowProps) {
   const units = page.units.value;
   const id = removed.obstacle;
   const name = nameOf(page.shown.value!, id);
+  const structures = page.shown.value!.map.cells.obstacle(id)?.structures?.length ?? 0;
   const lit = page.highlighted.value === id || page.selected.value === id;
   const point = (at: number | null) => () => (page.highlighted.value = at);
   const early = removed.entered_at !== null && removed.entered_at < removed.cleared_at - 1e-9;
@@ -96,7 +97,7 @@ function Row({ page, removed, order, users }: RowProps) {
         </button>
         <span class="obstacle-facts">
           {area(removed.cells, units)}
-          <OsmLink name={name} />
+          {structures > 1 ? `, part of ${structures} structures` : <OsmLink name={name} />}
         </span>
         <MarkButtons page={page} id={id} name={name.text} />
       </th>

@@ -1,5 +1,6 @@
 // Playback of a plan: play and pause, where in time, how fast, and lanes of what each agent does when.
 import { useEffect, useMemo, useState } from "preact/hooks";
+import { isPair } from "../domain/agents";
 import type { CellMap } from "../domain/cell_map";
 import type { Plan } from "../domain/plan";
 import { activityAt } from "./activity";
@@ -27,7 +28,7 @@ export function Timeline({ plan, cells, clock, formatTime }: TimelineProps) {
   const told = pointed ?? (clock.time.value === null ? null : story.at(time));
   if (length <= 0) return null;
   return (
-    <div class="timeline" role="group" aria-label="Playback">
+    <div class="timeline" role="group" aria-label="Playback" style={{ "--lane-names": widthOfNames(plan) }}>
       {told !== null && (
         <p class="timeline-told" aria-hidden="true">
           {told}
@@ -80,4 +81,11 @@ export function Timeline({ plan, cells, clock, formatTime }: TimelineProps) {
       </div>
     </div>
   );
+}
+
+// As the longest name of a team needs, as far as that leaves room for the lanes.
+export function widthOfNames({ agents }: Plan): string {
+  if (isPair(agents)) return "52px";
+  const letters = Math.max(...agents.map(({ id }) => id.length));
+  return `clamp(52px, ${8 * letters + 12}px, min(20vw, 180px))`;
 }

@@ -1,30 +1,37 @@
 // What happens where: breaches with their numbers, places where the ground agent enters, waits; and in playback the
 // agents themselves.
-import { aircraftOf, cellOf, handlesOf } from "../../domain/agents";
+import { aircraftOf } from "../../domain/agents";
 import type { Point } from "../../domain/geometry";
-import type { Agent, Plan } from "../../domain/plan";
+import type { Agent, Plan, Removed } from "../../domain/plan";
 import type { Layer, Scene } from "../../domain/scene";
 import { agentOf, breachOrder, positionAt, waits } from "../../play/motion";
 import { type Frame, place, typeface } from "../viewport/frame";
 import { colourOf } from "../viewport/theme";
 import { spread } from "./badges";
+import { beside, boxAround, Boxes, middleOf, sideways } from "./free_places";
+import { drawLeader } from "./leader";
 import { disc } from "./marker_layer";
+import { keptClear, type Spot } from "./marker_spots";
 import { drawFadingRing, drawGhost, drawPair, drawTeam } from "./playing_agents";
 import { drawText } from "./text";
 
-export function drawEvents(frame: Frame, scene: Scene, fadeSpan: number): void {
-  const handles = scene.agents.length > mostKeptClear ? [] : handlesOf(scene.agents);
-  const markers = handles.map((handle) => place(frame, cellOf(scene.agents, handle)));
+export function drawEvents(frame: Frame, scene: Scene, markers: readonly Spot[], fadeSpan: number): void {
+  const isFew = scene.agents.length <= mostKeptClear;
+  const clear = isFew ? keptClear(markers) : [];
+  const taken = new Boxes();
+  if (isFew) for (const { box } of markers) taken.add(box);
   scene.layers.forEach((layer, i) => {
     const top = i === scene.layers.length - 1;
     const time = top ? scene.time : null;
+    const badges = breachBadges(frame, scene, layer, clear);
+    for (const { at } of badges) taken.add(boxAround(at, 26, 26));
     if (scene.looks.size > 0) {
-      if (top && time === null) drawTeamWaits(frame, scene, layer.plan);
-      drawBreaches(frame, scene, layer, markers, time, fadeSpan);
+      if (top && time === null) drawTeamWaits(frame, scene, layer.plan, taken);
+      drawBreaches(frame, scene, layer, badges, time, fadeSpan);
       if (time !== null) drawTeam(frame, scene, layer.plan, time);
     } else {
-      drawPairEvents(frame, scene, layer, top);
-      drawBreaches(frame, scene, layer, markers, time, fadeSpan);
+      drawPairEvents(frame, scene, layer, top ? taken : null);
+      drawBreaches(frame, scene, layer, badges, time, fadeSpan);
       const ground = agentOf(layer.plan, "ground");
       if (time !== null) drawPair(frame, layer.plan, time);
       else if (scene.time !== null && ground) drawGhost(frame, layer, ground, scene.time);
@@ -34,26 +41,27 @@ export function drawEvents(frame: Frame, scene: Scene, fadeSpan: number): void {
 
 const mostKeptClear = 20; // agents whose markers badges are kept off
 
-function drawPairEvents(frame: Frame, scene: Scene, layer: Layer, top: boolean): void {
+function drawPairEvents(frame: Frame, scene: Scene, layer: Layer, taken: Boxes | null): void {
   const ground = agentOf(layer.plan, "ground");
   if (!ground) return;
   drawEntered(frame, layer, ground);
   for (const wait of waits(ground)) {
     const text = scene.formatTime?.(wait.until - wait.from) ?? "";
-    if (top) drawWait(frame, place(frame, wait.at), text);
+    if (taken) drawWait(frame, place(frame, wait.at), text, taken);
   }
 }
 
 const mostTimed = 8; // waits whose length there is room to say
 
-function drawTeamWaits(frame: Frame, scene: Scene, plan: Plan): void {
+function drawTeamWaits(frame: Frame, scene: Scene, plan: Plan, taken: Boxes): void {
   const all = plan.agents.flatMap((agent) => {
     const look = scene.looks.get(agent.id); // none of those who left the team since
     return look?.kind === "ground" ? waits(agent).map((wait) => ({ look, ...wait })) : [];
   });
+  for (const { at } of all) taken.add(boxAround(place(frame, at), 14, 14));
   for (const { look, at, from, until } of all) {
     const colour = colourOf(look, frame.theme);
-    if (all.length <= mostTimed) drawWait(frame, place(frame, at), scene.formatTime?.(until - from) ?? "", colour);
+    if (all.length <= mostTimed) drawWait(frame, place(frame, at), scene.formatTime?.(until - from) ?? "", taken, colour);
     else drawStop(frame, place(frame, at), colour);
   }
 }
@@ -84,35 +92,40 @@ function drawEntered(frame: Frame, layer: Layer, ground: Agent): void {
   }
 }
 
+interface Badge {
+  removed: Removed;
+  from: Point; // where it is opened
+  at: Point;
+}
+
+function breachBadges(frame: Frame, scene: Scene, layer: Layer, clear: readonly Point[]): Badge[] {
+  const order = breachOrder(layer.plan);
+  const points = order.map(({ at }) => place(frame, at));
+  const places = spread(points, clear, hasOpeners(scene) ? 38 : 28);
+  return order.map((removed, i) => ({ removed, from: points[i]!, at: places[i]! }));
+}
+
+// Whether it has to be said who opens what.
+function hasOpeners(scene: Scene): boolean {
+  return scene.looks.size > 0 && aircraftOf(scene.agents).length > 1;
+}
+
 // Numbers are those of the table: the order of the breaches.
 function drawBreaches(
   frame: Frame,
   scene: Scene,
   layer: Layer,
-  markers: readonly Point[],
+  badges: readonly Badge[],
   time: number | null,
   fadeSpan: number,
 ): void {
   const { context, theme } = frame;
-  const order = breachOrder(layer.plan);
-  const points = order.map(({ at }) => place(frame, at));
-  const named = scene.looks.size > 0 && aircraftOf(scene.agents).length > 1;
-  const places = spread(points, markers, named ? 38 : 28);
-  order.forEach((removed, i) => {
-    const [px, py] = points[i]!;
-    const [x, y] = places[i]!;
+  badges.forEach(({ removed, from, at }, i) => {
     const since = time === null ? -1 : time - removed.cleared_at;
-    if (since >= 0 && since < fadeSpan) drawFlash(frame, [px, py], since / fadeSpan);
+    if (since >= 0 && since < fadeSpan) drawFlash(frame, from, since / fadeSpan);
     context.save();
-    if (x !== px || y !== py) {
-      context.strokeStyle = theme.breach;
-      context.lineWidth = 2;
-      context.beginPath();
-      context.moveTo(px, py);
-      context.lineTo(x, y);
-      context.stroke();
-    }
-    context.translate(x, y);
+    drawLeader(frame, from, at, theme.breach);
+    context.translate(...at);
     const colour = layer.name === "paper" ? theme.paperGround : theme.breach;
     context.fillStyle = theme.halo;
     disc(context, 12.5);
@@ -126,7 +139,7 @@ function drawBreaches(
     context.textAlign = "center";
     context.textBaseline = "middle";
     context.fillText(String(i + 1), 0, 0.5);
-    if (named && removed.by !== undefined) drawOpener(frame, scene, removed.by);
+    if (hasOpeners(scene) && removed.by !== undefined) drawOpener(frame, scene, removed.by);
     context.restore();
   });
 }
@@ -152,10 +165,14 @@ function drawFlash(frame: Frame, at: Point, share: number): void {
 }
 
 // A clock beside the place, with how long.
-function drawWait(frame: Frame, [x, y]: Point, text: string, colour = frame.theme.ground): void {
+function drawWait(frame: Frame, at: Point, text: string, taken: Boxes, colour = frame.theme.ground): void {
   const { context, theme } = frame;
   context.save();
-  context.translate(x, y);
+  context.font = `600 12px ${typeface}`;
+  const [width, height] = [28 + (text ? context.measureText(text).width + 5 : 0), 22];
+  const box = taken.take(beside(at, width, height), width, height) ?? boxAround(sideways(at, width, -1, 0), width, height);
+  drawLeader(frame, at, middleOf(box), colour);
+  context.translate(...at);
   context.strokeStyle = colour;
   context.fillStyle = theme.halo;
   context.lineWidth = 2.5;
@@ -163,9 +180,7 @@ function drawWait(frame: Frame, [x, y]: Point, text: string, colour = frame.them
   context.arc(0, 0, 6, 0, 2 * Math.PI);
   context.fill();
   context.stroke();
-  context.font = `600 12px ${typeface}`;
-  const width = 28 + (text ? context.measureText(text).width + 5 : 0);
-  context.translate(-14 - width, -11);
+  context.translate(box.left - at[0], box.top - at[1]);
   context.fillStyle = theme.card;
   context.strokeStyle = colour;
   context.lineWidth = 1.5;

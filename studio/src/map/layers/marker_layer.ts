@@ -2,19 +2,16 @@
 import { type Agents, cellOf, type Handle, isPair, isSameHandle } from "../../domain/agents";
 import type { Point } from "../../domain/geometry";
 import type { Scene } from "../../domain/scene";
-import { type Frame, place } from "../viewport/frame";
+import type { Frame } from "../viewport/frame";
 import { glyphs } from "./glyphs";
-import { type Spot, spots } from "./marker_spots";
+import { drawLeader } from "./leader";
+import { markerRadius as radius, smallRadius, type Spot } from "./marker_spots";
 import { drawTeamMarkers } from "./team_markers";
 import { drawText } from "./text";
 
-const radius = 13;
-const smallRadius = 9; // of one that sits with another
-
 const tags = { ground: { start: "Start", goal: "Goal" }, air: { start: "Air start", goal: "Air goal" } };
 
-export function drawMarkers(frame: Frame, scene: Scene, active: Handle | null): void {
-  const all = spots(scene.agents, (point) => place(frame, point));
+export function drawMarkers(frame: Frame, scene: Scene, all: readonly Spot[], active: Handle | null): void {
   if (isPair(scene.agents)) drawPair(frame, scene, all, active);
   else drawTeamMarkers(frame, scene, all, active);
 }
@@ -25,6 +22,7 @@ function drawPair(frame: Frame, { agents, editable }: Scene, all: readonly Spot[
   const order = [...all].sort((a, b) => Number(b.attached) - Number(a.attached) || isStart(a) - isStart(b));
   for (const spot of order) {
     if (spot.attached && !editable) continue;
+    if (!spot.attached) drawLeader(frame, spot.place, spot.at, frame.theme[spot.agent.kind]);
     drawMarker(frame, spot, isSameHandle(spot.handle, active));
   }
   for (const spot of all) {

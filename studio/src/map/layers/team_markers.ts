@@ -1,13 +1,13 @@
 // The markers of a team: starts are filled, goals are rings, and names stand in them, where there is room for them.
 import { type Handle, isSameHandle } from "../../domain/agents";
-import { type Box, overlap, type Point } from "../../domain/geometry";
+import { type Box, grown, type Point } from "../../domain/geometry";
 import type { Scene } from "../../domain/scene";
 import { type Frame, typeface } from "../viewport/frame";
 import { colourOf } from "../viewport/theme";
-import type { Spot } from "./marker_spots";
+import { drawLeader } from "./leader";
+import { dotRadius, halo, nameHeight, type Spot } from "./marker_spots";
 
-const height = 20;
-const dot = 5; // radius of a marker without a name
+const font = `700 12px ${typeface}`;
 const longest = 8; // letters of a name
 
 export const mostNamed = 30; // agents whose names there is room for where they move
@@ -15,66 +15,41 @@ export const mostNamed = 30; // agents whose names there is room for where they 
 // In playback they are faint: the agents themselves are to be seen.
 export function drawTeamMarkers(frame: Frame, scene: Scene, all: readonly Spot[], active: Handle | null): void {
   const { context } = frame;
-  context.font = `700 12px ${typeface}`;
   const isFirst = ({ handle }: Spot) => isSameHandle(handle, active) || handle.agent === scene.chosen;
-  const seen = all.filter(({ at }) => isSeen(frame, at)).sort((a, b) => Number(isFirst(b)) - Number(isFirst(a)));
+  const seen = all.filter(({ at }) => isSeen(frame, at));
   const plays = scene.time !== null;
-  const boxes = plays && scene.agents.length > mostNamed ? [] : boxesOf(frame, seen);
+  const isNamed = ({ named }: Spot) => named && !(plays && scene.agents.length > mostNamed);
+  const colour = ({ agent }: Spot) => colourOf(scene.looks.get(agent.id)!, frame.theme);
   if (plays) context.globalAlpha = 0.45;
-  // The first on top.
-  for (let i = seen.length - 1; i >= 0; --i) {
-    const { agent, at } = seen[i]!;
-    const box = boxes[i] ?? null;
-    const colour = colourOf(scene.looks.get(agent.id)!, frame.theme);
-    const isMoved = box === null || Math.abs((box.top + box.bottom) / 2 - at[1]) > 1;
-    if (isMoved) drawDot(frame, at, colour, seen[i]!.handle.end === "goal");
-    if (box) drawPill(frame, box, seen[i]!, colour);
-    if (isFirst(seen[i]!)) drawRing(frame, box ?? around(at, 2 * dot, 2 * dot));
+  for (const spot of seen) drawLeader(frame, spot.place, spot.at, colour(spot));
+  for (const spot of seen) {
+    const place = isNamed(spot) ? spot.place : spot.at;
+    const isUnder = isNamed(spot) && Math.hypot(spot.at[0] - place[0], spot.at[1] - place[1]) < 1;
+    if (!isUnder) drawDot(frame, place, colour(spot), spot.handle.end === "goal");
+  }
+  // Those that matter on top.
+  for (const spot of [...seen].sort((a, b) => Number(isFirst(a)) - Number(isFirst(b)))) {
+    if (isNamed(spot)) drawPill(frame, grown(spot.box, -halo), spot, colour(spot));
+    if (isFirst(spot)) drawRing(frame, grown(spot.box, -halo));
   }
   context.globalAlpha = 1;
 }
 
-function boxesOf({ context }: Frame, seen: readonly Spot[]): (Box | null)[] {
-  const width = (id: string) => Math.max(height, context.measureText(shortened(id)).width + 10);
-  return placed(seen.map(({ at, agent, named }) => ({ at, width: named ? width(agent.id) : 0 })));
+const widths = new Map<string, number>();
+
+// Of the marker with this name in it.
+export function widthOfName(context: CanvasRenderingContext2D, id: string): number {
+  const known = widths.get(id);
+  if (known !== undefined) return known;
+  context.font = font;
+  const width = Math.max(nameHeight, context.measureText(shortened(id)).width + 10);
+  widths.set(id, width);
+  return width;
 }
 
 // Who is meant, in playback and in lists: the name as far as there is room for it.
 export function shortened(id: string): string {
   return id.length > longest ? `${id.slice(0, longest - 1)}…` : id;
-}
-
-
-interface Wanted {
-  at: Point;
-  width: number; // 0: none
-}
-
-// Boxes that do not cover each other, each at its place or just above or below; null where there is no room.
-export function placed(wanted: readonly Wanted[]): (Box | null)[] {
-  const cells = new Map<string, Box[]>(); // boxes by the squares they are in: cost must not grow with all pairs
-  const near = (box: Box): Box[] => squares(box).flatMap((key) => cells.get(key) ?? []);
-  return wanted.map(({ at: [x, y], width }) => {
-    if (width === 0) return null;
-    const tried = [0, -height - 1, height + 1].map((dy) => around([x, y + dy], width, height));
-    const box = tried.find((one) => !near(one).some((other) => overlap(one, other))) ?? null;
-    if (box) for (const key of squares(box)) cells.set(key, [...(cells.get(key) ?? []), box]);
-    return box;
-  });
-}
-
-const side = 64;
-
-function squares({ left, top, right, bottom }: Box): string[] {
-  const keys: string[] = [];
-  for (let y = Math.floor(top / side); y <= Math.floor(bottom / side); ++y) {
-    for (let x = Math.floor(left / side); x <= Math.floor(right / side); ++x) keys.push(`${x},${y}`);
-  }
-  return keys;
-}
-
-function around([x, y]: Point, width: number, tall: number): Box {
-  return { left: x - width / 2, top: y - tall / 2, right: x + width / 2, bottom: y + tall / 2 };
 }
 
 function isSeen({ view }: Frame, [x, y]: Point): boolean {
@@ -89,7 +64,7 @@ function drawPill({ context, theme }: Frame, box: Box, { agent, handle }: Spot, 
     context.roundRect(box.left - grow, box.top - grow, width + 2 * grow, tall + 2 * grow, flies ? 5 : tall / 2 + grow);
   };
   context.fillStyle = theme.halo;
-  pill(2);
+  pill(halo);
   context.fill();
   context.fillStyle = isGoal ? theme.card : colour;
   pill(0);
@@ -106,6 +81,7 @@ function drawPill({ context, theme }: Frame, box: Box, { agent, handle }: Spot, 
     context.stroke();
   }
   context.fillStyle = isGoal ? theme.ink : flies ? theme.onAir : theme.onVehicle;
+  context.font = font;
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.fillText(shortened(agent.id), (box.left + box.right) / 2, (box.top + box.bottom) / 2 + 0.5);
@@ -113,7 +89,7 @@ function drawPill({ context, theme }: Frame, box: Box, { agent, handle }: Spot, 
 
 function drawDot({ context, theme }: Frame, [x, y]: Point, colour: string, isGoal: boolean): void {
   context.beginPath();
-  context.arc(x, y, dot, 0, 2 * Math.PI);
+  context.arc(x, y, dotRadius, 0, 2 * Math.PI);
   context.lineWidth = 4.5;
   context.strokeStyle = theme.halo;
   context.stroke();

@@ -34,6 +34,11 @@ export class Surface {
     canvas.addEventListener("blur", () => this.ask(), { signal });
   }
 
+  // On the page.
+  get bottom(): number {
+    return this.canvas.getBoundingClientRect().bottom;
+  }
+
   get theme(): Theme {
     return this.#darkness.matches ? dark : light;
   }

@@ -51,7 +51,7 @@ export const light: Theme = {
   path: "#e8e0d2",
   rail: "#b9b1a4",
   water: "#cfe2ec",
-  waterName: "#3f6d86",
+  waterName: "#345f76",
   green: "#e2ecd6",
   greenName: "#4f6b3c",
   obstacles: {

@@ -110,6 +110,44 @@ it.each([["light", light, 0], ["dark", dark, 1]] as const)("the style sheets hav
   expect(colours("air")).toEqual([...theme.fleet.entries()]);
 });
 
+// What is written on what, by the names of the style sheets: [texts, grounds].
+const written: [string[], string[]][] = [
+  [["ink", "faded", "accent"], ["panel", "raised", "field", "quiet", "outside", "accent-quiet", "lit"]],
+  [["bad"], ["panel", "bad-quiet", "lit"]],
+  [["accent-ink"], ["accent"]],
+  [["on-breach"], ["breach"]],
+];
+
+it.each([["light", 0], ["dark", 1]] as const)("texts of the page can be read, %s", (_, half) => {
+  const page = variables("src/style/base.css", half);
+  for (const [inks, grounds] of written) {
+    for (const ink of inks) {
+      for (const ground of grounds) {
+        expect.soft(contrast(page[ink]!, page[ground]!), `${ink} on ${ground}`).toBeGreaterThan(4.7);
+      }
+    }
+  }
+  const lanes = variables("src/play/timeline.css", half);
+  for (const ink of ["lane-ink", "lane-faded"]) {
+    expect.soft(contrast(lanes[ink]!, page["panel"]!), ink).toBeGreaterThan(4.7);
+  }
+  expect.soft(contrast(lanes["lane-on-breach"]!, lanes["lane-breach"]!)).toBeGreaterThan(4.7);
+});
+
+it.each([["light", light], ["dark", dark]] as const)("texts of the map can be read, %s", (_, theme) => {
+  const pairs: [string, string][] = [
+    [theme.onBreach, theme.breach],
+    [theme.onGround, theme.ground],
+    [theme.onAir, theme.air],
+    [theme.ink, theme.card.slice(0, 7)],
+    [theme.ink, theme.halo],
+    [theme.fadedInk, theme.halo],
+    [theme.waterName, theme.water],
+    [theme.greenName, theme.green],
+  ];
+  for (const [ink, ground] of pairs) expect.soft(contrast(ink, ground), `${ink} on ${ground}`).toBeGreaterThan(4.7);
+});
+
 it("pictures have the colours of the light page", () => {
   const palette = text("../src/render/palette.hpp");
   const colours = Object.fromEntries([...palette.matchAll(/string_view (\w+) = "(#\w{6})"/g)].map(([, name, value]) => [name!, value!]));
