@@ -2,7 +2,7 @@
 import { type Agent, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { duration, durations, percent, type Units } from "../domain/units";
 import { arrival } from "../play/motion";
-import { counted, type Headline, isProven } from "./words";
+import { counted, type Headline, isProven, unasked } from "./words";
 
 // `closed`: the plan with nothing removed, where it is known; what a team gains is said against it.
 export function teamHeadline(plan: Plan, closed: Plan | null, buildings: boolean): Headline {
@@ -34,6 +34,7 @@ function gain(plan: Plan, share: number): string {
 }
 
 function unhelped(plan: Plan, vehicles: number): string {
+  if (String(plan.options.select) === "none") return unasked;
   const mayRemove = countOf(plan, "air") > 0 && plan.options.removals !== 0;
   if (!mayRemove) return vehicles === 1 ? "The vehicle arrives" : `All ${vehicles} vehicles arrive, and none touches another`;
   const none = isProven(plan) ? "No removal" : "No removal was found that";

@@ -70,7 +70,10 @@ export function figuresText(figures: NonNullable<Headline["figures"]>, units: Un
   return figureTexts(figures, units).join(" instead of ");
 }
 
+export const unasked = "No removals were asked for";
+
 function unhelped(plan: Plan): string {
+  if (String(plan.options.select) === "none") return unasked;
   if (plan.options.removals === 0) return "With nothing removed, the ground robot takes the way round";
   const none = isProven(plan) ? "No removal" : "No removal was found that";
   if (objectiveOf(plan) === "flowtime") return `${none} saves any of the agents’ time on the way`;

@@ -1,7 +1,7 @@
 // What the plan achieves, in one sentence, and how sure that is.
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Progress } from "../api/client";
-import { isTeam, type Plan } from "../domain/plan";
+import { isTeam } from "../domain/plan";
 import { duration, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
@@ -39,8 +39,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
   );
   const team = isTeam(after.plan);
   const closed = page.results.plans.value.before?.plan ?? null;
-  const found = team ? teamHeadline(after.plan, closed, buildings) : headline(after.plan, buildings);
-  const words = isUnasked(after.plan) ? { ...found, title: "No removals were asked for" } : found;
+  const words = team ? teamHeadline(after.plan, closed, buildings) : headline(after.plan, buildings);
   const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const figures = words.figures ? figureTexts(words.figures, units) : [];
   const asked = page instanceof Studio ? null : askedRules(after.plan); // there the choices are listed
@@ -87,10 +86,6 @@ export function HeadlineSection({ page }: { page: PageState }) {
   );
 }
 
-// Whether a plan exists of a mission in which no removal was looked for.
-function isUnasked({ options, agents }: Plan): boolean {
-  return String(options.select) === "none" && agents.length > 0;
-}
 
 function waiting(page: PageState): string {
   if (page.loading.value) return "Loading the map…";
