@@ -24,12 +24,14 @@ class MissionPlanner {
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
     // and puts both agents in time. With timing enforced no plan is worse than removing nothing, unless rules.force
     // demands removals. More removals can cost more where breaches take time, bases or speeds differ, or a limit ended
-    // the choice (docs/exact.md, "What is not proven"). When limits.seconds are over: the best plan found by then, with
-    // Plan::limit_reached. Keeps its memory between calls; not for two threads at once.
+    // the choice (docs/exact.md, "What is not proven"), but not for a team without a time limit. When limits.seconds
+    // are over: the best plan found by then, with Plan::limit_reached. Keeps its memory between calls; not for two
+    // threads at once.
     Plan plan(const Map& map, const Mission& mission, const Method& method = {}, const Limits& limits = {});
 
     // What each further removal gains: the plans for 0, 1, 2, ... removals, up to the last that gains, at most
-    // rules.removals. limits.seconds is that of all plans together; the last one is explained, if asked for.
+    // rules.removals; none is worse than the one before, except to demolish less. limits.seconds is that of all plans
+    // together; the last one is explained, if asked for.
     std::vector<Plan> front(const Map& map, const Mission& mission, const Method& method = {},
                             const Limits& limits = {});
 

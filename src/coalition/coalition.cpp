@@ -61,10 +61,21 @@ class Planning {
         ways_ = &ways;
         draft({});
         if (selects) choose(columns, relaxation);
+        for (int removals = 0; removals < problem_.spare_removals(); ++removals) {
+            bounds_.push_back(std::max(relaxation.bound_with(std::size_t(removals)), plan_.bound));
+        }
         plan_.limited = columns.limited() || choice_.due();
         plan_.status = interrupts_.stop.stop_requested() ? SearchStatus::stopped : SearchStatus::limit_reached;
         plan_drafts(improved);
         return std::move(plan_);
+    }
+
+    int spare_removals() const { return problem_.spare_removals(); }
+    // No plan that may remove only so many beside what it must, fewer than this one may, has a smaller objective.
+    double bound_with(std::size_t removals) const { return removals < bounds_.size() ? bounds_[removals] : 0; }
+    // Whether what vehicles lose on each other, which the choice of sets does not see, may make another set better.
+    bool lost_on_others() const {
+        return !drafts_.empty() && plan_.objective > drafts_.front().cost.first * (1 + close_on_others);
     }
 
   private:
@@ -175,28 +186,34 @@ class Planning {
     }
 
     void plan_drafts(const std::function<void(double, double)>& improved) {
-        double best = infinity;
-        for (std::size_t i = 0; i < std::min(drafts_.size(), most_tries); ++i) {
+        for (std::size_t i = 0; i < drafts_.size(); ++i) {
             const Draft& draft = drafts_[i];
-            if (draft.cost.first >= best || (best < infinity && interrupts_.due())) break;
-            team::Ground ground{OpenedMap(problem_.map(), draft.set)};
-            for (const auto& [obstacle, time] : draft.openings) ground.openings.push_back({obstacle, time});
-            std::vector<team::Vehicle> vehicles;
-            for (std::size_t v = 0; v < plan_.closed.size(); ++v) vehicles.push_back(vehicle(draft, v));
-            team::TeamPlan planned = team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_,
-                                                      close_on_others, [](const team::Cost&) {});
+            if (draft.cost.first >= plan_.objective || (plan_.objective < infinity && interrupts_.due())) break;
+            if (i >= most_tries && !draft.set.empty()) continue;
+            team::TeamPlan planned = plan_paths(draft);
             if (planned.status != SearchStatus::found) continue;
             std::vector<team::Path> flights = this->flights(draft);
             const double reached = objective(planned.paths, flights);
-            if (reached >= best) continue;
-            best = reached;
+            if (reached >= plan_.objective) continue;
+            plan_.objective = reached;
             plan_.status = SearchStatus::found;
             plan_.limited = plan_.limited || planned.limited;
             plan_.team = std::move(planned);
             plan_.flights = std::move(flights);
             plan_.breaches = breaches(draft);
-            improved(best, std::min(plan_.bound, best));
+            improved(reached, std::min(plan_.bound, reached));
         }
+    }
+
+    // With nothing removed, just as a team without aircraft.
+    team::TeamPlan plan_paths(const Draft& draft) const {
+        const bool removes = !draft.set.empty();
+        team::Ground ground{OpenedMap(problem_.map(), draft.set)};
+        for (const auto& [obstacle, time] : draft.openings) ground.openings.push_back({obstacle, time});
+        std::vector<team::Vehicle> vehicles = plan_.closed;
+        for (std::size_t v = 0; removes && v < vehicles.size(); ++v) vehicles[v] = vehicle(draft, v);
+        return team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_,
+                                removes ? close_on_others : 0, [](const team::Cost&) {});
     }
 
     team::Vehicle vehicle(const Draft& draft, std::size_t v) const {
@@ -260,16 +277,72 @@ class Planning {
     Ways* ways_ = nullptr;
     SortiePlanner* sorties_ = nullptr;
     std::vector<Set> drafted_;
-    std::vector<Draft> drafts_;  // the best first
+    std::vector<Draft> drafts_;   // the best first
+    std::vector<double> bounds_;  // of plans that may remove less, by how much
     CoalitionPlan plan_;
+};
+
+// Planning a mission again under other rules, and the best plan of all.
+class Again {
+  public:
+    using Plan = std::function<CoalitionPlan(int removals, const Set& forced)>;
+    Again(const team::Interrupts& interrupts, Plan plan) : interrupts_(interrupts), plan_(std::move(plan)) {}
+
+    void plan(int removals, const Set& forced) { take(plan_(removals, forced)); }
+    // The set of a new best plan gets the care of a set that has to be removed.
+    void take(CoalitionPlan made) {
+        if (!(made.objective < best_.objective)) return;
+        best_ = std::move(made);
+        Set set;
+        for (const Breach& breach : best_.breaches) set.push_back(breach.obstacle);
+        std::ranges::sort(set);
+        if (set == own_ || interrupts_.due()) return;
+        own_ = set;
+        CoalitionPlan forced = plan_(int(set.size()), set);
+        if (forced.objective < best_.objective) best_ = std::move(forced);
+    }
+    CoalitionPlan best() { return std::move(best_); }
+
+  private:
+    const team::Interrupts& interrupts_;
+    Plan plan_;
+    CoalitionPlan best_;
+    Set own_;  // what the best removes
 };
 
 }  // namespace
 
-CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool selects, const team::Interrupts& interrupts,
-                             CrossingSearcher& crossing, Searcher& theta,
+CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool selects, Fewer fewer,
+                             const team::Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
                              const std::function<void(double objective, double bound)>& improved) {
-    return Planning(map, mission, interrupts, crossing, theta).run(selects, improved);
+    Planning planning(map, mission, interrupts, crossing, theta);
+    CoalitionPlan first = planning.run(selects, improved);
+    const bool tries =
+        fewer == Fewer::tried && selects && (std::isinf(interrupts.deadline.left()) || planning.lost_on_others());
+    if (!tries || first.status == SearchStatus::no_path) return first;
+    const double bound = first.bound;
+    double told = first.objective;
+    const auto tell = [&](double objective, double) {
+        if (objective < told) improved(told = objective, std::min(bound, objective));
+    };
+    Again again(interrupts, [&](int removals, const Set& forced) {
+        Mission other = mission;
+        other.rules.removals = removals;
+        other.rules.force = forced;
+        return Planning(map, other, interrupts, crossing, theta).run(removals > 0, tell);
+    });
+    // From the fewest on: who may remove less takes the same steps, and leaves out the last.
+    const int least = mission.rules.removals - planning.spare_removals();
+    for (int spare = 0; spare < planning.spare_removals() && !interrupts.due(); ++spare) {
+        if (first.objective <= planning.bound_with(std::size_t(spare))) continue;
+        again.plan(least + spare, mission.rules.force);
+    }
+    again.take(first);
+    CoalitionPlan best = again.best();
+    if (std::isinf(best.objective)) return first;
+    best.bound = std::min(bound, best.objective);
+    best.limited = best.limited || first.limited;
+    return best;
 }
 
 }  // namespace waybreaker::coalition

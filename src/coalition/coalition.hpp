@@ -16,16 +16,21 @@ struct CoalitionPlan {
     team::TeamPlan team;                // the vehicles; their ways those that they would drive if they were alone
     std::vector<team::Path> flights;    // of the aircraft; in the mission's order
     std::vector<Breach> breaches;       // in order of time; entered_at is not known yet
+    double objective = infinity;        // of the plan
     double bound = 0;                   // no plan has a smaller objective
     bool limited = false;
 };
+
+// Whether plans that may remove less are made as well: another choice of sets may do better. Those that a bound shows
+// to be no better are left out. A time limit leaves them out, too, where vehicles lose next to nothing on each other.
+enum class Fewer { tried, not_tried };
 
 // Chooses obstacles by relaxation.hpp, picks.hpp and joint.hpp, puts the best sets in time by sorties.hpp, and plans
 // the vehicles past each other. "Remove nothing" is one of the sets unless something must be. Calls `improved` as
 // team::plan_paths does. The same mission has the same plan, time limits aside. REQUIRES: the mission is a team's with
 // an aircraft.
-CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool selects, const team::Interrupts& interrupts,
-                             CrossingSearcher& crossing, Searcher& theta,
+CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool selects, Fewer fewer,
+                             const team::Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
                              const std::function<void(double objective, double bound)>& improved);
 
 }  // namespace waybreaker::coalition

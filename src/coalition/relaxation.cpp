@@ -288,6 +288,13 @@ bool Relaxation::tighten(double reached, double margin) {
     return prove(at, margin);
 }
 
+double Relaxation::bound_with(std::size_t removals) const {
+    if (!proof_.complete) return bound_;
+    double value = proof_.fixed - proof_.offers.best(removals);
+    for (const Columns::Search& search : proof_.searches) value += search.least;
+    return std::max(value, bound_);
+}
+
 std::vector<ObstacleId> Relaxation::wanted() const {
     std::vector<Offer> order = offers(best_).all();
     std::ranges::stable_sort(order, [](const Offer& a, const Offer& b) { return a.paid > b.paid; });

@@ -44,6 +44,8 @@ class Relaxation {
         bool complete = false;  // no search was left out
     };
     const Proof& proof() const { return proof_; }
+    // By the last searches: no plan that removes only so many, beside what it must, has a smaller objective.
+    double bound_with(std::size_t removals) const;
     // What vehicles pay for, together: the most wanted first.
     std::vector<ObstacleId> wanted() const;
 

@@ -58,9 +58,10 @@ std::vector<Breach> breaches(const Task& task, const Schedule& schedule, std::sp
 // The plan first, as if nothing were to be explained; that takes what time is left.
 Plan explained_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                     Searcher& searcher, CrossingSearcher& crossing) {
+    using coalition::Fewer;
     const Stopwatch total;
     const Deadline deadline(limits.seconds);
-    Plan plan = plan_team(map, mission, method, limits, searcher, crossing);
+    Plan plan = plan_team(map, mission, method, limits, Fewer::tried, searcher, crossing);
     if (!method.explain || plan.status != PlanStatus::solved) return plan;
     explain_team(
         map, mission, deadline,
@@ -68,12 +69,26 @@ Plan explained_team(const Map& map, const Mission& mission, const Method& method
             Limits left = limits;
             left.seconds = std::max(deadline.left(), 1e-3);
             left.progress = nullptr;
-            return plan_team(map, other, method, left, searcher, crossing);
+            return plan_team(map, other, method, left, Fewer::tried, searcher, crossing);
         },
         plan);
     explain_agents(map, mission, plan);
     plan.seconds.total = total.seconds();
     return plan;
+}
+
+// A plan that removes less, for a mission whose own plan is worse; what is proven is of the latter.
+Plan instead(const Plan& own, Plan better, Objective objective) {
+    better.limit_reached = own.limit_reached;
+    better.seconds = own.seconds;
+    better.bound = own.bound;
+    better.gap.reset();
+    if (own.bound) {
+        const double reached = *value(better.after, objective);
+        better.bound = std::min(*own.bound, reached);
+        better.gap = *better.bound > 0 ? reached / *better.bound - 1 : 0;
+    }
+    return better;
 }
 
 }  // namespace
@@ -162,6 +177,10 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
         how.explain = explained;
         Limits left = limits;
         left.seconds = std::max(deadline.left(), 1e-3);
+        // Those with fewer removals are here anyway.
+        if (step.is_team() && !explained) {
+            return plan_team(map, step, how, left, coalition::Fewer::not_tried, searcher_, crossing_);
+        }
         return plan(map, step, how, left);
     };
     const auto reached = [&rules](const Plan& plan) {
@@ -178,8 +197,13 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
         plans.push_back(all && removals == rules.removals ? *all : plan_with(removals, false));
         if (beats_best(plans.back())) {
             worth = plans.size();
-        } else if (!all) {
-            all = plan_with(rules.removals, false);
+        } else {
+            if (!all) all = plan_with(rules.removals, false);
+            // Nothing has to be removed because it may.
+            const bool worse = reached(plans.back()) > reached(plans[worth - 1]);
+            if (worse && !rules.minimise_demolition) {
+                plans.back() = instead(plans.back(), plans[worth - 1], rules.objective);
+            }
         }
         if (deadline.passed() || (all && !beats_best(*all))) break;
     }

@@ -136,14 +136,14 @@ void add_entries(const Map& map, const Mission& mission, Plan& plan) {
 }
 
 Plan plan_coalition(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                    Searcher& searcher, CrossingSearcher& crossing) {
+                    coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
     const Stopwatch total;
     const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions};
     const auto tell = [&](double objective, double bound) {
         if (limits.progress) limits.progress({.best = objective, .bound = bound});
     };
-    coalition::CoalitionPlan made =
-        coalition::plan_coalition(map, mission, method.select != Selection::none, interrupts, crossing, searcher, tell);
+    coalition::CoalitionPlan made = coalition::plan_coalition(map, mission, method.select != Selection::none, fewer,
+                                                              interrupts, crossing, searcher, tell);
     Plan plan;
     plan.status = plan_status(made.status);
     const std::size_t vehicles = std::size_t(std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind));
@@ -170,11 +170,11 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
 
 }  // namespace
 
-Plan plan_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits, Searcher& searcher,
-               CrossingSearcher& crossing) {
+Plan plan_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+               coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
     const bool has_aircraft = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind) > 0;
     if (has_aircraft && mission.rules.removals > 0) {
-        return plan_coalition(map, mission, method, limits, searcher, crossing);
+        return plan_coalition(map, mission, method, limits, fewer, searcher, crossing);
     }
     const Stopwatch total;
     const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions};

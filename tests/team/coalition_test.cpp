@@ -69,6 +69,45 @@ RC_GTEST_PROP(Coalition, PlansAreValid, ()) {
     RC_ASSERT(*plan.bound <= *value(plan.after, mission.rules.objective) + 1e-9);
 }
 
+// The best of all that may be removed, and of less: where no limit ends it, more may not make a plan worse.
+RC_GTEST_PROP(Coalition, IsNoWorseWithMoreRemovals, ()) {
+    const PlainMap plain = *random_map(16, 16);
+    const Map map(plain.grid());
+    Mission mission = any_coalition(plain, map);
+    mission.rules.force.clear();
+    const Objective objective = mission.rules.objective;
+    Limits limits;
+    if (*number(0, 3) == 0) limits.expansions = std::uint64_t(*number(1, 300));
+    std::optional<double> before;
+    for (int removals = 0; removals <= 4; ++removals) {
+        mission.rules.removals = removals;
+        const Plan plan = MissionPlanner().plan(map, mission, {}, limits);
+        if (before) {
+            RC_ASSERT(plan.status == PlanStatus::solved);
+            RC_ASSERT(*value(plan.after, objective) <= *before * (1 + 1e-9));
+            RC_ASSERT(*plan.bound <= *value(plan.after, objective) + 1e-9);
+        }
+        if (plan.status == PlanStatus::solved) before = value(plan.after, objective);
+    }
+}
+
+// A set that has to be removed gets no more care than one that was chosen.
+RC_GTEST_PROP(Coalition, IsNoWorseThanWithItsOwnSetForced, ()) {
+    const PlainMap plain = *random_map(16, 16);
+    const Map map(plain.grid());
+    Mission mission = any_coalition(plain, map);
+    mission.rules.force.clear();
+    const Objective objective = mission.rules.objective;
+    const Plan plan = MissionPlanner().plan(map, mission);
+    if (plan.status != PlanStatus::solved) return;
+    for (const Breach& breach : plan.breaches) mission.rules.force.push_back(breach.obstacle);
+    std::ranges::sort(mission.rules.force);
+    mission.rules.removals = int(mission.rules.force.size());
+    const Plan alone = MissionPlanner().plan(map, mission);
+    if (alone.status != PlanStatus::solved) return;
+    RC_ASSERT(*value(plan.after, objective) <= *value(alone.after, objective) * (1 + 1e-9));
+}
+
 TEST(Coalition, OpensAWallForTwo) {
     const Map map = map_from_ascii(R"(
         .........
@@ -185,6 +224,22 @@ TEST(Coalition, GainsWithEachRemoval) {
     ASSERT_EQ(front.size(), 3U);  // nobody arrives with less than two
     EXPECT_EQ(front[1].status, PlanStatus::no_plan);
     EXPECT_EQ(front[2].status, PlanStatus::solved);
+}
+
+RC_GTEST_PROP(Coalition, CurveNeverGoesUp, ()) {
+    const PlainMap plain = *random_map(16, 16);
+    const Map map(plain.grid());
+    Mission mission = any_coalition(plain, map);
+    mission.rules.force.clear();
+    const std::vector<Plan> front = MissionPlanner().front(map, mission);
+    for (std::size_t n = 0; n < front.size(); ++n) {
+        mission.rules.removals = int(n);
+        RC_ASSERT(plan_faults(map, mission, front[n]) == "");
+        if (n == 0 || front[n - 1].status != PlanStatus::solved) continue;
+        RC_ASSERT(front[n].status == PlanStatus::solved);
+        RC_ASSERT(*value(front[n].after, mission.rules.objective) <=
+                  *value(front[n - 1].after, mission.rules.objective));
+    }
 }
 
 }  // namespace
