@@ -1,6 +1,7 @@
 // `waybreaker check`: whether a plan file is valid, judged from the map alone.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "commands.hpp"
@@ -11,6 +12,7 @@
 #include "io/plan_file.hpp"
 #include "io/weights.hpp"
 #include "mapfile/map_reader.hpp"
+#include "mission/waits.hpp"
 #include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
@@ -46,6 +48,29 @@ std::string as_text(const std::vector<Violation>& violations, const std::string&
     }
     if (violations.size() > most) text += fmt::format("and {} more; --json lists all\n", violations.size() - most);
     return text;
+}
+
+// Holds why agents wait against what is found from the paths once more.
+void judge_causes(const io::PlanFile& file, const Map& map, double tolerance, std::vector<Violation>& violations) {
+    const std::vector<Agent>& asked = file.mission.agents;
+    const std::vector<Itinerary>& stated = file.plan.agents;
+    const auto explained = [](const Itinerary& agent) { return !agent.waits.empty(); };
+    if (!std::ranges::equal(asked, stated, {}, &Agent::id, &Itinerary::id)) return;
+    if (std::ranges::none_of(stated, explained)) return;
+    Plan again = file.plan;
+    add_waits(map, file.mission, again);
+    const auto same = [tolerance](const Wait& a, const Wait& b) {
+        constexpr double rounding = 2e-6;  // of the times at which they change
+        const double hair = rounding + tolerance * std::max(1.0, std::abs(a.until));
+        return a.reason == b.reason && a.obstacle == b.obstacle && a.agent == b.agent &&
+               std::abs(a.from - b.from) <= hair && std::abs(a.until - b.until) <= hair;
+    };
+    for (std::size_t i = 0; i < stated.size(); ++i) {
+        if (std::ranges::equal(stated[i].waits, again.agents[i].waits, same)) continue;
+        violations.push_back({Rule::waits,
+                              fmt::format("what the {} agent waits for is not what is found again", stated[i].id),
+                              stated[i].id});
+    }
 }
 
 // Holds what no path in the file proves, the figures without removals and the bound, against planning once more.
@@ -94,6 +119,7 @@ void run(const CheckOptions& options) {
     std::vector<Violation> violations = io::judge(plan, map, judging);
     if (options.replan && violations.empty()) {
         const std::optional<Map> other = io::reweighed(plan, map, judging);
+        judge_causes(plan, map.map, options.tolerance, violations);
         judge_by_planning(plan, other ? *other : map.map, options.tolerance, violations);
     }
     if (!options.json.empty()) io::write_whole(options.json, io::check_json(violations));
@@ -119,8 +145,8 @@ void setup_check(CLI::App& root, Run& run_chosen) {
     add_file(*command, "--json", options->json, "Write all violations, for programs; - is standard output");
     command->add_flag(
         "--replan", options->replan,
-        "Plan the mission again, for at most 10 s, and compare the figures without removals and the bound: "
-        "nothing else in the file shows whether they are true");
+        "Plan the mission again, for at most 10 s, and compare the figures without removals and the bound, which "
+        "nothing else in the file proves; and find again what agents wait for");
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
     add_file(*command, "--weights", options->weights,

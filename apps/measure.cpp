@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "core/range.hpp"
@@ -33,15 +34,14 @@ std::string no_cell(const std::string& text) {
                        max_side - 1, fraction ? "; --lonlat takes degrees, --map-metres metres" : "");
 }
 
-// The cell that a point in cell units lies in.
-Cell cell_on(const io::MapFile& map, Point point, const GivenPlace& place, const std::string& extent) {
-    const Point rounded(std::floor(point.x + 0.5), std::floor(point.y + 0.5));
-    const bool inside = rounded.x >= 0 && rounded.y >= 0 && rounded.x < map.map.width() && rounded.y < map.map.height();
+// A cell given as two whole numbers, which may be any.
+Cell cell_on(const io::MapFile& map, Point cell, const GivenPlace& place, const std::string& extent) {
+    const bool inside = cell.x >= 0 && cell.y >= 0 && cell.x < map.map.width() && cell.y < map.map.height();
     if (!inside) {
         throw InputError(
             fmt::format("{} {} is not on {}, which reaches {}", place.option, place.text, map.source, extent));
     }
-    return {int(rounded.x), int(rounded.y)};
+    return {int(cell.x), int(cell.y)};
 }
 
 }  // namespace
@@ -74,11 +74,17 @@ double in_cells(const Measure& measure, const io::MapFile& map, Range range) {
 CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<GivenPlace>& value,
                        const std::string& text) {
     const auto read = [name, &value](const std::string& given) {
-        const std::size_t comma = std::min(given.find(','), given.size());
+        const std::size_t comma = given.find(',');
+        if (comma == std::string::npos) {
+            throw CLI::ValidationError(
+                name, fmt::format("'{}' is not a place: two numbers are needed, with a comma and no blank between "
+                                  "them, such as 12,20",
+                                  shown(given)));
+        }
         const auto x = number(std::string_view(given).substr(0, comma));
-        const auto y = number(std::string_view(given).substr(std::min(comma + 1, given.size())));
-        if (!x || !y) throw CLI::ValidationError(name, no_cell(given));
-        value = GivenPlace{name, given, {*x, *y}};
+        const auto y = number(std::string_view(given).substr(comma + 1));
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        value = GivenPlace{name, given, {x.value_or(none), y.value_or(none)}};
     };
     return app.add_option_function<std::string>(name, read, text)->type_name("X,Y");
 }
@@ -93,12 +99,22 @@ Cell cell_of(const GivenPlace& place) {
     return {int(x), int(y)};
 }
 
-Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map) {
+void validate_lon_lat(const GivenPlace& place) {
     const auto [lon, lat] = place.numbers;
-    if (!(std::abs(lon) <= 180) || !(std::abs(lat) <= 90)) {
-        throw InputError(fmt::format("{}: '{}' is not a place: LON,LAT are degrees east and north, such as 13.41,52.52",
-                                     place.option, shown(place.text)));
-    }
+    if (std::abs(lon) <= 180 && std::abs(lat) <= 90) return;
+    throw InputError(fmt::format("{}: '{}' is not a place: LON,LAT are degrees east and north, such as 13.41,52.52",
+                                 place.option, shown(place.text)));
+}
+
+void validate_metres(const GivenPlace& place) {
+    if (std::isfinite(place.numbers[0]) && std::isfinite(place.numbers[1])) return;
+    throw InputError(fmt::format("{}: '{}' is not a place: X,Y are metres of the map's frame, such as -1.5,0.25",
+                                 place.option, shown(place.text)));
+}
+
+Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map) {
+    validate_lon_lat(place);
+    const auto [lon, lat] = place.numbers;
     if (!map.georeference) {
         throw InputError(fmt::format("--lonlat: {} does not say where on earth it lies", map.source));
     }
@@ -107,10 +123,12 @@ Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map) {
     const auto [east, south] = to_lon_lat(map.map.width() - 0.5, map.map.height() - 0.5);
     const std::string extent =
         fmt::format("from {:.6f},{:.6f} in the south-west to {:.6f},{:.6f}", west, south, east, north);
-    return cell_on(map, geo::FromLonLat(*map.georeference)({Point(lon, lat)}).front(), place, extent);
+    const Point point = geo::FromLonLat(*map.georeference)({Point(lon, lat)}).front();
+    return cell_on(map, {std::floor(point.x + 0.5), std::floor(point.y + 0.5)}, place, extent);
 }
 
 Cell cell_at_metres(const GivenPlace& place, const io::MapFile& map) {
+    validate_metres(place);
     if (!map.has_metres()) throw no_metres("--map-metres with " + place.option, place.text, map);
     const io::MapFrame frame(map);
     const Point low = frame.origin();

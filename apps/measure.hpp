@@ -32,7 +32,7 @@ inline constexpr Range radii{0, 32};  // cells, the room between agents as well
 inline constexpr Range speeds{least_speed, most_speed};
 inline constexpr Range breach_times{0, most_breach_time};
 
-// "12,20" or "13.3777,52.5163".
+// "12,20" or "13.3777,52.5163". What is no number is NaN: only the other options say what is asked for instead.
 struct GivenPlace {
     std::string option;
     std::string text;
@@ -47,5 +47,8 @@ CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<Giv
 Cell cell_of(const GivenPlace& place);
 Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map);
 Cell cell_at_metres(const GivenPlace& place, const io::MapFile& map);
+// The same of what can be said before there is a map.
+void validate_lon_lat(const GivenPlace& place);
+void validate_metres(const GivenPlace& place);
 
 }  // namespace waybreaker::apps

@@ -231,6 +231,20 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
                      "Leave out measured times, so that equal input gives equal bytes");
 }
 
+// Before the map is read.
+void validate_places(const PlanOptions& options) {
+    for (const auto* place : {&options.start, &options.goal, &options.air_start, &options.air_goal}) {
+        if (!*place) continue;
+        if (options.lon_lat) {
+            validate_lon_lat(**place);
+        } else if (options.map_metres) {
+            validate_metres(**place);
+        } else {
+            cell_of(**place);
+        }
+    }
+}
+
 }  // namespace
 
 bool needs_search(const PlanOptions& options) {
@@ -252,6 +266,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
 }
 
 void validate(const PlanOptions& options) {
+    validate_places(options);
     if (options.planner == Planner::optimal && needs_search(options)) {
         throw InputError("--planner optimal has no --heuristic, --weight, --tie-break or --trace; use theta for them");
     }

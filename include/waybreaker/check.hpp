@@ -47,6 +47,9 @@ enum class Rule {
     gap,
     separation,  // no two ground agents overlap, at any time
     capacity,    // no air agent breaches more obstacles than it may
+    saves,       // what a removal saves leaves no plan below the bound
+    gain,        // an agent's gain follows from its path and its way without removals
+    waits,       // who is said to wait stands there, for what can be in its way then
 };
 
 // As written in reports: the word above.

@@ -55,6 +55,16 @@ void validate(const Mission& mission, const Terms& terms) {
     }
 }
 
+// Of one ground and one air agent.
+Violations judge_explained(const Mission& mission, const Plan& plan, const Itinerary& agent, const Terms& terms) {
+    const auto is_it = [&](const Agent& one) { return one.kind == agent.kind; };
+    const auto known = std::find_if(mission.agents.begin(), mission.agents.end(), is_it);
+    const double ready_at = known == mission.agents.end() ? 0 : known->ready_at;
+    Violations found = judge_waits(plan, agent, ready_at, terms);
+    append(found, judge_gain(agent, ready_at, plan.before.ground().length, terms));
+    return found;
+}
+
 Violations judge(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms) {
     if (mission.is_team()) {
         Violations all = judge_agents(mission, plan);
@@ -93,7 +103,11 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
         if (drive.followed) append(all, judge_entries(map, plan, drive.entries, ground->id, terms));
     }
     if (!broken(air_times)) append(all, judge_breaches(map, plan.breaches, *air, terms));
-    if (!broken(ground_times) && !broken(air_times)) append(all, judge_figures(plan, ground, air, terms));
+    if (!broken(ground_times) && !broken(air_times)) {
+        append(all, judge_figures(plan, ground, air, terms));
+        append(all, judge_explained(mission, plan, *ground, terms));
+        append(all, judge_explained(mission, plan, *air, terms));
+    }
     return all;
 }
 
@@ -115,11 +129,37 @@ std::string text(ObstacleId obstacle) {
 }  // namespace checker
 
 std::string_view name(Rule rule) {
-    constexpr std::array<std::string_view, 28> names{
-        "map",      "status",          "agents",   "start",      "goal",     "time",       "speed",
-        "vertex",   "collision",       "obstacle", "repetition", "removals", "budget",     "cells",
-        "boundary", "breach",          "order",    "next",       "entered",  "length",     "makespan",
-        "flowtime", "ground_makespan", "before",   "bound",      "gap",      "separation", "capacity"};
+    constexpr std::array<std::string_view, 31> names{"map",
+                                                     "status",
+                                                     "agents",
+                                                     "start",
+                                                     "goal",
+                                                     "time",
+                                                     "speed",
+                                                     "vertex",
+                                                     "collision",
+                                                     "obstacle",
+                                                     "repetition",
+                                                     "removals",
+                                                     "budget",
+                                                     "cells",
+                                                     "boundary",
+                                                     "breach",
+                                                     "order",
+                                                     "next",
+                                                     "entered",
+                                                     "length",
+                                                     "makespan",
+                                                     "flowtime",
+                                                     "ground_makespan",
+                                                     "before",
+                                                     "bound",
+                                                     "gap",
+                                                     "separation",
+                                                     "capacity",
+                                                     "saves",
+                                                     "gain",
+                                                     "waits"};
     return names.at(std::size_t(rule));
 }
 

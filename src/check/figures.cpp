@@ -112,6 +112,18 @@ void judge_least_demolition(const Plan& plan, Violations& found) {
                                       " cells, but this one demolishes " + std::to_string(cells)});
 }
 
+// The best plan without a removal is not below the bound either; unless that one had to be removed.
+void judge_saves(const Plan& plan, std::optional<double> reached, const Terms& terms, Violations& found) {
+    if (!plan.bound || !reached || !terms.rules.force.empty()) return;
+    for (const Breach& breach : plan.breaches) {
+        if (!breach.saves || *breach.saves >= *plan.bound - *reached - slack(terms, *reached)) continue;
+        found.push_back({Rule::saves,
+                         "to remove " + text(breach.obstacle) + " saves " + text(*breach.saves) +
+                             ": without it a plan would be below the bound, " + text(*plan.bound),
+                         "", breach.obstacle});
+    }
+}
+
 }  // namespace
 
 void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
@@ -119,6 +131,7 @@ void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
     const std::optional<double> reached = objective(plan.after);
     judge_bound_below(plan, reached, "what the plan reaches", terms, found);
     judge_least_demolition(plan, found);
+    judge_saves(plan, reached, terms, found);
     // To remove nothing is one of the plans that the bound speaks of, unless something must go.
     if (terms.rules.force.empty()) {
         judge_bound_below(plan, objective(plan.before), "what is reached without removals", terms, found);

@@ -82,6 +82,11 @@ Violations judge_breaches(const Map& map, std::span<const Breach> breaches, cons
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
 Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Terms& terms);
 
+// What it explains of an agent. `alone`: how long its way is without removals. Preconditions: its timetable is in
+// order.
+Violations judge_waits(const Plan& plan, const Itinerary& agent, double ready_at, const Terms& terms);
+Violations judge_gain(const Itinerary& agent, double ready_at, const std::optional<double>& alone, const Terms& terms);
+
 // That the bound is below what is reached, and the gap fits both.
 void judge_bound(const Plan& plan, const Terms& terms, Violations& found);
 

@@ -116,6 +116,8 @@ class TeamJudge {
             });
             broken = broken || unreadable;
             if (unreadable) continue;
+            append(found_, judge_waits(plan_, path, agent.ready_at, terms));
+            append(found_, judge_gain(path, agent.ready_at, alone(path.id), terms));
             if (agent.kind == AgentKind::air) {
                 append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms_));
                 continue;
@@ -133,6 +135,13 @@ class TeamJudge {
         if (!broken && followed) append(found_, judge_entries(map_, plan_, entries, "", terms_));
         append(found_, judge_separation(discs, terms_));
         if (!broken) judge_figures();
+    }
+
+    // How long that agent's way is without removals.
+    std::optional<double> alone(const std::string& id) const {
+        const auto is_it = [&](const Agent& agent) { return agent.id == id; };
+        const auto agent = std::find_if(mission_.agents.begin(), mission_.agents.end(), is_it);
+        return plan_.before.routes[std::size_t(agent - mission_.agents.begin())].length;
     }
 
     std::vector<Breach> breaches_by(const std::string& id) const {

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "io/weights.hpp"
+#include "site/demolition.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -39,6 +43,60 @@ Violations judge_weights(const PlanFile& plan, const Map& map) {
     return found;
 }
 
+// Areas and sums of what is removed, from the cells of the map and the side of a cell that the plan states.
+class DemolitionJudge {
+  public:
+    DemolitionJudge(const PlanFile& file, const MapFile& map, double tolerance)
+        : file_(file), map_(map), tolerance_(tolerance) {}
+
+    Violations judge() {
+        std::vector<ObstacleId> removed;
+        for (std::size_t i = 0; i < file_.plan.breaches.size(); ++i) {
+            const ObstacleId id = file_.plan.breaches[i].obstacle;
+            if (i < file_.areas.size()) expect_area(fmt::format("of obstacle {}", id.value), file_.areas[i], {&id, 1});
+            removed.push_back(id);
+        }
+        for (const PlanFile::Step& step : file_.front) {
+            expect_area(fmt::format("of the step of {} removals", step.removed.size()), step.area_m2, step.removed);
+        }
+        expect_area("that is demolished", file_.demolition.area_m2, removed);
+        const site::Demolition truth = site::demolition(map_.map, map_.sections, known(removed));
+        expect("the number of removals", file_.demolition.removals, double(file_.plan.breaches.size()));
+        expect("the number of demolished cells", file_.demolition.cells, double(truth.cells));
+        expect("the number of structures", file_.demolition.structures, double(truth.structures.size()));
+        expect("the area of the least cells", file_.demolition.least_area_m2,
+               square_metres(file_.plan.least_demolition.value_or(0), file_.cell_size), " m\u00b2");
+        return std::move(found_);
+    }
+
+  private:
+    // Those that the map has; others are judged elsewhere.
+    std::vector<ObstacleId> known(std::span<const ObstacleId> ids) const {
+        std::vector<ObstacleId> there;
+        std::ranges::copy_if(ids, std::back_inserter(there),
+                             [&](ObstacleId id) { return id && id.value <= map_.map.obstacles().size(); });
+        return there;
+    }
+
+    void expect_area(const std::string& whose, const std::optional<double>& stated, std::span<const ObstacleId> ids) {
+        std::uint64_t cells = 0;
+        for (const ObstacleId id : known(ids)) cells += map_.map.obstacle(id).cells;
+        expect("the area " + whose, stated, square_metres(cells, file_.cell_size), " m\u00b2");
+    }
+
+    template <class Number>
+    void expect(const std::string& what, const std::optional<Number>& stated, double truth, const char* unit = "") {
+        if (!stated || std::abs(double(*stated) - truth) <= tolerance_ * std::max(1.0, truth)) return;
+        found_.push_back({Rule::cells, fmt::format("{} is {:.9g}{}, not {:.9g} as the plan says", what, truth, unit,
+                                                   double(*stated))});
+    }
+
+    const PlanFile& file_;
+    const MapFile& map_;
+    double tolerance_;
+    Violations found_;
+};
+
 void append(Violations& all, const Violations& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
@@ -68,6 +126,7 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
     const std::optional<Map> other = reweighed(plan, map, options);
     const Map& on = other ? *other : map.map;
     append(violations, judge_weights(plan, on));
+    append(violations, DemolitionJudge(plan, map, options.tolerance).judge());
     append(violations, check(on, plan.mission, plan.plan, options.tolerance));
     return violations;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/in_quotes.hpp"
 #include "io/json_position.hpp"
 #include "waybreaker/error.hpp"
 
@@ -17,7 +18,12 @@ JsonDocument parse_json(std::string_view text, const std::string& file, int max_
         return true;
     };
     try {
-        return {text, file, nlohmann::json::parse(text, not_too_deep)};
+        JsonDocument document{text, file, nlohmann::json::parse(text, not_too_deep)};
+        // The parser takes the last of them; who wrote the file may have meant another.
+        if (const auto twice = repeated_name(text)) {
+            fail(twice->at, "the member " + in_quotes(twice->name) + " is there twice");
+        }
+        return document;
     } catch (const nlohmann::json::parse_error& error) {
         // `byte` is the last one that was read, counted from 1.
         const bool whole = error.byte <= text.size();

@@ -21,7 +21,7 @@ struct JsonDocument {
 };
 
 // Throws InputError naming file, line and column unless the text, which must outlive the document, is JSON of at most
-// `max_depth` levels.
+// `max_depth` levels, whose objects have no member twice.
 JsonDocument parse_json(std::string_view text, const std::string& file, int max_depth);
 
 class JsonField {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 namespace waybreaker::io {
 namespace {
@@ -96,16 +98,14 @@ std::size_t value_at(std::string_view text, std::string_view place) {
 }
 
 std::size_t name_at(std::string_view text, std::size_t object, std::string_view name) {
-    std::size_t found = object;
     std::size_t at = object;
     do {
         at = skip_space(text, at + 1);
         const std::size_t end = skip_string(text, at);
-        // Of members of one name the last counts.
-        if (nlohmann::json::parse(text.substr(at, end - at)) == name) found = at;
+        if (nlohmann::json::parse(text.substr(at, end - at)) == name) return at;
         at = skip_value(text, end);
     } while (at < text.size() && text[at] == ',');
-    return found;
+    return object;
 }
 
 std::size_t depth_at(std::string_view text, int most_levels) {
@@ -114,6 +114,36 @@ std::size_t depth_at(std::string_view text, int most_levels) {
         if (closes(text[byte])) --depth;
         return opens(text[byte]) && ++depth > most_levels;
     });
+}
+
+std::optional<RepeatedName> repeated_name(std::string_view text) {
+    struct Level {
+        bool is_object;
+        std::set<std::string> names;
+    };
+    std::vector<Level> levels;
+    bool name_follows = false;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '"') {
+            const std::size_t end = skip_string(text, at);
+            if (name_follows) {
+                const std::string name = nlohmann::json::parse(text.substr(at, end - at)).get<std::string>();
+                if (!levels.back().names.insert(name).second) return RepeatedName{at, name};
+            }
+            name_follows = false;
+            at = end - 1;
+        } else if (opens(c)) {
+            levels.push_back({c == '{', {}});
+            name_follows = c == '{';
+        } else if (closes(c)) {
+            levels.pop_back();
+            name_follows = false;
+        } else if (c == ',') {
+            name_follows = levels.back().is_object;
+        }
+    }
+    return std::nullopt;
 }
 
 std::size_t overflow_at(std::string_view text) {

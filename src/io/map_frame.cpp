@@ -1,5 +1,7 @@
 #include "io/map_frame.hpp"
 
+#include <cmath>
+
 namespace waybreaker::io {
 namespace {
 
@@ -21,7 +23,9 @@ Point MapFrame::metres(Point cell) const {
 }
 
 Point MapFrame::cell(Point metres) const {
-    return {(metres.x - origin_.x) / cell_size_ - 0.5, height_ - 0.5 - (metres.y - origin_.y) / cell_size_};
+    // Rows are counted from below before y is turned: after that, an edge would belong to the cell below it.
+    return {std::floor((metres.x - origin_.x) / cell_size_),
+            height_ - 1 - std::floor((metres.y - origin_.y) / cell_size_)};
 }
 
 }  // namespace waybreaker::io

@@ -14,7 +14,8 @@ class MapFrame {
 
     // Of a point in cell units.
     Point metres(Point cell) const;
-    // The inverse.
+    // The cell that a point lies in, two whole numbers; of an edge, the cell to the right and above, as in ROS. It need
+    // not be on the map.
     Point cell(Point metres) const;
 
   private:

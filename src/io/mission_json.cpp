@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "core/range.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "waybreaker/error.hpp"
@@ -16,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto format = "waybreaker-mission/1";
+constexpr double most_radius = 32;  // cells
 
 template <class Value>
 void read_word(const JsonField& object, const char* key, const Words<Value>& words, Value& target) {
@@ -29,6 +31,14 @@ void read_truth(const JsonField& object, const char* key, bool& target) {
 double read_positive(const JsonField& field) {
     const double value = field.number();
     if (!(value > 0)) field.fail("is not above 0");
+    return value;
+}
+
+double read_between(const JsonField& field, double least, double most) {
+    const double value = field.number();
+    if (!(value >= least && value <= most)) {
+        field.fail("is not between " + number_text(least) + " and " + number_text(most));
+    }
     return value;
 }
 
@@ -65,8 +75,8 @@ Agent read_agent(const JsonField& field) {
     agent.kind = field["kind"].one_of(agent_words);
     agent.start = read_cell(field["start"]);
     agent.goal = read_cell(field["goal"]);
-    if (const auto speed = field.find("speed")) agent.speed = read_positive(*speed);
-    if (const auto time = field.find("ready_at")) agent.ready_at = read_not_negative(*time);
+    if (const auto speed = field.find("speed")) agent.speed = read_between(*speed, least_speed, most_speed);
+    if (const auto time = field.find("ready_at")) agent.ready_at = read_between(*time, 0, most_breach_time);
     if (const auto count = field.find("breaches")) agent.breaches = int(count->whole_number(0, INT_MAX));
     read_body(field, agent.body);
     return agent;
@@ -190,10 +200,7 @@ double read_not_negative(const JsonField& field) {
 
 void read_body(const JsonField& field, Body& body) {
     read_word(field, "corners", corner_words, body.corners);
-    const auto radius = field.find("radius");
-    if (!radius) return;
-    body.radius = radius->number();
-    if (body.radius < 0 || body.radius > 32) radius->fail("is not between 0 and 32");
+    if (const auto radius = field.find("radius")) body.radius = read_between(*radius, 0, most_radius);
 }
 
 void read_rules(const JsonField& field, Rules& rules, bool& area_budget, std::vector<site::TagFilter>& protect_tags) {
@@ -201,14 +208,18 @@ void read_rules(const JsonField& field, Rules& rules, bool& area_budget, std::ve
     read_budget(field, rules, area_budget);
     read_protected(field, rules.protect, protect_tags);
     read_ids(field, "force", rules.force);
-    if (const auto time = field.find("breach_time")) rules.breach_time.per_obstacle = read_not_negative(*time);
-    if (const auto time = field.find("breach_time_per_cell")) rules.breach_time.per_cell = read_not_negative(*time);
+    if (const auto time = field.find("breach_time")) {
+        rules.breach_time.per_obstacle = read_between(*time, 0, most_breach_time);
+    }
+    if (const auto time = field.find("breach_time_per_cell")) {
+        rules.breach_time.per_cell = read_between(*time, 0, most_breach_time);
+    }
     read_word(field, "timing", timing_words, rules.timing);
     read_word(field, "objective", objective_words, rules.objective);
     if (const auto tolerance = field.find("minimise_demolition")) {
-        rules.minimise_demolition = read_not_negative(*tolerance);
+        rules.minimise_demolition = read_between(*tolerance, 0, 1);
     }
-    if (const auto room = field.find("separation")) rules.separation = read_not_negative(*room);
+    if (const auto room = field.find("separation")) rules.separation = read_between(*room, 0, most_radius);
     read_word(field, "at_goal", at_goal_words, rules.at_goal);
 }
 
@@ -217,7 +228,7 @@ void read_method(const JsonField& field, Method& method) {
     read_word(field, "flight", flight_words, method.flight);
     read_word(field, "planner", planner_words, method.planner);
     if (const auto heuristic = field.find("heuristic")) method.heuristic = heuristic->one_of(heuristic_words);
-    if (const auto weight = field.find("weight")) method.weight = read_not_negative(*weight);
+    if (const auto weight = field.find("weight")) method.weight = read_between(*weight, 1, most_heuristic_weight);
     read_word(field, "tie_break", tie_break_words, method.tie_break);
     if (const auto moves = field.find("moves")) {
         const auto count = moves->whole_number(4, 8);
@@ -236,6 +247,7 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (const auto unit = document.find("time_unit")) result.in_seconds = unit->one_of<bool>({{"s", true}});
     result.limits = limits;
     for (const JsonField& agent : document["agents"].items()) result.mission.agents.push_back(read_agent(agent));
+    if (result.mission.agents.empty()) document["agents"].fail("names nobody: a mission has at least one ground agent");
     if (const auto rules = document.find("rules")) {
         rules->allow({"removals", "budget", "budget_m2", "protect", "force", "breach_time", "breach_time_per_cell",
                       "timing", "objective", "minimise_demolition", "separation", "at_goal"});

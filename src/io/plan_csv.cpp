@@ -40,7 +40,7 @@ std::string breach_at(const Plan& plan, const MapFile& map, const Itinerary& age
 }  // namespace
 
 std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat& to_lon_lat) {
-    constexpr double millimetres = 1e3;
+    constexpr double micrometres = 1e6;  // as ROS paths have them: a cell may measure less than a millimetre
     constexpr double degrees = 1e9;
     const MapFrame frame(map);
     std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches,area_m2\n";
@@ -50,8 +50,8 @@ std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat&
             const Waypoint& point = agent.path[i];
             const Point place = frame.metres({point.x, point.y});
             text += field(agent.id) + (air ? ",air," : ",ground,") + shortest_text(point.t) + "," +
-                    shortest_text(point.x) + "," + shortest_text(point.y) + "," + decimals(place.x, millimetres) + "," +
-                    decimals(place.y, millimetres) + ",";
+                    shortest_text(point.x) + "," + shortest_text(point.y) + "," + decimals(place.x, micrometres) + "," +
+                    decimals(place.y, micrometres) + ",";
             if (to_lon_lat) {
                 const auto [lon, lat] = to_lon_lat({point.x, point.y});
                 text += decimals(lon, degrees) + "," + decimals(lat, degrees) + ",";

@@ -146,6 +146,18 @@ Itinerary agent(const JsonField& field) {
     return result;
 }
 
+std::optional<std::uint64_t> count(const JsonField& object, const char* key) {
+    const auto field = object.find(key);
+    return field ? std::optional(std::uint64_t(field->whole_number(0, INT64_MAX))) : std::nullopt;
+}
+
+// Of a step of the front.
+std::vector<ObstacleId> obstacles(const JsonField& step) {
+    std::vector<ObstacleId> ids;
+    for (const JsonField& id : step["removed"].items()) ids.push_back(read_obstacle(id, 0));
+    return ids;
+}
+
 double cell_size(const JsonField& field) {
     const double metres = field.number();
     if (!(metres >= least_cell_size && metres <= most_cell_size)) field.fail("is no size of a cell in metres");
@@ -170,8 +182,10 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     if (const auto unknown = root["map"].find("unknown")) {
         file.image.unknown_free = unknown->one_of<bool>({{"free", true}, {"blocked", false}});
     }
-    file.connectivity =
-        root["options"]["connectivity"].whole_number(4, 8) == 8 ? Connectivity::eight : Connectivity::four;
+    const JsonField connectivity = root["options"]["connectivity"];
+    const std::int64_t neighbours = connectivity.whole_number(4, 8);
+    if (neighbours != 4 && neighbours != 8) connectivity.fail("is neither 4 nor 8");
+    file.connectivity = neighbours == 8 ? Connectivity::eight : Connectivity::four;
     for (const JsonField& field : root["agents"].items()) file.plan.agents.push_back(agent(field));
     MissionDocument made_for = asked(root, file.plan.agents);
     file.mission = std::move(made_for.mission);
@@ -187,6 +201,7 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     }
     for (const JsonField& field : root["removed"].items()) {
         file.plan.breaches.push_back(breach(field));
+        file.areas.push_back(number_or_null(field.find("area_m2")));
         if (const auto weight = field.find("weight")) {
             file.weights.push_back({file.plan.breaches.back().obstacle, weight->number()});
             if (!(file.weights.back().weight >= least_weight && file.weights.back().weight <= most_weight)) {
@@ -195,8 +210,16 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
         }
     }
     if (const auto demolition = root.find("demolition")) {
-        if (const auto least = demolition->find("least_cells")) {
-            file.plan.least_demolition = std::uint64_t(least->whole_number(0, INT64_MAX));
+        file.plan.least_demolition = count(*demolition, "least_cells");
+        file.demolition = {.removals = count(*demolition, "removals"),
+                           .cells = count(*demolition, "cells"),
+                           .structures = count(*demolition, "structures"),
+                           .area_m2 = number_or_null(demolition->find("area_m2")),
+                           .least_area_m2 = number_or_null(demolition->find("least_area_m2"))};
+    }
+    if (const auto front = root.find("front")) {
+        for (const JsonField& field : front->items()) {
+            if (const auto area = field.find("area_m2")) file.front.push_back({obstacles(field), area->number()});
         }
     }
     if (const auto next = root.find("next")) {

@@ -20,8 +20,22 @@ struct PlanFile {
         double weight = 1;
     };
     std::vector<Weight> weights = {};  // of removed obstacles, where the file says them
-    bool area_budget = false;          // the mission's budget is one of square metres
-    bool in_seconds = false;           // a unit of time is a second
+    // What it says of areas and sums, to be judged: each of `removed`, all of them, and each step of the front.
+    std::vector<std::optional<double>> areas = {};
+    struct Demolition {
+        std::optional<std::uint64_t> removals = {};
+        std::optional<std::uint64_t> cells = {};
+        std::optional<std::uint64_t> structures = {};
+        std::optional<double> area_m2 = {};
+        std::optional<double> least_area_m2 = {};
+    } demolition = {};
+    struct Step {
+        std::vector<ObstacleId> removed;
+        double area_m2 = 0;
+    };
+    std::vector<Step> front = {};  // those that say an area
+    bool area_budget = false;      // the mission's budget is one of square metres
+    bool in_seconds = false;       // a unit of time is a second
     Connectivity connectivity = Connectivity::four;
     ImageReading image;
     // The map it was made for.

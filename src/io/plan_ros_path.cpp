@@ -61,10 +61,16 @@ void turn(std::vector<Pose>& poses) {
     }
 }
 
-// The corners of the path.
+// The corners of the path. Points at one place and time, such as a start at which a breach takes no time, are one
+// pose: two would look like a wait.
 std::vector<Pose> corners_of(const Itinerary& agent, const MapFrame& frame) {
+    constexpr double nanosecond = 1e-9;
     std::vector<Pose> corners;
-    for (const Waypoint& point : agent.path) corners.push_back({frame.metres({point.x, point.y}), point.t});
+    for (const Waypoint& point : agent.path) {
+        const Pose pose{frame.metres({point.x, point.y}), point.t};
+        const bool known = !corners.empty() && corners.back().at == pose.at && pose.t - corners.back().t < nanosecond;
+        if (!known) corners.push_back(pose);
+    }
     turn(corners);
     return corners;
 }

@@ -8,7 +8,7 @@
 //
 // Positions are metres in the map's frame (map_frame.hpp); the orientation is where the agent goes next. A stamp is
 // when it is there, from 0 on: a unit of the plan's time counts as a second, so that a speed of 1 is one cell a second.
-// A wait is two poses at one place.
+// A wait is two poses at one place, with different stamps.
 #pragma once
 
 #include <optional>

@@ -14,6 +14,7 @@
 #include "mapfile/digest.hpp"
 #include "mapfile/grey_image.hpp"
 #include "mapfile/ros_map.hpp"
+#include "mapfile/unknown_cells.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 
@@ -70,19 +71,21 @@ io::MapFile read_tiff(std::string_view bytes, const std::string& path, Connectiv
     std::vector<std::string> notes;
     if (tiff.mask)
         notes.emplace_back("it has one value beside 0 and no list of obstacles: all cells but those of 0 are blocked");
-    return {.map = std::move(tiff.map),
-            .format = tiff.mask ? "GeoTIFF occupancy map" : "GeoTIFF label map",
-            .cell_size = tiff.cell_size,
-            .georeference = std::move(tiff.georeference),
-            .origin = tiff.origin,
-            .attribution = std::move(tiff.attribution),
-            .title = std::move(tiff.title),
-            .names = std::move(tiff.names),
-            .background = std::move(tiff.background),
-            .kinds = std::move(tiff.kinds),
-            .tags = std::move(tiff.tags),
-            .sections = std::move(tiff.sections),
-            .notes = std::move(notes)};
+    io::MapFile file{.map = std::move(tiff.map),
+                     .format = tiff.mask ? "GeoTIFF occupancy map" : "GeoTIFF label map",
+                     .cell_size = tiff.cell_size,
+                     .georeference = std::move(tiff.georeference),
+                     .origin = tiff.origin,
+                     .attribution = std::move(tiff.attribution),
+                     .title = std::move(tiff.title),
+                     .names = std::move(tiff.names),
+                     .background = std::move(tiff.background),
+                     .kinds = std::move(tiff.kinds),
+                     .tags = std::move(tiff.tags),
+                     .sections = std::move(tiff.sections),
+                     .notes = std::move(notes)};
+    file.unknown = tagged_unknown_cells(file);
+    return file;
 }
 
 io::MapFile read_xml(std::string& bytes, const std::string& path, Connectivity connectivity, const MapLimits& limits) {
@@ -131,6 +134,19 @@ io::MapFile read_plain_image(std::string& bytes, const std::string& path, Connec
     return file;
 }
 
+// That the grey of 205 is free, and what makes it unknown: in mode scale no grey is, and transparency makes all of a
+// trinary image lighter.
+std::string note_of_free_unknown(io::RosYaml yaml, bool transparency) {
+    const bool scale = yaml.mode == io::RosMode::scale;
+    const std::string note = std::string("its ") + (scale ? "mode, scale, takes" : "free_thresh takes") +
+                             " the grey of 205, which map savers write for unknown, for free";
+    yaml.mode = io::RosMode::trinary;
+    yaml.free_thresh = 0.196;
+    if (occupancy({.sum = 3 * 205, .alpha = 255}, false, yaml)) return note;
+    return note + "; with " + (scale ? "mode trinary and " : "") + (transparency ? "no transparency and " : "") +
+           "0.196 it is unknown";
+}
+
 io::MapFile read_ros_pieces(RosPieces pieces, const std::string& path, const std::string& image_path,
                             Connectivity connectivity, const io::ImageReading& reading, const MapLimits& limits) {
     io::RosYaml yaml = parse_ros_yaml(pieces.text, path);
@@ -142,9 +158,7 @@ io::MapFile read_ros_pieces(RosPieces pieces, const std::string& path, const std
     file.origin = yaml.origin;
     file.unknown = cells.unknown_count;
     if (cells.frees_unknown) {
-        file.notes.emplace_back(
-            "its free_thresh takes the grey of 205, which map savers write for unknown, for free; "
-            "with 0.196 it is unknown");
+        file.notes.push_back(note_of_free_unknown(yaml, cells.transparency));
     }
     file.ros = io::RosFiles{std::move(yaml), std::move(pieces.text), std::move(pieces.image)};
     return file;

@@ -12,6 +12,7 @@
 #include "io/map_geojson.hpp"
 #include "mapfile/grey_image.hpp"
 #include "mapfile/ros_map.hpp"
+#include "mapfile/unknown_cells.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::mapfile {
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 // As ROS map savers write them.
 constexpr std::uint8_t blocked_grey = 0;
+constexpr std::uint8_t unknown_grey = 205;
 constexpr std::uint8_t free_grey = 254;
 constexpr std::uint8_t white = 255;
 
@@ -59,10 +61,26 @@ const Format& format_of(const std::string& path) {
     throw InputError(path + ": the name says no format for a map; end it in one of " + known);
 }
 
-// Whether the obstacles differ from the connected sets of blocked cells.
-std::string lost_obstacles(const io::MapFile& file) {
+// The blocked cells, those of unknown space apart.
+RosCells ros_cells_of(const io::MapFile& file) {
+    const std::vector<bool> unknown = unknown_obstacles(file);
     const Map& map = file.map;
-    const Map seen{Grid(map.grid())};
+    RosCells cells{.occupied = Grid(map.width(), map.height()), .unknown = Grid(map.width(), map.height())};
+    for (Cell c; c.y < map.height(); ++c.y) {
+        for (c.x = 0; c.x < map.width(); ++c.x) {
+            const ObstacleId id = map.obstacle_at(c);
+            if (!id) continue;
+            (unknown[id.value] ? cells.unknown : cells.occupied).set_blocked(c, true);
+            if (unknown[id.value]) ++cells.unknown_count;
+        }
+    }
+    return cells;
+}
+
+// Whether the obstacles differ from the connected sets of blocked cells, and of unknown ones in a ROS map.
+std::string lost_obstacles(const io::MapFile& file, bool to_ros) {
+    const Map& map = file.map;
+    const Map seen = to_ros ? ros_map(ros_cells_of(file), Connectivity::four, false) : Map{Grid(map.grid())};
     const bool same = std::equal(seen.labels().begin(), seen.labels().end(), map.labels().begin());
     std::string loss = same ? ""
                             : "that its " + std::to_string(map.obstacles().size()) + " obstacles are not the " +
@@ -72,11 +90,12 @@ std::string lost_obstacles(const io::MapFile& file) {
         loss += (loss.empty() ? "" : ", ") + std::string("source ids");
     if (!file.names.empty()) loss += (loss.empty() ? "" : ", ") + std::string("names");
     if (!file.kinds.empty()) loss += (loss.empty() ? "" : ", ") + std::string("kinds");
-    if (!file.tags.empty()) loss += (loss.empty() ? "" : ", ") + std::string("tags");
+    if (file.tags.size() > file.tags.count(unknown_tag)) loss += (loss.empty() ? "" : ", ") + std::string("tags");
     if (any([](const Obstacle& o) { return o.weight != 1 || o.breach_time != 0; })) {
         loss += (loss.empty() ? "" : ", ") + std::string("what their removal costs");
     }
-    if (any([](const Obstacle& o) { return !o.destructible; })) {
+    const std::vector<bool> unknown = unknown_obstacles(file);
+    if (any([&](const Obstacle& o) { return !o.destructible && !(to_ros && unknown[o.id.value]); })) {
         loss += (loss.empty() ? "" : ", ") + std::string("which obstacles cannot be destroyed");
     }
     return loss;
@@ -87,13 +106,18 @@ std::vector<std::string> losses_of(const io::MapFile& map, const Format& format)
     const auto lose = [&](bool held, const std::string& what) {
         if (!held && !what.empty()) losses.push_back(std::string("a ") + format.name + " does not hold " + what);
     };
-    const bool as_ros = map.ros && std::string_view(format.name) == "ROS map";
-    lose(format.obstacles || as_ros, lost_obstacles(map));
+    const bool to_ros = std::string_view(format.name) == "ROS map";
+    const bool as_ros = map.ros && to_ros;
+    const bool knows_unknown = to_ros || std::string_view(format.name) == "GeoTIFF";
+    const std::vector<bool> unknown = unknown_obstacles(map);
+    const bool apart = std::ranges::find(unknown, true) != unknown.end();
+    lose(format.obstacles || as_ros, lost_obstacles(map, to_ros));
     lose(format.place || !map.georeference, "the coordinate system");
     lose(format.cell_size || map.cell_size == 1, "the size of a cell");
     constexpr std::array<double, 2> usual_origin{};
     lose(format.origin || map.origin.value_or(usual_origin) == usual_origin, "the origin of the map");
-    lose(as_ros || map.unknown == 0, "that cells are unknown: they are written as they were taken, blocked or free");
+    lose(as_ros || map.unknown == 0 || (knows_unknown && apart),
+         "that cells are unknown: they are written as they were taken, blocked or free");
     lose(format.mission || !map.task || !map.task->start, "start, goal and search options");
     lose(format.background || map.background.features.empty(),
          "streets, water and what else lies around the obstacles");
@@ -131,8 +155,12 @@ std::vector<OutputFile> ros_files(const io::MapFile& map, const std::string& pat
     const Point origin = io::MapFrame(map).origin();
     const io::RosYaml yaml{.image = image, .resolution = map.cell_size, .origin = {origin.x, origin.y}};
     const Grid& grid = map.map.grid();
-    return {{image_path.string(), pgm_bytes(grid.width(), grid.height(), grey(grid, free_grey))},
-            {path, ros_yaml_text(yaml)}};
+    std::vector<std::uint8_t> pixels = grey(grid, free_grey);
+    const std::vector<bool> unknown = unknown_obstacles(map);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (unknown[map.map.labels()[i]]) pixels[i] = unknown_grey;
+    }
+    return {{image_path.string(), pgm_bytes(grid.width(), grid.height(), pixels)}, {path, ros_yaml_text(yaml)}};
 }
 
 io::MapTask task_of(const io::MapFile& map) {
@@ -158,7 +186,7 @@ std::string bytes_of(const io::MapFile& map, std::string_view extension) {
                                   .names = map.names,
                                   .background = map.background,
                                   .kinds = map.kinds,
-                                  .tags = map.tags,
+                                  .tags = tags_with_unknown(map),
                                   .sections = map.sections});
 }
 

@@ -6,6 +6,7 @@
 
 #include "mapfile/grey_image.hpp"
 #include "mapfile/ros_map.hpp"
+#include "mapfile/unknown_cells.hpp"
 #include "site/described_map.hpp"
 #include "site/split.hpp"
 #include "waybreaker/error.hpp"
@@ -87,6 +88,7 @@ io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice) {
     if (!file.sections.empty()) {
         throw InputError(file.source + ": is cut into sections already; give the map that it was made from");
     }
+    file.tags = tags_with_unknown(file);
     describe(file, site::split(file.map, file.names, file.kinds, file.tags, lattice));
     file.digest.clear();
     file.ros.reset();  // its cells say nothing of sections

@@ -126,7 +126,11 @@ std::string image_of(const Document& document) {
 
 bool is_ros_yaml(std::string_view bytes) {
     if (bytes.size() > most_bytes) return false;
-    return bytes.starts_with("image:") || bytes.find("\nimage:") != std::string_view::npos;
+    const auto has = [bytes](std::string_view key) { return bytes.find(key) != std::string_view::npos; };
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    // One pair of braces around all of it, as YAML also allows.
+    const bool flow = first != std::string_view::npos && bytes[first] == '{';
+    return bytes.starts_with("image:") || has("\nimage:") || (flow && (has("image:") || has("image\":")));
 }
 
 std::optional<RosPieces> ros_pieces(std::string_view bytes) {
@@ -179,7 +183,9 @@ std::optional<int> occupancy(GreyImage::Pixel pixel, bool transparency, const io
 
 RosCells ros_cells(const GreyImage& image, const io::RosYaml& yaml, double threshold) {
     constexpr int savers_unknown = 3 * 205;
-    RosCells cells{.occupied = Grid(image.width, image.height), .unknown = Grid(image.width, image.height)};
+    RosCells cells{.occupied = Grid(image.width, image.height),
+                   .unknown = Grid(image.width, image.height),
+                   .transparency = image.transparency};
     const GreyImage::Pixel* pixel = image.pixels.data();
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x, ++pixel) {

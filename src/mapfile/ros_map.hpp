@@ -22,7 +22,7 @@
 
 namespace waybreaker::mapfile {
 
-// A text file with a line that begins with "image:".
+// A text file with a line that begins with "image:", or with braces around all of it and "image:" in them.
 bool is_ros_yaml(std::string_view bytes);
 
 // A ROS map in one piece, for uploads: the YAML, a line of three dots, which ends it, and the image's bytes.
@@ -45,6 +45,7 @@ struct RosCells {
     std::size_t unknown_count = 0;
     // Whether free_thresh makes the grey of 205 free that map savers write for unknown.
     bool frees_unknown = false;
+    bool transparency = false;  // of the image
 };
 
 // Cells are occupied from an occupancy of `threshold` (a share, 1 in nav2's costmap) on.

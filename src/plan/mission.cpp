@@ -110,10 +110,8 @@ void validate_team(const Mission& mission) {
                          std::to_string(mission.agents.size()));
     }
     require_range(mission.rules.separation, 0, 32, "the separation of ground agents, in cells,");
-    std::set<std::string> ids;
     std::vector<const Agent*> drivers;
     for (const Agent& agent : mission.agents) {
-        if (!ids.insert(agent.id).second) throw InputError("two agents of the mission have the id '" + agent.id + "'");
         if (agent.kind == AgentKind::ground) drivers.push_back(&agent);
     }
     if (drivers.empty()) throw InputError("the mission has no ground agent");
@@ -150,8 +148,10 @@ void validate(const Map& map, const Mission& mission) {
     validate(map, mission.rules);
     if (mission.agents.empty()) throw InputError("the mission has no ground agent");
     const OpenedMap closed(map);
+    std::set<std::string> ids;
     for (const Agent& agent : mission.agents) {
         require_enumerator(agent.kind, AgentKind::air, "the " + agent.id + " agent's kind");
+        if (!ids.insert(agent.id).second) throw InputError("two agents of the mission have the id '" + agent.id + "'");
         require_range(agent.speed, least_speed, most_speed, "the " + agent.id + " agent's speed");
         require_range(agent.ready_at, 0, most_breach_time, "the time at which the " + agent.id + " agent is ready");
         if (agent.kind == AgentKind::ground) validate(agent.body);

@@ -51,9 +51,13 @@ TEST(JsonField, SaysWhereItStands) {
               }),
               "f.json:2:22: a has a member that is none of ]\"}, b")
         << "the member's name";
-    EXPECT_EQ(refusal("{\"a\": 1, \"\\u0061\": 2}", [](const JsonField& root) { root["a"].text(); }),
-              "f.json:1:20: a is not a text")
-        << "the one that counts";
+}
+
+TEST(JsonField, AMemberTwiceIsRefused) {
+    EXPECT_EQ(refusal("{\"a\": 1,\n \"\\u0061\": 2}"), "f.json:2:2: the member 'a' is there twice");
+    EXPECT_EQ(refusal("[{\"b\": [{\"b\": 1}, \"b\"], \"c\": {\"b\": \"b\"},\n\"b\": 2}]"),
+              "f.json:2:1: the member 'b' is there twice");
+    EXPECT_EQ(refusal("{\"a\": {\"b\": \"a\", \"c\": [\"c\", \"c\"]}, \"b\": [{\"b\": 1}, {\"b\": 2}]}"), "");
 }
 
 // A document of objects in arrays, written with any spaces, and the place of a value in it.

@@ -23,7 +23,7 @@ std::vector<ObstacleId> any_ids() {
 
 MissionDocument any_document() {
     MissionDocument document;
-    for (int i = *number(0, 3); i > 0; --i) {
+    for (int i = *number(1, 3); i > 0; --i) {
         const AgentKind kind = *rc::gen::element(AgentKind::ground, AgentKind::air);
         document.mission.agents.push_back({.id = *rc::gen::element<std::string>("ground", "drone \"7\"", ""),
                                            .kind = kind,
@@ -129,7 +129,14 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(refusal("{}"), "m.json:1:1: the document has no member format");
     EXPECT_EQ(refusal(R"({"format": "waybreaker-plan/1"})"), "m.json:1:12: format is not waybreaker-mission/1");
     EXPECT_EQ(refusal(with(R"("agents": {})")), "m.json:1:46: agents is not an array");
+    EXPECT_EQ(refusal(with(R"("agents": [])")),
+              "m.json:1:46: agents names nobody: a mission has at least one ground agent");
     EXPECT_EQ(refusal(with(R"("agents": [{"id": "a"}])")), "m.json:1:47: agents[0] has no member kind");
+    const auto agent = [](const std::string& member) {
+        return with(R"("agents": [{"id": "a", "kind": "ground", "start": [1, 2], "goal": [3, 4], )" + member + "}]");
+    };
+    EXPECT_EQ(refusal(agent(R"("speed": 0)")), "m.json:1:119: agents[0].speed is not between 1e-06 and 1e+06");
+    EXPECT_EQ(refusal(agent(R"("ready_at": 1e10)")), "m.json:1:122: agents[0].ready_at is not between 0 and 1e+09");
     const auto says = [&](const std::string& members) {
         const std::string error = refusal(with(agents + (", " + members)));
         return error.substr(error.find(' ') + 1);
@@ -141,7 +148,13 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(says(R"("rules": {"protect": [1, "=b"]})"),
               "rules.protect[1] is no tag: '=b' is no filter for tags: a filter is KEY or KEY=VALUE,... such as "
               "barrier=wall,fence");
-    EXPECT_EQ(says(R"("rules": {"minimise_demolition": -0.1})"), "rules.minimise_demolition is below 0");
+    EXPECT_EQ(says(R"("rules": {"minimise_demolition": 1e300})"), "rules.minimise_demolition is not between 0 and 1");
+    EXPECT_EQ(says(R"("rules": {"breach_time": 1e300})"), "rules.breach_time is not between 0 and 1e+09");
+    EXPECT_EQ(says(R"("rules": {"breach_time_per_cell": -1})"),
+              "rules.breach_time_per_cell is not between 0 and 1e+09");
+    EXPECT_EQ(says(R"("rules": {"separation": 33})"), "rules.separation is not between 0 and 32");
+    EXPECT_EQ(says(R"("method": {"weight": 0})"), "method.weight is not between 1 and 1e+06");
+    EXPECT_EQ(says(agents), "the member 'agents' is there twice");
     EXPECT_EQ(says(R"("time_unit": "h")"), "time_unit is none of s");
     EXPECT_EQ(says(R"("rules": {"timing": "never"})"), "rules.timing is none of enforce, ignore");
     EXPECT_EQ(says(R"("rules": {"budget": 1, "budget_m2": 1})"),

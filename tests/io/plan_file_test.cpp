@@ -244,7 +244,9 @@ TEST(PlanFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(plan_refusal(with("/status", "well")), "status is none of solved, no_plan, limit_reached, stopped");
     EXPECT_EQ(plan_refusal(with("/map/width", 1e9)), "map.width is not between 1 and 32768");
     EXPECT_EQ(plan_refusal(with("/options/radius", -1)), "options.radius is not between 0 and 32");
-    EXPECT_EQ(plan_refusal(with("/options/breach_time", -1)), "options.breach_time is below 0");
+    EXPECT_EQ(plan_refusal(with("/options/breach_time", -1)), "options.breach_time is not between 0 and 1e+09");
+    EXPECT_EQ(plan_refusal(with("/options/weight", 0)), "options.weight is not between 1 and 1e+06");
+    EXPECT_EQ(plan_refusal(with("/options/connectivity", 5)), "options.connectivity is neither 4 nor 8");
     EXPECT_EQ(plan_refusal(without("/options/timing")), "options has no member timing");
     EXPECT_EQ(plan_refusal(with("/after/air/length", nullptr)), "after.air.length is not a number");
     EXPECT_EQ(plan_refusal(with("/removed", "none")), "removed is not an array");

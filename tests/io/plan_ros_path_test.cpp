@@ -82,6 +82,14 @@ TEST(RosPaths, HaveAPoseEveryCell) {
     expect_poses(poses(all["air"]), {{-9.75, 20.25, 0, 0}, {-9.75, 20.25, 0, 1e-6}, {-9.75, 20.25, 0, 2147483647}});
 }
 
+// An aircraft that breaches where it starts and ends, in no time.
+TEST(RosPaths, HaveOnePoseAtOnePlaceAndTime) {
+    Plan plan = plan_with_a_wait();
+    plan.agents[0].path = {{0, 2, 0}, {0, 2, 0}, {1, 2, 1}, {1, 2, 1 + 1e-12}};
+    const YAML::Node all = YAML::Load(plan_ros_path(plan, floor_map()));
+    expect_poses(poses(all["air"]), {{-9.75, 20.25, 0, 0}, {-9.25, 20.25, 0, 1}});
+}
+
 TEST(RosPaths, HaveAPoseEveryStep) {
     const auto count = [](double step) {
         return poses(YAML::Load(plan_ros_path(plan_with_a_wait(), floor_map(), step))["ground"]).size();

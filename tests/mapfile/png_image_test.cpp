@@ -7,6 +7,7 @@
 
 #include "input_error.hpp"
 #include "mapfile/grey_image.hpp"
+#include "mapfile/map_reader.hpp"
 #include "mapfile/sums.hpp"
 
 namespace waybreaker::mapfile {
@@ -44,6 +45,25 @@ std::string png(const Header& header, const std::string& rows, const std::string
     const std::string start = big_endian(std::uint32_t(header.width)) + big_endian(std::uint32_t(header.height)) +
                               char(header.depth) + char(header.colour) + '\0' + '\0' + char(header.interlaced ? 1 : 0);
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", start) + others + chunk("IDAT", deflated(rows)) + chunk("IEND", "");
+}
+
+// What map savers write for unknown is free where an image says how opaque its pixels are, or in mode scale; the note
+// says what helps.
+TEST(PngImage, WithTransparencyFreesTheUnknownOfRosMaps) {
+    constexpr int grey_and_alpha = 4;
+    const std::string opaque = png({.width = 1, .height = 1}, std::string("\0\xCD", 2));
+    const std::string clear = png({1, 1, 8, grey_and_alpha}, std::string("\0\xCD\xFF", 3));
+    const auto note = [](const std::string& members, const std::string& image) {
+        const std::string yaml = "image: a.png\nresolution: 1\norigin: [0, 0, 0]\n" + members + "...\n";
+        const io::MapFile file = parse_map(yaml + image, "m", Connectivity::four, {});
+        return file.notes.empty() ? "" : file.notes[0].substr(file.notes[0].find("for free"));
+    };
+    EXPECT_EQ(note("", opaque), "");
+    EXPECT_EQ(note("free_thresh: 0.25\n", opaque), "for free; with 0.196 it is unknown");
+    EXPECT_EQ(note("", clear), "for free; with no transparency and 0.196 it is unknown");
+    EXPECT_EQ(note("mode: scale\n", opaque), "for free; with mode trinary and 0.196 it is unknown");
+    EXPECT_EQ(note("mode: scale\n", clear), "for free; with mode trinary and no transparency and 0.196 it is unknown");
+    EXPECT_EQ(note("occupied_thresh: 0.15\nfree_thresh: 0.15\n", clear), "for free");
 }
 
 TEST(PngImage, WithMorePixelsThanItsHeaderSaysIsRefused) {

@@ -75,6 +75,20 @@ TEST(RosMaps, GreyOf205IsATrap) {
     EXPECT_TRUE(ros_cells(image, {.free_thresh = 0.25}, 1).frees_unknown);
 }
 
+// YAML on one line, and JSON, which is YAML as well.
+TEST(RosMaps, MayStandInBraces) {
+    for (const std::string text : {"{image: hall.pgm, resolution: 0.5, origin: [-4.0, -3.0, 0.0], negate: 0}",
+                                   " {\n\"image\": \"hall.pgm\", \"resolution\": 0.5, \"origin\": [-4, -3, 0]}\n"}) {
+        SCOPED_TRACE(text);
+        EXPECT_TRUE(is_ros_yaml(text));
+        const io::RosYaml yaml = parse_ros_yaml(text, "hall.yaml");
+        EXPECT_EQ(yaml.image, "hall.pgm");
+        EXPECT_EQ(yaml.origin[1], -3);
+        EXPECT_EQ(parse_ros_yaml(with_image(text, "other.pgm", "hall.yaml"), "").image, "other.pgm");
+    }
+    EXPECT_FALSE(is_ros_yaml("{\"format\": \"waybreaker-mission/1\", \"agents\": []}"));
+}
+
 TEST(RosMaps, TransparencyCountsInItsModes) {
     // Trinary: a fourth colour. Black stays occupied while opaque, and even the saver's unknown turns free.
     EXPECT_EQ(occupancy_of_grey(0, {}, 255, true), "100");
