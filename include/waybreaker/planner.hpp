@@ -24,7 +24,7 @@ class MissionPlanner {
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
     // and puts both agents in time. With timing enforced no plan is worse than removing nothing, unless rules.force
     // demands removals. More removals can cost more where breaches take time, bases or speeds differ, or a limit ended
-    // the choice (docs/exact.md, "What is not proven"), but not for a team without a time limit. When limits.seconds
+    // the choice (docs/exact.md, "What is not proven"), but not for a team without any limit. When limits.seconds
     // are over: the best plan found by then, with Plan::limit_reached. Keeps its memory between calls; not for two
     // threads at once.
     Plan plan(const Map& map, const Mission& mission, const Method& method = {}, const Limits& limits = {});

@@ -145,7 +145,7 @@ TEST_F(ReadExperiment, SaysWhatRowsCannotBe) {
     EXPECT_EQ(message(changed(R"("breach_time": 2)", R"("budget_m2": 2)"), exact),
               rows + ":1: budget_m2 is not for experiments; weigh the map's obstacles and give budget");
     EXPECT_EQ(message(R"({"format": "waybreaker-mission/1", "map": "street.map", "agents": []})", exact),
-              rows + ":1: has no ground agent");
+              rows + ", line 1:1:67: agents names nobody: a mission has at least one ground agent");
     EXPECT_EQ(message(of_team, "methods = 'paper'\nremovals = 1\n"),
               path("teams.toml") +
                   ": teams are planned by exact and none, without planners and weights: give a spec of its own to the "
