@@ -84,7 +84,7 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
     better.bound = own.bound;
     better.gap.reset();
     if (own.bound) {
-        const double reached = *value(better.after, objective);
+        const double reached = value(better.after, objective).value_or(std::numeric_limits<double>::infinity());
         better.bound = std::min(*own.bound, reached);
         better.gap = *better.bound > 0 ? reached / *better.bound - 1 : 0;
     }
