@@ -32,6 +32,15 @@ export class Curve {
     this.plans.push(last && reached(last) < reached(plan) ? instead(plan, last) : plan);
   }
 
+  // A better plan of so many removals serves for more of them, too.
+  improve(removals: number, plan: Plan): void {
+    const first = removals - this.from;
+    for (let i = first; i < this.plans.length; ++i) {
+      const known = this.plans[i]!;
+      if (reached(plan) < reached(known)) this.plans[i] = i === first ? plan : instead(known, plan);
+    }
+  }
+
   front(objective: Objective): Front {
     const points = this.plans.map(({ after, bound, removed }): FrontPoint => {
       return { ...after, bound, removed: removed.map((one) => one.obstacle) };

@@ -192,10 +192,17 @@ export class PlanFetcher {
       const plan = await this.service.plan(question.map, thoroughRequest(question, removals), stop, onProgress);
       if (!isAsGood(plan, shown.plan)) return;
       this.#show("after", plan, stop, hasSamePaths(plan, shown.plan) ? shown.verdict : null);
+      this.#improveCurve(question, removals, plan, stop);
     } finally {
       if (short && !stop.aborted) this.results.progress.value = null;
     }
     await this.#judge("after", question, stop);
+  }
+
+  #improveCurve(question: Question, removals: number, plan: Plan, stop: AbortSignal): void {
+    if (stop.aborted || this.#curve?.key !== keyOf.front(question)) return;
+    this.#curve.improve(removals, plan);
+    this.results.front.value = this.#curve.front(question.of.objective);
   }
 
   async #paper(question: Question, stop: AbortSignal): Promise<void> {

@@ -46,3 +46,12 @@ it("a gap is that of the value that it stands beside", () => {
   const [none, one] = consistent([point(100, 50), point(120, 80, [1])], "makespan");
   expect([none!.bound, one!.bound]).toEqual([{ makespan: 80, gap: 0.25 }, { makespan: 80, gap: 0.25 }]);
 });
+
+it("takes a better plan that comes later, for more removals as well", () => {
+  const curve = new Curve("", 0);
+  const plan = (removals: number, after: number) => planOf({ after, removed: [], options: { removals } });
+  for (const [removals, after] of [100, 95, 95, 80].entries()) curve.add(plan(removals, after));
+  curve.improve(1, plan(1, 90));
+  expect(curve.front("makespan").points.map(({ makespan }) => makespan)).toEqual([100, 90, 90, 80]);
+  expect(curve.plans[2]!.options.removals).toBe(2);
+});
