@@ -18,10 +18,11 @@ constexpr double share_of_optimal_path = 0.5;
 constexpr double short_enough = 0.01;
 constexpr double too_long = 0.05;
 
-// As the disc drives it.
+// As the disc drives it; a point drives the path as it is.
 void drive(const Task& task, Opening& opening, const std::vector<Point>& path, double length) {
     opening.status = SearchStatus::found;  // even where a limit ended the search
-    opening.ground.path = shortened(OpenedMap(task.map, opening.removed), task.driver.body, path);
+    const Body& body = task.driver.body;
+    opening.ground.path = body.is_point() ? path : shortened(OpenedMap(task.map, opening.removed), body, path);
     opening.ground.length = opening.ground.path == path ? length : path_length(opening.ground.path);
 }
 
@@ -32,14 +33,6 @@ CrossingOptions open_search(const Task& task, std::span<const ObstacleId> remove
     options.removed = removed;
     options.limits = limits_of(task, task.deadline.share(share_of_optimal_path).left());
     return options;
-}
-
-void keep_shorter(Opening& opening, Opening other) {
-    const bool limited = opening.limited || other.limited;
-    if (other.ground.length && (!opening.ground.length || *other.ground.length < *opening.ground.length)) {
-        std::swap(opening, other);
-    }
-    opening.limited = limited;
 }
 
 Opening open_by_cells(const Task& task, const Searchers& searchers, std::vector<ObstacleId> removed) {
@@ -65,8 +58,8 @@ Schedule scheduled(const Task& task, const Opening& opening) {
 // Lets stand again what the ground path does without, but for what must be removed, which comes first. Whether it let
 // any.
 bool keep_needed(const Task& task, const Schedule& schedule, Opening& opening) {
-    if (drives_by_crossing(task) && task.driver.body.is_point())
-        return false;  // its shortest path needs all it crosses
+    // The shortest path of a point needs all that it crosses.
+    if (drives_by_crossing(task) && task.driver.body.is_point()) return false;
     const std::size_t before = opening.removed.size();
     for (std::size_t i = before; i-- > task.rules.force.size();) {
         const auto breach = std::ranges::find(schedule.flight.breaches, opening.removed[i], &BreachPoint::obstacle);
@@ -103,13 +96,7 @@ Opening opening_of(const Task& task, std::vector<ObstacleId> removed, const Cros
     ground.generated = search.generated;
     ground.seconds = seconds;
     if (search.best.path.empty()) return opening;
-    if (!task.driver.body.is_point()) {
-        drive(task, opening, search.best.path, search.best.length);
-        return opening;
-    }
-    opening.status = SearchStatus::found;
-    opening.ground.path = search.best.path;
-    opening.ground.length = search.best.length;
+    drive(task, opening, search.best.path, search.best.length);
     return opening;
 }
 
@@ -132,7 +119,9 @@ void fit_to_disc(const Task& task, const Searchers& searchers, Opening& opening,
     options = open_search(task, opening.removed);
     if (!opening.ground.length &&
         searchers.crossing.has_steps(task.map, task.driver.start, task.driver.goal, options)) {
-        keep_shorter(opening, open_by_cells(task, searchers, opening.removed));
+        const bool limited = opening.limited;
+        opening = open_by_cells(task, searchers, std::move(opening.removed));
+        opening.limited = opening.limited || limited;
     }
     opening.ground.seconds += watch.seconds();
 }

@@ -1,3 +1,4 @@
+// Names and notes in pictures: inside, and apart from each other.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The service as tests of the page have it: a few maps, and a plan for whatever is asked.
 import { type Edits, ServiceError } from "../../src/api/client";
 import type { PlanRequest } from "../../src/api/documents";
 import type { CellMap } from "../../src/domain/cell_map";

@@ -1,3 +1,4 @@
+// The rules of a plan in words.
 import { describe, expect, it } from "vitest";
 import type { Plan } from "../../src/domain/plan";
 import { askedRules } from "../../src/panel/asked_rules";

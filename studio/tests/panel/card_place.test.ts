@@ -1,3 +1,4 @@
+// Where the card of an obstacle stands.
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../src/domain/geometry";
 import { bestCorner } from "../../src/panel/card_place";

@@ -1,3 +1,4 @@
+// Which figures of the curve have room, and where.
 import { describe, expect, it } from "vitest";
 import { overlap, type Point } from "../../src/domain/geometry";
 import { type FigureAt, placeFigures, widthOf } from "../../src/panel/front_labels";
