@@ -1,0 +1,147 @@
+// All plans of a small mission: every set of obstacles, every order of the flight, every boundary cell, and the
+// earliest arrival of the ground agent among the centres of all cells, waits included.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "plan/timeline.hpp"
+#include "waybreaker/map.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+
+class AllPlans {
+  public:
+    AllPlans(const Map& map, const Mission& mission)
+        : map_(map),
+          rules_(mission.rules),
+          driver_(mission.first(AgentKind::ground)),
+          flyer_(mission.first(AgentKind::air)) {
+        for (Cell c; c.y < map.height(); ++c.y) {
+            for (c.x = 0; c.x < map.width(); ++c.x) cells_.push_back(c);
+        }
+        for (const Cell a : cells_) {
+            for (const Cell b : cells_) moves_.push_back(move(a, b));
+        }
+        for (const Obstacle& o : map.obstacles()) {
+            if (o.destructible && std::ranges::find(rules_.protect, o.id) == rules_.protect.end())
+                destructible_.push_back(o.id);
+        }
+        choose(0);
+    }
+
+    // The least objective there is; infinity if there is no plan.
+    double best() const { return best_; }
+
+  private:
+    static constexpr double none = std::numeric_limits<double>::infinity();
+
+    // A straight move, and how far along it each obstacle is touched first.
+    struct Move {
+        double length;
+        std::vector<std::pair<ObstacleId, double>> touched;
+    };
+
+    Move move(Cell a, Cell b) const {
+        const Point from(a);
+        const Point to(b);
+        Move move{distance(from, to), {}};
+        const std::vector<Waypoint> path{{from.x, from.y, 0}, {to.x, to.y, move.length}};
+        for (const Obstacle& o : map_.obstacles()) {
+            if (const auto at = first_touch(map_, o.id, path, driver_.body.reach()))
+                move.touched.emplace_back(o.id, *at);
+        }
+        return move;
+    }
+
+    void choose(std::size_t next) {
+        if (weight() > rules_.budget) return;
+        const auto chosen = [&](ObstacleId id) { return std::ranges::find(chosen_, id) != chosen_.end(); };
+        if (std::ranges::all_of(rules_.force, chosen)) {
+            std::vector<bool> visited(chosen_.size(), false);
+            cleared_.assign(chosen_.size(), 0);
+            fly(flyer_.start, 0, visited);
+        }
+        if (int(chosen_.size()) == rules_.removals) return;
+        for (std::size_t i = next; i < destructible_.size(); ++i) {
+            chosen_.push_back(destructible_[i]);
+            choose(i + 1);
+            chosen_.pop_back();
+        }
+    }
+
+    double weight() const {
+        double weight = 0;
+        for (const ObstacleId id : chosen_) weight += map_.obstacle(id).weight;
+        return weight;
+    }
+
+    void fly(Cell at, double t, std::vector<bool>& visited) {
+        if (std::ranges::count(visited, false) == 0) {
+            const double air = t + distance(at, flyer_.goal) / flyer_.speed;
+            if (objective(0, air) >= best_) return;
+            best_ = std::min(best_, objective(earliest_arrival(), air));
+            return;
+        }
+        for (std::size_t i = 0; i < chosen_.size(); ++i) {
+            if (visited[i]) continue;
+            visited[i] = true;
+            for (const Cell c : map_.boundary(chosen_[i])) {
+                cleared_[i] = t + distance(at, c) / flyer_.speed + rules_.breach_time.of(map_.obstacle(chosen_[i]));
+                fly(c, cleared_[i], visited);
+            }
+            visited[i] = false;
+        }
+    }
+
+    double objective(double ground, double air) const {
+        if (rules_.objective == Objective::makespan) return std::max(ground, air);
+        return rules_.objective == Objective::flowtime ? ground + air : ground;
+    }
+
+    // When a move ends that begins at t, waits before it included; infinity if it is not possible.
+    double end_of(const Move& move, double t) const {
+        double start = t;
+        for (const auto& [obstacle, at] : move.touched) {
+            const auto found = std::ranges::find(chosen_, obstacle);
+            if (found == chosen_.end()) return none;
+            start = std::max(start, cleared_[std::size_t(found - chosen_.begin())] - at / driver_.speed);
+        }
+        return start + move.length / driver_.speed;
+    }
+
+    double earliest_arrival() const {
+        std::vector<double> at(cells_.size(), none);
+        std::vector<bool> done(cells_.size(), false);
+        at[index(driver_.start)] = 0;
+        while (true) {
+            std::size_t next = cells_.size();
+            for (std::size_t i = 0; i < cells_.size(); ++i) {
+                if (!done[i] && at[i] < none && (next == cells_.size() || at[i] < at[next])) next = i;
+            }
+            if (next == cells_.size()) return none;
+            if (cells_[next] == driver_.goal) return at[next];
+            done[next] = true;
+            for (std::size_t i = 0; i < cells_.size(); ++i) {
+                if (!done[i]) at[i] = std::min(at[i], end_of(moves_[next * cells_.size() + i], at[next]));
+            }
+        }
+    }
+
+    std::size_t index(Cell c) const { return std::size_t(c.y) * std::size_t(map_.width()) + std::size_t(c.x); }
+
+    const Map& map_;
+    const Rules& rules_;
+    const Agent& driver_;
+    const Agent& flyer_;
+    std::vector<Cell> cells_;
+    std::vector<Move> moves_;
+    std::vector<ObstacleId> destructible_;
+    std::vector<ObstacleId> chosen_;
+    std::vector<double> cleared_;
+    double best_ = none;
+};
+
+}  // namespace waybreaker
