@@ -89,15 +89,17 @@ void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mis
 void set_clock(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
     const auto metric = [](const std::optional<Measure>& measure) { return measure && measure->metric; };
     const bool metric_time = metric(options.breach_time) || metric(options.breach_time_per_cell);
-    const bool by_seconds = document.in_seconds;
+    const auto given = [&options](const Agent& agent) -> const std::optional<Measure>& {
+        return agent.kind == AgentKind::air ? options.air_speed : options.ground_speed;
+    };
     for (Agent& agent : document.mission.agents) {
-        const std::optional<Measure>& speed = agent.kind == AgentKind::air ? options.air_speed : options.ground_speed;
-        if (speed) agent.speed = in_cells(*speed, map, speeds);
+        if (given(agent)) agent.speed = in_cells(*given(agent), map, speeds);
     }
     if (metric(options.ground_speed) || metric(options.air_speed)) {
-        if (!by_seconds && metric(options.ground_speed) != metric(options.air_speed)) {
-            throw InputError(
-                "with a speed in m/s a unit of time is a second: give --ground-speed and --air-speed in m/s");
+        const auto is_metric = [&](const Agent& agent) { return metric(given(agent)); };
+        if (!document.in_seconds && !std::ranges::all_of(document.mission.agents, is_metric)) {
+            throw InputError(fmt::format("with a speed in m/s a unit of time is a second: give {} in m/s, too",
+                                         metric(options.air_speed) ? "--ground-speed" : "--air-speed"));
         }
         document.in_seconds = true;
     }
