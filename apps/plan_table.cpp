@@ -51,9 +51,8 @@ std::string rules(const io::PlanContext& context) {
                                             : fmt::format("removals that weigh at most {:.6g}", asked.budget));
     }
     if (asked.minimise_demolition == 0.0) parts.emplace_back("of the best plans the one that demolishes least");
-    if (asked.minimise_demolition.value_or(0) > 0) {
-        parts.push_back(
-            fmt::format("the least demolition within {:.3g} % of the best plan", 100 * *asked.minimise_demolition));
+    if (const double tolerance = asked.minimise_demolition.value_or(0); tolerance > 0) {
+        parts.push_back(fmt::format("the least demolition within {:.3g} % of the best plan", 100 * tolerance));
     }
     if (!asked.protect.empty()) parts.push_back(counted(asked.protect.size()) + " protected");
     if (!asked.force.empty()) parts.push_back(counted(asked.force.size()) + " to be removed");

@@ -138,8 +138,8 @@ io::MapFile read_plain_image(std::string& bytes, const std::string& path, Connec
 // trinary image lighter.
 std::string note_of_free_unknown(io::RosYaml yaml, bool transparency) {
     const bool scale = yaml.mode == io::RosMode::scale;
-    const std::string note = std::string("its ") + (scale ? "mode, scale, takes" : "free_thresh takes") +
-                             " the grey of 205, which map savers write for unknown, for free";
+    std::string note = std::string("its ") + (scale ? "mode, scale, takes" : "free_thresh takes") +
+                       " the grey of 205, which map savers write for unknown, for free";
     yaml.mode = io::RosMode::trinary;
     yaml.free_thresh = 0.196;
     if (occupancy({.sum = 3 * 205, .alpha = 255}, false, yaml)) return note;

@@ -298,8 +298,9 @@ std::string draw_legend(const Scene& scene, const std::vector<LegendEntry>& entr
     const std::size_t rows = rows_of(entries);
     std::string out;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const double x = (size::margin + (i < rows ? 0 : 265)) * unit;
-        const double y = top + (double(i % rows) + 0.5) * size::row * unit;
+        const bool is_left = i < rows;
+        const double x = (size::margin + (is_left ? 0 : 265)) * unit;
+        const double y = top + (double(is_left ? i : i - rows) + 0.5) * size::row * unit;
         out += fmt::format("<g transform=\"translate({:.6g} {:.6g})\">\n{}</g>\n", x, y, entries[i].sign);
         out += text({x + 58 * unit, y + 0.36 * size::text * unit}, entries[i].name, size::text * unit, colour::ink);
     }
