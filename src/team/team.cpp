@@ -22,21 +22,24 @@ std::vector<std::uint32_t> order_of(std::span<const Vehicle> vehicles, Objective
 }
 
 // Prioritised planning: one vehicle after the other, past those planned before. Where that leaves a few without a way,
-// their neighbourhoods are replanned; if that does not help, or they are many, they come first in another round, as
+// their neighbourhoods are replanned. If that does not help, or they are many, they come first in another round, as
 // AA-SIPP(m) does (Andreychuk, Yakovlev: Two techniques that enhance the performance of multi-robot prioritized path
-// planning, AAMAS 2018). Ends with a path for each, or after a number of rounds: where some have to make way for each
-// other in turn, this finds no plan.
+// planning, AAMAS 2018). A round is soon over, and replanning takes as long as several: at first, rounds come before
+// it. Ends with a path for each, or after a number of rounds: where some have to make way for each other in turn, this
+// finds no plan.
 void plan_all(const TeamPlan& plan, Objective objective, const Interrupts& interrupts, Fleet& fleet,
               NeighbourhoodSearch& search) {
     constexpr int most_rounds = 50;
+    constexpr int first_rounds = 10;
     constexpr double any_time = std::numeric_limits<double>::infinity();
     std::vector<std::uint32_t> order = order_of(plan.vehicles, objective);
     const std::size_t few = order.size() / 10 + 1;
+    const std::size_t very_few = std::min<std::size_t>(few, 2);
     for (int round = 0; round < most_rounds && !interrupts.due(); ++round) {
         for (const std::uint32_t i : order) {
             if (!fleet.plan(i, any_time)) fleet.hold_longer(i);
         }
-        if (fleet.cost().missing <= few) search.repair();
+        if (fleet.cost().missing <= (round < first_rounds ? very_few : few)) search.repair();
         if (fleet.cost().missing == 0) return;
         std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return !fleet.has_path(i); });
         for (const std::uint32_t i : order) fleet.withdraw(i);
