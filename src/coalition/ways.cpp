@@ -4,9 +4,9 @@
 #include <iterator>
 #include <utility>
 
+#include "drive/shortened.hpp"
 #include "plan/timeline.hpp"
 #include "select/punctual.hpp"
-#include "select/shortened.hpp"
 #include "select/timed_path.hpp"
 
 namespace waybreaker::coalition {
