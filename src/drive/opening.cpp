@@ -41,6 +41,16 @@ Opening open_by_cells(const Trip& trip, const Searchers& searchers, std::vector<
     return opening_of(std::move(removed), found, watch.seconds());
 }
 
+// Of the path and Theta*'s.
+void take_shorter(const Trip& trip, const Searchers& searchers, Opening& opening) {
+    Opening other = open_by_cells(trip, searchers, opening.removed);
+    if (other.status != SearchStatus::found) return;
+    drive(trip, other, other.ground.path, *other.ground.length);
+    if (opening.ground.length && *opening.ground.length <= *other.ground.length) return;
+    other.limited = opening.limited;
+    opening = std::move(other);
+}
+
 }  // namespace
 
 SearchOptions Trip::by_cells() const {
@@ -88,6 +98,7 @@ void fit_to_disc(const Trip& trip, const Searchers& searchers, Opening& opening,
     const std::vector<Point> path =
         fitted(OpenedMap(trip.map, opening.removed), body, guide.best.path, options.length_limit, !is_within(too_long));
     if (!path.empty()) drive(trip, opening, path, path_length(path));
+    if (trip.compares && !is_within(short_enough)) take_shorter(trip, searchers, opening);
     options = open_search(trip, opening.removed);
     if (!opening.ground.length &&
         searchers.crossing.has_steps(trip.map, trip.driver.start, trip.driver.goal, options)) {

@@ -27,6 +27,7 @@ struct Trip {
     Deadline deadline;     // of the whole call
     std::uint64_t expansions = UINT64_MAX;
     StopToken stop = {};
+    bool compares = false;  // a disc's path with Theta*'s where it is far above that of the relaxed body
 
     bool by_crossing() const { return search.planner == Planner::optimal; }
     Limits limits(double seconds) const { return {.seconds = seconds, .expansions = expansions, .stop = stop}; }

@@ -49,7 +49,8 @@ Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts) {
             {.planner = planner, .body = agent.body},
             interrupts.deadline,
             interrupts.expansions,
-            interrupts.stop};
+            interrupts.stop,
+            true};
 }
 
 std::vector<Cell> cells_of(std::span<const Point> path) {
