@@ -45,8 +45,9 @@ Opening open_by_cells(const Trip& trip, const Searchers& searchers, std::vector<
 void take_shorter(const Trip& trip, const Searchers& searchers, Opening& opening) {
     Opening other = open_by_cells(trip, searchers, opening.removed);
     if (other.status != SearchStatus::found) return;
-    drive(trip, other, other.ground.path, *other.ground.length);
-    if (opening.ground.length && *opening.ground.length <= *other.ground.length) return;
+    const std::vector<Point> path = std::move(other.ground.path);
+    drive(trip, other, path, path_length(path));
+    if (opening.ground.length.value_or(infinity) <= other.ground.length.value_or(infinity)) return;
     other.limited = opening.limited;
     opening = std::move(other);
 }

@@ -1,9 +1,12 @@
 #include "team/vehicle.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace waybreaker::team {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing,
                    const Vehicle& vehicle) {
@@ -77,7 +80,8 @@ SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, Crossi
     for (std::size_t i = 1; i < vehicle.way.size(); ++i) {
         vehicle.alone += distance(vehicle.way[i - 1], vehicle.way[i]) / agent.speed;
     }
-    const double least = std::min(lower_bound(map, interrupts, crossing, vehicle), *way.ground.length);
+    const double least =
+        std::min(lower_bound(map, interrupts, crossing, vehicle), way.ground.length.value_or(infinity));
     vehicle.bound = agent.ready_at + least / agent.speed;
     vehicle.seconds = watch.seconds();
     return way.status;
