@@ -1,7 +1,7 @@
 // Teams for which aircraft remove obstacles: on the city maps of the paper's missions, whose agents are drawn from the
 // missions of one city, so many of them as are needed from random places at least as far apart.
 //
-//     bench_coalition [--objective flowtime|makespan] [--breach-time T] [--air-speed V] [--seconds S]
+//     bench_coalition [--objective flowtime|makespan] [--breach-time T] [--air-speed V] [--radius R] [--seconds S]
 //                     [--teams K+M:N,...] [--every K]
 //
 // A sample is each K-th mission of a team.
@@ -38,6 +38,7 @@ struct Arguments {
     Objective objective = Objective::flowtime;
     double breach_time = 0;
     double air_speed = 1;
+    double radius = 0.5;
     double seconds = 60;
     std::vector<Team> teams{{2, 1, 3},  {2, 1, 5},  {2, 1, 10},  {5, 2, 3},    {5, 2, 5},    {5, 2, 10},
                             {10, 3, 3}, {10, 3, 5}, {10, 3, 10}, {100, 10, 3}, {100, 10, 5}, {100, 10, 10}};
@@ -46,8 +47,8 @@ struct Arguments {
 
 Arguments parse(std::span<char*> words) {
     const InputError usage(
-        "usage: bench_coalition [--objective flowtime|makespan] [--breach-time T] [--air-speed V] [--seconds S] "
-        "[--teams K+M:N,...] [--every K]");
+        "usage: bench_coalition [--objective flowtime|makespan] [--breach-time T] [--air-speed V] [--radius R] "
+        "[--seconds S] [--teams K+M:N,...] [--every K]");
     Arguments arguments;
     for (std::size_t i = 1; i < words.size(); i += 2) {
         if (i + 1 == words.size()) throw usage;
@@ -60,6 +61,8 @@ Arguments parse(std::span<char*> words) {
             arguments.breach_time = std::stod(value);
         } else if (option == "--air-speed") {
             arguments.air_speed = std::stod(value);
+        } else if (option == "--radius") {
+            arguments.radius = std::stod(value);
         } else if (option == "--seconds") {
             arguments.seconds = std::stod(value);
         } else if (option == "--teams") {
@@ -97,6 +100,7 @@ class Draw {
         while (int(mission.agents.size()) < team.vehicles) {
             Agent& agent = mission.agents.emplace_back();
             agent.id = std::to_string(mission.agents.size());
+            agent.body.radius = arguments.radius;
             std::tie(agent.start, agent.goal) = places();
             try {
                 validate(map_, mission);

@@ -64,7 +64,8 @@ class Planning {
         for (int removals = 0; removals < problem_.spare_removals(); ++removals) {
             bounds_.push_back(std::max(relaxation.bound_with(std::size_t(removals)), plan_.bound));
         }
-        plan_.limited = columns.limited() || choice_.due();
+        plan_.limited =
+            columns.limited() || choice_.due() || std::ranges::any_of(plan_.closed, &team::Vehicle::limited);
         plan_.status = interrupts_.stop.stop_requested() ? SearchStatus::stopped : SearchStatus::limit_reached;
         plan_drafts(improved);
         return std::move(plan_);

@@ -4,9 +4,9 @@
 #include <iterator>
 #include <utility>
 
+#include "drive/shortened.hpp"
 #include "plan/timeline.hpp"
 #include "select/punctual.hpp"
-#include "select/shortened.hpp"
 #include "select/timed_path.hpp"
 
 namespace waybreaker::coalition {
@@ -104,6 +104,10 @@ Ways::Menu Ways::search(std::size_t vehicle, const Set& set) {
         menu.complete = set.empty();
         return menu;
     }
+    if (team::is_wide(closed.agent.body)) {
+        search_wide(vehicle, set, menu);
+        return menu;
+    }
     if (team::drives_by_crossing(closed.agent.body)) {
         search_crossing(vehicle, set, menu);
         return menu;
@@ -119,19 +123,25 @@ Ways::Menu Ways::search(std::size_t vehicle, const Set& set) {
     return menu;
 }
 
-void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu) {
+// Of all sets within that one, as much as is no longer than the way past all of them.
+CrossingOptions Ways::options_for(std::size_t vehicle, const Set& set) const {
     const team::Vehicle& closed = closed_[vehicle];
-    const Agent& agent = closed.agent;
     CrossingOptions options;
-    options.body = agent.body;
+    options.body = closed.agent.body;
     options.crossings = int(set.size());
     options.only = set;
     options.limits = problem_.interrupts().limits();
     options.limits.expansions = std::min(options.limits.expansions, most_expansions);
     if (!closed.way.empty()) {
-        options.length_limit = (closed.alone - agent.ready_at) * agent.speed;
+        options.length_limit = (closed.alone - closed.agent.ready_at) * closed.agent.speed;
         options.expected = options.length_limit;  // it is all looked at
     }
+    return options;
+}
+
+void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu) {
+    const Agent& agent = closed_[vehicle].agent;
+    const CrossingOptions options = options_for(vehicle, set);
     const std::size_t before = menu.ways.size();
     const CrossingResult all =
         crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
@@ -146,6 +156,45 @@ void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu) {
         way.expanded = all.expanded;
         way.generated = all.generated;
     }
+}
+
+// As in a mission of its own, for each set that gains for the square or for the relaxed body: the disc fits where its
+// square does not.
+void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu) {
+    std::vector<Set> sets = gaining(vehicle, set, false, menu);
+    for (Set& other : gaining(vehicle, set, true, menu)) {
+        if (std::ranges::find(sets, other) == sets.end()) sets.push_back(std::move(other));
+    }
+    const Agent& agent = closed_[vehicle].agent;
+    const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts());
+    const double longest = options_for(vehicle, set).length_limit;
+    for (const Set& crossed : sets) {
+        const Opening opening = open(trip, {theta_, crossing_}, crossed);
+        effort_ += effort_of_label * opening.ground.expanded;
+        menu.complete = menu.complete && !opening.limited;
+        if (opening.status != SearchStatus::found || *opening.ground.length > longest) continue;
+        Way& way = menu.ways.emplace_back(way_of(agent, opening.ground.path, crossed));
+        way.expanded = opening.ground.expanded;
+        way.generated = opening.ground.generated;
+    }
+}
+
+// The sets that a search tells of.
+std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu) {
+    const Agent& agent = closed_[vehicle].agent;
+    CrossingOptions options = options_for(vehicle, set);
+    options.relaxed = relaxed;
+    std::vector<Set> sets;
+    const CrossingResult all =
+        crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
+            if (path.crossed.empty()) return true;
+            std::ranges::sort(sets.emplace_back(path.crossed));
+            return sets.size() < most_ways;
+        });
+    effort_ += effort_of_label * all.expanded;
+    const bool ended = all.status != SearchStatus::limit_reached && all.status != SearchStatus::stopped;
+    menu.complete = menu.complete && ended && sets.size() < most_ways;
+    return sets;
 }
 
 Way Ways::closed_way(std::size_t vehicle) const {

@@ -55,7 +55,10 @@ class Ways {
     Set near(std::size_t vehicle, const Set& set) const;
     const Menu* larger_menu(std::size_t vehicle, const Set& part) const;
     Menu search(std::size_t vehicle, const Set& set);
+    CrossingOptions options_for(std::size_t vehicle, const Set& set) const;
     void search_crossing(std::size_t vehicle, const Set& set, Menu& menu);
+    void search_wide(std::size_t vehicle, const Set& set, Menu& menu);
+    std::vector<Set> gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu);
     std::vector<Way> waiting(std::size_t vehicle, const Set& part, const Openings& openings, double arrive_before);
     std::optional<Way> search_timed(std::size_t vehicle, const Set& part, const Openings& openings,
                                     double arrive_before);

@@ -126,7 +126,7 @@ class ExactSelection {
                                                     ? start_.opening.removed
                                                     : best_of(task_, start_, selected_.candidates).opening.removed;
         if (removed.empty()) return;
-        if (!selected_.candidates.empty()) add_candidate(open(task_, searchers_, removed));
+        if (!selected_.candidates.empty()) add_candidate(open(task_.trip(), searchers_, removed));
         if (!task_.rules.force.empty()) try_in_time(removed);
         report();
     }
@@ -168,7 +168,7 @@ class ExactSelection {
         found.best = path;
         if (!opening_times_.matter()) {
             add_candidate(drives_by_crossing(task_) ? fitted_opening(removed, found)
-                                                    : open(task_, searchers_, removed));
+                                                    : open(task_.trip(), searchers_, removed));
         } else {
             if (drives_by_crossing(task_) && !task_.driver.body.is_point()) {
                 Opening opening = drivable(task_, searchers_, path, removed);
@@ -178,15 +178,15 @@ class ExactSelection {
                 opening.ground.seconds = since_last_.seconds();
                 if (opening.status == SearchStatus::found) add_candidate(std::move(opening));
             }
-            if (beats_best(path)) add_candidate(open(task_, searchers_, removed));
+            if (beats_best(path)) add_candidate(open(task_.trip(), searchers_, removed));
         }
         report();
         since_last_ = {};
     }
 
     Opening fitted_opening(const std::vector<ObstacleId>& removed, const CrossingResult& found) {
-        Opening opening = opening_of(task_, removed, found, since_last_.seconds());
-        fit_to_disc(task_, searchers_, opening, dearest_path(task_, best_, opening_times_));
+        Opening opening = opening_of(task_.trip(), removed, found, since_last_.seconds());
+        fit_to_disc(task_.trip(), searchers_, opening, dearest_path(task_, best_, opening_times_));
         return opening;
     }
 
@@ -211,7 +211,7 @@ class ExactSelection {
         const CrossingResult found = find_within(task_, searchers_.crossing, likely, best_, opening_times_);
         if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
         if (!passes_more_than_square() || likely.empty()) return;
-        add_candidate(open(task_, searchers_, task_.with_forced(likely)));
+        add_candidate(open(task_.trip(), searchers_, task_.with_forced(likely)));
         report();
     }
 
@@ -234,7 +234,7 @@ class ExactSelection {
         const SearchResult search = search_counting_hits(task_, searchers_.cells);
         const std::vector<ObstacleId> hit = chosen_by_hits(task_, search.hits);
         for (std::size_t count = task_.rules.force.size() + 1; count <= hit.size() && !deadline_.passed(); ++count) {
-            add_candidate(open(task_, searchers_, {hit.begin(), hit.begin() + std::ptrdiff_t(count)}));
+            add_candidate(open(task_.trip(), searchers_, {hit.begin(), hit.begin() + std::ptrdiff_t(count)}));
         }
     }
 

@@ -3,7 +3,7 @@
 namespace waybreaker {
 
 Candidate GreedySelector::baseline(const Task& task) {
-    return candidate_of(task, open(task, searchers_, {}));
+    return candidate_of(task, open(task.trip(), searchers_, {}));
 }
 
 Selected GreedySelector::select(const Task& task, const Candidate& /*start*/) {
@@ -23,7 +23,7 @@ Selected GreedySelector::select(const Task& task, const Candidate& /*start*/) {
         const ObstacleId next = found.best.crossed.front();
         removed.push_back(next);
         options.budget -= task.map.obstacle(next).weight;
-        selected.candidates.push_back(candidate_of(task, opening_of(task, removed, found, watch.seconds())));
+        selected.candidates.push_back(candidate_of(task, opening_of(task.trip(), removed, found, watch.seconds())));
     }
     selected.limited = task.deadline.passed();
     return selected;

@@ -10,7 +10,7 @@ namespace {
 Candidate opened(const Task& task, Searcher& searcher, std::span<const ObstacleId> removed) {
     const Stopwatch watch;
     const SearchResult search =
-        searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, cell_search(task));
+        searcher.find(OpenedMap(task.map, removed), task.driver.start, task.driver.goal, task.trip().by_cells());
     return candidate_of(task, opening_of({removed.begin(), removed.end()}, search, watch.seconds()));
 }
 
@@ -31,7 +31,7 @@ std::vector<ObstacleId> most_hit(const Map& map, std::span<const std::uint32_t> 
 }
 
 SearchResult search_counting_hits(const Task& task, Searcher& searcher) {
-    SearchOptions counting = cell_search(task);
+    SearchOptions counting = task.trip().by_cells();
     counting.count_hits = true;
     return searcher.find(OpenedMap(task.map), task.driver.start, task.driver.goal, counting);
 }

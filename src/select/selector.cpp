@@ -12,7 +12,7 @@ namespace {
 class NoSelector : public Selector {
   public:
     explicit NoSelector(const Searchers& searchers) : searchers_(searchers) {}
-    Candidate baseline(const Task& task) override { return candidate_of(task, open(task, searchers_, {})); }
+    Candidate baseline(const Task& task) override { return candidate_of(task, open(task.trip(), searchers_, {})); }
     Selected select(const Task& /*task*/, const Candidate& /*start*/) override { return {}; }
 
   private:
@@ -38,7 +38,7 @@ std::unique_ptr<Selector> selector_of(const Method& method, const Searchers& sea
 Candidate start_of(const Task& task, const Searchers& searchers, const Candidate& baseline) {
     const std::vector<ObstacleId>& force = task.rules.force;
     if (force.empty()) return baseline;
-    Candidate opened = timed_candidate(task, searchers, open(task, searchers, force));
+    Candidate opened = timed_candidate(task, searchers, open(task.trip(), searchers, force));
     // An obstacle that falls late may better be driven around.
     Opening around = baseline.opening;
     around.removed = force;

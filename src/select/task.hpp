@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
+#include "drive/opening.hpp"
 #include "waybreaker/method.hpp"
 
 namespace waybreaker {
@@ -28,6 +29,10 @@ struct Task {
 
     // The planner that drives the ground agent.
     Planner planner() const { return planner_of(method, driver.body); }
+    // The ground agent on its way.
+    Trip trip() const {
+        return {map, driver, search_options(method, driver.body), deadline, limits.expansions, limits.stop};
+    }
     // When a ground path and a flight end, as the objective counts it.
     double objective(double ground_time, double air_time) const;
     // How many obstacles may be removed beside those that must be.

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "drive/shortened.hpp"
 #include "plan/timeline.hpp"
 #include "select/punctual.hpp"
-#include "select/shortened.hpp"
 
 namespace waybreaker {
 namespace {

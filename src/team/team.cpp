@@ -84,7 +84,7 @@ TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const R
     const double enough = close > 0 ? alone(plan.vehicles, rules.objective) * (1 + close) : 0;
     search.improve(enough, [&] { improved(fleet.cost()); });
     fleet.skip_standstill();
-    plan.limited = interrupts.due();
+    plan.limited = interrupts.due() || std::ranges::any_of(plan.vehicles, &Vehicle::limited);
     for (std::uint32_t i = 0; i < fleet.size(); ++i) plan.paths.push_back(fleet.path(i));
     return plan;
 }

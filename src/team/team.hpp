@@ -18,7 +18,7 @@ struct TeamPlan {
     SearchStatus status = SearchStatus::no_path;
     std::vector<Vehicle> vehicles;  // in the mission's order
     std::vector<Path> paths;        // of each; empty unless found
-    bool limited = false;           // a limit ended the improvement
+    bool limited = false;           // a limit ended a search or the improvement
 };
 
 // Calls `improved` with the paths' cost whenever there is a better plan, the first included. The same mission has the

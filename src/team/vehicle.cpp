@@ -1,9 +1,12 @@
 #include "team/vehicle.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace waybreaker::team {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing,
                    const Vehicle& vehicle) {
@@ -19,10 +22,38 @@ double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingS
     return std::max(straight, found.status == SearchStatus::found ? found.lower_bound : 0.0);
 }
 
+// The disc drives it as it is.
+Opening way_of_square(const Trip& trip, CrossingSearcher& crossing, const std::vector<ObstacleId>& removed) {
+    const CrossingOptions options{
+        .body = trip.driver.body, .removed = removed, .limits = trip.limits(trip.deadline.left())};
+    const CrossingResult found = crossing.find(trip.map, trip.driver.start, trip.driver.goal, options);
+    Opening opening{removed, found.status};
+    opening.ground.path = found.best.path;
+    opening.ground.length = found.best.length;
+    opening.ground.expanded = found.expanded;
+    opening.ground.generated = found.generated;
+    return opening;
+}
+
 }  // namespace
 
 bool drives_by_crossing(const Body& body) {
-    return body.corners == Corners::none && body.radius > 0 && body.reach() <= 0.5;
+    return body.corners == Corners::none && body.radius > 0;
+}
+
+bool is_wide(const Body& body) {
+    return drives_by_crossing(body) && body.reach() > 0.5;
+}
+
+Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts) {
+    const Planner planner = drives_by_crossing(agent.body) ? Planner::optimal : Planner::theta;
+    return {map,
+            agent,
+            {.planner = planner, .body = agent.body},
+            interrupts.deadline,
+            interrupts.expansions,
+            interrupts.stop,
+            true};
 }
 
 std::vector<Cell> cells_of(std::span<const Point> path) {
@@ -35,35 +66,25 @@ SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, Crossi
                       Vehicle& vehicle) {
     const Stopwatch watch;
     const Agent& agent = vehicle.agent;
-    double length = 0;
-    SearchStatus status = SearchStatus::no_path;
-    if (drives_by_crossing(agent.body)) {
-        CrossingOptions options{.body = agent.body, .removed = map.removed(), .limits = interrupts.limits()};
-        const CrossingResult found = crossing.find(map.map(), agent.start, agent.goal, options);
-        status = found.status;
-        length = found.best.length;
-        vehicle.way = cells_of(found.best.path);
-        vehicle.expanded = found.expanded;
-        vehicle.generated = found.generated;
-    } else {
-        const SearchOptions options{.body = agent.body, .limits = interrupts.limits()};
-        const SearchResult found = theta.find(map, agent.start, agent.goal, options);
-        status = found.status;
-        length = found.length;
-        vehicle.way = found.path;
-        vehicle.expanded = found.expanded;
-        vehicle.generated = found.generated;
-    }
-    if (status != SearchStatus::found) return status;
+    const Trip trip = trip_of(map.map(), agent, interrupts);
+    const std::vector<ObstacleId> removed(map.removed().begin(), map.removed().end());
+    const bool by_square = trip.by_crossing() && !is_wide(agent.body);
+    const Opening way = by_square ? way_of_square(trip, crossing, removed) : open(trip, {theta, crossing}, removed);
+    vehicle.way = cells_of(way.ground.path);
+    vehicle.expanded = way.ground.expanded;
+    vehicle.generated = way.ground.generated;
+    vehicle.limited = way.limited;
+    if (way.status != SearchStatus::found) return way.status;
     // Leg by leg, as it will be driven.
     vehicle.alone = agent.ready_at;
     for (std::size_t i = 1; i < vehicle.way.size(); ++i) {
         vehicle.alone += distance(vehicle.way[i - 1], vehicle.way[i]) / agent.speed;
     }
-    const double least = std::min(lower_bound(map, interrupts, crossing, vehicle), length);
+    const double least =
+        std::min(lower_bound(map, interrupts, crossing, vehicle), way.ground.length.value_or(infinity));
     vehicle.bound = agent.ready_at + least / agent.speed;
     vehicle.seconds = watch.seconds();
-    return status;
+    return way.status;
 }
 
 }  // namespace waybreaker::team

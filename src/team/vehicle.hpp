@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
+#include "drive/opening.hpp"
 #include "waybreaker/crossing.hpp"
 #include "waybreaker/mission.hpp"
 
@@ -16,6 +17,7 @@ struct Vehicle {
     std::vector<Cell> way;  // the shortest that was found for it alone
     double alone = 0;       // when it arrives on that, without a stop
     double bound = 0;       // it arrives no earlier, whatever the others do
+    bool limited = false;   // a limit ended the search for its way: there may be a shorter one
     std::uint64_t expanded = 0;
     std::uint64_t generated = 0;
     double seconds = 0;
@@ -31,15 +33,19 @@ struct Interrupts {
     Limits limits() const { return {.seconds = deadline.left(), .expansions = expansions, .stop = stop}; }
 };
 
-// Whether the crossing search drives such a body: for a point it bends at corners of cells, and a wide disc needs room
-// to spare.
+// Whether the crossing search drives such a body: for a point it bends at corners of cells.
 bool drives_by_crossing(const Body& body);
+// A disc that does not fit into the unit square.
+bool is_wide(const Body& body);
+
+// The agent on its way, as in a mission of its own: by the crossing search if that drives it, else by Theta*.
+Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts);
 
 // The cells of a path that bends at centres.
 std::vector<Cell> cells_of(std::span<const Point> path);
 
-// Its shortest way, by the crossing search where that drives it and by Theta* where not. `found`: the vehicle is
-// complete. Anything else is why it is not.
+// Its shortest way: that of its square where it fits into that, else as in a mission of its own. `found`: the vehicle
+// is complete. Anything else is why it is not.
 SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
                       Vehicle& vehicle);
 

@@ -192,18 +192,20 @@ struct Case {
     Mission mission;
 };
 
-std::optional<Case> any_case(std::mt19937& random) {
+// Wide vehicles get rooms that are so many cells wider, and fewer.
+std::optional<Case> any_case(std::mt19937& random, double radius = 0.5, int wider = 0) {
     const auto below = [&](int count) { return int(random() % unsigned(count)); };
-    const int vehicles = 1 + below(3);
-    const int room = 3 + below(3);
-    PlainMap plain{vehicles * (room + 1) - 1, 3 + below(2), {}};
+    const int vehicles = 1 + below(wider > 0 ? 2 : 3);
+    const int room = 3 + below(3) + wider;
+    PlainMap plain{vehicles * (room + 1) - 1, 3 + below(2) + wider, {}};
     plain.obstacles.assign(std::size_t(plain.width) * std::size_t(plain.height), 0);
     for (const Cell c : plain.cells()) plain.obstacles[plain.index(c)] = (c.x + 1) % (room + 1) == 0 ? 1 : 0;
     const int walls = 2 + below(3);
     for (int wall = 0; wall < walls; ++wall) {
         const bool upright = below(2) == 0;
         Cell c{below(plain.width), below(plain.height)};
-        for (int length = 1 + below(4); length > 0 && !plain.blocked(c); --length) {
+        if (upright && wider > 0) c.y = 0;  // so that many cross the room
+        for (int length = 1 + below(4 + wider); length > 0 && !plain.blocked(c); --length) {
             plain.obstacles[plain.index(c)] = std::uint32_t(wall) + 2;
             ++(upright ? c.y : c.x);
         }
@@ -216,9 +218,10 @@ std::optional<Case> any_case(std::mt19937& random) {
     rules.objective =
         std::array{Objective::makespan, Objective::flowtime, Objective::ground_makespan}[std::size_t(below(3))];
     rules.breach_time.per_obstacle = below(3);
-    const auto any_free = [&](int first, int last) {
+    const OpenedMap closed(made.map);
+    const auto any_free = [&](int first, int last, const Body& body) {
         std::vector<Cell> free = plain.free_cells();
-        std::erase_if(free, [&](Cell c) { return c.x < first || c.x > last; });
+        std::erase_if(free, [&](Cell c) { return c.x < first || c.x > last || !fits(closed, c, body); });
         return free.empty() ? Cell{-1, -1} : free[std::size_t(below(int(free.size())))];
     };
     for (int i = 0; i < vehicles + (vehicles == 1 ? 2 : 1 + below(2)); ++i) {
@@ -227,8 +230,11 @@ std::optional<Case> any_case(std::mt19937& random) {
         agent.kind = i < vehicles ? AgentKind::ground : AgentKind::air;
         const int first = i < vehicles ? i * (room + 1) : 0;
         const int last = i < vehicles ? first + room - 1 : plain.width - 1;
-        agent.start = any_free(first, last);
-        agent.goal = any_free(first, last);
+        if (agent.kind == AgentKind::ground) agent.body.radius = radius;
+        // Walls are between the ends of a wide room more often than not.
+        const int apart = agent.kind == AgentKind::ground && wider > 0 ? room / 2 : 0;
+        agent.start = any_free(first, last - apart, agent.body);
+        agent.goal = any_free(first + apart, last, agent.body);
         agent.speed = std::array{1.0, 1.0, 2.0, 0.5}[std::size_t(below(4))];
         if (agent.kind == AgentKind::air && below(4) == 0) agent.breaches = 1;
     }
@@ -319,6 +325,37 @@ TEST(CoalitionOracle, AgreesWithEverySetOrderAndCell) {
     EXPECT_GT(removing, 150);
     // The choice is no proof: sets are compared by ways that are not all there are.
     EXPECT_GE(as_good, solvable * 999 / 1000) << "of " << solvable;
+}
+
+// Of 1369 such teams (3000 rounds) 1363 had the best plan; by Theta* alone, 1306.
+TEST(CoalitionOracle, IsSeldomWorseForWideVehicles) {
+    std::mt19937 random(12);
+    int solvable = 0;
+    int as_good = 0;
+    int removing = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const double radius = std::array{0.6, 0.7, 1.0, 1.2, 1.5, 2.0}[random() % 6];
+        const std::optional<Case> made = any_case(random, radius, int(2 * radius));
+        if (!made) continue;
+        const auto& [map, mission] = *made;
+        const double best = Oracle(map, mission).best();
+        const Plan plan = MissionPlanner().plan(map, mission);
+        EXPECT_TRUE(is_valid(map, mission, plan)) << round;
+        if (best == never) {
+            EXPECT_NE(plan.status, PlanStatus::solved) << round;
+            continue;
+        }
+        ++solvable;
+        ASSERT_EQ(plan.status, PlanStatus::solved) << round;
+        const double reached = *value(plan.after, mission.rules.objective);
+        EXPECT_LE(*plan.bound, best + 1e-6) << round;
+        EXPECT_LE(proven(map, mission, 1.5 * best), best + 1e-6) << round;
+        EXPECT_GE(reached, best - 1e-6) << round;
+        as_good += reached <= best + 1e-6 ? 1 : 0;
+        removing += plan.breaches.empty() ? 0 : 1;
+    }
+    EXPECT_GT(removing, 40);
+    EXPECT_GE(as_good, solvable * 99 / 100) << "of " << solvable;
 }
 
 }  // namespace

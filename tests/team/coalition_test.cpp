@@ -35,7 +35,7 @@ Mission any_coalition(const PlainMap& plain, const Map& map) {
     }
     for (int tries = 0; tries < 40 && int(mission.agents.size()) < vehicles + flyers; ++tries) {
         Agent agent = vehicle(std::to_string(tries), any_free_cell(plain), any_free_cell(plain),
-                              *rc::gen::element(0.0, 0.25, 0.5, 0.5, 1.1));
+                              *rc::gen::element(0.0, 0.2, 0.5, 0.5, 0.7, 1.1, 2.0));
         agent.speed = *rc::gen::element(1.0, 1.0, 0.5, 3.0);
         agent.ready_at = *rc::gen::element(0.0, 0.0, 2.5);
         if (*number(0, 7) == 0) agent.body = {.corners = *rc::gen::element(Corners::cut, Corners::squeeze)};

@@ -25,7 +25,7 @@ Mission any_team(const PlainMap& plain, const Map& map) {
     const int vehicles = *number(2, 6);
     for (int tries = 0; tries < 40 && int(mission.agents.size()) < vehicles; ++tries) {
         Agent agent = vehicle(std::to_string(tries), any_free_cell(plain), any_free_cell(plain),
-                              *rc::gen::element(0.25, 0.5, 0.5, 1.1));
+                              *rc::gen::element(0.2, 0.5, 0.5, 0.7, 1.1, 2.0));
         agent.speed = *rc::gen::element(1.0, 1.0, 0.5, 3.0);
         agent.ready_at = *rc::gen::element(0.0, 0.0, 2.5);
         mission.agents.push_back(agent);

@@ -1,4 +1,4 @@
-#include "select/shortened.hpp"
+#include "drive/shortened.hpp"
 
 #include <algorithm>
 #include <cmath>

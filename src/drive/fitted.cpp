@@ -1,4 +1,4 @@
-#include "select/fitted.hpp"
+#include "drive/fitted.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <queue>
 #include <unordered_set>
 
+#include "drive/shortened.hpp"
 #include "map/line_of_sight.hpp"
 #include "plan/timeline.hpp"
-#include "select/shortened.hpp"
 
 namespace waybreaker {
 namespace {

@@ -1,0 +1,61 @@
+// Opening: obstacles to remove and the path that this opens to a ground agent that is alone.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/stopwatch.hpp"
+#include "waybreaker/crossing.hpp"
+#include "waybreaker/mission.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker {
+
+// Who finds ground paths; they keep their memory from mission to mission.
+struct Searchers {
+    Searcher& cells;
+    CrossingSearcher& crossing;
+};
+
+// A ground agent on its way from its start to its goal, and what holds for all searches for it.
+struct Trip {
+    const Map& map;
+    const Agent& driver;
+    SearchOptions search;  // its limits aside; by the crossing search where the planner is the optimal one
+    Deadline deadline;     // of the whole call
+    std::uint64_t expansions = UINT64_MAX;
+    StopToken stop = {};
+    bool compares = false;  // a disc's path with Theta*'s where it is far above that of the relaxed body
+
+    bool by_crossing() const { return search.planner == Planner::optimal; }
+    Limits limits(double seconds) const { return {.seconds = seconds, .expansions = expansions, .stop = stop}; }
+    // Of a search from cell to cell that ends with the call's time: Theta* where the planner is the optimal one.
+    SearchOptions by_cells() const;
+};
+
+struct Opening {
+    std::vector<ObstacleId> removed;  // each once
+    SearchStatus status = SearchStatus::no_path;
+    Route ground = {};
+    bool limited = false;  // a limit ended the search: there may be a shorter path
+};
+
+// What a search found on the map without some obstacles; the crossing search's path as the disc drives it.
+Opening opening_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds);
+Opening opening_of(const Trip& trip, std::vector<ObstacleId> removed, const CrossingResult& search, double seconds);
+
+// Whether the unit square gets nearly as far as the disc within it (docs/exact.md, Theorem 2).
+bool square_stands_for(const Body& body);
+
+// Other discs than these drive a path along that of the relaxed body, or, if they know none, Theta*'s; if that could be
+// shorter than so many cells.
+void fit_to_disc(const Trip& trip, const Searchers& searchers, Opening& opening,
+                 double shorter_than = std::numeric_limits<double>::infinity());
+
+// The shortest ground path, by the trip's planner, on the map without some obstacles. Where the optimal one does not
+// come in half the time that is left: Theta*'s.
+Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed);
+
+}  // namespace waybreaker
