@@ -288,8 +288,7 @@ class ExactSelection {
         Rules fewer = task_.rules;
         --fewer.removals;
         const Task less = task_.under(fewer);
-        Selected selected =
-            ExactSelection(less, searchers_, start_, cost(less, start_), bound_, deadline_, opening_times_).run();
+        Selected selected = ExactSelection(less, searchers_, start_, best_, bound_, deadline_, opening_times_).run();
         std::ranges::move(selected.candidates, std::back_inserter(selected_.candidates));
         selected_.limited = selected_.limited || selected.limited;
     }
