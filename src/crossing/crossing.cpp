@@ -66,9 +66,8 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
 
 // Unless another one at its vertex dominates it.
 void CrossingSearcher::Search::add(Label label) {
-    const bool by_count = accept_ == nullptr && !in_time();  // another set may open later
-    const Dominance dominates{*regions_, convex_, sets_,    groups_,          options_->budget < infinity,
-                              goal_,     limit_,  by_count, options_->prices, paid_};
+    const Dominance dominates{*regions_, convex_, sets_,     groups_,          options_->budget < infinity,
+                              goal_,     limit_,  by_count_, options_->prices, paid_};
     const std::uint32_t place = places_.find_or_add(label.at);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
@@ -304,12 +303,19 @@ CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex star
     }
     // The square turns and waits at lattice points only; the point is a lower limit for who waits anywhere.
     early_ = reach_of(options) == 1 ? 1 : 0;
-    // Gates may be where two cells touch at a corner.
-    fan_.start_query(*regions_, goal_, options, regions_->pinched() && !waits_ && !to_gate_, interrupt_);
-    convex_.start_query(*regions_, reach_of(options));
+    start_parts();
     search_ellipses(2 * options.length_limit);
     result_.generated = result_.expanded + open_.size();
     return result_;
+}
+
+void CrossingSearcher::Search::start_parts() {
+    by_count_ = accept_ == nullptr && !in_time();  // another set may open later
+    // Gates may be where two cells touch at a corner.
+    const bool pinched = regions_->pinched() && !waits_ && !to_gate_;
+    Convex* const convex = by_count_ && options_->prices.empty() ? &convex_ : nullptr;
+    convex_.start_query(*regions_, reach_of(*options_));
+    fan_.start_query(*regions_, goal_, *options_, pinched, convex, interrupt_);
 }
 
 // In ellipses that grow until one holds the path: what lies outside costs nothing, and the last one costs about as much

@@ -41,6 +41,7 @@ class CrossingSearcher::Search {
 
     enum class Outcome { found, exhausted, limit_reached, stopped };
 
+    void start_parts();
     void search_ellipses(double longest);
     Outcome search_ellipse();
     std::optional<Outcome> interrupted();
@@ -76,6 +77,7 @@ class CrossingSearcher::Search {
     std::vector<ObstacleId> removed_;  // sorted
     bool waits_ = false;               // obstacles open in time
     const std::function<bool(const CrossingPath&)>* accept_ = nullptr;
+    bool by_count_ = true;  // of what is crossed and left only the number matters
     crossing::Vertex start_;
     crossing::Vertex goal_;
     int capacity_ = 0;  // members of a set, the removed obstacles included
