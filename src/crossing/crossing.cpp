@@ -43,7 +43,7 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
     Label label;
     label.at = reached.at;
     label.cost = *cost;
-    if (label.cost + length(goal_ - label.at) > limit_) return;
+    if (label.cost + length(goal_ - label.at) > limit_ || label.cost + rest(label.at) > limit_) return;
     label.parent = parent;
     label.since = since_of(parent);
     label.set = labels_[parent].set;
@@ -316,6 +316,11 @@ void CrossingSearcher::Search::start_parts() {
     Convex* const convex = by_count_ && options_->prices.empty() ? &convex_ : nullptr;
     convex_.start_query(*regions_, reach_of(*options_));
     fan_.start_query(*regions_, goal_, *options_, pinched, convex, interrupt_);
+    // Not worth while among few obstacles; and who waits may be half a cell from the place that stands for it.
+    detours_ = false;
+    if (options_->crossings == 0 || !options_->only.empty() || waits_) return;
+    rest_.start_query(*regions_, start_, goal_, *options_, pinched, interrupt_);
+    detours_ = rest_.detours(start_);
 }
 
 // In ellipses that grow until one holds the path: what lies outside costs nothing, and the last one costs about as much
@@ -327,7 +332,7 @@ void CrossingSearcher::Search::search_ellipses(double longest) {
     paid_.clear();
     sets_.clear();
     start.set = add_set(removed_);
-    const double straight = estimate(start);
+    const double straight = std::min(estimate(start), longest);
     const bool guessed = 2 * options_->expected > straight;
     const double least = guessed ? 2 * options_->expected : straight;
     proven_ = straight;

@@ -18,6 +18,7 @@
 #include "crossing/interrupt.hpp"
 #include "crossing/labels.hpp"
 #include "crossing/regions.hpp"
+#include "crossing/rest.hpp"
 #include "crossing/ways.hpp"
 #include "waybreaker/crossing.hpp"
 
@@ -58,7 +59,8 @@ class CrossingSearcher::Search {
     bool in_time() const { return waits_ || options_->done_after; }
     double opened_after(std::span<const ObstacleId> sorted) const;
     std::uint32_t add_set(std::span<const ObstacleId> sorted);
-    double estimate(const crossing::Label& label) const;
+    double estimate(const crossing::Label& label);
+    double rest(crossing::Vertex v) { return detours_ ? rest_.from(v) : length(goal_ - v); }
     double with_flight(double ground, std::uint32_t set) const;
     double paid(std::uint32_t set) const { return options_->prices.empty() ? 0 : paid_[set]; }
     std::optional<double> cost_of(std::uint32_t parent, const crossing::Reached& reached);
@@ -93,6 +95,8 @@ class CrossingSearcher::Search {
     crossing::Interrupt interrupt_;
     crossing::Fan fan_;
     crossing::Convex convex_;
+    crossing::Rest rest_;
+    bool detours_ = false;  // what stays is in the straight way to the goal
     crossing::ObstacleSets sets_;
     crossing::Places places_;
     std::vector<crossing::Label> labels_;
