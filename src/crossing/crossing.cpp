@@ -316,9 +316,9 @@ void CrossingSearcher::Search::start_parts() {
     Convex* const convex = by_count_ && options_->prices.empty() ? &convex_ : nullptr;
     convex_.start_query(*regions_, reach_of(*options_));
     fan_.start_query(*regions_, goal_, *options_, pinched, convex, interrupt_);
-    // Not worth while among few obstacles; and who waits may be half a cell from the place that stands for it.
+    // Who waits may be half a cell from the place that stands for it.
     detours_ = false;
-    if (options_->crossings == 0 || !options_->only.empty() || waits_) return;
+    if (options_->crossings == 0 || waits_) return;
     rest_.start_query(*regions_, start_, goal_, *options_, pinched, interrupt_);
     detours_ = rest_.detours(start_);
 }
