@@ -20,9 +20,8 @@ void Convex::start_query(const Regions& regions, int reach) {
 bool Convex::look(ObstacleId obstacle) const {
     const Box box = regions_->bounds(obstacle);
     const Map& map = regions_->map();
-    const int beside = reach_ - 1;  // cells that far from the box reach into it
-    const Cell min{std::max(box.min.x - beside, 0), std::max(box.min.y - beside, 0)};
-    const Cell max{std::min(box.max.x + beside, map.width() - 1), std::min(box.max.y + beside, map.height() - 1)};
+    const Cell min{std::max(box.min.x, 0), std::max(box.min.y, 0)};
+    const Cell max{std::min(box.max.x, map.width() - 1), std::min(box.max.y, map.height() - 1)};
     if (std::int64_t(max.x - min.x + 1) * (max.y - min.y + 1) > most_cells) return false;
     for (Cell c = min; c.y <= max.y; ++c.y) {
         for (c.x = min.x; c.x <= max.x; ++c.x) {

@@ -10,9 +10,8 @@
 
 namespace waybreaker::crossing {
 
-// The box around a grown obstacle is such a piece if nothing else reaches into it. Between two places where a shortest
-// path crosses the obstacle it stays in the box: the straight line between them is shorter than any way outside, and
-// crosses nothing else. docs/exact.md.
+// That is so if no other obstacle has a cell in the box around it. Between two places where a shortest path crosses the
+// obstacle it stays in the grown box, and crosses nothing else there: docs/exact.md.
 class Convex {
   public:
     // Keeps the regions for as long as the query lasts; what is known of a map is kept for the next.
@@ -21,15 +20,17 @@ class Convex {
     // Whether no shortest path that crosses the obstacle before v is in its way after v again.
     bool left(ObstacleId obstacle, Vertex v) {
         const Box box = regions_->bounds(obstacle);
-        const bool outside = v.x < 2 * box.min.x - reach_ || v.x > 2 * box.max.x + reach_ ||
-                             v.y < 2 * box.min.y - reach_ || v.y > 2 * box.max.y + reach_;
+        // The square may go around a cell beside the box on either side for the same, but no farther.
+        const int around = reach_ == 1 ? 1 : 4;
+        const bool outside = v.x < 2 * box.min.x - around || v.x > 2 * box.max.x + around ||
+                             v.y < 2 * box.min.y - around || v.y > 2 * box.max.y + around;
         return outside && alone(obstacle);
     }
 
   private:
     enum class Known : std::uint8_t { unknown, alone, not_alone };
 
-    // Whether nothing else reaches into the obstacle's box.
+    // Whether nothing else is in the obstacle's box.
     bool alone(ObstacleId obstacle) {
         Known& known = known_[obstacle.value];
         if (known == Known::unknown) known = look(obstacle) ? Known::alone : Known::not_alone;

@@ -43,7 +43,7 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
     Label label;
     label.at = reached.at;
     label.cost = *cost;
-    if (label.cost + length(goal_ - label.at) > limit_) return;
+    if (label.cost + length(goal_ - label.at) > limit_ || label.cost + rest(label.at) > limit_) return;
     label.parent = parent;
     label.since = since_of(parent);
     label.set = labels_[parent].set;
@@ -66,9 +66,8 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
 
 // Unless another one at its vertex dominates it.
 void CrossingSearcher::Search::add(Label label) {
-    const bool by_count = accept_ == nullptr && !in_time();  // another set may open later
-    const Dominance dominates{*regions_, convex_, sets_,    groups_,          options_->budget < infinity,
-                              goal_,     limit_,  by_count, options_->prices, paid_};
+    const Dominance dominates{*regions_, convex_, sets_,     groups_,          options_->budget < infinity,
+                              goal_,     limit_,  by_count_, options_->prices, paid_};
     const std::uint32_t place = places_.find_or_add(label.at);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
@@ -304,12 +303,24 @@ CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex star
     }
     // The square turns and waits at lattice points only; the point is a lower limit for who waits anywhere.
     early_ = reach_of(options) == 1 ? 1 : 0;
-    // Gates may be where two cells touch at a corner.
-    fan_.start_query(*regions_, goal_, options, regions_->pinched() && !waits_ && !to_gate_, interrupt_);
-    convex_.start_query(*regions_, reach_of(options));
+    start_parts();
     search_ellipses(2 * options.length_limit);
     result_.generated = result_.expanded + open_.size();
     return result_;
+}
+
+void CrossingSearcher::Search::start_parts() {
+    by_count_ = accept_ == nullptr && !in_time();  // another set may open later
+    // Gates may be where two cells touch at a corner.
+    const bool pinched = regions_->pinched() && !waits_ && !to_gate_;
+    Convex* const convex = by_count_ && options_->prices.empty() ? &convex_ : nullptr;
+    convex_.start_query(*regions_, reach_of(*options_));
+    fan_.start_query(*regions_, goal_, *options_, pinched, convex, interrupt_);
+    // Who waits may be half a cell from the place that stands for it.
+    detours_ = false;
+    if (options_->crossings == 0 || waits_) return;
+    rest_.start_query(*regions_, start_, goal_, *options_, pinched, interrupt_);
+    detours_ = rest_.detours(start_);
 }
 
 // In ellipses that grow until one holds the path: what lies outside costs nothing, and the last one costs about as much
@@ -321,7 +332,7 @@ void CrossingSearcher::Search::search_ellipses(double longest) {
     paid_.clear();
     sets_.clear();
     start.set = add_set(removed_);
-    const double straight = estimate(start);
+    const double straight = std::min(estimate(start), longest);
     const bool guessed = 2 * options_->expected > straight;
     const double least = guessed ? 2 * options_->expected : straight;
     proven_ = straight;

@@ -5,8 +5,10 @@
 
 namespace waybreaker::crossing {
 
-void Fan::start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, bool pinched,
+void Fan::start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, bool pinched, Convex* convex,
                       Interrupt& interrupt) {
+    regions_ = &regions;
+    convex_ = convex;
     map_ = &regions.map();
     interrupt_ = &interrupt;
     reach_ = reach_of(options);
@@ -268,35 +270,74 @@ void Fan::reach(Vertex v, double share) {
     for (const Hit& hit : ray_.hits()) {
         if (hit.surely && hit.at < share) ray_.add_missing(hit.region, crossed);
     }
-    reach(v, share, 0, crossed);
+    choices_.clear();
+    for (const Squeeze& pair : ray_.squeezes()) {
+        if (pair.at < share) choices_.push_back(pair);
+    }
+    const auto matters = [&](const Squeeze& pair) { return !left(pair.one, v) || !left(pair.other, v); };
+    const auto rest = std::stable_partition(choices_.begin(), choices_.end(), matters);
+    choose(v, 0, std::size_t(rest - choices_.begin()), crossed);
 }
 
-// Once for each choice between the two obstacles of a squeeze.
-void Fan::reach(Vertex v, double share, std::size_t squeeze, std::vector<ObstacleId>& crossed) {
+// Whether a path that goes on from v never meets what stands in the region again.
+bool Fan::left(RegionId region, Vertex v) const {
+    bool left = convex_ != nullptr;
+    if (left && ray_.solid(region)) return true;
+    regions_->for_each_member(region, [&](ObstacleId obstacle) { left = left && convex_->left(obstacle, v); });
+    return left;
+}
+
+// Once for each choice between the two obstacles of a squeeze. From the choice `rest` on, only how much is crossed
+// matters.
+void Fan::choose(Vertex v, std::size_t next, std::size_t rest, std::vector<ObstacleId>& crossed) {
     if (!affords(crossed)) return;
-    if (squeeze == ray_.squeezes().size()) {
+    if (next == rest) least_.clear();
+    if (next >= rest && is_beaten(next, crossed)) return;
+    if (next == choices_.size()) {
         if (v == goal_ || bends(v, crossed)) reached_.push_back({v, crossed});
+        if (convex_ != nullptr) least_.push_back(sum_of(crossed));
         return;
     }
-    const Squeeze pair = ray_.squeezes()[squeeze];
-    if (pair.at >= share || ray_.opens(pair.one, crossed) || ray_.opens(pair.other, crossed)) {
-        reach(v, share, squeeze + 1, crossed);
+    const Squeeze pair = choices_[next];
+    if (ray_.opens(pair.one, crossed) || ray_.opens(pair.other, crossed)) {
+        choose(v, next + 1, rest, crossed);
         return;
     }
     for (const RegionId region : {pair.one, pair.other}) {
         if (ray_.solid(region)) continue;
         const std::size_t before = crossed.size();
         ray_.add_missing(region, crossed);
-        reach(v, share, squeeze + 1, crossed);
+        choose(v, next + 1, rest, crossed);
         crossed.resize(before);
     }
 }
 
+// Whether some choice crosses no more than any that goes on from this one.
+bool Fan::is_beaten(std::size_t next, std::span<const ObstacleId> crossed) {
+    if (least_.empty()) return false;
+    Sum sum = sum_of(crossed);
+    // Each squeeze that shares no obstacle with those before needs one more.
+    members_.assign(crossed.begin(), crossed.end());
+    for (const Squeeze& pair : std::span(choices_).subspan(next)) {
+        if (ray_.opens(pair.one, members_) || ray_.opens(pair.other, members_)) continue;
+        ++sum.count;
+        if (!ray_.solid(pair.one)) ray_.add_missing(pair.one, members_);
+        if (!ray_.solid(pair.other)) ray_.add_missing(pair.other, members_);
+    }
+    return std::ranges::any_of(
+        least_, [&](const Sum& least) { return least.count <= sum.count && least.weight <= sum.weight; });
+}
+
+Fan::Sum Fan::sum_of(std::span<const ObstacleId> obstacles) const {
+    Sum sum{obstacles.size()};
+    for (const ObstacleId obstacle : obstacles) sum.weight += ray_.weight(obstacle);
+    return sum;
+}
+
 // Whether so much may still be crossed.
 bool Fan::affords(std::span<const ObstacleId> obstacles) const {
-    double weight = 0;
-    for (const ObstacleId obstacle : obstacles) weight += ray_.weight(obstacle);
-    return int(obstacles.size()) <= from_.crossings && weight <= from_.weight;
+    const Sum sum = sum_of(obstacles);
+    return int(sum.count) <= from_.crossings && sum.weight <= from_.weight;
 }
 
 }  // namespace waybreaker::crossing

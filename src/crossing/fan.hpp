@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "crossing/bends.hpp"
+#include "crossing/convex.hpp"
 #include "crossing/done.hpp"
 #include "crossing/ellipse.hpp"
 #include "crossing/interrupt.hpp"
@@ -63,8 +64,9 @@ struct Reached {
 
 class Fan {
   public:
-    // Keeps regions and interrupt for as long as the query lasts. `pinched`: as of Ray; then the goal is no corner.
-    void start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, bool pinched,
+    // Keeps what it is given for as long as the query lasts. `pinched`: as of Ray; then the goal is no corner.
+    // `convex`: none if it matters which obstacles were crossed even where they are left.
+    void start_query(const Regions& regions, Vertex goal, const CrossingOptions& options, bool pinched, Convex* convex,
                      Interrupt& interrupt);
 
     // All corners and the goal that a shortest path can go to next; some of them if it is interrupted. `alternatives`:
@@ -90,6 +92,10 @@ class Fan {
                    (sign(cross(straight, direction)) * turn >= 0 && sign(cross(direction, sliding)) * turn >= 0);
         }
     };
+    struct Sum {
+        std::size_t count = 0;
+        double weight = 0;
+    };
     // A corner to look at, and on which side of it one sees past it.
     struct Aim {
         Vertex at;
@@ -113,9 +119,14 @@ class Fan {
     std::optional<Corner> corner_at(Vertex v, Step quadrant) const;
     bool bends(Vertex v, std::span<const ObstacleId> crossed) const;
     bool affords(std::span<const ObstacleId> obstacles) const;
+    Sum sum_of(std::span<const ObstacleId> obstacles) const;
     void reach(Vertex v, double share);
-    void reach(Vertex v, double share, std::size_t squeeze, std::vector<ObstacleId>& crossed);
+    void choose(Vertex v, std::size_t next, std::size_t rest, std::vector<ObstacleId>& crossed);
+    bool is_beaten(std::size_t next, std::span<const ObstacleId> crossed);
+    bool left(RegionId region, Vertex v) const;
 
+    const Regions* regions_ = nullptr;
+    Convex* convex_ = nullptr;
     const Map* map_ = nullptr;  // of the regions
     Interrupt* interrupt_ = nullptr;
     int reach_ = 2;  // half cells
@@ -130,6 +141,9 @@ class Fan {
     Sector sector_;
     std::vector<Aim> aims_;
     std::vector<Reached> reached_;
+    std::vector<Squeeze> choices_;  // on the way to a corner
+    std::vector<Sum> least_;        // of the choices made there
+    std::vector<ObstacleId> members_;
     bool notes_entered_ = false;
     std::vector<Entered> entered_;
     std::vector<Hit> in_order_;

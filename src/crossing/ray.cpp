@@ -23,6 +23,7 @@ void Ray::start_query(const Regions& regions, const CrossingOptions& options, bo
     reach_ = reach_of(options);
     weighs_ = options.budget < std::numeric_limits<double>::infinity();
     allows_some_ = !options.only.empty();
+    passes_destructible_ = false;
     const std::size_t region_limit = regions.count() + 1;
     const std::size_t obstacle_limit = regions.obstacle_limit();
     // Fresh pages are zero and cost nothing until used: a big map costs no more than what the rays see of it.
@@ -187,8 +188,9 @@ void Ray::visit_cell(const Frame& f, int x, int row) {
         stop(entry(f, x, row).at);
         return;
     }
-    const RegionMark& mark = region_marks_[region_of(f, x, row).value];
-    if (mark.open == opening_) return;
+    const RegionId region = region_of(f, x, row);
+    if (open(region)) return;
+    const RegionMark& mark = region_marks_[region.value];
     // Boxes of the row behind the first can begin earlier; those of later rows cannot.
     const bool known = mark.ray == ray_ && std::abs(row - hits_[mark.hit].row) != 1;
     if (!known || !hits_[mark.hit].surely) meet(entry(f, x, row));

@@ -39,6 +39,9 @@ class Ray {
     // Obstacles that the next rays pass as if they were gone.
     void set_open(std::span<const ObstacleId> obstacles);
 
+    // Until the next query: rays pass all that can be removed as if it were gone.
+    void pass_destructible() { passes_destructible_ = true; }
+
     // Casts a ray that passes at most so many further obstacles, of at most that weight together. False when it was
     // stopped: by a region that cannot be passed any more, or by the edge of the map. What it met before is in
     // hits(). Squeezes count as the cheaper of their regions, so a ray can get farther than a path does.
@@ -55,7 +58,9 @@ class Ray {
 
     bool met(RegionId region) const { return region_marks_[region.value].ray == ray_; }
     // Whether all its obstacles are open.
-    bool open(RegionId region) const { return region_marks_[region.value].open == opening_; }
+    bool open(RegionId region) const {
+        return region_marks_[region.value].open == opening_ || (passes_destructible_ && !solid(region));
+    }
     // Never passed.
     bool solid(RegionId region) const;
     // Of an obstacle against the budget; 0 where it is not limited.
@@ -131,7 +136,8 @@ class Ray {
     bool touching_ = false;
     bool pinched_ = false;      // between cells that touch at a corner
     bool allows_some_ = false;  // and no others
-    bool weighs_ = false;       // whether the budget is limited
+    bool passes_destructible_ = false;
+    bool weighs_ = false;  // whether the budget is limited
     std::unique_ptr<RegionMark[], Free> region_marks_;
     std::unique_ptr<ObstacleMark[], Free> obstacle_marks_;
     std::size_t region_limit_ = 0;

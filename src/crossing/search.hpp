@@ -18,6 +18,7 @@
 #include "crossing/interrupt.hpp"
 #include "crossing/labels.hpp"
 #include "crossing/regions.hpp"
+#include "crossing/rest.hpp"
 #include "crossing/ways.hpp"
 #include "waybreaker/crossing.hpp"
 
@@ -41,6 +42,7 @@ class CrossingSearcher::Search {
 
     enum class Outcome { found, exhausted, limit_reached, stopped };
 
+    void start_parts();
     void search_ellipses(double longest);
     Outcome search_ellipse();
     std::optional<Outcome> interrupted();
@@ -57,7 +59,8 @@ class CrossingSearcher::Search {
     bool in_time() const { return waits_ || options_->done_after; }
     double opened_after(std::span<const ObstacleId> sorted) const;
     std::uint32_t add_set(std::span<const ObstacleId> sorted);
-    double estimate(const crossing::Label& label) const;
+    double estimate(const crossing::Label& label);
+    double rest(crossing::Vertex v) { return detours_ ? rest_.from(v) : length(goal_ - v); }
     double with_flight(double ground, std::uint32_t set) const;
     double paid(std::uint32_t set) const { return options_->prices.empty() ? 0 : paid_[set]; }
     std::optional<double> cost_of(std::uint32_t parent, const crossing::Reached& reached);
@@ -76,6 +79,7 @@ class CrossingSearcher::Search {
     std::vector<ObstacleId> removed_;  // sorted
     bool waits_ = false;               // obstacles open in time
     const std::function<bool(const CrossingPath&)>* accept_ = nullptr;
+    bool by_count_ = true;  // of what is crossed and left only the number matters
     crossing::Vertex start_;
     crossing::Vertex goal_;
     int capacity_ = 0;  // members of a set, the removed obstacles included
@@ -91,6 +95,8 @@ class CrossingSearcher::Search {
     crossing::Interrupt interrupt_;
     crossing::Fan fan_;
     crossing::Convex convex_;
+    crossing::Rest rest_;
+    bool detours_ = false;  // what stays is in the straight way to the goal
     crossing::ObstacleSets sets_;
     crossing::Places places_;
     std::vector<crossing::Label> labels_;

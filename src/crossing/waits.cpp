@@ -34,8 +34,8 @@ std::uint32_t CrossingSearcher::Search::add_set(std::span<const ObstacleId> sort
     return sets_.add(sorted);
 }
 
-double CrossingSearcher::Search::estimate(const Label& label) const {
-    return with_flight(label.cost + length(goal_ - label.at), label.set);
+double CrossingSearcher::Search::estimate(const Label& label) {
+    return with_flight(label.cost + rest(label.at), label.set);
 }
 
 double CrossingSearcher::Search::with_flight(double ground, std::uint32_t set) const {

@@ -22,6 +22,8 @@ constexpr double close = 1e-3;
 constexpr double most_above = 0.03;
 // Relative: a plan so far from its bound may not remove what the disc needs gone where neither point nor square do.
 constexpr double far_from_bound = 0.05;
+// Relative: the disc's path is hardly ever so much shorter than the square's.
+constexpr double most_shortened = 1e-4;
 // Of the time that is left when selecting begins; the rest is for sets that are likely to be good, if the proof is not
 // done by then.
 constexpr double share_of_proof = 0.8;
@@ -282,14 +284,16 @@ class ExactSelection {
         return !gave_up && !cut;
     }
 
-    // What fewer removals reach, more must reach as well.
+    // What fewer removals reach, more must reach as well. Where the square's path tells how good a set is, only sets
+    // that may be better than the best are looked for.
     void try_with_fewer_removals() {
         if (deadline_.passed()) return;
         Rules fewer = task_.rules;
         --fewer.removals;
         const Task less = task_.under(fewer);
-        Selected selected =
-            ExactSelection(less, searchers_, start_, cost(less, start_), bound_, deadline_, opening_times_).run();
+        const bool tells = drives_by_crossing(task_) && !passes_more_than_square() && !opening_times_.matter();
+        const double reached = tells ? best_ * (1 + most_shortened) : cost(less, start_);
+        Selected selected = ExactSelection(less, searchers_, start_, reached, bound_, deadline_, opening_times_).run();
         std::ranges::move(selected.candidates, std::back_inserter(selected_.candidates));
         selected_.limited = selected_.limited || selected.limited;
     }

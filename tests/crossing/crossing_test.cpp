@@ -231,6 +231,36 @@ TEST(Crossing, ComesBackThroughWhatItHasLeft) {
         .#....
         .a....
         G#....)");
+    expect_to_come_back(Body{}, R"(
+        .a......
+        Sb......
+        .#......
+        #####...
+        .#......
+        .a......
+        G#......)");
+}
+
+// Before anything is expanded.
+TEST(Crossing, KnowsHowFarItIsAroundWhatStays) {
+    constexpr int width = 9;
+    constexpr int height = 5;
+    std::vector<std::uint32_t> labels(std::size_t(width * height));
+    for (const Cell c : {Cell{4, 0}, Cell{4, 1}, Cell{4, 2}, Cell{4, 3}}) labels[std::size_t(c.y * width + c.x)] = 1;
+    labels[2 * width + 2] = 2;
+    std::vector<ObstacleAttributes> attributes(3);
+    attributes[1].destructible = false;
+    const Map map = Map::from_labels(width, height, labels, attributes);
+    for (const Mover& mover : movers) {
+        CrossingOptions options{.body = mover.body, .relaxed = mover.relaxed, .crossings = 1};
+        CrossingSearcher searcher;
+        const CrossingResult best = searcher.find(map, {0, 2}, {8, 2}, options);
+        options.limits.expansions = 0;
+        const CrossingResult stopped = searcher.find(map, {0, 2}, {8, 2}, options);
+        EXPECT_EQ(stopped.status, SearchStatus::limit_reached);
+        EXPECT_TRUE(same_length(stopped.lower_bound, best.best.length));
+        EXPECT_GT(stopped.lower_bound, 8.2);
+    }
 }
 
 TEST(Crossing, StaysWhereItIs) {

@@ -1,0 +1,56 @@
+// Rest: how far it is to the goal at least, for who may pass all that can be removed. Rivers and railways stay, so that
+// is often much more than the straight line, and as often nearly all there is to prove.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "crossing/fan.hpp"
+
+namespace waybreaker::crossing {
+
+class Rest {
+  public:
+    // Keeps what it is given for as long as the query lasts.
+    void start_query(const Regions& regions, Vertex start, Vertex goal, const CrossingOptions& options, bool pinched,
+                     Interrupt& interrupt);
+
+    // A lower limit, half cells; infinity if no path through v is short enough.
+    double from(Vertex v);
+    // Whether something that stays is in the way from v straight to the goal.
+    bool detours(Vertex v) { return from(v) > length(goal_ - v) * (1 + rounding); }
+
+  private:
+    static constexpr double rounding = 1e-12;  // relative
+
+    struct Label {
+        Vertex at;
+        double cost = 0;
+        double estimate = 0;
+        std::uint32_t parent = 0;  // of the first: itself
+    };
+
+    double search(Vertex v);
+    void push(std::uint32_t parent, Vertex at);
+    void expand(std::uint32_t index);
+    std::optional<double> known(Vertex v) const;
+    bool later(std::uint32_t a, std::uint32_t b) const { return labels_[a].estimate > labels_[b].estimate; }
+    static std::uint64_t key(Vertex v) { return (std::uint64_t(std::uint32_t(v.x)) << 32) | std::uint32_t(v.y); }
+
+    Vertex start_;
+    Vertex goal_;
+    double longest_ = 0;  // of the paths that matter, half cells
+    std::span<const ObstacleId> removed_;
+    Interrupt* interrupt_ = nullptr;
+    Fan fan_;
+    std::unordered_map<std::uint64_t, double> known_;  // by vertex
+    // Of the search from one vertex:
+    double driven_ = 0;  // to it, at least
+    std::vector<Label> labels_;
+    std::vector<std::uint32_t> open_;                    // heap
+    std::unordered_map<std::uint64_t, double> reached_;  // the least cost, by vertex
+};
+
+}  // namespace waybreaker::crossing
