@@ -29,6 +29,9 @@ constexpr double usual_section = 20;  // metres
 struct Seen {
     const Footprint* footprint;
     double area;  // inside the window
+    Inheritance inherited = {};
+
+    bool sheltered() const { return footprint->sheltered || inherited.sheltered; }
 };
 
 // For each cell the number, from 1, of the footprint that covers its centre, 0 for none; barriers before buildings,
@@ -50,6 +53,7 @@ std::vector<std::uint32_t> rasterise(const std::vector<Seen>& seen, const CellWi
 
 ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice) {
     ObstacleAttributes attributes = seen.footprint->attributes;
+    if (seen.inherited.sheltered || seen.inherited.spared) attributes.destructible = false;
     if (choice.weight.of == "area") attributes.weight = seen.area * choice.weight.factor;
     if (choice.breach_time.of == "area") attributes.breach_time = seen.area * choice.breach_time.factor;
     return attributes;
@@ -64,10 +68,15 @@ site::LabelLayer labelled(const std::vector<Seen>& seen, const CellWindow& windo
                             .attributes = std::vector<ObstacleAttributes>(1)};
     for (const Seen& one : seen) {
         const auto label = std::uint32_t(result.attributes.size());
-        const std::string& name = one.footprint->name;
+        const std::string& name = one.footprint->name.empty() ? one.inherited.name : one.footprint->name;
         if (!name.empty()) result.names.emplace(label, name);
         result.kinds.emplace(label, one.footprint->kind);
-        for (const std::string& tag : one.footprint->tags) result.tags[tag].push_back(label);
+        for (const auto* tags : {&one.footprint->tags, &one.inherited.tags}) {
+            for (const std::string& tag : *tags) {
+                std::vector<std::uint32_t>& labels_with = result.tags[tag];
+                if (labels_with.empty() || labels_with.back() != label) labels_with.push_back(label);
+            }
+        }
         result.attributes.push_back(attributes_of(one, choice));
     }
     return result;
@@ -77,7 +86,7 @@ site::LabelLayer labelled(const std::vector<Seen>& seen, const CellWindow& windo
 std::vector<bool> joins(const std::vector<Seen>& seen) {
     std::vector<bool> result(1, false);
     for (const Seen& one : seen) {
-        result.push_back(one.footprint->kind != Kind::barrier && !one.footprint->sheltered);
+        result.push_back(one.footprint->kind != Kind::barrier && !one.sheltered());
     }
     return result;
 }
@@ -213,11 +222,25 @@ Material read(const std::string& source, const Window& window, const ImportOptio
     }
 }
 
-ImportReport report_of(const Material& material, const std::vector<Seen>& seen, const CellWindow& window,
+// Walls and fences are what they say of themselves: that of a hospital may be opened.
+void inherit(const std::vector<Premises>& premises, const std::vector<std::uint32_t>& labels, const CellWindow& window,
+             const ImportOptions& options, std::vector<Seen>& seen) {
+    if (premises.empty()) return;
+    std::vector<const OGRGeometry*> heirs;
+    for (const Seen& one : seen) {
+        heirs.push_back(one.footprint->kind == Kind::barrier ? nullptr : one.footprint->shape.get());
+    }
+    std::vector<Inheritance> found =
+        inherited(heirs, labels, window, premises, premises_filters(profile_of(options), options.choice));
+    for (std::size_t i = 0; i < seen.size(); ++i) seen[i].inherited = std::move(found[i]);
+}
+
+ImportReport report_of(const Material& material, std::vector<Seen> seen, const CellWindow& window,
                        const std::string& source, const ImportOptions& options) {
     const std::vector<GroundPiece>& pieces = material.survey.ground.pieces;
     const GroundMap ground = ground_map(pieces, window);
     std::vector<std::uint32_t> labels = rasterise(seen, window);
+    inherit(material.survey.premises, labels, window, options, seen);
     clear_for(ground, seen, labels);
     site::LabelLayer cells = labelled(seen, window, options.choice, std::move(labels));
     if (options.merge_touching) cells = merged(cells, joins(seen), !options.choice.weight.of.empty());
@@ -246,7 +269,7 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
                         .profile = profile_of(options),
                         .notes = material.survey.ground.notes};
     for (const Seen& one : seen) {
-        if (one.footprint->sheltered) ++report.sheltered;
+        if (one.sheltered()) ++report.sheltered;
         if (one.footprint->kind == Kind::barrier) continue;
         ++report.buildings;
         report.area += one.area;
@@ -277,7 +300,7 @@ ImportReport import_city(const std::string& source, const ImportOptions& given) 
     const Material material = read(source, window.window, options);
     std::vector<Seen> seen;
     for (const Footprint& footprint : material.footprints.list) seen.push_back({&footprint, footprint.area});
-    return report_of(material, seen, window, source, options);
+    return report_of(material, std::move(seen), window, source, options);
 }
 
 std::size_t import_tiles(const std::string& source, const ImportOptions& given, double side,
@@ -295,9 +318,9 @@ std::size_t import_tiles(const std::string& source, const ImportOptions& given, 
     for (int row = 0; row < window.height / tile; ++row) {
         for (int column = 0; column < window.width / tile; ++column) {
             const CellWindow part = part_of(window, column * tile, row * tile, tile, tile);
-            const std::vector<Seen> seen = seen_in(material.footprints, part.window.bounds);
+            std::vector<Seen> seen = seen_in(material.footprints, part.window.bounds);
             if (seen.empty() && material.survey.ground.pieces.empty()) continue;
-            const ImportReport report = report_of(material, seen, part, source, options);
+            const ImportReport report = report_of(material, std::move(seen), part, source, options);
             if (!report.tiff.map.obstacles().empty()) visit({column, row, report});
         }
     }

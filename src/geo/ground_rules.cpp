@@ -268,10 +268,19 @@ const Protection& protection(Profile profile) {
     return profile == Profile::paper ? nothing : people;
 }
 
-const std::vector<TagFilter>& ground_keys() {
+// [K:historic]: points are also plaques, crosses and stones in or on walls of houses that are no heritage for that.
+bool holds_around_point(std::string_view key, const TagSet& point) {
+    if (key != "historic" && key != "heritage") return true;
+    return !says_one_of(point, "historic",
+                       {"memorial", "monument", "statue", "tomb", "stone", "milestone", "boundary_stone", "wayside_cross",
+                        "wayside_shrine"});
+}
+
+const std::vector<TagFilter>& ground_keys(std::optional<Shape> shape) {
+    static const std::vector<TagFilter> of_points{{"barrier"}};
     static const std::vector<TagFilter> keys{{"natural"},  {"waterway"}, {"landuse"}, {"leisure"}, {"barrier"},
                                              {"military"}, {"railway"},  {"highway"}, {"access"},  {"man_made"}};
-    return keys;
+    return shape == Shape::point ? of_points : keys;
 }
 
 double vehicle_width(Profile profile) {
