@@ -15,6 +15,8 @@ class FilterUse {
 
     // Takes note of an obstacle.
     void see(const OGRFeature& feature, const FeatureTags& tags);
+    // Takes note of an area or point that may protect what stands there.
+    void see_premises(const OGRFeature& feature, const FeatureTags& tags);
     bool all_used() const { return unused_.empty(); }
     // Throws InputError that names the first filter that matched nothing; `source` is all that was seen.
     void require_all(const std::string& source) const;

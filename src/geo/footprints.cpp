@@ -218,6 +218,22 @@ std::string whereabouts(const std::vector<Shapes>& kinds, const ObstacleChoice& 
                        everywhere.MinY, everywhere.MaxX, everywhere.MaxY);
 }
 
+// What protects by where it is, in the whole source.
+void see_premises(const std::string& source, FilterUse& use) {
+    const GDALDatasetUniquePtr file = open_source(source);
+    const GdalScope gdal;
+    if (EQUAL(file->GetDriverName(), "OSM")) {
+        file->ReleaseResultSet(file->ExecuteSQL("SET interest_layers = points,multipolygons", nullptr, nullptr));
+    }
+    for (const GDALDataset::FeatureLayerPair& read : file->GetFeatures()) {
+        const OGRGeometry* shape = read.feature->GetGeometryRef();
+        if (shape != nullptr && !is_line(shape->getGeometryType())) {
+            use.see_premises(*read.feature, FeatureTags(*read.layer));
+        }
+    }
+    require_read(gdal, source);
+}
+
 // A filter without a match in the window may have one elsewhere: searches the whole source.
 void require_matches(const std::vector<Shapes>& kinds, const ObstacleChoice& choice, const std::string& source,
                      FilterUse& use) {
@@ -229,6 +245,7 @@ void require_matches(const std::vector<Shapes>& kinds, const ObstacleChoice& cho
                               [&](const OGRFeature& feature, const FeatureTags& tags) { use.see(feature, tags); });
         }
     }
+    if (choice.only_in_the_way && !use.all_used()) see_premises(source, use);
     use.require_all(source);
 }
 

@@ -259,6 +259,7 @@ bool stands_in_the_way(const TagSet& building) {
 const Protection& protection(Profile profile) {
     static const Protection nothing{};
     static const Protection people{{{"amenity", {"hospital", "school", "kindergarten", "place_of_worship"}},
+                                    {"landuse", {"religious"}},
                                     {"building",
                                      {"hospital", "school", "kindergarten", "church", "chapel", "cathedral", "mosque",
                                       "synagogue", "temple", "shrine", "religious"}},
@@ -268,12 +269,13 @@ const Protection& protection(Profile profile) {
     return profile == Profile::paper ? nothing : people;
 }
 
-// [K:historic]: points are also plaques, crosses and stones in or on walls of houses that are no heritage for that.
+// [K:historic]: points are also plaques, crosses and stones in or on walls of houses that are no heritage for that,
+// and the names of whole districts.
 bool holds_around_point(std::string_view key, const TagSet& point) {
     if (key != "historic" && key != "heritage") return true;
     return !says_one_of(point, "historic",
-                       {"memorial", "monument", "statue", "tomb", "stone", "milestone", "boundary_stone", "wayside_cross",
-                        "wayside_shrine"});
+                        {"memorial", "monument", "statue", "tomb", "stone", "milestone", "boundary_stone",
+                         "wayside_cross", "wayside_shrine", "district"});
 }
 
 const std::vector<TagFilter>& ground_keys(std::optional<Shape> shape) {

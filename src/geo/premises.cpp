@@ -80,7 +80,8 @@ class Heirs {
             const OGRPreparedGeometryUniquePtr building(
                 OGRCreatePreparedGeometry(OGRGeometry::ToHandle(const_cast<OGRGeometry*>(buildings_[label - 1]))));
             for (const Premises* one : points) {
-                if (!building || !OGRPreparedGeometryIntersects(building.get(), OGRGeometry::ToHandle(one->shape.get())))
+                if (!building ||
+                    !OGRPreparedGeometryIntersects(building.get(), OGRGeometry::ToHandle(one->shape.get())))
                     continue;
                 for (const Premises::Mark& mark : one->marks) inherit(label, *one, mark);
             }
