@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "geo/footprints.hpp"
@@ -30,8 +31,6 @@ struct Seen {
     const Footprint* footprint;
     double area;  // inside the window
     Inheritance inherited = {};
-
-    bool sheltered() const { return footprint->sheltered || inherited.sheltered; }
 };
 
 // For each cell the number, from 1, of the footprint that covers its centre, 0 for none; barriers before buildings,
@@ -51,9 +50,20 @@ std::vector<std::uint32_t> rasterise(const std::vector<Seen>& seen, const CellWi
     return labels;
 }
 
+bool is_sheltered(const Seen& seen, const ObstacleChoice& choice) {
+    return seen.footprint->sheltered || any_fits(seen.inherited.tags, choice.shelter);
+}
+
+// Its own tags, and those that it inherits.
+std::set<std::string> tags_of(const Seen& seen) {
+    std::set<std::string> tags(seen.footprint->tags.begin(), seen.footprint->tags.end());
+    for (const PremisesTag& tag : seen.inherited.tags) tags.insert(tag.key + "=" + tag.value);
+    return tags;
+}
+
 ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice) {
     ObstacleAttributes attributes = seen.footprint->attributes;
-    if (seen.inherited.sheltered || seen.inherited.spared) attributes.destructible = false;
+    if (is_sheltered(seen, choice) || any_fits(seen.inherited.tags, choice.protect)) attributes.destructible = false;
     if (choice.weight.of == "area") attributes.weight = seen.area * choice.weight.factor;
     if (choice.breach_time.of == "area") attributes.breach_time = seen.area * choice.breach_time.factor;
     return attributes;
@@ -71,22 +81,17 @@ site::LabelLayer labelled(const std::vector<Seen>& seen, const CellWindow& windo
         const std::string& name = one.footprint->name.empty() ? one.inherited.name : one.footprint->name;
         if (!name.empty()) result.names.emplace(label, name);
         result.kinds.emplace(label, one.footprint->kind);
-        for (const auto* tags : {&one.footprint->tags, &one.inherited.tags}) {
-            for (const std::string& tag : *tags) {
-                std::vector<std::uint32_t>& labels_with = result.tags[tag];
-                if (labels_with.empty() || labels_with.back() != label) labels_with.push_back(label);
-            }
-        }
+        for (const std::string& tag : tags_of(one)) result.tags[tag].push_back(label);
         result.attributes.push_back(attributes_of(one, choice));
     }
     return result;
 }
 
 // Barriers would join all houses of a street, and what is sheltered would shelter its neighbours.
-std::vector<bool> joins(const std::vector<Seen>& seen) {
+std::vector<bool> joins(const std::vector<Seen>& seen, const ObstacleChoice& choice) {
     std::vector<bool> result(1, false);
     for (const Seen& one : seen) {
-        result.push_back(one.footprint->kind != Kind::barrier && !one.sheltered());
+        result.push_back(one.footprint->kind != Kind::barrier && !is_sheltered(one, choice));
     }
     return result;
 }
@@ -191,6 +196,7 @@ ImportOptions with_profile(ImportOptions options) {
     ObstacleChoice& choice = options.choice;
     const Profile profile = profile_of(options);
     choice.only_in_the_way = profile != Profile::paper;
+    choice.premises = protection(profile).filters;
     if (choice.destructible.empty() && choice.protect.empty()) choice.shelter = protection(profile).filters;
     return options;
 }
@@ -230,8 +236,7 @@ void inherit(const std::vector<Premises>& premises, const std::vector<std::uint3
     for (const Seen& one : seen) {
         heirs.push_back(one.footprint->kind == Kind::barrier ? nullptr : one.footprint->shape.get());
     }
-    std::vector<Inheritance> found =
-        inherited(heirs, labels, window, premises, premises_filters(profile_of(options), options.choice));
+    std::vector<Inheritance> found = inherited(heirs, labels, window, premises, premises_filters(options.choice));
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i].inherited = std::move(found[i]);
 }
 
@@ -243,7 +248,7 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
     inherit(material.survey.premises, labels, window, options, seen);
     clear_for(ground, seen, labels);
     site::LabelLayer cells = labelled(seen, window, options.choice, std::move(labels));
-    if (options.merge_touching) cells = merged(cells, joins(seen), !options.choice.weight.of.empty());
+    if (options.merge_touching) cells = merged(cells, joins(seen, options.choice), !options.choice.weight.of.empty());
     append_ground(ground, pieces, cells);
     if (!options.names) cells.names.clear();
     if (profile_of(options) == Profile::paper) {
@@ -269,7 +274,7 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
                         .profile = profile_of(options),
                         .notes = material.survey.ground.notes};
     for (const Seen& one : seen) {
-        if (one.sheltered()) ++report.sheltered;
+        if (is_sheltered(one, options.choice)) ++report.sheltered;
         if (one.footprint->kind == Kind::barrier) continue;
         ++report.buildings;
         report.area += one.area;

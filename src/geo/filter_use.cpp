@@ -31,9 +31,9 @@ void FilterUse::see(const OGRFeature& feature, const FeatureTags& tags) {
     });
 }
 
-void FilterUse::see_premises(const OGRFeature& feature, const FeatureTags& tags) {
+void FilterUse::see(const Premises& premises) {
     std::erase_if(unused_, [&](const Filter& filter) {
-        return filter.option == "--protected" && tags.matches_any(feature, {filter.tag});
+        return filter.option == "--protected" && any_fits(premises.tags, {filter.tag});
     });
 }
 

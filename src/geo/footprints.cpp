@@ -11,6 +11,7 @@
 #include "geo/gdal_scope.hpp"
 #include "geo/ground_rules.hpp"
 #include "geo/obstacle_names.hpp"
+#include "geo/premises.hpp"
 #include "geo/vector_source.hpp"
 #include "waybreaker/error.hpp"
 
@@ -218,18 +219,20 @@ std::string whereabouts(const std::vector<Shapes>& kinds, const ObstacleChoice& 
                        everywhere.MinY, everywhere.MaxX, everywhere.MaxY);
 }
 
-// What protects by where it is, in the whole source.
-void see_premises(const std::string& source, FilterUse& use) {
+// Grounds say for their buildings what these need not say.
+void see_premises(const std::string& source, const ObstacleChoice& choice, FilterUse& use) {
     const GDALDatasetUniquePtr file = open_source(source);
     const GdalScope gdal;
     if (EQUAL(file->GetDriverName(), "OSM")) {
         file->ReleaseResultSet(file->ExecuteSQL("SET interest_layers = points,multipolygons", nullptr, nullptr));
     }
+    const std::vector<TagFilter> filters = premises_filters(choice);
     for (const GDALDataset::FeatureLayerPair& read : file->GetFeatures()) {
-        const OGRGeometry* shape = read.feature->GetGeometryRef();
-        if (shape != nullptr && !is_line(shape->getGeometryType())) {
-            use.see_premises(*read.feature, FeatureTags(*read.layer));
-        }
+        const OGRGeometry* geometry = read.feature->GetGeometryRef();
+        const auto shape = geometry ? shape_of(geometry->getGeometryType()) : std::nullopt;
+        const auto premises =
+            shape ? premises_of(FeatureTags(*read.layer).all(*read.feature), *shape, filters) : std::nullopt;
+        if (premises) use.see(*premises);
     }
     require_read(gdal, source);
 }
@@ -245,7 +248,7 @@ void require_matches(const std::vector<Shapes>& kinds, const ObstacleChoice& cho
                               [&](const OGRFeature& feature, const FeatureTags& tags) { use.see(feature, tags); });
         }
     }
-    if (choice.only_in_the_way && !use.all_used()) see_premises(source, use);
+    if (!choice.premises.empty() && !use.all_used()) see_premises(source, choice, use);
     use.require_all(source);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geo/gdal_scope.hpp"
+#include "geo/ground_rules.hpp"
 #include "geo/label_raster.hpp"
 #include "geo/obstacle_names.hpp"
 #include "geo/vector_source.hpp"
@@ -18,19 +19,6 @@ namespace {
 
 using Shape = site::Background::Shape;
 
-void append(const std::vector<TagFilter>& tags, const PremisesFilter& what, std::vector<PremisesFilter>& filters) {
-    for (const TagFilter& tag : tags) {
-        if (tag.key == "building" || tag.key == "*") continue;
-        PremisesFilter one = what;
-        one.tag = {tag.key};
-        if (tag.values.empty()) filters.push_back(one);
-        for (const std::string& value : tag.values) {
-            one.tag.values = {value};
-            filters.push_back(one);
-        }
-    }
-}
-
 double area_of(const OGRGeometry& shape) {
     return OGR_G_Area(OGRGeometry::ToHandle(const_cast<OGRGeometry*>(&shape)));
 }
@@ -39,7 +27,7 @@ double area_of(const OGRGeometry& shape) {
 class Heirs {
   public:
     Heirs(const std::vector<const OGRGeometry*>& buildings, const std::vector<std::uint32_t>& labels,
-          const CellWindow& window, const std::vector<Premises>& premises, const std::vector<PremisesFilter>& filters)
+          const CellWindow& window, const std::vector<Premises>& premises, const std::vector<TagFilter>& filters)
         : buildings_(buildings),
           labels_(labels),
           window_(window),
@@ -60,13 +48,10 @@ class Heirs {
   private:
     bool inherits(std::uint32_t label) const { return label != 0 && buildings_[label - 1] != nullptr; }
 
-    void inherit(std::uint32_t label, const Premises& from, const Premises::Mark& mark) {
+    void inherit(std::uint32_t label, const Premises& from, const PremisesTag& tag) {
         Inheritance& heir = found_[label - 1];
-        const PremisesFilter& filter = filters_[mark.filter];
-        if (filter.kept) heir.tags.push_back(mark.tag);
+        heir.tags.push_back(tag);
         if (heir.name.empty()) heir.name = from.name;
-        heir.sheltered = heir.sheltered || filter.shelters;
-        heir.spared = heir.spared || filter.spares;
     }
 
     void inherit_from_points() {
@@ -83,7 +68,7 @@ class Heirs {
                 if (!building ||
                     !OGRPreparedGeometryIntersects(building.get(), OGRGeometry::ToHandle(one->shape.get())))
                     continue;
-                for (const Premises::Mark& mark : one->marks) inherit(label, *one, mark);
+                for (const PremisesTag& tag : one->tags) inherit(label, *one, tag);
             }
         }
     }
@@ -113,7 +98,7 @@ class Heirs {
             OGREnvelope box;
             one.shape->getEnvelope(&box);
             if (!is_area(one.shape->getGeometryType()) || !window_.window.bounds.Intersects(box) ||
-                mark_of(one, filter) == nullptr) {
+                tag_of(one, filter) == nullptr) {
                 continue;
             }
             areas.push_back({area_of(*one.shape), {one.shape.get(), std::uint32_t(i + 1)}});
@@ -140,51 +125,61 @@ class Heirs {
             const auto most = std::max_element(by_owner.begin(), by_owner.end(),
                                                [](const auto& a, const auto& b) { return a.second < b.second; });
             const Premises& from = premises_[most->first - 1];
-            inherit(label, from, *mark_of(from, filter));
+            inherit(label, from, *tag_of(from, filter));
         }
     }
 
-    static const Premises::Mark* mark_of(const Premises& premises, std::size_t filter) {
-        const auto mark = std::find_if(premises.marks.begin(), premises.marks.end(),
-                                       [&](const auto& one) { return one.filter == filter; });
-        return mark == premises.marks.end() ? nullptr : &*mark;
+    static const PremisesTag* tag_of(const Premises& premises, std::size_t filter) {
+        const auto tag = std::find_if(premises.tags.begin(), premises.tags.end(),
+                                      [&](const auto& one) { return one.filter == filter; });
+        return tag == premises.tags.end() ? nullptr : &*tag;
     }
 
     const std::vector<const OGRGeometry*>& buildings_;
     const std::vector<std::uint32_t>& labels_;
     const CellWindow& window_;
     const std::vector<Premises>& premises_;
-    const std::vector<PremisesFilter>& filters_;
+    const std::vector<TagFilter>& filters_;
     std::vector<std::uint32_t> cells_;  // of each label
     std::vector<Inheritance> found_;
 };
 
 }  // namespace
 
-std::vector<PremisesFilter> premises_filters(Profile profile, const ObstacleChoice& choice) {
-    std::vector<PremisesFilter> filters;
-    append(protection(profile).filters, {.tag = {}, .kept = true, .shelters = !choice.shelter.empty()}, filters);
-    if (profile != Profile::paper) append(choice.protect, {.tag = {}, .spares = true}, filters);
+std::vector<TagFilter> premises_filters(const ObstacleChoice& choice) {
+    std::vector<TagFilter> filters;
+    for (const TagFilter& tag : choice.premises) {
+        if (tag.key == "building") continue;
+        if (tag.values.empty()) filters.push_back(tag);
+        for (const std::string& value : tag.values) filters.push_back({tag.key, {value}});
+    }
     return filters;
 }
 
-std::optional<Premises> premises_of(const TagSet& tags, Shape shape, const std::vector<PremisesFilter>& filters) {
+std::optional<Premises> premises_of(const TagSet& tags, Shape shape, const std::vector<TagFilter>& filters) {
     if (shape == Shape::line) return std::nullopt;
     Premises premises;
     for (std::size_t i = 0; i < filters.size(); ++i) {
-        const TagFilter& filter = filters[i].tag;
-        if (!tags.matches(filter) || (shape == Shape::point && !holds_around_point(filter.key, tags))) continue;
-        premises.marks.push_back({i, filter.key + "=" + clean_name(*tags.find(filter.key))});
+        const std::string& key = filters[i].key;
+        if (!tags.matches(filters[i]) || (shape == Shape::point && !holds_around_point(key, tags))) continue;
+        premises.tags.push_back({i, key, clean_name(*tags.find(key))});
     }
-    if (premises.marks.empty()) return std::nullopt;
+    if (premises.tags.empty()) return std::nullopt;
     const std::string* name = tags.find("name");
     premises.name = clean_name(name ? *name : "");
     return premises;
 }
 
+bool any_fits(const std::vector<PremisesTag>& tags, const std::vector<TagFilter>& filters) {
+    return std::ranges::any_of(filters, [&](const TagFilter& filter) {
+        return std::ranges::any_of(
+            tags, [&](const PremisesTag& tag) { return tag.key == filter.key && filter.accepts(tag.value); });
+    });
+}
+
 std::vector<Inheritance> inherited(const std::vector<const OGRGeometry*>& buildings,
                                    const std::vector<std::uint32_t>& labels, const CellWindow& window,
-                                   const std::vector<Premises>& premises, const std::vector<PremisesFilter>& filters) {
+                                   const std::vector<Premises>& premises, const std::vector<TagFilter>& filters) {
     const GdalScope gdal;
     return Heirs(buildings, labels, window, premises, filters).find();
 }

@@ -10,42 +10,39 @@
 #include <string>
 #include <vector>
 
-#include "geo/ground_rules.hpp"
 #include "geo/import_window.hpp"
+#include "geo/obstacle_choice.hpp"
+#include "geo/tag_set.hpp"
+#include "site/background.hpp"
 
 namespace waybreaker::geo {
 
-// A tag of one value, or of any, that protects what stands where it is said.
-struct PremisesFilter {
-    TagFilter tag;
-    bool kept = false;      // maps keep it
-    bool shelters = false;  // from destruction, though nobody said so
-    bool spares = false;    // from destruction, as the user wants it
+// The tags of premises, each of one value or of any; without `building`, which grounds are not.
+std::vector<TagFilter> premises_filters(const ObstacleChoice& choice);
+
+struct PremisesTag {
+    std::size_t filter;  // of these, that it fits
+    std::string key;
+    std::string value;
 };
 
-// Those of the profile and those that the user names, but for `building`: that is not said of grounds.
-std::vector<PremisesFilter> premises_filters(Profile profile, const ObstacleChoice& choice);
+// Whether one of the tags fits one of the filters.
+bool any_fits(const std::vector<PremisesTag>& tags, const std::vector<TagFilter>& filters);
 
 struct Premises {
     std::unique_ptr<OGRGeometry> shape;  // an area or a point, in the window's system, not clipped
     std::string name;
-    struct Mark {
-        std::size_t filter;
-        std::string tag;  // "amenity=hospital"
-    };
-    std::vector<Mark> marks;
+    std::vector<PremisesTag> tags;
 };
 
-// What a feature of that shape protects, without its shape; mostly nothing.
+// What a feature of that shape says for the buildings there, without its shape; mostly nothing.
 std::optional<Premises> premises_of(const TagSet& tags, site::Background::Shape shape,
-                                    const std::vector<PremisesFilter>& filters);
+                                    const std::vector<TagFilter>& filters);
 
 // What a building has of the premises that it stands on.
 struct Inheritance {
-    std::vector<std::string> tags = {};
+    std::vector<PremisesTag> tags = {};
     std::string name = {};
-    bool sheltered = false;
-    bool spared = false;
 };
 
 // Of the shapes with the numbers 1, 2, ... in `labels`, the cells of the window; null for what inherits nothing. A
@@ -53,6 +50,6 @@ struct Inheritance {
 // that has most of them (where areas overlap, the smallest has a cell); and the tags of points within.
 std::vector<Inheritance> inherited(const std::vector<const OGRGeometry*>& buildings,
                                    const std::vector<std::uint32_t>& labels, const CellWindow& window,
-                                   const std::vector<Premises>& premises, const std::vector<PremisesFilter>& filters);
+                                   const std::vector<Premises>& premises, const std::vector<TagFilter>& filters);
 
 }  // namespace waybreaker::geo

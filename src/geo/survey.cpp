@@ -26,7 +26,7 @@ constexpr double margin = 50;
 constexpr const char* nothing_found = "no water, ways or barriers in the window: only buildings bar the way";
 
 // Keys by which a feature of that shape is worth reading; of any shape, if it is empty.
-std::vector<TagFilter> keys_of(const SurveyOptions& options, const std::vector<PremisesFilter>& premises,
+std::vector<TagFilter> keys_of(const SurveyOptions& options, const std::vector<TagFilter>& premises,
                                std::optional<Shape> shape) {
     std::vector<TagFilter> keys;
     const auto add = [&keys](const std::vector<TagFilter>& more) {
@@ -39,14 +39,8 @@ std::vector<TagFilter> keys_of(const SurveyOptions& options, const std::vector<P
     if (options.scenery) add(scenery_keys(shape));
     if (options.profile != Profile::paper) add(ground_keys(shape));
     if (shape == Shape::line) return keys;
-    for (const PremisesFilter& one : premises) add({{one.tag.key}});
+    for (const TagFilter& one : premises) add({{one.key}});
     return keys;
-}
-
-std::optional<Shape> shape_of(OGRwkbGeometryType type) {
-    if (is_area(type)) return Shape::area;
-    if (is_line(type)) return Shape::line;
-    return wkbFlatten(type) == wkbPoint ? std::optional(Shape::point) : std::nullopt;
 }
 
 // What is read so far.
@@ -59,7 +53,7 @@ struct Findings {
 class SurveyedLayer {
   public:
     SurveyedLayer(OGRLayer& layer, const Window& window, const SurveyOptions& options,
-                  const std::vector<PremisesFilter>& premises, const std::string& source)
+                  const std::vector<TagFilter>& premises, const std::string& source)
         : tags_(layer),
           window_(window),
           options_(options),
@@ -148,15 +142,14 @@ class SurveyedLayer {
     FeatureTags tags_;
     const Window& window_;
     const SurveyOptions& options_;
-    const std::vector<PremisesFilter>& premises_;
+    const std::vector<TagFilter>& premises_;
     Transformation to_window_;
 };
 
 // By layer, of those that say where they lie. In OpenStreetMap's files without the layers of relations that are not
 // areas.
 std::map<const OGRLayer*, SurveyedLayer> layers_of(GDALDataset& file, const Window& window,
-                                                   const SurveyOptions& options,
-                                                   const std::vector<PremisesFilter>& premises,
+                                                   const SurveyOptions& options, const std::vector<TagFilter>& premises,
                                                    const std::string& source) {
     const bool osm = EQUAL(file.GetDriverName(), "OSM");
     if (osm) {
@@ -213,7 +206,7 @@ Survey read_survey(const std::string& source, const Window& window, const Survey
     const GDALDatasetUniquePtr file = open_source(source);
     IncompleteRelations incomplete;
     const GdalScope gdal([&incomplete](std::string_view line) { incomplete.hear(line); });
-    const std::vector<PremisesFilter> premises = premises_filters(options.profile, options.choice);
+    const std::vector<TagFilter> premises = premises_filters(options.choice);
     const std::map<const OGRLayer*, SurveyedLayer> layers = layers_of(*file, window, options, premises, source);
     Findings findings;
     if (layers.empty() && options.profile != Profile::paper) findings.survey.ground.notes.emplace_back(nothing_found);

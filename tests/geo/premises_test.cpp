@@ -146,7 +146,8 @@ TEST_F(PremisesOfHouses, are_joined_with_no_neighbour) {
 
 TEST_F(PremisesOfHouses, protect_what_the_user_wants) {
     OsmDrawing drawing = houses().area("amenity=hospital", rectangle(0.5, 2.5, 4.5, 7.5));
-    drawing.area("leisure=park", rectangle(4.5, 2.5, 8.5, 7.5));
+    drawing.area("amenity=school", rectangle(4.5, 2.5, 8.5, 7.5));
+    drawing.area("leisure=park", rectangle(8.5, 2.5, 13.5, 7.5));
     const auto imported = [&](const ObstacleChoice& choice, Profile profile = Profile::rover) {
         ImportOptions options = window;
         options.choice = choice;
@@ -154,16 +155,16 @@ TEST_F(PremisesOfHouses, protect_what_the_user_wants) {
         return import(drawing, options);
     };
     EXPECT_EQ(fates(imported({.protect = {{"amenity", {"hospital"}}}}).tiff), "-dd");
-    EXPECT_EQ(fates(imported({.protect = {{"leisure", {"park"}}}}).tiff), "d-d");
+    EXPECT_EQ(fates(imported({.protect = {{"amenity", {"school"}}}}).tiff), "d-d");
     EXPECT_EQ(fates(imported({.destructible = {{"building"}}}).tiff), "ddd");
     EXPECT_EQ(imported({.destructible = {{"building"}}}).sheltered, 0U);
     // A mission can still protect them.
     EXPECT_EQ(imported({.destructible = {{"building"}}}).tiff.tags.at("amenity=hospital").size(), 1U);
     EXPECT_EQ(fates(imported({}, Profile::paper).tiff), "ddd");
-    EXPECT_NE(input_error([&] {
-                  imported({.protect = {{"amenity", {"hospitel"}}}});
-              }).find("no obstacle of"),
-              std::string::npos);
+    // Misspelt; and a house in a park is no park.
+    for (const TagFilter& tag : {TagFilter{"amenity", {"hospitel"}}, TagFilter{"leisure", {"park"}}}) {
+        EXPECT_NE(input_error([&] { imported({.protect = {tag}}); }).find("no obstacle of"), std::string::npos);
+    }
 }
 
 TEST_F(PremisesOfHouses, of_tiles_hold_for_their_part_of_a_house) {
