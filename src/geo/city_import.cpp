@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "geo/footprints.hpp"
@@ -29,6 +30,7 @@ constexpr double usual_section = 20;  // metres
 struct Seen {
     const Footprint* footprint;
     double area;  // inside the window
+    Inheritance inherited = {};
 };
 
 // For each cell the number, from 1, of the footprint that covers its centre, 0 for none; barriers before buildings,
@@ -48,8 +50,20 @@ std::vector<std::uint32_t> rasterise(const std::vector<Seen>& seen, const CellWi
     return labels;
 }
 
+bool is_sheltered(const Seen& seen, const ObstacleChoice& choice) {
+    return seen.footprint->sheltered || any_fits(seen.inherited.tags, choice.shelter);
+}
+
+// Its own tags, and those that it inherits.
+std::set<std::string> tags_of(const Seen& seen) {
+    std::set<std::string> tags(seen.footprint->tags.begin(), seen.footprint->tags.end());
+    for (const PremisesTag& tag : seen.inherited.tags) tags.insert(tag.key + "=" + tag.value);
+    return tags;
+}
+
 ObstacleAttributes attributes_of(const Seen& seen, const ObstacleChoice& choice) {
     ObstacleAttributes attributes = seen.footprint->attributes;
+    if (is_sheltered(seen, choice) || any_fits(seen.inherited.tags, choice.protect)) attributes.destructible = false;
     if (choice.weight.of == "area") attributes.weight = seen.area * choice.weight.factor;
     if (choice.breach_time.of == "area") attributes.breach_time = seen.area * choice.breach_time.factor;
     return attributes;
@@ -64,20 +78,20 @@ site::LabelLayer labelled(const std::vector<Seen>& seen, const CellWindow& windo
                             .attributes = std::vector<ObstacleAttributes>(1)};
     for (const Seen& one : seen) {
         const auto label = std::uint32_t(result.attributes.size());
-        const std::string& name = one.footprint->name;
+        const std::string& name = one.footprint->name.empty() ? one.inherited.name : one.footprint->name;
         if (!name.empty()) result.names.emplace(label, name);
         result.kinds.emplace(label, one.footprint->kind);
-        for (const std::string& tag : one.footprint->tags) result.tags[tag].push_back(label);
+        for (const std::string& tag : tags_of(one)) result.tags[tag].push_back(label);
         result.attributes.push_back(attributes_of(one, choice));
     }
     return result;
 }
 
 // Barriers would join all houses of a street, and what is sheltered would shelter its neighbours.
-std::vector<bool> joins(const std::vector<Seen>& seen) {
+std::vector<bool> joins(const std::vector<Seen>& seen, const ObstacleChoice& choice) {
     std::vector<bool> result(1, false);
     for (const Seen& one : seen) {
-        result.push_back(one.footprint->kind != Kind::barrier && !one.footprint->sheltered);
+        result.push_back(one.footprint->kind != Kind::barrier && !is_sheltered(one, choice));
     }
     return result;
 }
@@ -182,6 +196,7 @@ ImportOptions with_profile(ImportOptions options) {
     ObstacleChoice& choice = options.choice;
     const Profile profile = profile_of(options);
     choice.only_in_the_way = profile != Profile::paper;
+    choice.premises = protection(profile).filters;
     if (choice.destructible.empty() && choice.protect.empty()) choice.shelter = protection(profile).filters;
     return options;
 }
@@ -213,14 +228,27 @@ Material read(const std::string& source, const Window& window, const ImportOptio
     }
 }
 
-ImportReport report_of(const Material& material, const std::vector<Seen>& seen, const CellWindow& window,
+// Walls and fences are what they say of themselves: that of a hospital may be opened.
+void inherit(const std::vector<Premises>& premises, const std::vector<std::uint32_t>& labels, const CellWindow& window,
+             const ImportOptions& options, std::vector<Seen>& seen) {
+    if (premises.empty()) return;
+    std::vector<const OGRGeometry*> heirs;
+    for (const Seen& one : seen) {
+        heirs.push_back(one.footprint->kind == Kind::barrier ? nullptr : one.footprint->shape.get());
+    }
+    std::vector<Inheritance> found = inherited(heirs, labels, window, premises, premises_filters(options.choice));
+    for (std::size_t i = 0; i < seen.size(); ++i) seen[i].inherited = std::move(found[i]);
+}
+
+ImportReport report_of(const Material& material, std::vector<Seen> seen, const CellWindow& window,
                        const std::string& source, const ImportOptions& options) {
     const std::vector<GroundPiece>& pieces = material.survey.ground.pieces;
     const GroundMap ground = ground_map(pieces, window);
     std::vector<std::uint32_t> labels = rasterise(seen, window);
+    inherit(material.survey.premises, labels, window, options, seen);
     clear_for(ground, seen, labels);
     site::LabelLayer cells = labelled(seen, window, options.choice, std::move(labels));
-    if (options.merge_touching) cells = merged(cells, joins(seen), !options.choice.weight.of.empty());
+    if (options.merge_touching) cells = merged(cells, joins(seen, options.choice), !options.choice.weight.of.empty());
     append_ground(ground, pieces, cells);
     if (!options.names) cells.names.clear();
     if (profile_of(options) == Profile::paper) {
@@ -246,7 +274,7 @@ ImportReport report_of(const Material& material, const std::vector<Seen>& seen, 
                         .profile = profile_of(options),
                         .notes = material.survey.ground.notes};
     for (const Seen& one : seen) {
-        if (one.footprint->sheltered) ++report.sheltered;
+        if (is_sheltered(one, options.choice)) ++report.sheltered;
         if (one.footprint->kind == Kind::barrier) continue;
         ++report.buildings;
         report.area += one.area;
@@ -277,7 +305,7 @@ ImportReport import_city(const std::string& source, const ImportOptions& given) 
     const Material material = read(source, window.window, options);
     std::vector<Seen> seen;
     for (const Footprint& footprint : material.footprints.list) seen.push_back({&footprint, footprint.area});
-    return report_of(material, seen, window, source, options);
+    return report_of(material, std::move(seen), window, source, options);
 }
 
 std::size_t import_tiles(const std::string& source, const ImportOptions& given, double side,
@@ -295,9 +323,9 @@ std::size_t import_tiles(const std::string& source, const ImportOptions& given, 
     for (int row = 0; row < window.height / tile; ++row) {
         for (int column = 0; column < window.width / tile; ++column) {
             const CellWindow part = part_of(window, column * tile, row * tile, tile, tile);
-            const std::vector<Seen> seen = seen_in(material.footprints, part.window.bounds);
+            std::vector<Seen> seen = seen_in(material.footprints, part.window.bounds);
             if (seen.empty() && material.survey.ground.pieces.empty()) continue;
-            const ImportReport report = report_of(material, seen, part, source, options);
+            const ImportReport report = report_of(material, std::move(seen), part, source, options);
             if (!report.tiff.map.obstacles().empty()) visit({column, row, report});
         }
     }

@@ -31,6 +31,12 @@ void FilterUse::see(const OGRFeature& feature, const FeatureTags& tags) {
     });
 }
 
+void FilterUse::see(const Premises& premises) {
+    std::erase_if(unused_, [&](const Filter& filter) {
+        return filter.option == "--protected" && any_fits(premises.tags, {filter.tag});
+    });
+}
+
 void FilterUse::require_all(const std::string& source) const {
     if (all_used()) return;
     const Filter& filter = unused_.front();

@@ -6,6 +6,7 @@
 
 #include "geo/feature_tags.hpp"
 #include "geo/obstacle_choice.hpp"
+#include "geo/premises.hpp"
 
 namespace waybreaker::geo {
 
@@ -15,6 +16,8 @@ class FilterUse {
 
     // Takes note of an obstacle.
     void see(const OGRFeature& feature, const FeatureTags& tags);
+    // Takes note of what may protect the buildings there.
+    void see(const Premises& premises);
     bool all_used() const { return unused_.empty(); }
     // Throws InputError that names the first filter that matched nothing; `source` is all that was seen.
     void require_all(const std::string& source) const;

@@ -11,6 +11,7 @@
 #include "geo/gdal_scope.hpp"
 #include "geo/ground_rules.hpp"
 #include "geo/obstacle_names.hpp"
+#include "geo/premises.hpp"
 #include "geo/vector_source.hpp"
 #include "waybreaker/error.hpp"
 
@@ -218,6 +219,24 @@ std::string whereabouts(const std::vector<Shapes>& kinds, const ObstacleChoice& 
                        everywhere.MinY, everywhere.MaxX, everywhere.MaxY);
 }
 
+// Grounds say for their buildings what these need not say.
+void see_premises(const std::string& source, const ObstacleChoice& choice, FilterUse& use) {
+    const GDALDatasetUniquePtr file = open_source(source);
+    const GdalScope gdal;
+    if (EQUAL(file->GetDriverName(), "OSM")) {
+        file->ReleaseResultSet(file->ExecuteSQL("SET interest_layers = points,multipolygons", nullptr, nullptr));
+    }
+    const std::vector<TagFilter> filters = premises_filters(choice);
+    for (const GDALDataset::FeatureLayerPair& read : file->GetFeatures()) {
+        const OGRGeometry* geometry = read.feature->GetGeometryRef();
+        const auto shape = geometry ? shape_of(geometry->getGeometryType()) : std::nullopt;
+        const auto premises =
+            shape ? premises_of(FeatureTags(*read.layer).all(*read.feature), *shape, filters) : std::nullopt;
+        if (premises) use.see(*premises);
+    }
+    require_read(gdal, source);
+}
+
 // A filter without a match in the window may have one elsewhere: searches the whole source.
 void require_matches(const std::vector<Shapes>& kinds, const ObstacleChoice& choice, const std::string& source,
                      FilterUse& use) {
@@ -229,6 +248,7 @@ void require_matches(const std::vector<Shapes>& kinds, const ObstacleChoice& cho
                               [&](const OGRFeature& feature, const FeatureTags& tags) { use.see(feature, tags); });
         }
     }
+    if (!choice.premises.empty() && !use.all_used()) see_premises(source, choice, use);
     use.require_all(source);
 }
 

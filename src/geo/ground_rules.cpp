@@ -259,6 +259,7 @@ bool stands_in_the_way(const TagSet& building) {
 const Protection& protection(Profile profile) {
     static const Protection nothing{};
     static const Protection people{{{"amenity", {"hospital", "school", "kindergarten", "place_of_worship"}},
+                                    {"landuse", {"religious"}},
                                     {"building",
                                      {"hospital", "school", "kindergarten", "church", "chapel", "cathedral", "mosque",
                                       "synagogue", "temple", "shrine", "religious"}},
@@ -268,10 +269,20 @@ const Protection& protection(Profile profile) {
     return profile == Profile::paper ? nothing : people;
 }
 
-const std::vector<TagFilter>& ground_keys() {
+// [K:historic]: points are also plaques, crosses and stones in or on walls of houses that are no heritage for that,
+// and the names of whole districts.
+bool holds_around_point(std::string_view key, const TagSet& point) {
+    if (key != "historic" && key != "heritage") return true;
+    return !says_one_of(point, "historic",
+                        {"memorial", "monument", "statue", "tomb", "stone", "milestone", "boundary_stone",
+                         "wayside_cross", "wayside_shrine", "district"});
+}
+
+const std::vector<TagFilter>& ground_keys(std::optional<Shape> shape) {
+    static const std::vector<TagFilter> of_points{{"barrier"}};
     static const std::vector<TagFilter> keys{{"natural"},  {"waterway"}, {"landuse"}, {"leisure"}, {"barrier"},
                                              {"military"}, {"railway"},  {"highway"}, {"access"},  {"man_made"}};
-    return keys;
+    return shape == Shape::point ? of_points : keys;
 }
 
 double vehicle_width(Profile profile) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -48,12 +49,15 @@ struct Protection {
 };
 const Protection& protection(Profile profile);
 
+// Whether what a point says by that key holds for the building around it.
+bool holds_around_point(std::string_view key, const TagSet& point);
+
 // Keys of the tags that maps keep of obstacles, so that people can name these by what they are.
 inline constexpr std::array<std::string_view, 6> kept_keys{"amenity",  "barrier",  "building",
                                                            "heritage", "historic", "tourism"};
 
-// Every key by which a feature can have a use.
-const std::vector<TagFilter>& ground_keys();
+// Every key by which a feature of that shape, or of any, can have a use.
+const std::vector<TagFilter>& ground_keys(std::optional<site::Background::Shape> shape);
 
 // Metres.
 double vehicle_width(Profile profile);

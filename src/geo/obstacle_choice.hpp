@@ -25,11 +25,13 @@ struct ObstacleChoice {
     std::vector<TagFilter> destructible = {};  // empty: all
     std::vector<TagFilter> protect = {};       // never destructible
     std::vector<TagFilter> shelter = {};       // neither, where nothing above says what is; need not match anything
-    bool only_in_the_way = false;              // of buildings: without roofs on posts, bridges, what is underground
-    Quantity weight = {};                      // 1 where the tag says no number above 0
-    Quantity breach_time = {};                 // 0 where the tag says no number
-    double wall_width = 0;                     // of features that are lines, in metres; at least a cell
-    std::string layer = {};                    // of the source, the only one that is read for obstacles; empty: all
+    // What areas and points say in the place of the buildings there: see premises.hpp.
+    std::vector<TagFilter> premises = {};
+    bool only_in_the_way = false;  // of buildings: without roofs on posts, bridges, what is underground
+    Quantity weight = {};          // 1 where the tag says no number above 0
+    Quantity breach_time = {};     // 0 where the tag says no number
+    double wall_width = 0;         // of features that are lines, in metres; at least a cell
+    std::string layer = {};        // of the source, the only one that is read for obstacles; empty: all
 
     // Whether lines can be obstacles; buildings are areas.
     bool wants_lines() const;

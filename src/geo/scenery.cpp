@@ -73,16 +73,14 @@ const std::vector<Rule>& rules() {
 
 }  // namespace
 
-const std::vector<TagFilter>& scenery_keys() {
-    static const std::vector<TagFilter> keys = [] {
-        std::vector<TagFilter> all;
-        for (const Rule& rule : rules()) {
-            const bool known = std::any_of(all.begin(), all.end(),
-                                           [&](const TagFilter& filter) { return filter.key == rule.filter.key; });
-            if (!known) all.push_back({.key = rule.filter.key});
-        }
-        return all;
-    }();
+std::vector<TagFilter> scenery_keys(std::optional<Shape> shape) {
+    std::vector<TagFilter> keys;
+    for (const Rule& rule : rules()) {
+        const bool fits = !shape || std::find(rule.shapes.begin(), rule.shapes.end(), *shape) != rule.shapes.end();
+        const bool known = std::any_of(keys.begin(), keys.end(),
+                                       [&](const TagFilter& filter) { return filter.key == rule.filter.key; });
+        if (fits && !known) keys.push_back({.key = rule.filter.key});
+    }
     return keys;
 }
 

@@ -25,8 +25,8 @@ struct Sight {
 // What a feature of that shape shows, without its shape; most features are no scenery.
 std::optional<Sight> sight_of(const TagSet& tags, site::Background::Shape shape);
 
-// Every key by which a feature can be scenery.
-const std::vector<TagFilter>& scenery_keys();
+// Every key by which a feature of that shape, or of any, can be scenery.
+std::vector<TagFilter> scenery_keys(std::optional<site::Background::Shape> shape);
 
 // What of it lies within bounds, in the cells of a map there: joined, clipped, simplified to half a cell (areas: a
 // cell), without what is too small to see. The least ranks are left out where it would be too long for the file.

@@ -25,7 +25,9 @@ constexpr double margin = 50;
 
 constexpr const char* nothing_found = "no water, ways or barriers in the window: only buildings bar the way";
 
-std::vector<TagFilter> keys_of(const SurveyOptions& options) {
+// Keys by which a feature of that shape is worth reading; of any shape, if it is empty.
+std::vector<TagFilter> keys_of(const SurveyOptions& options, const std::vector<TagFilter>& premises,
+                               std::optional<Shape> shape) {
     std::vector<TagFilter> keys;
     const auto add = [&keys](const std::vector<TagFilter>& more) {
         for (const TagFilter& one : more) {
@@ -34,18 +36,11 @@ std::vector<TagFilter> keys_of(const SurveyOptions& options) {
             if (!known) keys.push_back(one);
         }
     };
-    if (options.scenery) add(scenery_keys());
-    if (options.profile != Profile::paper) add(ground_keys());
+    if (options.scenery) add(scenery_keys(shape));
+    if (options.profile != Profile::paper) add(ground_keys(shape));
+    if (shape == Shape::line) return keys;
+    for (const TagFilter& one : premises) add({{one.key}});
     return keys;
-}
-
-std::optional<Shape> shape_of(const OGRFeature& feature) {
-    const OGRGeometry* geometry = feature.GetGeometryRef();
-    if (geometry == nullptr) return std::nullopt;
-    const OGRwkbGeometryType type = geometry->getGeometryType();
-    if (is_area(type)) return Shape::area;
-    if (is_line(type)) return Shape::line;
-    return wkbFlatten(type) == wkbPoint ? std::optional(Shape::point) : std::nullopt;
 }
 
 // What is read so far.
@@ -57,10 +52,12 @@ struct Findings {
 // One layer of the source.
 class SurveyedLayer {
   public:
-    SurveyedLayer(OGRLayer& layer, const Window& window, const SurveyOptions& options, const std::string& source)
+    SurveyedLayer(OGRLayer& layer, const Window& window, const SurveyOptions& options,
+                  const std::vector<TagFilter>& premises, const std::string& source)
         : tags_(layer),
           window_(window),
           options_(options),
+          premises_(premises),
           to_window_(transformation(system_of(layer, source), window.system)) {
         // If GDAL's OSM driver skips points, ways lose them too.
         if (wkbFlatten(layer.GetGeomType()) != wkbPoint) {
@@ -72,18 +69,21 @@ class SurveyedLayer {
             const OGREnvelope bounds = bounds_in(system_of(layer, source), wide, source);
             layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);
         }
-        layer.SetAttributeFilter(tags_.condition(keys_of(options)).c_str());
+        const std::optional<Shape> shape = shape_of(layer.GetGeomType());
+        layer.SetAttributeFilter(tags_.condition(keys_of(options, premises, shape)).c_str());
     }
 
     void see(const OGRFeature& feature, Findings& findings) const {
-        const std::optional<Shape> shape = shape_of(feature);
+        const OGRGeometry* geometry = feature.GetGeometryRef();
+        const std::optional<Shape> shape = geometry ? shape_of(geometry->getGeometryType()) : std::nullopt;
         if (!shape) return;
         const TagSet tags = tags_.all(feature);
         std::optional<Sight> sight = options_.scenery ? sight_of(tags, *shape) : std::nullopt;
         const std::vector<GroundUse> uses = ground_uses(tags, *shape, options_.profile);
         const bool coast = options_.profile != Profile::paper && tags.is("natural", "coastline");
-        if (!sight && uses.empty() && !coast) return;
-        const std::unique_ptr<OGRGeometry> placed = place(*feature.GetGeometryRef());
+        std::optional<Premises> premises = premises_of(tags, *shape, premises_);
+        if (!sight && uses.empty() && !coast && !premises) return;
+        const std::unique_ptr<OGRGeometry> placed = place(*geometry);
         if (!placed) return;
         const std::string* name = tags.find("name");
         for (const GroundUse& use : uses) {
@@ -96,6 +96,10 @@ class SurveyedLayer {
         if (coast) {  // GDAL makes areas of islands
             OGRGeometry* line = *shape == Shape::area ? placed->Boundary() : placed->clone();
             findings.coasts.push_back({{}, std::unique_ptr<OGRGeometry>(line), 0, ""});
+        }
+        if (premises) {
+            premises->shape.reset(placed->clone());
+            findings.survey.premises.push_back(std::move(*premises));
         }
         OGREnvelope box;
         placed->getEnvelope(&box);
@@ -138,18 +142,20 @@ class SurveyedLayer {
     FeatureTags tags_;
     const Window& window_;
     const SurveyOptions& options_;
+    const std::vector<TagFilter>& premises_;
     Transformation to_window_;
 };
 
 // By layer, of those that say where they lie. In OpenStreetMap's files without the layers of relations that are not
 // areas.
 std::map<const OGRLayer*, SurveyedLayer> layers_of(GDALDataset& file, const Window& window,
-                                                   const SurveyOptions& options, const std::string& source) {
+                                                   const SurveyOptions& options, const std::vector<TagFilter>& premises,
+                                                   const std::string& source) {
     const bool osm = EQUAL(file.GetDriverName(), "OSM");
     if (osm) {
         file.ReleaseResultSet(file.ExecuteSQL("SET interest_layers = points,lines,multipolygons", nullptr, nullptr));
     }
-    const std::vector<TagFilter> keys = keys_of(options);
+    const std::vector<TagFilter> keys = keys_of(options, premises, {});
     std::map<const OGRLayer*, SurveyedLayer> layers;
     for (OGRLayer* layer : file.GetLayers()) {
         const std::string name = layer->GetName();
@@ -158,7 +164,7 @@ std::map<const OGRLayer*, SurveyedLayer> layers_of(GDALDataset& file, const Wind
         const FeatureTags tags(*layer);
         if (std::any_of(keys.begin(), keys.end(), [&](const TagFilter& key) { return tags.can_have(key.key); })) {
             layers.emplace(std::piecewise_construct, std::forward_as_tuple(layer),
-                           std::forward_as_tuple(*layer, window, options, source));
+                           std::forward_as_tuple(*layer, window, options, premises, source));
         }
     }
     return layers;
@@ -200,7 +206,8 @@ Survey read_survey(const std::string& source, const Window& window, const Survey
     const GDALDatasetUniquePtr file = open_source(source);
     IncompleteRelations incomplete;
     const GdalScope gdal([&incomplete](std::string_view line) { incomplete.hear(line); });
-    const std::map<const OGRLayer*, SurveyedLayer> layers = layers_of(*file, window, options, source);
+    const std::vector<TagFilter> premises = premises_filters(options.choice);
+    const std::map<const OGRLayer*, SurveyedLayer> layers = layers_of(*file, window, options, premises, source);
     Findings findings;
     if (layers.empty() && options.profile != Profile::paper) findings.survey.ground.notes.emplace_back(nothing_found);
     if (layers.empty()) return std::move(findings.survey);

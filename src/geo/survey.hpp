@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geo/ground.hpp"
+#include "geo/premises.hpp"
 #include "geo/scenery.hpp"
 #include "geo/vector_source.hpp"
 
@@ -21,6 +22,7 @@ struct SurveyOptions {
 struct Survey {
     std::vector<Sight> scenery;  // in the source's order; nothing in tunnels
     Ground ground;
+    std::vector<Premises> premises;  // by premises_filters(), in the source's order
 };
 
 // One scan of the source; none if nothing in it can have such tags. Throws InputError if the source cannot be read.

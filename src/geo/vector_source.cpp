@@ -101,6 +101,13 @@ bool is_line(OGRwkbGeometryType type) {
     return OGR_GT_IsSubClassOf(type, wkbCurve) || OGR_GT_IsSubClassOf(type, wkbMultiCurve);
 }
 
+std::optional<site::Background::Shape> shape_of(OGRwkbGeometryType type) {
+    using enum site::Background::Shape;
+    if (is_area(type)) return area;
+    if (is_line(type)) return line;
+    return wkbFlatten(type) == wkbPoint ? std::optional(point) : std::nullopt;
+}
+
 Transformation transformation(OGRSpatialReference from, OGRSpatialReference to) {
     from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);

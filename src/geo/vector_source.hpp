@@ -9,6 +9,7 @@
 #include <string>
 
 #include "geo/gdal_scope.hpp"
+#include "site/background.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
@@ -49,6 +50,8 @@ void require_read(const GdalScope& gdal, const std::string& source);
 
 bool is_area(OGRwkbGeometryType type);
 bool is_line(OGRwkbGeometryType type);
+// Empty if it is none of these, or any.
+std::optional<site::Background::Shape> shape_of(OGRwkbGeometryType type);
 
 // Throws InputError if the layer does not state it.
 const OGRSpatialReference& system_of(OGRLayer& layer, const std::string& source);
