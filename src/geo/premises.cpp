@@ -79,8 +79,10 @@ class Heirs {
         const double column = std::floor((point.getX() - transform[0]) / transform[1]);
         const double row = std::floor((point.getY() - transform[3]) / transform[5]);
         std::set<std::uint32_t> labels;
-        for (double y = row - 1; y <= row + 1; ++y) {
-            for (double x = column - 1; x <= column + 1; ++x) {
+        for (const int down : {-1, 0, 1}) {
+            for (const int right : {-1, 0, 1}) {
+                const double x = column + right;
+                const double y = row + down;
                 if (!(x >= 0 && y >= 0 && x < window_.width && y < window_.height)) continue;
                 const std::uint32_t label = labels_[std::size_t(y) * std::size_t(window_.width) + std::size_t(x)];
                 if (inherits(label)) labels.insert(label);
