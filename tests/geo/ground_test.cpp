@@ -15,14 +15,6 @@
 namespace waybreaker::geo {
 namespace {
 
-constexpr int side = 14;
-// 14 x 14 cells of 2 m.
-const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 2 * side, .cell = 2, .section = 0};
-
-std::vector<Point> rectangle(double west, double north, double east, double south) {
-    return {{west, north}, {east, north}, {east, south}, {west, south}};
-}
-
 // A letter for each cell: water, cliff, x for forbidden, Building (Protected), barrier.
 std::string picture(const LabelTiff& tiff) {
     constexpr std::string_view letters = "?Bbwcx";
@@ -41,20 +33,20 @@ std::string picture(const LabelTiff& tiff) {
 class Ground : public TemporaryFolder {
   protected:
     // A small building in the corner, so that there is something to import.
-    OsmDrawing drawing_ = OsmDrawing(window).area("building=yes", rectangle(-0.2, -0.2, 0.2, 0.2));
+    OsmDrawing drawing_ = OsmDrawing(town_window).area("building=yes", box(-0.2, -0.2, 0.2, 0.2));
 
-    ImportReport import(const OsmDrawing& drawing, ImportOptions options = window) const {
+    ImportReport import(const OsmDrawing& drawing, ImportOptions options = town_window) const {
         return import_city(put("town.osm", drawing.xml()), options);
     }
     std::string drawn(std::optional<Profile> profile = {}) const {
-        ImportOptions options = window;
+        ImportOptions options = town_window;
         options.profile = profile;
         return picture(import(drawing_, options).tiff);
     }
 };
 
 TEST_F(Ground, of_a_river_is_crossed_on_its_bridge) {
-    drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
+    drawing_.area("natural=water", box(-1, 4.6, 14, 8.4));
     drawing_.way("highway=residential|bridge=yes|width=6", {{6, 2}, {6, 11}});
     drawing_.way("highway=residential|bridge=yes|access=private", {{11, 2}, {11, 11}});
     EXPECT_EQ(drawn(),
@@ -87,7 +79,7 @@ TEST_F(Ground, of_a_river_that_is_a_line_is_a_strip) {
 }
 
 TEST_F(Ground, leaves_the_line_of_a_river_to_its_area) {
-    drawing_.area("natural=water", rectangle(-1, 4.6, 8.4, 6.4));
+    drawing_.area("natural=water", box(-1, 4.6, 8.4, 6.4));
     drawing_.way("waterway=river", {{-1, 5.5}, {7.5, 5.5}});
     const std::string text = drawn();
     EXPECT_EQ(std::count(text.begin(), text.end(), 'w'), 2 * 9) << text;
@@ -163,8 +155,8 @@ TEST_F(Ground, of_tracks_is_crossed_where_a_way_does) {
 }
 
 TEST_F(Ground, of_a_barracks_has_no_public_ways) {
-    drawing_.area("landuse=military", rectangle(2.5, 2.5, 6.5, 6.5));
-    drawing_.area("leisure=park|access=private", rectangle(8.5, 2.5, 12.5, 6.5));
+    drawing_.area("landuse=military", box(2.5, 2.5, 6.5, 6.5));
+    drawing_.area("leisure=park|access=private", box(8.5, 2.5, 12.5, 6.5));
     drawing_.way("highway=residential", {{0, 4}, {13, 4}});
     const std::string shut = "...xxxx..xxxx.\n";
     const std::string text = drawn();
@@ -185,18 +177,18 @@ TEST_F(Ground, behind_a_wall_is_reached_by_gates_and_ways) {
 }
 
 TEST_F(Ground, of_a_fenced_pitch_is_open_inside) {
-    drawing_.area("leisure=pitch|barrier=fence", rectangle(3, 3, 7, 7));
-    drawing_.area("barrier=hedge|area=yes", rectangle(9.6, 2.6, 12.4, 5.4));
+    drawing_.area("leisure=pitch|barrier=fence", box(3, 3, 7, 7));
+    drawing_.area("barrier=hedge|area=yes", box(9.6, 2.6, 12.4, 5.4));
     const std::string text = drawn();
     EXPECT_NE(text.find("...bbbbb..bbb.\n...b...b..bbb.\n...b...b..bbb.\n...b...b......\n"), std::string::npos) << text;
 }
 
 TEST_F(Ground, of_a_passage_leads_through_the_building) {
-    drawing_.area("building=yes", rectangle(1.6, 1.6, 11.4, 4.4));
+    drawing_.area("building=yes", box(1.6, 1.6, 11.4, 4.4));
     drawing_.way("highway=service|tunnel=building_passage", {{5, 0}, {5, 7}});
     drawing_.way("highway=corridor|indoor=yes", {{9, 0}, {9, 7}});
-    drawing_.area("building=roof", rectangle(1.6, 7.6, 11.4, 9.4));
-    drawing_.area("building=garage|layer=-1|location=underground", rectangle(1.6, 10.6, 11.4, 12.4));
+    drawing_.area("building=roof", box(1.6, 7.6, 11.4, 9.4));
+    drawing_.area("building=garage|layer=-1|location=underground", box(1.6, 10.6, 11.4, 12.4));
     const std::string house = "..BBB.BBBBBB..\n";
     const std::string free = "..............\n";
     EXPECT_EQ(drawn(), "B.............\n" + free + house + house + house + free + free + free + free + free + free +
@@ -204,14 +196,14 @@ TEST_F(Ground, of_a_passage_leads_through_the_building) {
 }
 
 TEST_F(Ground, of_a_passage_is_as_wide_as_the_vehicle) {
-    drawing_.area("building=yes", rectangle(1.6, 1.6, 11.4, 4.4));
+    drawing_.area("building=yes", box(1.6, 1.6, 11.4, 4.4));
     drawing_.way("highway=service|tunnel=building_passage", {{5.25, 0}, {5.25, 7}});
     const auto gap = [&](Profile profile) {
-        ImportOptions fine = window;
+        ImportOptions fine = town_window;
         fine.cell = 1;
         fine.profile = profile;
         const std::string text = picture(import(drawing_, fine).tiff);
-        const std::string row = text.substr(std::size_t(6 * (2 * side + 1)), 2 * side);
+        const std::string row = text.substr(std::size_t(6 * (2 * town_side + 1)), 2 * town_side);
         return std::count(row.begin() + 5, row.begin() + 20, '.');
     };
     EXPECT_EQ(gap(Profile::rover), 1);
@@ -219,8 +211,8 @@ TEST_F(Ground, of_a_passage_is_as_wide_as_the_vehicle) {
 }
 
 TEST_F(Ground, stays_under_a_house_that_is_destroyed) {
-    drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
-    drawing_.area("building=yes", rectangle(3.6, 2.6, 6.4, 6.4));
+    drawing_.area("natural=water", box(-1, 4.6, 14, 8.4));
+    drawing_.area("building=yes", box(3.6, 2.6, 6.4, 6.4));
     drawing_.way("barrier=fence", {{10, 2}, {10, 7}});
     const ImportReport report = import(drawing_);
     EXPECT_EQ(picture(report.tiff),
@@ -250,26 +242,26 @@ class RandomTown {
     explicit RandomTown(unsigned seed) : random_(seed) {}
 
     int pick(int below) { return int(random_() % unsigned(below)); }
-    std::vector<Point> box() {
-        const int x = pick(side);
-        const int y = pick(side);
-        return rectangle(x - 0.4, y - 0.4, x + pick(6) + 0.4, y + pick(6) + 0.4);
+    std::vector<Point> any_box() {
+        const int x = pick(town_side);
+        const int y = pick(town_side);
+        return box(x - 0.4, y - 0.4, x + pick(6) + 0.4, y + pick(6) + 0.4);
     }
     std::vector<Point> line() {
-        return {{double(pick(side)), double(pick(side))}, {double(pick(side)), pick(side) + 0.3}};
+        return {{double(pick(town_side)), double(pick(town_side))}, {double(pick(town_side)), pick(town_side) + 0.3}};
     }
     OsmDrawing ground() {
         const std::vector<std::string> areas{"natural=water", "landuse=military", "leisure=garden|access=private"};
         const std::vector<std::string> lines{"waterway=river|width=4",    "natural=cliff", "railway=rail",
                                              "highway=motorway",          "highway=path",  "highway=service|bridge=yes",
                                              "highway=footway|tunnel=yes"};
-        OsmDrawing town = OsmDrawing(window).area("building=yes", rectangle(-0.2, -0.2, 0.2, 0.2));
-        for (int i = pick(4); i > 0; --i) town.area(areas[std::size_t(pick(int(areas.size())))], box());
+        OsmDrawing town = OsmDrawing(town_window).area("building=yes", box(-0.2, -0.2, 0.2, 0.2));
+        for (int i = pick(4); i > 0; --i) town.area(areas[std::size_t(pick(int(areas.size())))], any_box());
         for (int i = pick(5); i > 0; --i) town.way(lines[std::size_t(pick(int(lines.size())))], line());
         return town;
     }
     OsmDrawing built_on(OsmDrawing town) {
-        for (int i = 1 + pick(4); i > 0; --i) town.area("building=yes", box());
+        for (int i = 1 + pick(4); i > 0; --i) town.area("building=yes", any_box());
         for (int i = pick(4); i > 0; --i) town.way("barrier=wall", line());
         return town;
     }
@@ -285,12 +277,12 @@ TEST_F(Ground, is_left_when_all_is_destroyed) {
         SCOPED_TRACE(seed);
         RandomTown random(seed);
         const OsmDrawing ground = random.ground();
-        ImportOptions options = window;
+        ImportOptions options = town_window;
         options.merge_touching = seed % 2 == 0;
         const LabelTiff before = import(ground, options).tiff;
         const LabelTiff after = import(random.built_on(ground), options).tiff;
-        for (Cell c; c.y < side; ++c.y) {
-            for (c.x = 0; c.x < side; ++c.x) {
+        for (Cell c; c.y < town_side; ++c.y) {
+            for (c.x = 0; c.x < town_side; ++c.x) {
                 const ObstacleId lasting = before.map.obstacle_at(c);
                 const ObstacleId left = after.map.obstacle_at(c);
                 const bool blocked = lasting && !before.map.obstacle(lasting).destructible;
@@ -320,11 +312,11 @@ TEST_F(Ground, that_is_unknown_is_reported) {
 }
 
 TEST_F(Ground, protects_hospitals_unless_somebody_says_what_can_be_destroyed) {
-    drawing_.area("building=yes|amenity=hospital", rectangle(3.6, 2.6, 6.4, 3.4));
+    drawing_.area("building=yes|amenity=hospital", box(3.6, 2.6, 6.4, 3.4));
     EXPECT_NE(drawn().find("....PPP.......\n"), std::string::npos) << drawn();
     EXPECT_EQ(import(drawing_).sheltered, 1U);
     EXPECT_NE(drawn(Profile::truck).find("....PPP.......\n"), std::string::npos);
-    ImportOptions options = window;
+    ImportOptions options = town_window;
     options.choice.destructible = {{"building"}};
     const ImportReport report = import(drawing_, options);
     EXPECT_NE(picture(report.tiff).find("....BBB.......\n"), std::string::npos);
@@ -334,7 +326,7 @@ TEST_F(Ground, protects_hospitals_unless_somebody_says_what_can_be_destroyed) {
 TEST_F(Ground, has_the_barriers_destroyed_that_the_user_wants) {
     drawing_.way("barrier=wall", {{2, 4}, {6, 4}}).way("barrier=hedge", {{8, 4}, {12, 4}});
     const auto destructible = [&](const ObstacleChoice& choice) {
-        ImportOptions options = window;
+        ImportOptions options = town_window;
         options.choice = choice;
         const ImportReport report = import(drawing_, options);
         std::string text;
@@ -347,11 +339,11 @@ TEST_F(Ground, has_the_barriers_destroyed_that_the_user_wants) {
 }
 
 TEST_F(Ground, merges_neither_barriers_nor_what_is_protected_with_houses) {
-    drawing_.area("building=yes", rectangle(2.6, 2.6, 4.5, 4.4));
-    drawing_.area("building=yes", rectangle(4.5, 2.6, 6.5, 4.4));
-    drawing_.area("building=church", rectangle(6.5, 2.6, 8.5, 4.4));
+    drawing_.area("building=yes", box(2.6, 2.6, 4.5, 4.4));
+    drawing_.area("building=yes", box(4.5, 2.6, 6.5, 4.4));
+    drawing_.area("building=church", box(6.5, 2.6, 8.5, 4.4));
     drawing_.way("barrier=wall", {{3, 5}, {8, 5}});
-    ImportOptions options = window;
+    ImportOptions options = town_window;
     options.merge_touching = true;
     const LabelTiff tiff = import(drawing_, options).tiff;
     EXPECT_EQ(tiff.map.obstacles().size(), 4U);  // with the one in the corner
@@ -360,10 +352,10 @@ TEST_F(Ground, merges_neither_barriers_nor_what_is_protected_with_houses) {
 }
 
 TEST_F(Ground, lies_in_tiles_as_in_the_whole) {
-    drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
+    drawing_.area("natural=water", box(-1, 4.6, 14, 8.4));
     drawing_.way("highway=residential|bridge=yes|width=6", {{6, 2}, {6, 11}});
     std::vector<std::string> tiles;
-    import_tiles(put("town.osm", drawing_.xml()), window, 14,
+    import_tiles(put("town.osm", drawing_.xml()), town_window, 14,
                  [&](const ImportTile& tile) { tiles.push_back(picture(tile.report.tiff)); });
     ASSERT_EQ(tiles.size(), 4U);
     EXPECT_EQ(tiles[1],
@@ -377,10 +369,10 @@ TEST_F(Ground, lies_in_tiles_as_in_the_whole) {
 }
 
 TEST_F(Ground, bears_the_obstacles_that_are_chosen_in_place_of_buildings) {
-    drawing_.area("natural=water", rectangle(-1, 4.6, 14, 8.4));
-    drawing_.area("leisure=park", rectangle(3.6, 2.6, 6.4, 6.4));
+    drawing_.area("natural=water", box(-1, 4.6, 14, 8.4));
+    drawing_.area("leisure=park", box(3.6, 2.6, 6.4, 6.4));
     drawing_.way("barrier=wall", {{10, 2}, {10, 7}});
-    ImportOptions options = window;
+    ImportOptions options = town_window;
     options.choice.obstacles = {{"leisure", {"park"}}};
     EXPECT_EQ(import(drawing_, options).tiff.map.obstacles().size(), 1U);  // as there is no profile
     options.profile = Profile::rover;

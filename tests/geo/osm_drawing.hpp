@@ -15,6 +15,15 @@
 
 namespace waybreaker::geo {
 
+inline constexpr int town_side = 14;
+// 14 x 14 cells of 2 m.
+inline const ImportOptions town_window{
+    .longitude = 13.4, .latitude = 52.52, .size = 2 * town_side, .cell = 2, .section = 0};
+
+inline std::vector<Point> box(double west, double north, double east, double south) {
+    return {{west, north}, {east, north}, {east, south}, {west, south}};
+}
+
 // OpenStreetMap's XML, drawn in the cells of the window.
 class OsmDrawing {
   public:

@@ -15,14 +15,6 @@
 namespace waybreaker::geo {
 namespace {
 
-constexpr int side = 14;
-// 14 x 14 cells of 2 m.
-const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 2 * side, .cell = 2, .section = 0};
-
-std::vector<Point> rectangle(double west, double north, double east, double south) {
-    return {{west, north}, {east, north}, {east, south}, {west, south}};
-}
-
 // A letter for each obstacle, row by row: destructible or -.
 std::string fates(const LabelTiff& tiff) {
     std::string text;
@@ -32,14 +24,14 @@ std::string fates(const LabelTiff& tiff) {
 
 class PremisesOfHouses : public TemporaryFolder {
   protected:
-    ImportReport import(const OsmDrawing& drawing, const ImportOptions& options = window) const {
+    ImportReport import(const OsmDrawing& drawing, const ImportOptions& options = town_window) const {
         return import_city(put("town.osm", drawing.xml()), options);
     }
     // Three houses of 2 x 3 cells: at columns 2, 6 and 10 of the rows 4 to 6.
     static OsmDrawing houses() {
-        OsmDrawing drawing(window);
+        OsmDrawing drawing(town_window);
         for (const double west : {1.6, 5.6, 9.6}) {
-            drawing.area("building=yes", rectangle(west, 3.6, west + 1.8, 6.4));
+            drawing.area("building=yes", box(west, 3.6, west + 1.8, 6.4));
         }
         return drawing;
     }
@@ -47,7 +39,7 @@ class PremisesOfHouses : public TemporaryFolder {
 
 TEST_F(PremisesOfHouses, hold_more_than_half_of_a_house) {
     // All of the first house, two columns of three rows: half of the second.
-    OsmDrawing drawing = houses().area("amenity=hospital|name=Charité", rectangle(0.5, 2.5, 6.5, 7.5));
+    OsmDrawing drawing = houses().area("amenity=hospital|name=Charité", box(0.5, 2.5, 6.5, 7.5));
     const ImportReport report = import(drawing);
     EXPECT_EQ(fates(report.tiff), "-dd");
     EXPECT_EQ(report.sheltered, 1U);
@@ -55,14 +47,14 @@ TEST_F(PremisesOfHouses, hold_more_than_half_of_a_house) {
     EXPECT_EQ(report.tiff.tags.at("building=yes").size(), 3U);
     EXPECT_EQ(report.tiff.names.at(1), "Charité");
     EXPECT_EQ(report.tiff.names.at(2), "");
-    drawing.area("amenity=hospital", rectangle(6.5, 3.5, 7.5, 4.5));  // a cell more
+    drawing.area("amenity=hospital", box(6.5, 3.5, 7.5, 4.5));  // a cell more
     EXPECT_EQ(fates(import(drawing).tiff), "--d");
 }
 
 TEST_F(PremisesOfHouses, may_be_of_several_kinds) {
-    OsmDrawing drawing = houses().area("amenity=hospital|heritage=4", rectangle(0.5, 2.5, 8.5, 7.5));
-    drawing.area("amenity=kindergarten|name=Hummeln", rectangle(1.5, 3.5, 4.5, 7.5));
-    drawing.area("landuse=religious", rectangle(9.5, 2.5, 12.5, 7.5));
+    OsmDrawing drawing = houses().area("amenity=hospital|heritage=4", box(0.5, 2.5, 8.5, 7.5));
+    drawing.area("amenity=kindergarten|name=Hummeln", box(1.5, 3.5, 4.5, 7.5));
+    drawing.area("landuse=religious", box(9.5, 2.5, 12.5, 7.5));
     const LabelTiff tiff = import(drawing).tiff;
     EXPECT_EQ(fates(tiff), "---");
     EXPECT_EQ(tiff.tags, (site::ObstacleTags{{"amenity=hospital", {{1}, {2}}},
@@ -74,10 +66,10 @@ TEST_F(PremisesOfHouses, may_be_of_several_kinds) {
 }
 
 TEST_F(PremisesOfHouses, leave_a_house_its_own_name_and_tags) {
-    OsmDrawing drawing(window);
-    drawing.area("building=yes|addr:street=Weg|addr:housenumber=1|amenity=cafe", rectangle(1.6, 3.6, 3.4, 6.4));
-    drawing.area("building=yes|amenity=school|name=Aula", rectangle(5.6, 3.6, 7.4, 6.4));
-    drawing.area("amenity=school|name=Gymnasium", rectangle(0.5, 2.5, 8.5, 7.5));
+    OsmDrawing drawing(town_window);
+    drawing.area("building=yes|addr:street=Weg|addr:housenumber=1|amenity=cafe", box(1.6, 3.6, 3.4, 6.4));
+    drawing.area("building=yes|amenity=school|name=Aula", box(5.6, 3.6, 7.4, 6.4));
+    drawing.area("amenity=school|name=Gymnasium", box(0.5, 2.5, 8.5, 7.5));
     const LabelTiff tiff = import(drawing).tiff;
     EXPECT_EQ(tiff.names.at(1), "Weg 1");
     EXPECT_EQ(tiff.names.at(2), "Aula");
@@ -112,7 +104,7 @@ TEST_F(PremisesOfHouses, may_be_points_within) {
 }
 
 TEST_F(PremisesOfHouses, let_their_fence_be_opened) {
-    OsmDrawing drawing = houses().area("amenity=hospital", rectangle(0.5, 2.5, 13.5, 7.5));
+    OsmDrawing drawing = houses().area("amenity=hospital", box(0.5, 2.5, 13.5, 7.5));
     drawing.way("barrier=fence", {{1, 12}, {12, 12}}).way("barrier=wall", {{4.5, 3}, {4.5, 7}});
     drawing.way("barrier=wall|historic=citywalls", {{8.5, 3}, {8.5, 7}});
     const LabelTiff tiff = import(drawing).tiff;
@@ -124,8 +116,8 @@ TEST_F(PremisesOfHouses, let_their_fence_be_opened) {
 }
 
 TEST_F(PremisesOfHouses, keep_sections_off) {
-    OsmDrawing drawing = houses().area("amenity=hospital", rectangle(0.5, 2.5, 4.5, 7.5));
-    ImportOptions options = window;
+    OsmDrawing drawing = houses().area("amenity=hospital", box(0.5, 2.5, 4.5, 7.5));
+    ImportOptions options = town_window;
     options.section = 20;
     const LabelTiff tiff = import(drawing, options).tiff;
     const ObstacleId ward = tiff.map.obstacle_at({2, 4});
@@ -136,20 +128,20 @@ TEST_F(PremisesOfHouses, keep_sections_off) {
 }
 
 TEST_F(PremisesOfHouses, are_joined_with_no_neighbour) {
-    OsmDrawing drawing(window);
-    drawing.area("building=yes", rectangle(1.6, 3.6, 4.5, 6.4)).area("building=yes", rectangle(4.5, 3.6, 7.4, 6.4));
-    drawing.area("amenity=school", rectangle(0.5, 2.5, 4.5, 7.5));
-    ImportOptions options = window;
+    OsmDrawing drawing(town_window);
+    drawing.area("building=yes", box(1.6, 3.6, 4.5, 6.4)).area("building=yes", box(4.5, 3.6, 7.4, 6.4));
+    drawing.area("amenity=school", box(0.5, 2.5, 4.5, 7.5));
+    ImportOptions options = town_window;
     options.merge_touching = true;
     EXPECT_EQ(fates(import(drawing, options).tiff), "-d");
 }
 
 TEST_F(PremisesOfHouses, protect_what_the_user_wants) {
-    OsmDrawing drawing = houses().area("amenity=hospital", rectangle(0.5, 2.5, 4.5, 7.5));
-    drawing.area("amenity=school", rectangle(4.5, 2.5, 8.5, 7.5));
-    drawing.area("leisure=park", rectangle(8.5, 2.5, 13.5, 7.5));
+    OsmDrawing drawing = houses().area("amenity=hospital", box(0.5, 2.5, 4.5, 7.5));
+    drawing.area("amenity=school", box(4.5, 2.5, 8.5, 7.5));
+    drawing.area("leisure=park", box(8.5, 2.5, 13.5, 7.5));
     const auto imported = [&](const ObstacleChoice& choice, Profile profile = Profile::rover) {
-        ImportOptions options = window;
+        ImportOptions options = town_window;
         options.choice = choice;
         options.profile = profile;
         return import(drawing, options);
@@ -168,17 +160,17 @@ TEST_F(PremisesOfHouses, protect_what_the_user_wants) {
 }
 
 TEST_F(PremisesOfHouses, of_tiles_hold_for_their_part_of_a_house) {
-    OsmDrawing drawing(window);
-    drawing.area("building=yes", rectangle(3.6, 3.6, 9.4, 5.4));  // three columns in each tile
-    drawing.area("amenity=hospital", rectangle(0.5, 2.5, 6.5, 7.5));
+    OsmDrawing drawing(town_window);
+    drawing.area("building=yes", box(3.6, 3.6, 9.4, 5.4));  // three columns in each tile
+    drawing.area("amenity=hospital", box(0.5, 2.5, 6.5, 7.5));
     std::string text;
-    import_tiles(put("town.osm", drawing.xml()), window, side,
+    import_tiles(put("town.osm", drawing.xml()), town_window, town_side,
                  [&](const ImportTile& tile) { text += fates(tile.report.tiff); });
     EXPECT_EQ(text, "-d");
 }
 
 TEST_F(PremisesOfHouses, may_come_as_geojson) {
-    const ToLonLat place(import_window(window).georeference);
+    const ToLonLat place(import_window(town_window).georeference);
     std::string features;
     const auto add = [&](const std::string& properties, const std::vector<Point>& ring) {
         std::string points;
@@ -190,11 +182,11 @@ TEST_F(PremisesOfHouses, may_come_as_geojson) {
                                 R"("coordinates":[[{}]]}}}})",
                                 features.empty() ? "" : ",", properties, points);
     };
-    add(R"("building":"yes")", rectangle(1.6, 3.6, 3.4, 6.4));
-    add(R"("building":"yes")", rectangle(5.6, 3.6, 7.4, 6.4));
-    add(R"("amenity":"school")", rectangle(4.5, 2.5, 8.5, 7.5));
+    add(R"("building":"yes")", box(1.6, 3.6, 3.4, 6.4));
+    add(R"("building":"yes")", box(5.6, 3.6, 7.4, 6.4));
+    add(R"("amenity":"school")", box(4.5, 2.5, 8.5, 7.5));
     const std::string file = put("town.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
-    EXPECT_EQ(fates(import_city(file, window).tiff), "d-");
+    EXPECT_EQ(fates(import_city(file, town_window).tiff), "d-");
 }
 
 TEST_F(PremisesOfHouses, may_be_malformed) {
@@ -204,9 +196,9 @@ TEST_F(PremisesOfHouses, may_be_malformed) {
     drawing.area("historic=ruins", {{1, 1}, {9, 9}});
     drawing.area("amenity=hospital", {{3, 3}, {3, 3}, {3, 3}});
     EXPECT_EQ(fates(import(drawing).tiff), "-d-");
-    drawing.area("historic=district|heritage=1", rectangle(-1e4, -1e4, 1e4, 1e4));
+    drawing.area("historic=district|heritage=1", box(-1e4, -1e4, 1e4, 1e4));
     EXPECT_EQ(fates(import(drawing).tiff), "---");
-    for (int i = 0; i < 2000; ++i) drawing.area("historic=district", rectangle(-100 - i, -100, 100, 100));
+    for (int i = 0; i < 2000; ++i) drawing.area("historic=district", box(-100 - i, -100, 100, 100));
     EXPECT_EQ(fates(import(drawing).tiff), "---");
 }
 
@@ -214,10 +206,10 @@ struct RandomTown {
     explicit RandomTown(unsigned seed) : random(seed) {}
 
     int pick(int below) { return int(random() % unsigned(below)); }
-    std::vector<Point> box() {
+    std::vector<Point> any_box() {
         const double west = pick(12) - 1.4;
         const double north = pick(12) - 1.4;
-        return rectangle(west, north, west + 1 + pick(6), north + 1 + pick(6));
+        return box(west, north, west + 1 + pick(6), north + 1 + pick(6));
     }
 
     std::mt19937 random;
@@ -230,16 +222,16 @@ TEST_F(PremisesOfHouses, protect_by_the_cells_of_their_kind) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
         RandomTown random(seed);
-        OsmDrawing town(window);
-        town.area("building=yes", rectangle(-0.4, -0.4, 0.4, 0.4));
+        OsmDrawing town(town_window);
+        town.area("building=yes", box(-0.4, -0.4, 0.4, 0.4));
         for (int i = 1 + random.pick(6); i > 0; --i) {
-            town.area(random.pick(4) == 0 ? "building=church" : "building=yes", random.box());
+            town.area(random.pick(4) == 0 ? "building=church" : "building=yes", random.any_box());
         }
         const LabelTiff without = import(town).tiff;
         std::vector<std::vector<std::vector<Point>>> grounds(kinds.size());
         for (int i = random.pick(6); i > 0; --i) {
             const int kind = random.pick(int(kinds.size()));
-            grounds[std::size_t(kind)].push_back(random.box());
+            grounds[std::size_t(kind)].push_back(random.any_box());
             town.area(kinds[std::size_t(kind)], grounds[std::size_t(kind)].back());
         }
         const LabelTiff with = import(town).tiff;
@@ -248,8 +240,8 @@ TEST_F(PremisesOfHouses, protect_by_the_cells_of_their_kind) {
             bool expected = !without.map.obstacle(o.id).destructible;
             for (const auto& boxes : grounds) {
                 std::uint32_t inside = 0;
-                for (Cell c; c.y < side; ++c.y) {
-                    for (c.x = 0; c.x < side; ++c.x) {
+                for (Cell c; c.y < town_side; ++c.y) {
+                    for (c.x = 0; c.x < town_side; ++c.x) {
                         const bool within = std::ranges::any_of(boxes, [&](const std::vector<Point>& box) {
                             return c.x > box[0].x && c.x < box[2].x && c.y > box[0].y && c.y < box[2].y;
                         });

@@ -16,26 +16,18 @@
 namespace waybreaker::geo {
 namespace {
 
-constexpr int side = 14;
-// 14 x 14 cells of 2 m.
-const ImportOptions whole{.longitude = 13.4, .latitude = 52.52, .size = 2 * side, .cell = 2, .section = 0};
-
-std::vector<Point> rectangle(double west, double north, double east, double south) {
-    return {{west, north}, {east, north}, {east, south}, {west, south}};
-}
-
 class ImportedSections : public TemporaryFolder {
   protected:
     // A house across the river, a fence along it, a church.
-    const std::string source_ = put("town.osm", OsmDrawing(whole)
-                                                    .area("natural=water", rectangle(-1, 4.6, 14, 8.4))
-                                                    .area("building=yes|name=Mill", rectangle(2, 2, 9, 12))
-                                                    .area("building=church", rectangle(10, 9, 13.5, 12))
+    const std::string source_ = put("town.osm", OsmDrawing(town_window)
+                                                    .area("natural=water", box(-1, 4.6, 14, 8.4))
+                                                    .area("building=yes|name=Mill", box(2, 2, 9, 12))
+                                                    .area("building=church", box(10, 9, 13.5, 12))
                                                     .way("barrier=fence", {{1, 12.5}, {13, 12.5}})
                                                     .xml());
 
     LabelTiff import(std::optional<double> section, std::optional<Profile> profile = {}) const {
-        ImportOptions options = whole;
+        ImportOptions options = town_window;
         options.section = section;
         options.profile = profile;
         return import_city(source_, options).tiff;

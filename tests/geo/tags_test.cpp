@@ -15,20 +15,12 @@
 namespace waybreaker::geo {
 namespace {
 
-constexpr int side = 14;
-// 14 x 14 cells of 2 m.
-const ImportOptions window{.longitude = 13.4, .latitude = 52.52, .size = 2 * side, .cell = 2, .section = 0};
-
-std::vector<Point> rectangle(double west, double north, double east, double south) {
-    return {{west, north}, {east, north}, {east, south}, {west, south}};
-}
-
 class Tags : public TemporaryFolder {
   protected:
     // A small building in the corner.
-    OsmDrawing drawing_ = OsmDrawing(window).area("building=yes", rectangle(-0.2, -0.2, 0.2, 0.2));
+    OsmDrawing drawing_ = OsmDrawing(town_window).area("building=yes", box(-0.2, -0.2, 0.2, 0.2));
 
-    ImportReport import(const OsmDrawing& drawing, ImportOptions options = window) const {
+    ImportReport import(const OsmDrawing& drawing, ImportOptions options = town_window) const {
         return import_city(put("town.osm", drawing.xml()), options);
     }
 };
@@ -45,9 +37,9 @@ TEST_F(Tags, of_heritage_protect_a_wall) {
 
 // A square beside a school and a house: what goes leaves every cell of the school.
 TEST_F(Tags, that_protect_a_building_keep_it_out_of_sections) {
-    drawing_.area("building=yes", rectangle(3.6, 2.6, 6.4, 8.4));
-    drawing_.area("building=school", rectangle(6.6, 2.6, 9.4, 8.4));
-    ImportOptions options = window;
+    drawing_.area("building=yes", box(3.6, 2.6, 6.4, 8.4));
+    drawing_.area("building=school", box(6.6, 2.6, 9.4, 8.4));
+    ImportOptions options = town_window;
     options.section = 10;
     const ImportReport report = import(drawing_, options);
     const Map& map = report.tiff.map;
@@ -65,14 +57,14 @@ TEST_F(Tags, that_protect_a_building_keep_it_out_of_sections) {
 }
 
 TEST_F(Tags, that_are_kept_are_some) {
-    drawing_.area("building=church|amenity=place_of_worship|colour=red|heritage=no", rectangle(3.6, 2.6, 6.4, 3.4));
+    drawing_.area("building=church|amenity=place_of_worship|colour=red|heritage=no", box(3.6, 2.6, 6.4, 3.4));
     drawing_.way("barrier=hedge|height=2", {{2, 8}, {6, 8}});
     const site::ObstacleTags expected{{"amenity=place_of_worship", {{2}}},
                                       {"barrier=hedge", {{3}}},
                                       {"building=church", {{2}}},
                                       {"building=yes", {{1}}}};
     EXPECT_EQ(import(drawing_).tiff.tags, expected);
-    ImportOptions options = window;
+    ImportOptions options = town_window;
     options.profile = Profile::paper;
     EXPECT_TRUE(import(drawing_, options).tiff.tags.empty());
     options.profile = Profile::rover;
