@@ -1,3 +1,4 @@
+// Missions on small label maps, anything that can be asked of them: plans are judged against all plans there are.
 #include <array>
 #include <cmath>
 #include <vector>
