@@ -131,24 +131,27 @@ void add_budget(CLI::App& command, PlanOptions& options) {
     });
 }
 
-// A share, as such or in per cent: "0.005", "0.5%"; behind "=", so that what follows the option is never taken for it.
+// As such or in per cent: "0.005", "0.5%".
+std::optional<double> share_from(std::string_view given) {
+    const bool percent = given.ends_with('%');
+    double share = 0;
+    const char* const last = given.data() + given.size() - (percent ? 1 : 0);
+    const auto [end, error] = std::from_chars(given.data(), last, share);
+    if (percent) share /= 100;
+    if (error != std::errc() || end != last || !(share >= 0 && share <= 1)) return std::nullopt;
+    return share;
+}
+
+// Behind "=", so that what follows the option is never taken for it.
 void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
     const auto read = [&options](const std::string& given) {
-        constexpr std::string_view name = "--minimise-demolition";
         constexpr double usual = 0.005;
-        const bool percent = given.ends_with('%');
-        double share = 0;
-        const char* const last = given.data() + given.size() - (percent ? 1 : 0);
-        const auto [end, error] = std::from_chars(given.data(), last, share);
-        if (percent) share /= 100;
         const bool alone = given == "true";  // as CLI11 calls it
-        if (alone) share = usual;
-        if (!alone && (error != std::errc() || end != last || !(share >= 0 && share <= 1))) {
-            throw CLI::ValidationError(
-                std::string(name),
-                fmt::format("'{}' is not a share from 0 to 1, such as =0.005 or =0.5%", shown(given)));
-        }
-        options.minimise_demolition = share;
+        options.minimise_demolition = alone ? usual : share_from(given);
+        if (options.minimise_demolition) return;
+        throw CLI::ValidationError(
+            "--minimise-demolition",
+            fmt::format("'{}' is not a share from 0 to 1, such as =0.005 or =0.5%", shown(given)));
     };
     command
         .add_option_function<std::string>("--minimise-demolition", read,
@@ -157,6 +160,20 @@ void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
                                           "area (default: 0.5%, of the objective)")
         ->type_name("TOLERANCE")
         ->expected(0);
+}
+
+void add_gap(CLI::App& command, PlanOptions& options) {
+    const auto read = [&options](const std::string& given) {
+        options.gap = share_from(given);
+        if (options.gap) return;
+        throw CLI::ValidationError("--gap",
+                                   fmt::format("'{}' is not a share from 0 to 1, such as 0.01 or 1%", shown(given)));
+    };
+    command
+        .add_option_function<std::string>("--gap", read,
+                                          "Stop planning as soon as the plan is proven to be above the best possible "
+                                          "by no more than that, in the same way on every machine (default: 0)")
+        ->type_name("SHARE");
 }
 
 void add_method_options(CLI::App& command, PlanOptions& options) {
@@ -177,6 +194,7 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
         command, "--time-limit", options.time_limit,
         "Stop planning so long after the start, with the best plan known and how far it can be from the best; none "
         "takes the time it needs (default: 10)");
+    add_gap(command, options);
     command.add_flag("--bound", options.bound, "Prove a limit that no plan can beat also where the method proves none");
     command.add_flag(
         "--explain", options.explain,
@@ -288,6 +306,10 @@ void validate(const PlanOptions& options) {
     }
     if (options.paper && options.minimise_demolition) {
         throw InputError("--minimise-demolition needs --select exact, which --paper contradicts; drop one of them");
+    }
+    if (options.gap.value_or(0) > 0 && (options.explain || options.minimise_demolition)) {
+        throw InputError(fmt::format("{} compares plans that are best, which --gap contradicts; drop one of them",
+                                     options.explain ? "--explain" : "--minimise-demolition"));
     }
     NamedFiles outputs = named_outputs(options.exports);
     outputs.insert(outputs.begin(), {{"--json", options.json},

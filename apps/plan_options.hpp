@@ -33,6 +33,7 @@ struct PlanOptions {
     std::optional<double> budget;
     std::string weights;
     std::optional<double> time_limit;  // seconds, of the whole call
+    std::optional<double> gap;         // a share
     std::optional<FlightRule> flight;
     std::optional<Timing> timing;
     std::optional<Measure> ground_speed;

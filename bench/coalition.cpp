@@ -2,7 +2,7 @@
 // missions of one city, so many of them as are needed from random places at least as far apart.
 //
 //     bench_coalition [--objective flowtime|makespan] [--breach-time T] [--air-speed V] [--radius R] [--seconds S]
-//                     [--teams K+M:N,...] [--every K]
+//                     [--gap G] [--teams K+M:N,...] [--every K]
 //
 // A sample is each K-th mission of a team.
 //
@@ -40,6 +40,7 @@ struct Arguments {
     double air_speed = 1;
     double radius = 0.5;
     double seconds = 60;
+    double gap = 0;
     std::vector<Team> teams{{2, 1, 3},  {2, 1, 5},  {2, 1, 10},  {5, 2, 3},    {5, 2, 5},    {5, 2, 10},
                             {10, 3, 3}, {10, 3, 5}, {10, 3, 10}, {100, 10, 3}, {100, 10, 5}, {100, 10, 10}};
     std::size_t every = 1;
@@ -48,7 +49,7 @@ struct Arguments {
 Arguments parse(std::span<char*> words) {
     const InputError usage(
         "usage: bench_coalition [--objective flowtime|makespan] [--breach-time T] [--air-speed V] [--radius R] "
-        "[--seconds S] [--teams K+M:N,...] [--every K]");
+        "[--seconds S] [--gap G] [--teams K+M:N,...] [--every K]");
     Arguments arguments;
     for (std::size_t i = 1; i < words.size(); i += 2) {
         if (i + 1 == words.size()) throw usage;
@@ -65,6 +66,8 @@ Arguments parse(std::span<char*> words) {
             arguments.radius = std::stod(value);
         } else if (option == "--seconds") {
             arguments.seconds = std::stod(value);
+        } else if (option == "--gap") {
+            arguments.gap = std::stod(value);
         } else if (option == "--teams") {
             arguments.teams.clear();
             std::istringstream list(value);
@@ -157,7 +160,7 @@ void run_city(const Map& map, const std::vector<CityMission>& missions, const Te
         const Mission mission = draw.mission(team, arguments);
         if (row.drawn++ % arguments.every != 0) continue;
         const double start = processor_seconds();
-        const Plan plan = MissionPlanner().plan(map, mission, {}, {.seconds = arguments.seconds});
+        const Plan plan = MissionPlanner().plan(map, mission, {}, {.seconds = arguments.seconds, .gap = arguments.gap});
         row.seconds.push_back(processor_seconds() - start);
         if (plan.status != PlanStatus::solved) {
             ++row.without;

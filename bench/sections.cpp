@@ -2,7 +2,7 @@
 // missions on a thousand small obstacles and more. For each number of removals how much the makespan falls, the
 // certified gap, and the time of a plan.
 //
-//     bench_sections [--side CELLS] [--every K]    (K: only each K-th mission)
+//     bench_sections [--side CELLS] [--every K] [--gap SHARE]    (K: only each K-th mission)
 #include <algorithm>
 #include <cstdio>
 #include <utility>
@@ -20,20 +20,22 @@ namespace {
 struct Arguments {
     int side = 8;
     std::size_t every = 1;
+    double gap = 0;  // that is good enough
 };
 
 Arguments parse(std::span<char*> words) {
     Arguments arguments;
     for (std::size_t i = 1; i < words.size(); i += 2) {
         const std::string_view option = words[i];
-        const int number = i + 1 < words.size() ? std::stoi(words[i + 1]) : 0;
-        if (number < 1 || (option != "--side" && option != "--every")) {
-            throw InputError("usage: bench_sections [--side CELLS] [--every K]");
-        }
-        if (option == "--side") {
-            arguments.side = number;
-        } else {
+        const double number = i + 1 < words.size() ? std::stod(words[i + 1]) : -1;
+        if (option == "--gap" && number >= 0) {
+            arguments.gap = number;
+        } else if (option == "--side" && number >= 1) {
+            arguments.side = int(number);
+        } else if (option == "--every" && number >= 1) {
             arguments.every = std::size_t(number);
+        } else {
+            throw InputError("usage: bench_sections [--side CELLS] [--every K] [--gap SHARE]");
         }
     }
     return arguments;
@@ -77,7 +79,8 @@ void run(const Arguments& arguments) {
             Mission mission = ground_and_air(missions[i].start, missions[i].goal);
             mission.rules.removals = removals;
             Plan plan;
-            seconds.push_back(seconds_of([&] { plan = planner.plan(cities.at(missions[i].city), mission); }));
+            seconds.push_back(seconds_of(
+                [&] { plan = planner.plan(cities.at(missions[i].city), mission, {}, {.gap = arguments.gap}); }));
             gaps.push_back(100 * plan.gap.value());
             makespans.push_back(plan.after.makespan.value());
             cut += plan.limit_reached ? 1 : 0;

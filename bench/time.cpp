@@ -2,7 +2,7 @@
 // from elsewhere, other speeds, objectives and radii. For each setting the certified gap and the time of a plan, mean
 // and worst. A radius moves start and goal to the nearest cells with room for it.
 //
-//     bench_time [--removals N] [--setting WORD]
+//     bench_time [--removals N] [--setting WORD] [--gap SHARE]
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -21,6 +21,7 @@ namespace {
 struct Arguments {
     int removals = 3;
     std::string setting;  // part of its name; empty: all
+    double gap = 0;       // that is good enough
 };
 
 Arguments parse(std::span<char*> words) {
@@ -31,8 +32,10 @@ Arguments parse(std::span<char*> words) {
             arguments.removals = std::stoi(words[i + 1]);
         } else if (option == "--setting" && i + 1 < words.size()) {
             arguments.setting = words[i + 1];
+        } else if (option == "--gap" && i + 1 < words.size()) {
+            arguments.gap = std::stod(words[i + 1]);
         } else {
-            throw InputError("usage: bench_time [--removals N] [--setting WORD]");
+            throw InputError("usage: bench_time [--removals N] [--setting WORD] [--gap SHARE]");
         }
     }
     return arguments;
@@ -128,7 +131,7 @@ void run(const Arguments& arguments) {
             mission.rules.removals = arguments.removals;
             setting.change(mission, map, random);
             Plan plan;
-            seconds.push_back(seconds_of([&] { plan = planner.plan(map, mission); }));
+            seconds.push_back(seconds_of([&] { plan = planner.plan(map, mission, {}, {.gap = arguments.gap}); }));
             if (!plan.gap) continue;  // no plan
             gaps.push_back(100 * *plan.gap);
             makespans.push_back(plan.after.makespan.value());

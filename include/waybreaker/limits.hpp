@@ -1,4 +1,4 @@
-// Limits: how long a call may take, and how to end it from outside.
+// Limits: how long a call may take, how good is good enough, and how to end it from outside.
 #pragma once
 
 #include <atomic>
@@ -44,7 +44,11 @@ struct Limits {
     // 1024 cells, calls took up to 17 ms for a disc of radius 1.
     double seconds = std::numeric_limits<double>::infinity();
     std::uint64_t expansions = UINT64_MAX;  // of each single search
-    StopToken stop = {};                    // checked, as the time is, at least every 1024 expansions
+    // A plan is good enough if it is proven to be above the best possible by no more than this share of it, >= 0:
+    // planning ends there, and no choice is tried that gains less than this share. Other than with a time limit, the
+    // same plan comes out every time. Single searches do not use it.
+    double gap = 0;
+    StopToken stop = {};  // checked, as the time is, at least every 1024 expansions
     // Called by `exact` whenever more is known, on the thread that plans. Single searches do not call it.
     std::function<void(const Progress&)> progress = {};
 };

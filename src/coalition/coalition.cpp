@@ -43,7 +43,7 @@ class Planning {
     Planning(const Map& map, const Mission& mission, const team::Interrupts& interrupts, CrossingSearcher& crossing,
              Searcher& theta)
         : interrupts_(interrupts),
-          choice_{interrupts.deadline.share(share_of_choice), interrupts.stop, interrupts.expansions},
+          choice_{interrupts.deadline.share(share_of_choice), interrupts.stop, interrupts.expansions, interrupts.gap},
           problem_(map, mission, choice_),
           crossing_(crossing),
           limits_(crossing.another()),
@@ -127,7 +127,8 @@ class Planning {
     }
 
     double reached() const { return drafts_.empty() ? infinity : drafts_.front().cost.first; }
-    bool is_within(double gap) const { return reached() <= plan_.bound * (1 + gap); }
+    // A plan that is so near to the bound, or as near as the caller needs it.
+    bool is_within(double gap) const { return reached() <= plan_.bound * (1 + std::max(gap, interrupts_.gap)); }
 
     // Prices learn from the best set, and find more wishes; wishes find better sets.
     void improve_prices(Columns& columns, Relaxation& relaxation) {
@@ -148,11 +149,13 @@ class Planning {
     void try_jointly(Columns& columns, Relaxation& relaxation) {
         if (drafts_.empty() || is_within(close) || choice_.due()) return;
         // All that could be part of a better plan, or what is likely to be.
-        relaxation.list(std::min(reached() - plan_.bound, near * reached()));
+        const double useless = reached() / (1 + interrupts_.gap);
+        relaxation.list(std::min(useless - plan_.bound, near * reached()));
         plan_.bound = std::max(plan_.bound, relaxation.bound());
         if (!relaxation.proof().complete) return;
-        Joint joint(problem_, columns, relaxation.proof(), flights_, reached());
-        for (int vain = 0; vain < most_vain_tries && reached() > joint.rest() * (1 + close);) {
+        Joint joint(problem_, columns, relaxation.proof(), flights_, useless);
+        const double enough = 1 + std::max(close, interrupts_.gap);
+        for (int vain = 0; vain < most_vain_tries && reached() > joint.rest() * enough;) {
             const std::optional<Set> set = joint.next();
             if (!set) break;
             const double before = reached();
@@ -190,6 +193,7 @@ class Planning {
         for (std::size_t i = 0; i < drafts_.size(); ++i) {
             const Draft& draft = drafts_[i];
             if (draft.cost.first >= plan_.objective || (plan_.objective < infinity && interrupts_.due())) break;
+            if (interrupts_.good_enough(plan_.objective, plan_.bound)) break;
             if (i >= most_tries && !draft.set.empty()) continue;
             team::TeamPlan planned = plan_paths(draft);
             if (planned.status != SearchStatus::found) continue;
@@ -214,7 +218,18 @@ class Planning {
         std::vector<team::Vehicle> vehicles = plan_.closed;
         for (std::size_t v = 0; removes && v < vehicles.size(); ++v) vehicles[v] = vehicle(draft, v);
         return team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_,
-                                removes ? close_on_others : 0, [](const team::Cost&) {});
+                                {.objective = enough(draft), .lost = removes ? close_on_others : 0},
+                                [](const team::Cost&) {});
+    }
+
+    // What the vehicles' objective need not fall below, with the flights of a draft.
+    double enough(const Draft& draft) const {
+        if (interrupts_.gap == 0) return 0;
+        double flown = 0;
+        if (problem_.sums()) {
+            for (const team::Path& path : flights(draft)) flown += path.back().t;
+        }
+        return plan_.bound * (1 + interrupts_.gap) - flown;
     }
 
     team::Vehicle vehicle(const Draft& draft, std::size_t v) const {
@@ -318,8 +333,8 @@ CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool select
                              const std::function<void(double objective, double bound)>& improved) {
     Planning planning(map, mission, interrupts, crossing, theta);
     CoalitionPlan first = planning.run(selects, improved);
-    const bool tries =
-        fewer == Fewer::tried && selects && (std::isinf(interrupts.deadline.left()) || planning.lost_on_others());
+    const bool tries = fewer == Fewer::tried && selects && !interrupts.good_enough(first.objective, first.bound) &&
+                       (std::isinf(interrupts.deadline.left()) || planning.lost_on_others());
     if (!tries || first.status == SearchStatus::no_path) return first;
     const double bound = first.bound;
     double told = first.objective;

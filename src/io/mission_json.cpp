@@ -140,17 +140,19 @@ Json method_json(const Method& method) {
 Json limits_json(const Limits& limits) {
     Json json{{"seconds", number(limits.seconds)}};
     if (limits.expansions < UINT64_MAX) json["expansions"] = limits.expansions;
+    if (limits.gap != 0) json["gap"] = number(limits.gap);
     return json;
 }
 
 void read_limits(const JsonField& field, Limits& limits) {
-    field.allow({"seconds", "expansions"});
+    field.allow({"seconds", "expansions", "gap"});
     if (field.json().contains("seconds")) {
         const auto seconds = field.find("seconds");
         limits.seconds = seconds ? read_positive(*seconds) : std::numeric_limits<double>::infinity();
     }
     if (const auto count = field.find("expansions"))
         limits.expansions = std::uint64_t(count->whole_number(1, INT64_MAX));
+    if (const auto gap = field.find("gap")) limits.gap = read_share(*gap);
 }
 
 void read_budget(const JsonField& field, Rules& rules, bool& area_budget) {
@@ -198,6 +200,10 @@ double read_not_negative(const JsonField& field) {
     return value;
 }
 
+double read_share(const JsonField& field) {
+    return read_between(field, 0, 1);
+}
+
 void read_body(const JsonField& field, Body& body) {
     read_word(field, "corners", corner_words, body.corners);
     if (const auto radius = field.find("radius")) body.radius = read_between(*radius, 0, most_radius);
@@ -217,7 +223,7 @@ void read_rules(const JsonField& field, Rules& rules, bool& area_budget, std::ve
     read_word(field, "timing", timing_words, rules.timing);
     read_word(field, "objective", objective_words, rules.objective);
     if (const auto tolerance = field.find("minimise_demolition")) {
-        rules.minimise_demolition = read_between(*tolerance, 0, 1);
+        rules.minimise_demolition = read_share(*tolerance);
     }
     if (const auto room = field.find("separation")) rules.separation = read_between(*room, 0, most_radius);
     read_word(field, "at_goal", at_goal_words, rules.at_goal);

@@ -24,7 +24,7 @@ namespace waybreaker::io {
 struct MissionDocument {
     Mission mission;
     Method method = {};
-    Limits limits = {};        // seconds and expansions
+    Limits limits = {};        // but for what stops or reports
     bool area_budget = false;  // the budget is one of square metres: obstacles weigh their area (weights.hpp)
     bool in_seconds = false;   // a unit of time is a second
     // What is protected beside mission.rules.protect, until the map is known (tagged_obstacles.hpp).
@@ -57,6 +57,7 @@ nlohmann::ordered_json cell_json(Cell c);
 // `least`: 0 where a wrong id is judged, not refused.
 ObstacleId read_obstacle(const JsonField& field, std::uint32_t least = 1);
 double read_not_negative(const JsonField& field);
+double read_share(const JsonField& field);  // 0 to 1
 // Members of `field` that are rules, under the names of Rules, over what is there; budget_m2 is a budget of square
 // metres, and what is protected may be ids or tags.
 void read_rules(const JsonField& field, Rules& rules, bool& area_budget, std::vector<site::TagFilter>& protect_tags);

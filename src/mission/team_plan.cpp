@@ -138,7 +138,7 @@ void add_entries(const Map& map, const Mission& mission, Plan& plan) {
 Plan plan_coalition(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                     coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
     const Stopwatch total;
-    const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions};
+    const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions, limits.gap};
     const auto tell = [&](double objective, double bound) {
         if (limits.progress) limits.progress({.best = objective, .bound = bound});
     };
@@ -177,7 +177,7 @@ Plan plan_team(const Map& map, const Mission& mission, const Method& method, con
         return plan_coalition(map, mission, method, limits, fewer, searcher, crossing);
     }
     const Stopwatch total;
-    const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions};
+    const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions, limits.gap};
     Plan plan;
     const auto tell = [&](const team::Cost& cost) {
         if (limits.progress) limits.progress({.best = cost.first});

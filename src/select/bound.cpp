@@ -60,7 +60,8 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
                   OpeningTimes& opening_times, double proven) {
-    CrossingOptions options = crossing_options(task, true, reached, deadline.left(), opening_times);
+    if (task.worth(reached) <= proven) return {proven};
+    CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, most_expanded_in_time);
@@ -81,8 +82,8 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     int tried = 0;
     const CrossingResult rest =
         crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
-            if (least(path.cost, task.least_flight) >= std::min(best.objective, reached) || tried == patience(task))
-                return false;
+            const double useless = std::min(best.objective, task.worth(reached));
+            if (least(path.cost, task.least_flight) >= useless || tried == patience(task)) return false;
             ++tried;
             const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
             const double objective = least(path.cost, least_flight_time(task, removed));

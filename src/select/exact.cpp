@@ -109,7 +109,7 @@ class ExactSelection {
         if (!drives_by_crossing(task_)) try_for_other_planners();
         // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
         try_within(bound_.removed);
-        if (opening_times_.matter() && best_ <= bound_.objective * (1 + close)) return;
+        if (is_near_bound()) return;
         const CrossingResult first = find_first();
         raise_bound(first);
         if (first.status == SearchStatus::limit_reached) {
@@ -157,8 +157,14 @@ class ExactSelection {
         report();
     }
 
+    bool is_near_bound() const {
+        const double enough = std::max(task_.limits.gap, opening_times_.matter() ? close : 0);
+        return enough > 0 && best_ <= bound_.objective * (1 + enough);
+    }
+
+    // By enough.
     bool beats_best(const CrossingPath& path) const {
-        return least_objective(task_, path.cost, opening_times_) < best_ * (1 - rounding);
+        return least_objective(task_, path.cost, opening_times_) < task_.worth(best_) * (1 - rounding);
     }
 
     // Puts a path and what it crosses in time. `search` found it.
@@ -242,8 +248,8 @@ class ExactSelection {
 
     // The set whose shortest path is shortest.
     CrossingResult find_first() {
-        options_ = crossing_options(task_, !drives_by_crossing(task_), best_ * (1 - rounding), deadline_.left(),
-                                    opening_times_);
+        options_ = crossing_options(task_, !drives_by_crossing(task_), task_.worth(best_) * (1 - rounding),
+                                    deadline_.left(), opening_times_);
         options_.expected = dearest_path(task_, bound_.objective, opening_times_);
         if (opening_times_.matter()) {
             options_.limits.expansions = std::min(options_.limits.expansions, patience_of_search());
@@ -261,7 +267,7 @@ class ExactSelection {
 
     // All sets that could still be better, in order. Whether they came to their end.
     bool try_others(const CrossingResult& first) {
-        options_.length_limit = dearest_path(task_, best_, opening_times_);
+        options_.length_limit = dearest_path(task_, task_.worth(best_), opening_times_);
         options_.limits.seconds = deadline_.left();
         const std::uint64_t patient = patience_for_others(first);
         options_.limits.expansions = std::min(options_.limits.expansions, patient);

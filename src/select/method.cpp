@@ -94,12 +94,23 @@ void validate_team(const Mission& mission, const Method& method) {
     if (!method.diagonal) throw InputError("several ground agents move by eight neighbours, not by four");
 }
 
+// Explanations and the least demolition compare plans that are best.
+void validate_gap(const Mission& mission, const Method& method, const Limits& limits) {
+    if (!(limits.gap >= 0) || !std::isfinite(limits.gap)) throw InputError("the gap must be a share of 0 or more");
+    if (limits.gap == 0) return;
+    if (method.explain) throw InputError("explanations compare best plans: leave out the gap, or the explanation");
+    if (mission.rules.minimise_demolition) {
+        throw InputError("demolition is minimised among best plans: leave out the gap");
+    }
+}
+
 }  // namespace
 
 void validate(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     require_enumerator(method.select, Selection::none, "what to select by");
     require_enumerator(method.flight, FlightRule::nearest, "what to fly by");
     if (!(limits.seconds > 0)) throw InputError("the time limit must be above 0 seconds");
+    validate_gap(mission, method, limits);
     for (const Agent& agent : mission.agents) {
         if (agent.kind != AgentKind::ground) continue;
         validate(search_options(method, agent.body));

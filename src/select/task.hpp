@@ -39,6 +39,8 @@ struct Task {
     int spare_removals() const { return rules.removals - int(rules.force.size()); }
     // What the others may weigh.
     double spare_budget() const;
+    // What another plan must be below, to be worth looking for when that is reached.
+    double worth(double reached) const { return reached / (1 + limits.gap); }
     void report(double best, double bound) const {
         if (reports && limits.progress) limits.progress({best, bound});
     }

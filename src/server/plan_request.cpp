@@ -70,10 +70,31 @@ bool has_search_words(const Method& method) {
 
 // What `field` says, over what was there.
 OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
-    field.allow(
-        {"paper",   "removals",  "select", "flight",    "timing",  "objective", "breach_time", "breach_time_per_cell",
-         "protect", "force",     "budget", "budget_m2", "weights", "bound",     "explain",     "time_limit",
-         "planner", "heuristic", "weight", "tie_break", "corners", "radius",    "moves",       "minimise_demolition"});
+    field.allow({"paper",
+                 "removals",
+                 "select",
+                 "flight",
+                 "timing",
+                 "objective",
+                 "breach_time",
+                 "breach_time_per_cell",
+                 "protect",
+                 "force",
+                 "budget",
+                 "budget_m2",
+                 "weights",
+                 "bound",
+                 "explain",
+                 "time_limit",
+                 "gap",
+                 "planner",
+                 "heuristic",
+                 "weight",
+                 "tie_break",
+                 "corners",
+                 "radius",
+                 "moves",
+                 "minimise_demolition"});
     if (const auto removals = field.find("removals")) {
         result.rules.removals = int(removals->whole_number(0, most_removals));
         result.removals_given = true;
@@ -87,6 +108,7 @@ OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
     }
     if (const auto weights = field.find("weights")) set_weights(*weights, result);
     if (const auto limit = field.find("time_limit")) result.limits.seconds = positive(*limit);
+    if (const auto gap = field.find("gap")) result.limits.gap = io::read_share(*gap);
     io::read_rules(field, result.rules, result.area_budget, result.protect_tags);
     io::read_method(field, result.method);
     result.planner_given = result.planner_given || field.find("planner");

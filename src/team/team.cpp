@@ -46,10 +46,10 @@ void plan_all(const TeamPlan& plan, Objective objective, const Interrupts& inter
     }
 }
 
-// The objective if nobody lost time on the others.
-double alone(std::span<const Vehicle> vehicles, Objective objective) {
+// The objective if each vehicle arrived at that time of its own.
+double objective_of(std::span<const Vehicle> vehicles, double Vehicle::*arrival, Objective objective) {
     Finish finish;
-    for (const Vehicle& vehicle : vehicles) finish.add(AgentKind::ground, vehicle.alone);
+    for (const Vehicle& vehicle : vehicles) finish.add(AgentKind::ground, vehicle.*arrival);
     return rank(objective, finish).first;
 }
 
@@ -64,11 +64,14 @@ TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupt
         plan.status = go_alone(map, interrupts, crossing, theta, plan.vehicles.back());
         if (plan.status != SearchStatus::found) return plan;
     }
-    return plan_paths({map}, std::move(plan.vehicles), mission.rules, interrupts, 0, improved);
+    const double bound = objective_of(plan.vehicles, &Vehicle::bound, mission.rules.objective);
+    const Enough enough{.objective = interrupts.gap > 0 ? bound * (1 + interrupts.gap) : 0};
+    return plan_paths({map}, std::move(plan.vehicles), mission.rules, interrupts, enough, improved);
 }
 
 TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const Rules& rules,
-                    const Interrupts& interrupts, double close, const std::function<void(const Cost&)>& improved) {
+                    const Interrupts& interrupts, const Enough& enough,
+                    const std::function<void(const Cost&)>& improved) {
     TeamPlan plan;
     plan.vehicles = std::move(vehicles);
     Fleet fleet(ground, plan.vehicles, rules, interrupts);
@@ -81,8 +84,12 @@ TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const R
     plan.status = SearchStatus::found;
     fleet.skip_standstill();
     improved(fleet.cost());
-    const double enough = close > 0 ? alone(plan.vehicles, rules.objective) * (1 + close) : 0;
-    search.improve(enough, [&] { improved(fleet.cost()); });
+    double objective = enough.objective;
+    if (enough.lost > 0) {
+        const double alone = objective_of(plan.vehicles, &Vehicle::alone, rules.objective);
+        objective = std::max(objective, alone * (1 + enough.lost));
+    }
+    search.improve(objective, [&] { improved(fleet.cost()); });
     fleet.skip_standstill();
     plan.limited = interrupts.due() || std::ranges::any_of(plan.vehicles, &Vehicle::limited);
     for (std::uint32_t i = 0; i < fleet.size(); ++i) plan.paths.push_back(fleet.path(i));

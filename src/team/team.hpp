@@ -26,9 +26,16 @@ struct TeamPlan {
 TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
                    CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved);
 
-// The same for vehicles that know their ways, on ground that opens in time. What they lose on each other is good enough
-// at that share of the objective; 0: it never is.
+// When a team's paths need no more improvement: where the vehicles' objective is no more than that, or than a share
+// above what it would be if nobody lost time on the others.
+struct Enough {
+    double objective = 0;
+    double lost = 0;
+};
+
+// The same for vehicles that know their ways, on ground that opens in time.
 TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const Rules& rules,
-                    const Interrupts& interrupts, double close, const std::function<void(const Cost&)>& improved);
+                    const Interrupts& interrupts, const Enough& enough,
+                    const std::function<void(const Cost&)>& improved);
 
 }  // namespace waybreaker::team

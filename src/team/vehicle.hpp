@@ -28,7 +28,9 @@ struct Interrupts {
     Deadline deadline;
     StopToken stop;
     std::uint64_t expansions = UINT64_MAX;
+    double gap = 0;  // a share: a plan so near to its bound is good enough
 
+    bool good_enough(double objective, double bound) const { return gap > 0 && objective <= bound * (1 + gap); }
     bool due() const { return stop.stop_requested() || deadline.passed(); }
     Limits limits() const { return {.seconds = deadline.left(), .expansions = expansions, .stop = stop}; }
 };

@@ -57,6 +57,7 @@ MissionDocument any_document() {
     if (*rc::gen::arbitrary<bool>()) document.protect_tags = {{"amenity", {"school", "a \"b*"}}, {"historic"}};
     document.area_budget = std::isfinite(document.mission.rules.budget) && *rc::gen::arbitrary<bool>();
     document.map = *rc::gen::element<std::string>("", "maps/city \"7\".tif");
+    document.limits.gap = *rc::gen::element(0.0, 0.01);
     document.limits.expansions = *rc::gen::element<std::uint64_t>(1, 1000, UINT64_MAX);
     return document;
 }
@@ -99,6 +100,7 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(read.method.bound == written.method.bound);
     RC_ASSERT(read.method.explain == written.method.explain);
     RC_ASSERT(read.limits.seconds == written.limits.seconds);
+    RC_ASSERT(read.limits.gap == written.limits.gap);
     RC_ASSERT(read.limits.expansions == written.limits.expansions);
 }
 

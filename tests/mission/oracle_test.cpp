@@ -140,6 +140,40 @@ TEST(Oracle, HardlyAnyPlanIsBeaten) {
     EXPECT_LT(beaten, 0.007 * plans);  // 0.2 % of 12 000, see docs/exact.md
 }
 
+RC_GTEST_PROP(Oracle, APlanLosesNoMoreThanTheGapAskedFor, ()) {
+    const World world = any_world();
+    const double gap = *rc::gen::element(0.01, 0.1, 0.5);
+    const Plan best = MissionPlanner().plan(world.map, world.mission);
+    const Plan plan = MissionPlanner().plan(world.map, world.mission, {}, {.gap = gap});
+    RC_LOG() << picture(world) << "gap " << gap << "\n";
+    RC_ASSERT(plan_faults(world.map, world.mission, plan) == "");
+    RC_ASSERT(plan.status == best.status);
+    if (plan.status != PlanStatus::solved) return;
+    const double least = *value(best.after, world.mission.rules.objective);
+    const double reached = *value(plan.after, world.mission.rules.objective);
+    RC_LOG() << "reached " << reached << ", " << least << " without a gap, bound " << *plan.bound << "\n";
+    RC_ASSERT(*plan.bound <= AllPlans(world.map, world.mission).best() * (1 + 1e-9));
+    // Choices are compared by paths of the square, which are at most that much longer than the disc's.
+    constexpr double most_of_square = 1.0824;
+    RC_ASSERT(reached <= least * (1 + gap) * most_of_square);
+    RC_CLASSIFY(reached > least * (1 + 1e-9), "a worse plan");
+    RC_CLASSIFY(*plan.gap <= gap, "proven");
+}
+
+// One removal saves 0.4 %.
+TEST(Oracle, WhatGainsLessThanTheGapStays) {
+    std::vector<std::string> rows(3, std::string(50, '.'));
+    rows[1][25] = 'a';
+    World world = world_of(rows, {0, 1}, {49, 1});
+    const auto plan = [&](double gap) { return MissionPlanner().plan(world.map, world.mission, {}, {.gap = gap}); };
+    EXPECT_EQ(plan(0).breaches.size(), 1U);
+    EXPECT_EQ(plan(1e-4).breaches.size(), 1U);
+    const Plan near = plan(0.01);
+    EXPECT_TRUE(near.breaches.empty());
+    EXPECT_FALSE(near.limit_reached);
+    EXPECT_NEAR(*near.gap, 0.01, 1e-9);
+}
+
 RC_GTEST_PROP(Oracle, ToForceThePlansOwnRemovalsIsNoBetter, ()) {
     World world = any_world();
     const Plan plan = MissionPlanner().plan(world.map, world.mission);
