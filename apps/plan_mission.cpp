@@ -93,7 +93,7 @@ void set_clock(const PlanOptions& options, const io::MapFile& map, io::MissionDo
         return agent.kind == AgentKind::air ? options.air_speed : options.ground_speed;
     };
     for (Agent& agent : document.mission.agents) {
-        if (given(agent)) agent.speed = in_cells(*given(agent), map, speeds);
+        if (const std::optional<Measure>& speed = given(agent)) agent.speed = in_cells(*speed, map, speeds);
     }
     if (metric(options.ground_speed) || metric(options.air_speed)) {
         const auto is_metric = [&](const Agent& agent) { return metric(given(agent)); };
