@@ -79,11 +79,12 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     }
     // The flight past the obstacles of a set counts as well.
     Bound best{infinity, {}};
+    const int most_tried = opening_times.are_at_once() ? 1 : patience(task);  // the proof in time knows more
     int tried = 0;
     const CrossingResult rest =
         crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
             const double useless = std::min(best.objective, task.worth(reached));
-            if (least(path.cost, task.least_flight) >= useless || tried == patience(task)) return false;
+            if (least(path.cost, task.least_flight) >= useless || tried == most_tried) return false;
             ++tried;
             const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
             const double objective = least(path.cost, least_flight_time(task, removed));

@@ -27,10 +27,13 @@ double hop(const Box& a, const Box& b) {
     return std::sqrt(double(x) * x + double(y) * y);
 }
 
-OpeningTimes::OpeningTimes(const Task& task) : OpeningTimes(task, may_matter(task)) {}
+OpeningTimes::OpeningTimes(const Task& task) : task_(task), matter_(may_matter(task)) {}
 
 OpeningTimes OpeningTimes::at_once(const Task& task) {
-    return {task, false};
+    OpeningTimes times(task);
+    times.matter_ = false;
+    times.at_once_ = true;
+    return times;
 }
 
 double OpeningTimes::cells(std::span<const ObstacleId> obstacles) {

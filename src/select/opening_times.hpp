@@ -22,6 +22,7 @@ class OpeningTimes {
     // Whether the ground agent may ever have to wait longer than the air agent's detour to a breach cell takes. Not if
     // both start at the same place, the air agent is no slower, and breaches take no time.
     bool matter() const { return matter_; }
+    bool are_at_once() const { return at_once_; }
 
     // A lower limit of when the last of them is open, in cells that the ground agent could drive until then: the
     // shortest flight past all of them, ending at any, with all their breach times. Grows with the set. O(2^n n^2) for
@@ -41,13 +42,13 @@ class OpeningTimes {
         double open;
         double done;
     };
-    OpeningTimes(const Task& task, bool matter) : task_(task), matter_(matter) {}
     const Legs& legs(ObstacleId id);
     const Times& times(std::span<const ObstacleId> obstacles);
     Times times_of(std::span<const ObstacleId> obstacles);
 
     const Task& task_;
-    bool matter_;
+    bool matter_ = false;
+    bool at_once_ = false;
     std::map<ObstacleId, Legs> legs_;
     std::map<std::vector<ObstacleId>, Times> times_;
 };
