@@ -1,49 +1,15 @@
 // Missions on small label maps, anything that can be asked of them: plans are judged against all plans there are.
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "all_plans.hpp"
+#include "choices.hpp"
 #include "laws.hpp"
 #include "waybreaker/check.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 namespace {
-
-// The input as choices, one byte each; zeros once it has ended.
-class Choices {
-  public:
-    Choices(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
-
-    int below(int count) { return next_ == end_ ? 0 : *next_++ % count; }
-    bool one_in(int count) { return below(count) == count - 1; }
-    template <class T, std::size_t count>
-    T of(const std::array<T, count>& all) {
-        return all[std::size_t(below(int(count)))];
-    }
-    Cell cell(const Map& map) { return {below(map.width()), below(map.height())}; }
-
-  private:
-    const std::uint8_t* next_;
-    const std::uint8_t* end_;
-};
-
-constexpr int most_labels = 4;
-
-Map any_map(Choices& choices) {
-    const int width = 2 + choices.below(6);
-    const int height = 2 + choices.below(4);
-    std::array<ObstacleAttributes, most_labels + 1> attributes;
-    for (ObstacleAttributes& known : attributes) {
-        known.destructible = !choices.one_in(8);
-        known.weight = choices.of(std::array{1.0, 1.0, 0.5, 3.0});
-        known.breach_time = choices.of(std::array{0.0, 0.0, 2.0});
-    }
-    std::vector<std::uint32_t> labels(std::size_t(width * height));
-    for (std::uint32_t& label : labels) label = choices.one_in(2) ? std::uint32_t(1 + choices.below(most_labels)) : 0;
-    return Map::from_labels(width, height, labels, attributes);
-}
 
 Mission any_mission(Choices& choices, const Map& map) {
     Mission mission = ground_and_air(choices.cell(map), choices.cell(map));
@@ -74,7 +40,7 @@ Mission any_mission(Choices& choices, const Map& map) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace waybreaker;
     Choices choices(data, size);
-    const Map map = any_map(choices);
+    const Map map = any_map(choices, 7, 5);
     const Mission mission = any_mission(choices, map);
     try {
         validate(map, mission);

@@ -7,6 +7,7 @@
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
+#include "team/simulation.hpp"
 #include "vehicle.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
@@ -67,6 +68,8 @@ RC_GTEST_PROP(Coalition, PlansAreValid, ()) {
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     if (plan.status != PlanStatus::solved) return;
     RC_ASSERT(*plan.bound <= *value(plan.after, mission.rules.objective) + 1e-9);
+    const auto cuts_corners = [](const Agent& a) { return a.body.corners != Corners::none; };
+    if (std::ranges::none_of(mission.agents, cuts_corners)) RC_ASSERT(simulate(map, mission, plan, 0.05) == "");
 }
 
 // The best of all that may be removed, and of less: where no limit ends it, more may not make a plan worse.

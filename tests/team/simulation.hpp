@@ -22,13 +22,21 @@ inline Point simulated_place(const std::vector<Waypoint>& path, double time) {
     return {path.back().x, path.back().y};
 }
 
+// What has been breached by then; all that will be, where time does not count.
+inline bool simulated_as_gone(const Mission& mission, const Plan& plan, ObstacleId obstacle, double time) {
+    return std::ranges::any_of(plan.breaches, [&](const Breach& breach) {
+        return breach.obstacle == obstacle && (mission.rules.timing == Timing::ignore || breach.cleared_at <= time);
+    });
+}
+
 // How deep a disc is in the blocked cell that it is deepest in.
-inline double simulated_depth(const Map& map, Point at, double radius) {
+template <class Gone>
+double simulated_depth(const Map& map, Point at, double radius, Gone gone) {
     double depth = 0;
     for (int y = -1; y <= map.height(); ++y) {
         for (int x = -1; x <= map.width(); ++x) {
             const bool inside = map.grid().contains({x, y});
-            if (inside && !map.grid().blocked({x, y})) continue;
+            if (inside && (!map.grid().blocked({x, y}) || gone(map.obstacle_at({x, y})))) continue;
             const double dx = std::max(std::abs(at.x - x) - 0.5, 0.0);
             const double dy = std::max(std::abs(at.y - y) - 0.5, 0.0);
             depth = std::max(depth, radius - std::hypot(dx, dy));
@@ -43,13 +51,14 @@ inline std::string simulate(const Map& map, const Mission& mission, const Plan& 
     double end = 0;
     for (const Itinerary& agent : plan.agents) end = std::max(end, agent.path.back().t);
     for (double time = 0; time < end + 2 * step; time += step) {
+        const auto is_gone = [&](ObstacleId id) { return simulated_as_gone(mission, plan, id, time + slack); };
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
             if (plan.agents[i].kind == AgentKind::air) continue;
             const bool gone = mission.rules.at_goal == AtGoal::leave && time >= plan.agents[i].path.back().t;
             if (gone) continue;
             const double radius = mission.agents[i].body.radius;
             const Point at = simulated_place(plan.agents[i].path, time);
-            if (simulated_depth(map, at, radius) > slack) return plan.agents[i].id + " is in a wall";
+            if (simulated_depth(map, at, radius, is_gone) > slack) return plan.agents[i].id + " is in a wall";
             for (std::size_t j = 0; j < i; ++j) {
                 if (plan.agents[j].kind == AgentKind::air) continue;
                 if (mission.rules.at_goal == AtGoal::leave && time >= plan.agents[j].path.back().t) continue;
