@@ -217,13 +217,17 @@ class Planning {
         for (const auto& [obstacle, time] : draft.openings) ground.openings.push_back({obstacle, time});
         std::vector<team::Vehicle> vehicles = plan_.closed;
         for (std::size_t v = 0; removes && v < vehicles.size(); ++v) vehicles[v] = vehicle(draft, v);
-        return team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_,
-                                {.objective = enough(draft), .lost = removes ? close_on_others : 0},
+        const auto enough = [&](std::span<team::Vehicle> all) {
+            const double near_alone =
+                removes ? team::objective_alone(all, problem_.rules().objective) * (1 + close_on_others) : 0;
+            return std::max(near_alone, good_enough(draft));
+        };
+        return team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_, enough,
                                 [](const team::Cost&) {});
     }
 
-    // What the vehicles' objective need not fall below, with the flights of a draft.
-    double enough(const Draft& draft) const {
+    // Of the vehicles' objective, with the flights of a draft; 0 if none is.
+    double good_enough(const Draft& draft) const {
         if (interrupts_.gap == 0) return 0;
         double flown = 0;
         if (problem_.sums()) {

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <numeric>
 
+#include "drive/centres.hpp"
 #include "plan/objective.hpp"
 #include "team/neighbourhoods.hpp"
 
 namespace waybreaker::team {
 namespace {
+
+// Of the time that is left when there is a plan; the rest is to improve it.
+constexpr double share_of_bounds = 0.2;
 
 // Short ways first where all arrivals count: they lose little on others, and others little on them. Where the last
 // arrival counts, the longest way first.
@@ -53,7 +57,22 @@ double objective_of(std::span<const Vehicle> vehicles, double Vehicle::*arrival,
     return rank(objective, finish).first;
 }
 
+// The relaxed body slips past what the disc must go around; where that is far, cell centres tell more.
+void raise_bound(const OpenedMap& map, Vehicle& vehicle) {
+    constexpr double far = 1.01;
+    constexpr std::uint64_t most_looks = 100'000;  // a few milliseconds
+    const Agent& agent = vehicle.agent;
+    const double known = (vehicle.alone - agent.ready_at) * agent.speed;
+    if (!drives_by_crossing(agent.body) || known <= far * (vehicle.bound - agent.ready_at) * agent.speed) return;
+    const double least = least_through_centres(map, agent.start, agent.goal, agent.body, known, most_looks);
+    vehicle.bound = std::max(vehicle.bound, agent.ready_at + least / agent.speed);
+}
+
 }  // namespace
+
+double objective_alone(std::span<const Vehicle> vehicles, Objective objective) {
+    return objective_of(vehicles, &Vehicle::alone, objective);
+}
 
 TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
                    CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved) {
@@ -64,8 +83,15 @@ TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupt
         plan.status = go_alone(map, interrupts, crossing, theta, plan.vehicles.back());
         if (plan.status != SearchStatus::found) return plan;
     }
-    const double bound = objective_of(plan.vehicles, &Vehicle::bound, mission.rules.objective);
-    const Enough enough{.objective = interrupts.gap > 0 ? bound * (1 + interrupts.gap) : 0};
+    const auto enough = [&](std::span<Vehicle> vehicles) {
+        const Deadline soon = interrupts.deadline.share(share_of_bounds);
+        for (Vehicle& vehicle : vehicles) {
+            if (interrupts.stop.stop_requested() || soon.passed()) break;
+            raise_bound(map, vehicle);
+        }
+        if (interrupts.gap == 0) return 0.0;
+        return objective_of(vehicles, &Vehicle::bound, mission.rules.objective) * (1 + interrupts.gap);
+    };
     return plan_paths({map}, std::move(plan.vehicles), mission.rules, interrupts, enough, improved);
 }
 
@@ -84,12 +110,7 @@ TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const R
     plan.status = SearchStatus::found;
     fleet.skip_standstill();
     improved(fleet.cost());
-    double objective = enough.objective;
-    if (enough.lost > 0) {
-        const double alone = objective_of(plan.vehicles, &Vehicle::alone, rules.objective);
-        objective = std::max(objective, alone * (1 + enough.lost));
-    }
-    search.improve(objective, [&] { improved(fleet.cost()); });
+    search.improve(enough(plan.vehicles), [&] { improved(fleet.cost()); });
     fleet.skip_standstill();
     plan.limited = interrupts.due() || std::ranges::any_of(plan.vehicles, &Vehicle::limited);
     for (std::uint32_t i = 0; i < fleet.size(); ++i) plan.paths.push_back(fleet.path(i));

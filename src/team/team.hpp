@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "team/fleet.hpp"
@@ -26,12 +27,11 @@ struct TeamPlan {
 TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
                    CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved);
 
-// When a team's paths need no more improvement: where the vehicles' objective is no more than that, or than a share
-// above what it would be if nobody lost time on the others.
-struct Enough {
-    double objective = 0;
-    double lost = 0;
-};
+// Asked when there is a plan: the vehicles' objective that needs no more improvement. May raise their bounds.
+using Enough = std::function<double(std::span<Vehicle>)>;
+
+// The vehicles' objective if nobody lost time on the others.
+double objective_alone(std::span<const Vehicle> vehicles, Objective objective);
 
 // The same for vehicles that know their ways, on ground that opens in time.
 TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const Rules& rules,
