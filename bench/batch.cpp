@@ -83,7 +83,7 @@ struct Times {
 
 Times time_of(const Batch& batch, unsigned threads) {
     const std::clock_t begun = std::clock();
-    const double wall = seconds_of([&] { plan_all(batch.map.map, batch.missions, {}, threads); });
+    const double wall = seconds_of([&] { plan_all(batch.map.map, batch.missions, {}, {}, threads); });
     return {wall, double(std::clock() - begun) / CLOCKS_PER_SEC};
 }
 
@@ -98,8 +98,8 @@ void run(const Arguments& arguments) {
     std::vector<double> ratios;
     std::size_t missions = 0;
     for (const Batch& batch : batches()) {
-        if (batch.bytes(plan_all(batch.map.map, batch.missions, {}, 1)) !=
-            batch.bytes(plan_all(batch.map.map, batch.missions, {}, arguments.threads))) {
+        if (batch.bytes(plan_all(batch.map.map, batch.missions, {}, {}, 1)) !=
+            batch.bytes(plan_all(batch.map.map, batch.missions, {}, {}, arguments.threads))) {
             throw std::runtime_error("the plans for " + batch.map.source + " depend on the number of threads");
         }
         missions += batch.missions.size();
