@@ -1,6 +1,8 @@
 #include "team/neighbourhoods.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace waybreaker::team {
 namespace {
@@ -97,16 +99,19 @@ void NeighbourhoodSearch::improve(double enough, const std::function<void()>& ga
     const std::size_t patience = 100 + 20 * fleet_.size();
     fleet_.hold_as_at_first();
     if (shorten_waits()) gained();
+    std::set<std::vector<std::uint32_t>> vain;  // orders, since paths have last changed
     for (std::size_t failures = 0; failures < patience && fleet_.cost().first > enough;) {
         const std::optional<std::uint32_t> late = delayed();
         if (!late || interrupts_.due()) return;
         std::vector<std::uint32_t> order = around(*late, 2 + std::size_t(random_.below(4)));
         random_.shuffle(order);
-        if (replan(order, false)) {
+        if (!vain.contains(order) && replan(order, false)) {
             failures = 0;
+            vain.clear();
             gained();
         } else {
             ++failures;
+            vain.insert(std::move(order));
         }
     }
 }
