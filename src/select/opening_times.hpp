@@ -22,6 +22,7 @@ class OpeningTimes {
     // Whether the ground agent may ever have to wait longer than the air agent's detour to a breach cell takes. Not if
     // both start at the same place, the air agent is no slower, and breaches take no time.
     bool matter() const { return matter_; }
+    // Whether that is only as if nobody waited.
     bool are_at_once() const { return at_once_; }
 
     // A lower limit of when the last of them is open, in cells that the ground agent could drive until then: the
