@@ -1,6 +1,7 @@
 #include "live_server.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <random>
 
 #include "schema_check.hpp"
@@ -44,7 +45,11 @@ void hold_against_description(const std::string& method, const std::string& path
     const Json& responses = api()["paths"][name][method].at("responses");
     const std::string status = std::to_string(answer.status);
     ASSERT_TRUE(responses.contains(status)) << method << ' ' << path << " gives " << status << ' ' << answer.body;
-    seen().insert(method + ' ' + name + ' ' + status);
+    {
+        static std::mutex several_clients;
+        const std::scoped_lock lock(several_clients);
+        seen().insert(method + ' ' + name + ' ' + status);
+    }
     const Json& described = resolved(api(), responses[status]);
     if (!described.contains("content")) {
         EXPECT_TRUE(answer.body.empty() && type.empty() && !answer.has_header("Content-Length"));

@@ -145,6 +145,7 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
     document.mission.agents[0].ready_at = 3;
     document.method.heuristic = Heuristic::octile;
     document.limits.expansions = 100;
+    document.limits.gap = 0.01;
     Json written = Json::parse(io::mission_text(document));
     EXPECT_EQ(schema_faults(schema, schema, written), std::vector<std::string>());
     // It names all members that can be written, and no others.
