@@ -172,7 +172,7 @@ void add_gap(CLI::App& command, PlanOptions& options) {
     command
         .add_option_function<std::string>("--gap", read,
                                           "Stop planning as soon as the plan is proven to be above the best possible "
-                                          "by no more than that, in the same way on every machine (default: 0)")
+                                          "by no more than that (default: 0)")
         ->type_name("SHARE");
 }
 

@@ -1,4 +1,4 @@
-// A fuzzer's input as choices, and small label maps made of them.
+// A fuzzer's input as choices, and small label maps and rules made of them.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "waybreaker/map.hpp"
+#include "waybreaker/mission.hpp"
 
 namespace waybreaker {
 
@@ -42,6 +42,19 @@ inline Map any_map(Choices& choices, int most_wide, int most_high) {
     std::vector<std::uint32_t> labels(std::size_t(width * height));
     for (std::uint32_t& label : labels) label = choices.one_in(2) ? std::uint32_t(1 + choices.below(most_labels)) : 0;
     return Map::from_labels(width, height, labels, attributes);
+}
+
+// What may be removed, what it takes, and what is to be small.
+inline void set_rules(Choices& choices, const Map& map, int most_removals, Rules& rules) {
+    rules.removals = choices.below(most_removals + 1);
+    rules.objective = choices.of(std::array{Objective::makespan, Objective::flowtime, Objective::ground_makespan});
+    rules.breach_time = {choices.of(std::array{0.0, 1.0, 4.5}), choices.of(std::array{0.0, 0.0, 0.3})};
+    if (choices.one_in(4)) rules.budget = choices.of(std::array{0.0, 1.0, 2.5, 4.0});
+    for (const Obstacle& obstacle : map.obstacles()) {
+        const int rule = choices.below(12);
+        if (rule == 10) rules.force.push_back(obstacle.id);
+        if (rule == 11) rules.protect.push_back(obstacle.id);
+    }
 }
 
 }  // namespace waybreaker

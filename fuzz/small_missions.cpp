@@ -19,16 +19,7 @@ Mission any_mission(Choices& choices, const Map& map) {
     if (choices.one_in(2)) air.goal = choices.cell(map);
     ground.speed = choices.of(std::array{1.0, 0.5, 2.0});
     air.speed = choices.of(std::array{1.0, 0.5, 3.0});
-    Rules& rules = mission.rules;
-    rules.removals = choices.below(3);
-    rules.objective = choices.of(std::array{Objective::makespan, Objective::flowtime, Objective::ground_makespan});
-    rules.breach_time = {choices.of(std::array{0.0, 1.0, 4.5}), choices.of(std::array{0.0, 0.0, 0.3})};
-    if (choices.one_in(4)) rules.budget = choices.of(std::array{0.0, 1.0, 2.5, 4.0});
-    for (const Obstacle& obstacle : map.obstacles()) {
-        const int rule = choices.below(12);
-        if (rule == 10) rules.force.push_back(obstacle.id);
-        if (rule == 11) rules.protect.push_back(obstacle.id);
-    }
+    set_rules(choices, map, 2, mission.rules);
     return mission;
 }
 

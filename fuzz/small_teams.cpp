@@ -58,16 +58,8 @@ Mission any_team(Choices& choices, const Map& map) {
         mission.agents.back().id = std::to_string(i);
         if (i < vehicles && !is_possible(map, mission)) mission.agents.pop_back();
     }
-    rules.removals = choices.below(4);
-    rules.objective = choices.of(std::array{Objective::makespan, Objective::flowtime, Objective::ground_makespan});
-    rules.breach_time = {choices.of(std::array{0.0, 1.0, 4.5}), choices.of(std::array{0.0, 0.0, 0.3})};
     rules.at_goal = choices.one_in(3) ? AtGoal::leave : AtGoal::stay;
-    if (choices.one_in(4)) rules.budget = choices.of(std::array{0.0, 1.0, 2.5, 4.0});
-    for (const Obstacle& obstacle : map.obstacles()) {
-        const int rule = choices.below(12);
-        if (rule == 10) rules.force.push_back(obstacle.id);
-        if (rule == 11) rules.protect.push_back(obstacle.id);
-    }
+    set_rules(choices, map, 3, rules);
     return mission;
 }
 

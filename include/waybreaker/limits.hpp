@@ -45,8 +45,8 @@ struct Limits {
     double seconds = std::numeric_limits<double>::infinity();
     std::uint64_t expansions = UINT64_MAX;  // of each single search
     // A plan is good enough if it is proven to be above the best possible by no more than this share of it, >= 0:
-    // planning ends there, and no choice is tried that gains less than this share. Other than with a time limit, the
-    // same plan comes out every time. Single searches do not use it.
+    // planning ends there, and no choice is tried that gains less than this share. The same plan comes out
+    // every time, unless a time limit ends planning before. Single searches do not use it.
     double gap = 0;
     StopToken stop = {};  // checked, as the time is, at least every 1024 expansions
     // Called by `exact` whenever more is known, on the thread that plans. Single searches do not call it.
