@@ -112,7 +112,7 @@ Parts place_of(const std::vector<const Sight*>& sights, const Extent& extent) {
     return {};
 }
 
-Shape shape_of(const Sight& sight) {
+Shape drawn_shape(const Sight& sight) {
     if (sight.kind == FeatureKind::place) return Shape::point;
     return is_area(sight.shape->getGeometryType()) ? Shape::area : Shape::line;
 }
@@ -137,7 +137,7 @@ site::Background background_within(const std::vector<Sight>& scenery, const OGRE
         OGREnvelope box;
         sight.shape->getEnvelope(&box);
         if (!bounds.Intersects(box)) continue;
-        groups[{sight.kind, sight.rank, sight.type, shape_of(sight), sight.name}].push_back(&sight);
+        groups[{sight.kind, sight.rank, sight.type, drawn_shape(sight), sight.name}].push_back(&sight);
     }
     std::vector<std::pair<int, site::Background::Feature>> ranked;
     std::size_t bytes = 0;

@@ -102,7 +102,8 @@ it("says who waits for what, in the lanes and for those who do not see them", as
 for (const [viewport, colorScheme] of [[wide, "light"], [phone, "dark"]] as const) {
   it(`is shown by a page that plays it, at ${viewport.width} px, ${colorScheme}`, async () => {
     const html = join(scratch, "team.html");
-    execFileSync(command, ["plan", city, "--mission", written("mission.json", mission), "--html", html], { stdio: "ignore" });
+    const plan = ["plan", city, "--mission", written("mission.json", mission), "--time-limit", "1", "--html", html];
+    execFileSync(command, plan, { stdio: "ignore" });
     const viewer = await setting.visit({ viewport, colorScheme }, pathToFileURL(html).href);
     await viewer.result().getByText("Checked independently").waitFor();
     await viewer.result().getByText(/arrives last/).first().waitFor();

@@ -9,11 +9,7 @@
 namespace waybreaker::server {
 namespace {
 
-const std::string maps = "/api/v1/maps";
-const std::string sources = "/api/v1/sources";
-const std::string imports = "/api/v1/imports";
-const std::string bytes = "application/octet-stream";
-constexpr int side = 300;
+constexpr int thicket_side = 300;
 
 std::string with_id(std::string path, const std::string& id) {
     const std::size_t place = path.find("{id}");
@@ -21,7 +17,7 @@ std::string with_id(std::string path, const std::string& id) {
 }
 
 std::string type_of(const std::string& path) {
-    return path == maps || path == sources ? bytes : "application/json";
+    return path == maps || path == sources ? octets : "application/json";
 }
 
 class DescriptionTest : public LiveServer {
@@ -56,7 +52,7 @@ class DescriptionTest : public LiveServer {
 
 // Gives a source that stays behind.
 std::string DescriptionTest::provoke_imports() const {
-    const auto send = [this] { return Json::parse(post(sources, osm_yard(), bytes).body)["id"].get<std::string>(); };
+    const auto send = [this] { return Json::parse(post(sources, osm_yard(), octets).body)["id"].get<std::string>(); };
     const std::string id = send();
     send();
     get_json(sources + "/" + id);
@@ -69,14 +65,14 @@ std::string DescriptionTest::provoke_imports() const {
 
 void DescriptionTest::provoke_busy(const Json& plan, const std::string& source) const {
     const std::string house = maps + "/house.map";
-    const StreamingClient busy(client(), maps + "/thicket.map/plan", long_mission(side));
+    const StreamingClient busy(client(), maps + "/thicket.map/plan", long_mission(thicket_side));
     for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission, 503);
     post_json(house + "/check", plan, 503);
     post_json(house + "/export?format=json", plan, 503);
     post_json(house + "/edits", Json::object(), 503);
-    post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", bytes);
+    post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", octets);
     post_json(imports, {{"source", source}}, 503);
-    post(sources, osm_yard(), bytes);
+    post(sources, osm_yard(), octets);
     for (const char* route : {"", "/obstacles", "/background", "/file"}) get_json(maps + "/wall.map" + route, 503);
 }
 
@@ -84,7 +80,7 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     const Json paths = Json::parse(openapi_json())["paths"];
     std::set<std::string> described;
     put("maps/broken.map", "type octile\nheight 2\nwidth 2\nmap\n.\n");
-    put("maps/thicket.map", thicket(side));
+    put("maps/thicket.map", thicket(thicket_side));
     options_.limits.upload_bytes = 4000;
     options_.limits.workers = 1;
     options_.limits.queue = 0;
@@ -106,8 +102,8 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     post_json(house + "/check", plan);
     post_json(house + "/export?format=json", plan);
     const std::string wall = "type octile\nheight 1\nwidth 2\nmap\n.@\n";
-    post(maps, wall, bytes);
-    post(maps, wall, bytes);
+    post(maps, wall, octets);
+    post(maps, wall, octets);
     const Json edits = Json::parse(R"({"free": [[5, 0, 1]]})");
     post_json(house + "/edits", edits, 201);
     remove(maps + "/" + post_json(house + "/edits", edits)["id"].get<std::string>());

@@ -8,14 +8,10 @@
 namespace waybreaker::server {
 namespace {
 
-const std::string sources = "/api/v1/sources";
-const std::string imports = "/api/v1/imports";
-const std::string bytes = "application/octet-stream";
-
 class ImportsTest : public LiveServer {
   protected:
     std::string sent(const std::string& name = "yard.osm", const std::string& data = osm_yard()) const {
-        return Json::parse(post(sources + "?name=" + name, data, bytes).body).at("id").get<std::string>();
+        return Json::parse(post(sources + "?name=" + name, data, octets).body).at("id").get<std::string>();
     }
     std::string type_of(const Json& request, int status) const {
         return post_json(imports, request, status)["type"].get<std::string>();
@@ -27,17 +23,17 @@ class ImportsTest : public LiveServer {
 
 TEST_F(ImportsTest, MapDataIsDescribed) {
     begin();
-    const httplib::Response first = post(sources + "?name=yard.osm", osm_yard(), bytes);
+    const httplib::Response first = post(sources + "?name=yard.osm", osm_yard(), octets);
     EXPECT_EQ(first.status, 201);
     const Json source = Json::parse(first.body);
     EXPECT_EQ(first.get_header_value("Location"), sources + "/" + source["id"].get<std::string>());
     EXPECT_EQ(source["name"], "yard.osm");
     EXPECT_EQ(source["buildings"], 2);
     EXPECT_EQ(source["bytes"], osm_yard().size());
-    EXPECT_EQ(post(sources + "?name=yard.osm", osm_yard(), bytes).status, 200);
+    EXPECT_EQ(post(sources + "?name=yard.osm", osm_yard(), octets).status, 200);
     EXPECT_EQ(get_json(first.get_header_value("Location")), source);
     EXPECT_NE(sent("other.osm"), source["id"].get<std::string>());
-    EXPECT_EQ(get_json("/api/v1/maps")["maps"].size(), 4U);  // no map is made of it yet
+    EXPECT_EQ(get_json(maps)["maps"].size(), 4U);  // no map is made of it yet
 }
 
 TEST_F(ImportsTest, MakesTheMapThatTheCommandMakes) {
@@ -116,7 +112,7 @@ TEST_F(ImportsTest, SaysWhatIsWrongWithARequest) {
     EXPECT_EQ(far.find("yard.osm: has no building in the window"), 0U) << far;
     EXPECT_EQ(detail_of({{"source", id}, {"cell", 0.001}}, 422).find("cell 0.001: expected"), 0U);
     EXPECT_EQ(type_of({{"source", id}, {"protected", "amenity=zoo"}}, 422), "/problems/import-unfit");
-    EXPECT_EQ(post(sources + "?name=../secret", osm_yard(), bytes).status, 400);
+    EXPECT_EQ(post(sources + "?name=../secret", osm_yard(), octets).status, 400);
 }
 
 TEST_F(ImportsTest, MapsStayWithinTheLimits) {
@@ -139,7 +135,7 @@ TEST_F(ImportsTest, SourcesStayWithinAQuarterOfTheMemory) {
     get_json(sources + "/" + first);
     get_json(sources + "/" + third);
     const std::string large = yard + std::string(2 * yard.size(), ' ');
-    const Json refused = Json::parse(post(sources, large, bytes).body);
+    const Json refused = Json::parse(post(sources, large, octets).body);
     EXPECT_EQ(refused["type"], "/problems/source-too-large");
 }
 
@@ -158,7 +154,7 @@ TEST_F(ImportsTest, SurvivesBrokenSources) {
     begin();
     const std::string yard = osm_yard();
     for (std::size_t length = 0; length < yard.size(); length += 13) {
-        const int status = post(sources, yard.substr(0, length), bytes).status;
+        const int status = post(sources, yard.substr(0, length), octets).status;
         EXPECT_TRUE(status == 422 || status == 400) << length << ": " << status;
     }
     for (const std::string& data :
@@ -168,7 +164,7 @@ TEST_F(ImportsTest, SurvivesBrokenSources) {
           "<OGRVRTDataSource><OGRVRTLayer name=\"a\"><SrcDataSource>/etc/passwd</SrcDataSource></OGRVRTLayer>"
           "</OGRVRTDataSource>" +
               std::string()}) {
-        const Json problem = Json::parse(post(sources, data, bytes).body);
+        const Json problem = Json::parse(post(sources, data, octets).body);
         EXPECT_EQ(problem["type"], "/problems/source-unreadable") << data;
         EXPECT_EQ(problem["detail"].get<std::string>().find("/vsi"), std::string::npos) << problem;
     }
@@ -188,7 +184,7 @@ TEST_F(ImportsTest, ManyClientsImportAtATime) {
         });
     }
     for (std::thread& client : clients) client.join();
-    EXPECT_EQ(get_json("/api/v1/maps")["maps"].size(), 4U + 3U);
+    EXPECT_EQ(get_json(maps)["maps"].size(), 4U + 3U);
 }
 
 }  // namespace

@@ -19,6 +19,11 @@ namespace waybreaker::server {
 
 using Json = nlohmann::json;
 
+inline const std::string maps = "/api/v1/maps";
+inline const std::string sources = "/api/v1/sources";
+inline const std::string imports = "/api/v1/imports";
+inline const std::string octets = "application/octet-stream";
+
 // Each "METHOD path status" of openapi.json that a test has seen.
 std::set<std::string>& seen();
 

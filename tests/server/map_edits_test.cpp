@@ -197,7 +197,7 @@ TEST_F(MapEditsServiceTest, MakesMapsAsThoughTheyHadBeenSent) {
     // A plan made on it holds on its file.
     const Json mission = Json::parse(R"({"mission": {"start": [256, 434], "goal": [118, 55]}})");
     const Json plan = post_json(location + "/plan", mission);
-    const std::string sent = post("/api/v1/maps", get(location + "/file").body, "application/octet-stream").body;
+    const std::string sent = post(maps, get(location + "/file").body, octets).body;
     EXPECT_EQ(Json::parse(sent)["id"], map["id"]);
     EXPECT_EQ(post_json(location + "/check", plan)["valid"], true);
     EXPECT_EQ(plan["map"]["digest"], map["digest"]);

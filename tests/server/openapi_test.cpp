@@ -104,7 +104,6 @@ TEST_F(ProblemTest, TypesAreAddressesThatTheServerAnswers) {
 TEST_F(ProblemTest, KindsDistinguishProblemsOfOneStatus) {
     put("maps/broken.map", "type octile\nheight 2\nwidth 2\nmap\n.\n");
     begin();
-    const std::string maps = "/api/v1/maps";
     const auto type = [](const Json& problem) { return problem["type"].get<std::string>(); };
     EXPECT_EQ(type(get_json(maps + "/nowhere.map", 404)), "/problems/map-not-found");
     EXPECT_EQ(type(get_json("/api/v2", 404)), "/problems/path-not-found");

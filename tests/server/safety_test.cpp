@@ -13,9 +13,6 @@ namespace {
 
 class SafetyTest : public LiveServer {};
 
-const std::string maps = "/api/v1/maps";
-const std::string bytes = "application/octet-stream";
-
 TEST(Guard, KnowsThisMachine) {
     for (const char* host :
          {"localhost", "localhost:80", "LOCALHOST", "LocalHost:80", "127.0.0.1:8080", "[::1]", "[::1]:80"}) {
@@ -61,7 +58,7 @@ TEST_F(SafetyTest, WithATokenOnlyHealthAndDescriptionAreOpen) {
         EXPECT_EQ(get(path, {{"Authorization", "Bearer wrong!"}}).status, 401);
         EXPECT_EQ(get(path, {{"Authorization", "Bearer secret"}}).status, 200);
     }
-    EXPECT_EQ(post(maps, "x", bytes).status, 401);
+    EXPECT_EQ(post(maps, "x", octets).status, 401);
 }
 
 TEST_F(SafetyTest, PagesOfOtherSitesGetNothing) {
@@ -107,20 +104,20 @@ TEST_F(SafetyTest, HostileMapsAreRefused) {
                                    std::string("<root><map><width>9</width></map></root>"),
                                    std::string("image: /etc/passwd\nresolution: 1\norigin: [0, 0, 0]\n"),
                                    "II*" + nul + std::string(100, '\x7f')}) {
-        EXPECT_EQ(post(maps, map, bytes).status, 422) << map.substr(0, 20);
+        EXPECT_EQ(post(maps, map, octets).status, 422) << map.substr(0, 20);
     }
     // What has more cells than allowed, before they are read: there are none.
-    EXPECT_EQ(post(maps, "P1 11 11\n", bytes).status, 413);
-    EXPECT_EQ(post(maps, mapfile::png_bytes(11, 11, std::vector<std::uint8_t>(121)), bytes).status, 413);
-    EXPECT_EQ(post(maps, std::string(berlin_mitte_tif()), bytes).status, 413);
-    EXPECT_EQ(post(maps, thicket(11), bytes).status, 413);
-    EXPECT_EQ(post(maps, thicket(10), bytes).status, 201);
+    EXPECT_EQ(post(maps, "P1 11 11\n", octets).status, 413);
+    EXPECT_EQ(post(maps, mapfile::png_bytes(11, 11, std::vector<std::uint8_t>(121)), octets).status, 413);
+    EXPECT_EQ(post(maps, std::string(berlin_mitte_tif()), octets).status, 413);
+    EXPECT_EQ(post(maps, thicket(11), octets).status, 413);
+    EXPECT_EQ(post(maps, thicket(10), octets).status, 201);
 }
 
 TEST_F(SafetyTest, LongBodiesAreCutShort) {
     options_.limits.upload_bytes = 1000;
     begin();
-    EXPECT_EQ(post(maps, std::string(1001, 'x'), bytes).status, 413);
+    EXPECT_EQ(post(maps, std::string(1001, 'x'), octets).status, 413);
     EXPECT_EQ(post(maps + "/house.map/plan", std::string(2000, ' ') + "{}").status, 413);
     // In chunks, without a length.
     std::size_t sent = 0;
@@ -133,7 +130,7 @@ TEST_F(SafetyTest, LongBodiesAreCutShort) {
         sent += piece.size();
         return sink.write(piece.data(), piece.size());
     };
-    const auto answer = client().Post(maps, chunks, bytes.c_str());
+    const auto answer = client().Post(maps, chunks, octets.c_str());
     EXPECT_TRUE(!answer || answer->status == 413);
     EXPECT_EQ(get("/healthz").status, 200);
 }

@@ -9,9 +9,7 @@ namespace {
 
 class ServiceTest : public LiveServer {};
 
-const std::string maps = "/api/v1/maps";
 const std::string house = maps + "/house.map";
-const std::string bytes = "application/octet-stream";
 
 TEST_F(ServiceTest, ListsAndDescribesTheMapsOfItsFolder) {
     begin();
@@ -64,7 +62,7 @@ TEST_F(ServiceTest, ManyObstaclesComeInParts) {
     const Json whole = get_json(path);
     EXPECT_TRUE(whole["next"].is_null());
     const std::string comb = "type octile\nheight 1\nwidth 7\nmap\n.@.@.@.\n";
-    const std::string location = post(maps, comb, bytes).get_header_value("Location") + "/obstacles";
+    const std::string location = post(maps, comb, octets).get_header_value("Location") + "/obstacles";
     const Json first = get_json(location + "?limit=2");
     EXPECT_EQ(first["obstacles"].size(), 2U);
     EXPECT_EQ(first["runs"], Json::parse("[0,1,1,1,0,1,2,1,0,1]"));
@@ -181,15 +179,15 @@ TEST_F(ServiceTest, KeepsUploadsInMemory) {
     options_.limits.maps = 2;
     begin();
     const std::string wall = "type octile\nheight 1\nwidth 4\nmap\n.@..\n";
-    const auto first = post(maps, wall, bytes);
+    const auto first = post(maps, wall, octets);
     EXPECT_EQ(first.status, 201);
     const std::string location = first.get_header_value("Location");
     EXPECT_EQ(get_json(location)["width"], 4);
-    EXPECT_EQ(post(maps, wall, bytes).status, 200);
-    EXPECT_EQ(post(maps + "?connectivity=8", wall, bytes).status, 201);
-    EXPECT_EQ(post(maps + "?connectivity=6", wall, bytes).status, 400);
+    EXPECT_EQ(post(maps, wall, octets).status, 200);
+    EXPECT_EQ(post(maps + "?connectivity=8", wall, octets).status, 201);
+    EXPECT_EQ(post(maps + "?connectivity=6", wall, octets).status, 400);
     // Evicts the least recently used.
-    EXPECT_EQ(post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", bytes).status, 201);
+    EXPECT_EQ(post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", octets).status, 201);
     get_json(location, 404);
     EXPECT_EQ(file_count(), 1);  // the maps folder: nothing was written
 }
@@ -200,7 +198,7 @@ TEST_F(ServiceTest, GivesTheFileThatItRead) {
     EXPECT_EQ(file.body, bytes_of("maps/house.map"));
     EXPECT_EQ(file.get_header_value("Content-Disposition"), "attachment; filename=\"house.map\"");
     const std::string wall = "type octile\nheight 1\nwidth 4\nmap\n.@..\n";
-    const std::string location = post(maps, wall, bytes).get_header_value("Location");
+    const std::string location = post(maps, wall, octets).get_header_value("Location");
     EXPECT_EQ(get(location + "/file").body, wall);
     EXPECT_TRUE(get(location + "/file").get_header_value("Content-Disposition").ends_with(".map\""));
     put("maps/robot.pgm", "P2 1 1 255 255\n");
@@ -213,7 +211,7 @@ TEST_F(ServiceTest, GivesTheFileThatItRead) {
 TEST_F(ServiceTest, DeletesUploadsAndNothingElse) {
     begin();
     const std::string location =
-        post(maps, "type octile\nheight 1\nwidth 2\nmap\n.@\n", bytes).get_header_value("Location");
+        post(maps, "type octile\nheight 1\nwidth 2\nmap\n.@\n", octets).get_header_value("Location");
     EXPECT_EQ(remove(location).status, 204);
     EXPECT_EQ(get(location).status, 404);
     EXPECT_EQ(remove(location).status, 404);

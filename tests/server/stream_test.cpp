@@ -17,7 +17,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const std::string maps = "/api/v1/maps";
 constexpr int side = 300;
 
 class StreamTest : public LiveServer {
