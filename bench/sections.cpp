@@ -2,9 +2,10 @@
 // missions on a thousand small obstacles and more. For each number of removals how much the makespan falls, the
 // certified gap, and the time of a plan.
 //
-//     bench_sections [--side CELLS] [--every K] [--gap SHARE]    (K: only each K-th mission)
+//     bench_sections [--side CELLS] [--every K] [--gap SHARE] [--seconds S]    (K: only each K-th mission)
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "maps.hpp"
@@ -21,6 +22,7 @@ struct Arguments {
     int side = 8;
     std::size_t every = 1;
     double gap = 0;  // that is good enough
+    double seconds = std::numeric_limits<double>::infinity();
 };
 
 Arguments parse(std::span<char*> words) {
@@ -30,12 +32,14 @@ Arguments parse(std::span<char*> words) {
         const double number = i + 1 < words.size() ? std::stod(words[i + 1]) : -1;
         if (option == "--gap" && number >= 0) {
             arguments.gap = number;
+        } else if (option == "--seconds" && number > 0) {
+            arguments.seconds = number;
         } else if (option == "--side" && number >= 1) {
             arguments.side = int(number);
         } else if (option == "--every" && number >= 1) {
             arguments.every = std::size_t(number);
         } else {
-            throw InputError("usage: bench_sections [--side CELLS] [--every K] [--gap SHARE]");
+            throw InputError("usage: bench_sections [--side CELLS] [--every K] [--gap SHARE] [--seconds S]");
         }
     }
     return arguments;
@@ -79,8 +83,9 @@ void run(const Arguments& arguments) {
             Mission mission = ground_and_air(missions[i].start, missions[i].goal);
             mission.rules.removals = removals;
             Plan plan;
-            seconds.push_back(seconds_of(
-                [&] { plan = planner.plan(cities.at(missions[i].city), mission, {}, {.gap = arguments.gap}); }));
+            const Limits limits{.seconds = arguments.seconds, .gap = arguments.gap};
+            seconds.push_back(
+                seconds_of([&] { plan = planner.plan(cities.at(missions[i].city), mission, {}, limits); }));
             gaps.push_back(100 * plan.gap.value());
             makespans.push_back(plan.after.makespan.value());
             cut += plan.limit_reached ? 1 : 0;
