@@ -86,6 +86,10 @@ void run(const Arguments& arguments) {
             const Limits limits{.seconds = arguments.seconds, .gap = arguments.gap};
             seconds.push_back(
                 seconds_of([&] { plan = planner.plan(cities.at(missions[i].city), mission, {}, limits); }));
+            if (!plan.after.makespan) {
+                ++cut;
+                continue;
+            }
             gaps.push_back(100 * plan.gap.value());
             makespans.push_back(plan.after.makespan.value());
             cut += plan.limit_reached ? 1 : 0;

@@ -48,6 +48,9 @@ struct CrossingOptions {
     // nothing.
     std::span<const double> prices = {};
     double length_limit = std::numeric_limits<double>::infinity();  // dearer paths are not looked for
+    // Above 1: any path that costs at most so many times the least; it is found much sooner (weighted A*: Pohl,
+    // "Heuristic search viewed as path finding in a graph", 1970). Only for `find`, where nothing opens late.
+    double weight = 1;
     double expected = 0;  // a guess of the cost, cells: near above it, the search is fastest
     Limits limits = {};
 };

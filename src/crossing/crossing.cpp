@@ -9,7 +9,7 @@
 #include "crossing/dominance.hpp"
 #include "crossing/search.hpp"
 #include "crossing/validate.hpp"
-#include "map/line_of_sight.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker {
 
@@ -56,6 +56,7 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
     }
     label.estimate = estimate(label);
     if (label.estimate > limit_) return;
+    label.estimate += (options_->weight - 1) * rest(label.at);
     if (const auto ahead = fan_.ahead(reached)) {
         label.fronts_begin = std::uint32_t(fronts_.size());
         fronts_.insert(fronts_.end(), ahead->begin(), ahead->end());
@@ -152,7 +153,7 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
             const CrossingPath path = path_of(index);
             if (result_.status != SearchStatus::found) result_.best = path;
             result_.status = SearchStatus::found;
-            result_.lower_bound = std::max(path.cost, proven_ / 2);
+            result_.lower_bound = std::max(path.cost / options_->weight, proven_ / 2);
             if (accept_ == nullptr || !(*accept_)(path)) return Outcome::found;
             continue;
         }
@@ -233,39 +234,6 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
     return none;
 }
 
-bool CrossingSearcher::Search::stands(const Regions& regions, Cell c, std::span<const ObstacleId> removed) {
-    if (!regions.map().grid().contains(c)) return false;
-    const RegionId region = region_at(regions.map(), c);
-    return !region || regions.within(region, removed);
-}
-
-bool CrossingSearcher::Search::has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
-    interrupt_ = Interrupt(options.limits.seconds, options.limits.stop);
-    const std::shared_ptr<const Regions> regions = regions_for(map, options);
-    if (!regions->complete()) return true;
-    const std::vector<ObstacleId> removed = sorted(options.removed);
-    const OpenedMap opened(map, options.removed);
-    const LineOfSight sight(opened, options.body);
-    const auto free = [&](Cell c) { return stands(*regions, c, removed); };
-    if (!free(start) || !free(goal)) return false;
-    const auto width = std::size_t(map.width());
-    std::vector<bool> seen(width * std::size_t(map.height()));
-    std::vector<Cell> open{start};
-    while (!open.empty()) {
-        const Cell at = open.back();
-        open.pop_back();
-        if (at == goal || interrupt_.due()) return true;
-        for (const Step step : {Step{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
-            const Cell next = at + step;
-            if (!free(next) || seen[std::size_t(next.y) * width + std::size_t(next.x)]) continue;
-            if (step.x != 0 && step.y != 0 && !sight.clear(at, next)) continue;
-            seen[std::size_t(next.y) * width + std::size_t(next.x)] = true;
-            open.push_back(next);
-        }
-    }
-    return false;
-}
-
 // Grown once for all queries that move the same body on the same map.
 std::shared_ptr<const Regions> CrossingSearcher::Search::regions_for(const Map& map, const CrossingOptions& options) {
     std::shared_ptr<const Regions>& known = regions_of_[std::size_t(reach_of(options) - 1)];
@@ -336,14 +304,18 @@ void CrossingSearcher::Search::search_ellipses(double longest) {
     const bool guessed = 2 * options_->expected > straight;
     const double least = guessed ? 2 * options_->expected : straight;
     proven_ = straight;
-    // With nothing to cross detours are long.
-    for (double slack = guessed ? 0.004 : options_->crossings == 0 ? 0.4 : 0.002;; slack *= slack < 0.02 ? 4 : 2) {
+    // With nothing to cross detours are long; who takes any good path hardly looks at what is far from it.
+    const bool wide = options_->crossings == 0 || options_->weight > 1;
+    for (double slack = guessed ? 0.004 : wide ? 0.4 : 0.002;; slack *= slack < 0.02 ? 4 : 2) {
         limit_ = slack > 2 || longest < least * (1 + 1.5 * slack) ? longest : least * (1 + slack);
         const Outcome outcome = search_ellipse();
         if (outcome == Outcome::found) return;
         if (outcome != Outcome::exhausted) {
             result_.status = outcome == Outcome::stopped ? SearchStatus::stopped : SearchStatus::limit_reached;
-            if (!open_.empty()) proven_ = std::max(proven_, std::min(limit_, labels_[open_.front()].estimate));
+            if (!open_.empty()) {
+                const double least_left = labels_[open_.front()].estimate / options_->weight;
+                proven_ = std::max(proven_, std::min(limit_, least_left));
+            }
             result_.lower_bound = proven_ / 2;
             if (accept_ == nullptr) result_.best = incumbent();
             return;
@@ -391,6 +363,7 @@ bool CrossingSearcher::has_steps(const Map& map, Cell start, Cell goal, const Cr
 CrossingResult CrossingSearcher::enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                                            const std::function<bool(const CrossingPath&)>& accept) {
     validate(map, options);
+    if (options.weight > 1) throw InputError("paths in order of their cost have no weight");
     return search_->run(map, start, goal, options, &accept);
 }
 

@@ -27,6 +27,10 @@ void validate(const Map& map, const CrossingOptions& options) {
     if (std::ranges::any_of(options.prices, [](double price) { return !(price >= 0); })) {
         throw InputError("the price of an obstacle cannot be negative");
     }
+    if (!(options.weight >= 1)) throw InputError("the weight of a crossing search must be 1 or more");
+    if (options.weight > 1 && (options.opened_after || options.done_after)) {
+        throw InputError("a crossing search in time has no weight");
+    }
     if (std::isnan(options.length_limit)) throw InputError("the limit of a path's cost must be a number");
     if (std::isnan(options.expected)) throw InputError("the expected cost of a path must be a number");
     validate(options.body);

@@ -9,12 +9,19 @@ namespace waybreaker {
 namespace {
 
 constexpr std::uint64_t most_expanded_in_time = 400'000;  // where obstacles open in time
+constexpr double grace = 0.01;                            // seconds
+constexpr double good_weight = 1.15;
+constexpr std::uint64_t most_expanded_for_good = 4'000;
 
 }  // namespace
 
 int patience(const Task& task) {
     if (!drives_by_crossing(task)) return 8;
     return task.rules.removals <= 3 ? 256 : 16;
+}
+
+double a_little_more(const Task& task) {
+    return std::max(task.deadline.left(), grace);
 }
 
 double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
@@ -53,15 +60,33 @@ CrossingOptions crossing_options(const Task& task, bool relaxed, double objectiv
     return crossing;
 }
 
+CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
+                           double objective, OpeningTimes& opening_times) {
+    if (obstacles.empty()) return {};
+    CrossingOptions options =
+        crossing_options(task, !drives_by_crossing(task), objective, a_little_more(task), opening_times);
+    options.only = obstacles;
+    return crossing.find(task.map, task.driver.start, task.driver.goal, options);
+}
+
+CrossingResult find_good(const Task& task, CrossingSearcher& crossing, double objective, double seconds,
+                         OpeningTimes& opening_times) {
+    CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective, seconds, opening_times);
+    options.weight = good_weight;
+    options.limits.expansions = std::min(options.limits.expansions, most_expanded_for_good);
+    return crossing.find(task.map, task.driver.start, task.driver.goal, options);
+}
+
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
     OpeningTimes opening_times(task);
     return prove_bound(task, crossing, reached, deadline, opening_times, 0);
 }
 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
-                  OpeningTimes& opening_times, double proven) {
+                  OpeningTimes& opening_times, double proven, std::uint64_t expansions) {
     if (task.worth(reached) <= proven) return {proven};
     CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
+    options.limits.expansions = std::min(options.limits.expansions, expansions);
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, most_expanded_in_time);

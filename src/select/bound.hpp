@@ -1,6 +1,8 @@
 // Bound: what no plan that keeps to the rules is below, and the crossing searches that tell.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "select/opening_times.hpp"
@@ -19,9 +21,9 @@ struct Bound {
 // Of a point, the air agent on its shortest way. `reached`: the objective of a plan; the bound is never above. A proof
 // that a limit ends is a bound as well.
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline);
-// `proven`: no plan is below that.
+// `proven`: no plan is below that. `expansions`: of the search, at most.
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
-                  OpeningTimes& opening_times, double proven);
+                  OpeningTimes& opening_times, double proven, std::uint64_t expansions = UINT64_MAX);
 
 // What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the
 // whole objective.
@@ -33,6 +35,18 @@ double least_objective(const Task& task, double path_cost, const OpeningTimes& o
 // `relaxed`: for a lower limit of all paths. The opening times must outlive the options.
 CrossingOptions crossing_options(const Task& task, bool relaxed, double objective, double seconds,
                                  OpeningTimes& opening_times);
+
+// Seconds that are left, or a little more: for a search among few obstacles, which is short.
+double a_little_more(const Task& task);
+
+// The shortest path that crosses none but some obstacles: that is quickly found.
+CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
+                           double objective, OpeningTimes& opening_times);
+
+// A path that is at most 15 % longer than the shortest (weighted A*): in a fraction of the time. Not where obstacles
+// open in time.
+CrossingResult find_good(const Task& task, CrossingSearcher& crossing, double objective, double seconds,
+                         OpeningTimes& opening_times);
 
 // Sets to try after the first, and expansions to look for them. A search for each takes long, and so do schedules of
 // many obstacles; where breaching takes time, there are very many sets that could be better and hardly one that is.

@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::uint64_t patient_expansions = 10'000;
 constexpr std::uint64_t least_patience = 1'000;  // for further sets, however short the search for the first
+// Where little time is given, a proof that takes more begins anew once a weighted search has found a good plan.
+constexpr double haste = 0.5;  // seconds
+constexpr std::uint64_t easy_expansions = 250;
 // Where obstacles open in time.
 constexpr std::uint64_t patient_expansions_in_time = 4'000;
 // Relative: where obstacles open in time, a plan so near to its bound is good enough.
@@ -29,27 +32,21 @@ constexpr double most_shortened = 1e-4;
 constexpr double share_of_proof = 0.8;
 // Of the proof's time: for the bound of the relaxed body. The square's comes after it.
 constexpr double share_of_relaxed = 0.5;
+// Likewise: for the weighted search.
+constexpr double share_of_weighted = 0.8;
 // Likewise, where obstacles open in time: for what can be said as if they did not.
 constexpr double share_of_waitless = 0.3;
-// Seconds: a search among few obstacles is short, so that it may be a little late.
-constexpr double grace = 0.01;
 
 // No path of the unit square that crosses as much is longer than this times a path of the disc (docs/exact.md, Theorem
 // 2): a step to one of eight neighbours after the other is never longer.
 constexpr double most_of_square = 1.0823922002923940;  // sqrt(4 - 2 sqrt(2))
 
-bool square_bounds(const Task& task, const OpeningTimes& opening_times) {
-    return drives_by_crossing(task) && square_stands_for(task.driver.body) && !opening_times.matter();
+bool in_haste(const Task& task) {
+    return task.limits.seconds < haste;
 }
 
-// The shortest path that crosses none but some obstacles: that is quickly found.
-CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
-                           double objective, OpeningTimes& opening_times) {
-    if (obstacles.empty()) return {};
-    CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective,
-                                               std::max(task.deadline.left(), grace), opening_times);
-    options.only = obstacles;
-    return crossing.find(task.map, task.driver.start, task.driver.goal, options);
+bool square_bounds(const Task& task, const OpeningTimes& opening_times) {
+    return drives_by_crossing(task) && square_stands_for(task.driver.body) && !opening_times.matter();
 }
 
 // One selection, in the order of its steps.
@@ -99,6 +96,12 @@ class ExactSelection {
         return {std::move(selected_), first.status != SearchStatus::limit_reached && !beaten};
     }
 
+    // What a weighted search finds: a good plan, soon.
+    Selected run_weighted() && {
+        try_weighted(deadline_.left());
+        return std::move(selected_);
+    }
+
     // Lets a plan be found that is as good as the one known: with waits at obstacles, not long before them.
     void take_as_good() { best_ *= 1 + 2 * rounding; }
 
@@ -136,8 +139,7 @@ class ExactSelection {
     // The path in time through these; what must be removed stands until it opens, too.
     void try_in_time(const std::vector<ObstacleId>& removed) {
         if (!drives_by_crossing(task_) || task_.driver.body.is_point()) return;
-        CrossingOptions options =
-            crossing_options(task_, false, best_, std::max(task_.deadline.left(), grace), opening_times_);
+        CrossingOptions options = crossing_options(task_, false, best_, a_little_more(task_), opening_times_);
         options.only = removed;
         options.removed = {};
         options.crossings = int(removed.size());
@@ -259,7 +261,13 @@ class ExactSelection {
         return first;
     }
 
+    void try_weighted(double seconds) {
+        const CrossingResult found = find_good(task_, searchers_.crossing, best_, seconds, opening_times_);
+        try_within(found.best.crossed);
+    }
+
     void try_what_is_likely() {
+        if (!in_haste(task_) && !opening_times_.matter()) try_weighted(task_.deadline.left() * share_of_weighted);
         const std::vector<Point>& closed = start_.opening.ground.path;
         try_within(closed.empty() ? chosen_by_hits(task_, search_counting_hits(task_, searchers_.cells).hits)
                                   : chosen_by_shortcuts(task_, closed));
@@ -331,9 +339,10 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     // Often nobody has to wait; and what is proven as if nobody did makes the search in time short.
     OpeningTimes at_once = OpeningTimes::at_once(task);
     const Deadline soon = deadline.share(share_of_waitless);
-    const Bound bound = prove_bound(task, searchers_.crossing, cost(task, start), soon, at_once, 0);
+    Begun begun = begin(task, start, cost(task, start), 0, soon, 1, at_once);
     auto [first, is_best] =
-        ExactSelection(task, searchers_, start, cost(task, start), bound, soon, at_once).run_first();
+        ExactSelection(task, searchers_, start, begun.reached, begun.bound, soon, at_once).run_first();
+    std::ranges::move(begun.weighted.candidates, std::back_inserter(first.candidates));
     if (is_best) return std::move(first);
     const double reached = cost(task, best_of(task, start, first.candidates));
     Selected selected = select(task, start, reached, first.bound.value_or(0), deadline, opening_times);
@@ -343,15 +352,37 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
 
 Selected ExactSelector::select(const Task& task, const Candidate& start, double reached, double proven,
                                const Deadline& deadline, OpeningTimes& opening_times) {
-    Bound bound =
-        prove_bound(task, searchers_.crossing, reached, deadline.share(share_of_relaxed), opening_times, proven);
-    bound.objective = std::max(bound.objective, proven);
-    task.report(reached, bound.objective);
-    ExactSelection selection(task, searchers_, start, reached, bound, deadline, opening_times);
-    if (reached < cost(task, start)) selection.take_as_good();
+    const Begun begun = begin(task, start, reached, proven, deadline, share_of_relaxed, opening_times);
+    ExactSelection selection(task, searchers_, start, begun.reached, begun.bound, deadline, opening_times);
+    if (begun.reached < cost(task, start)) selection.take_as_good();
     Selected selected = std::move(selection).run();
-    selected.limited = selected.limited || bound.limited;
+    selected.limited = selected.limited || begun.bound.limited;
+    std::ranges::copy(begun.weighted.candidates, std::back_inserter(selected.candidates));
     return selected;
+}
+
+ExactSelector::Begun ExactSelector::begin(const Task& task, const Candidate& start, double reached, double proven,
+                                          const Deadline& deadline, double share_of_bound,
+                                          OpeningTimes& opening_times) {
+    Begun begun{.reached = reached};
+    const auto prove = [&](std::uint64_t expansions) {
+        begun.bound = prove_bound(task, searchers_.crossing, begun.reached, deadline.share(share_of_bound),
+                                  opening_times, proven, expansions);
+        begun.bound.objective = std::max(begun.bound.objective, proven);
+        task.report(begun.reached, begun.bound.objective);
+    };
+    if (!in_haste(task) || task.spare_removals() == 0 || opening_times.matter()) {
+        prove(UINT64_MAX);
+        return begun;
+    }
+    prove(easy_expansions);
+    if (!begun.bound.limited || deadline.passed()) return begun;
+    const Deadline soon = deadline.share(share_of_weighted);
+    begun.weighted = ExactSelection(task, searchers_, start, reached, begun.bound, soon, opening_times).run_weighted();
+    begun.reached = std::min(reached, cost(task, best_of(task, start, begun.weighted.candidates)));
+    proven = begun.bound.objective;
+    prove(UINT64_MAX);
+    return begun;
 }
 
 }  // namespace waybreaker

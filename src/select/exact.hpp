@@ -18,6 +18,16 @@ class ExactSelector : public Selector {
     Selected select(const Task& task, const Candidate& start) override;
 
   private:
+    // What is known before sets are tried: a bound, what a weighted search has found where there is little time, and
+    // what the best plan reaches.
+    struct Begun {
+        Bound bound = {};
+        Selected weighted = {};
+        double reached;
+    };
+    // `share_of_bound`: of the time that is left.
+    Begun begin(const Task& task, const Candidate& start, double reached, double proven, const Deadline& deadline,
+                double share_of_bound, OpeningTimes& opening_times);
     // `reached`: by a plan that is known; `proven`: no plan is below.
     Selected select(const Task& task, const Candidate& start, double reached, double proven, const Deadline& deadline,
                     OpeningTimes& opening_times);

@@ -286,12 +286,15 @@ TEST(Crossing, RefusesOptionsOutOfRange) {
     EXPECT_THROW(find({.budget = -1}), InputError);
     EXPECT_THROW(find({.length_limit = std::nan("")}), InputError);
     EXPECT_THROW(find({.expected = std::nan("")}), InputError);
+    EXPECT_THROW(find({.weight = 0.5}), InputError);
+    EXPECT_THROW(find({.weight = std::nan("")}), InputError);
     EXPECT_NO_THROW(find({.crossings = 1000}));
     const auto answer = [](double value) { return [value](std::span<const ObstacleId>) { return value; }; };
     const auto cross = [&](const CrossingOptions& options) { CrossingSearcher().find(wall, {0, 1}, {4, 1}, options); };
     EXPECT_THROW(cross({.crossings = 1, .opened_after = answer(std::nan(""))}), InputError);
     EXPECT_THROW(cross({.crossings = 1, .done_after = answer(std::nan(""))}), InputError);
     EXPECT_THROW(cross({.crossings = 1, .done_after = answer(-1)}), InputError);
+    EXPECT_THROW(cross({.crossings = 1, .opened_after = answer(1), .weight = 1.1}), InputError);
     EXPECT_NO_THROW(cross({.crossings = 1, .opened_after = answer(-5)}));  // open since long
 }
 

@@ -45,6 +45,26 @@ RC_GTEST_PROP(CrossingLaws, MoreCrossingsNeverCostMore, ()) {
     }
 }
 
+RC_GTEST_PROP(CrossingLaws, AWeightedPathIsAsLongAsItsWeightAllows, ()) {
+    CrossingCase problem = *any_case(40);
+    problem.done_after.clear();
+    const CrossingResult best = CrossingSearcher().find(problem.map, problem.start, problem.goal, problem.options());
+    CrossingOptions options = problem.options();
+    options.weight = *rc::gen::element(1.0, 1.01, 1.15, 2.0, 5.0);
+    const CrossingResult found = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    RC_LOG() << problem << best.best.cost << ' ' << found.best.cost << " proven " << found.lower_bound << '\n';
+    RC_ASSERT(found.status == best.status);
+    RC_ASSERT(found.lower_bound <= best.lower_bound * (1 + 1e-12));
+    options.limits.expansions = *rc::gen::inRange<std::uint64_t>(1, 50);
+    const CrossingResult stopped = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    RC_ASSERT(stopped.lower_bound <= best.lower_bound * (1 + 1e-12));
+    if (best.status != SearchStatus::found) return;
+    RC_ASSERT(found.best.cost >= best.best.cost * (1 - 1e-12));
+    RC_ASSERT(found.best.cost <= best.best.cost * options.weight * (1 + 1e-12));
+    RC_ASSERT(found.lower_bound >= found.best.cost / options.weight * (1 - 1e-12));
+    RC_ASSERT(found.best.crossed.size() <= std::size_t(problem.crossings));
+}
+
 RC_GTEST_PROP(CrossingLaws, ASquareIsNeverFasterThanAPoint, ()) {
     CrossingCase problem = *any_case(40);
     const auto cost_of = [&](const Mover& mover) {

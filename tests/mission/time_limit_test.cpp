@@ -50,6 +50,20 @@ TEST_P(WholeCall, EndsInTimeWithAPlanAndWhatIsProven) {
     EXPECT_TRUE(check(map, mission, plan).empty());
 }
 
+TEST_P(WholeCall, InHasteIsTrueToo) {
+    const Map map = scattered(100, 20);
+    const Mission mission = across(map, 4, GetParam());
+    const Plan best = MissionPlanner().plan(map, mission, {.bound = true}, {.seconds = far_too_long});
+    const Plan plan = MissionPlanner().plan(map, mission, {.bound = true}, {.seconds = limit / 2});
+    ASSERT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_TRUE(check(map, mission, plan).empty());
+    EXPECT_LE(plan.bound.value(), value(best.after, GetParam()).value());
+    EXPECT_LE(best.bound.value(), value(plan.after, GetParam()).value());
+    if (!plan.limit_reached) {
+        EXPECT_NEAR(value(plan.after, GetParam()).value(), value(best.after, GetParam()).value(), 1e-6);
+    }
+}
+
 std::string name_of(const testing::TestParamInfo<Objective>& objective) {
     constexpr std::array names{"Makespan", "Flowtime", "GroundMakespan"};
     return names.at(std::size_t(objective.param));
