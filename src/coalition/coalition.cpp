@@ -21,8 +21,8 @@ constexpr int most_rounds = 12;
 constexpr double close = 1e-3;
 constexpr double near = 6e-3;
 constexpr double near_enough = 5e-3;
-// Relative, for each vehicle: columns that cost so much more than the best are worth knowing while prices change.
-constexpr double margin = 1e-3;
+// Relative, for each vehicle: columns that cost so much more than the best are kept while prices change.
+constexpr double worth_knowing = 1e-3;
 // Prices aim at what the best set reaches; no farther, while there is none or a bad one.
 constexpr double farthest_aim = 1.1;
 // Of what is missing: when a round of prices gains less, no other follows.
@@ -135,7 +135,7 @@ class Planning {
         draft(Picks(problem_, columns).best_from({}));
         for (int round = 0; round < most_rounds && !choice_.due() && !is_within(near); ++round) {
             const double aim = std::min(reached(), farthest_aim * plan_.bound);
-            const bool found = relaxation.tighten(aim, margin * aim / double(columns.size()));
+            const bool found = relaxation.tighten(aim, worth_knowing * aim / double(columns.size()));
             const double gain = relaxation.bound() - plan_.bound;
             const double missing = reached() - plan_.bound;
             plan_.bound = relaxation.bound();

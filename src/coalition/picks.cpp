@@ -6,7 +6,6 @@
 namespace waybreaker::coalition {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative: what is less is no gain
 // Who cannot arrive at all costs that much: to let one more through is worth anything else.
 constexpr double stranded = 1e12;
 

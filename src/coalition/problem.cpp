@@ -23,7 +23,6 @@ bool contains(const Set& set, ObstacleId id) {
 }
 
 bool Problem::allows(const Set& set) const {
-    constexpr double rounding = 1e-9;
     if (set.size() > std::size_t(spare_removals_)) return false;
     double weight = 0;
     for (const ObstacleId id : set) weight += map_.obstacle(id).weight;

@@ -13,6 +13,8 @@
 namespace waybreaker::coalition {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+// Relative: less of a difference is none.
+inline constexpr double rounding = 1e-9;
 
 // Obstacles, in rising order, each once.
 using Set = std::vector<ObstacleId>;

@@ -16,7 +16,6 @@ constexpr std::size_t most_ways = 16;  // for one set
 constexpr std::uint64_t most_expansions_in_time = 2'000;
 constexpr std::uint64_t effort_of_label = 8;  // of a judged path: 1
 constexpr std::size_t most_bent = 3;          // of the known ways, to come later
-constexpr double rounding = 1e-9;
 constexpr std::uint64_t most_expansions = 20'000;
 
 }  // namespace

@@ -48,27 +48,26 @@ double signed_area(const std::vector<Point>& ring) {
 }
 
 std::optional<FeatureParts> parts_of(const OGRGeometry& shape) {
-    using Shape = site::Background::Shape;
     Parts parts;
     switch (wkbFlatten(shape.getGeometryType())) {
         case wkbPoint:
             append_point(*shape.toPoint(), parts);
-            return FeatureParts{Shape::point, std::move(parts)};
+            return FeatureParts{site::Background::Shape::point, std::move(parts)};
         case wkbMultiPoint:
             for (const OGRPoint* point : *shape.toMultiPoint()) append_point(*point, parts);
-            return FeatureParts{Shape::point, std::move(parts)};
+            return FeatureParts{site::Background::Shape::point, std::move(parts)};
         case wkbLineString:
             append_line(*shape.toLineString(), parts);
-            return FeatureParts{Shape::line, std::move(parts)};
+            return FeatureParts{site::Background::Shape::line, std::move(parts)};
         case wkbMultiLineString:
             for (const OGRLineString* line : *shape.toMultiLineString()) append_line(*line, parts);
-            return FeatureParts{Shape::line, std::move(parts)};
+            return FeatureParts{site::Background::Shape::line, std::move(parts)};
         case wkbPolygon:
             append_polygon(*shape.toPolygon(), parts);
-            return FeatureParts{Shape::area, std::move(parts)};
+            return FeatureParts{site::Background::Shape::area, std::move(parts)};
         case wkbMultiPolygon:
             for (const OGRPolygon* polygon : *shape.toMultiPolygon()) append_polygon(*polygon, parts);
-            return FeatureParts{Shape::area, std::move(parts)};
+            return FeatureParts{site::Background::Shape::area, std::move(parts)};
         default:
             return std::nullopt;
     }

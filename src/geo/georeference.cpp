@@ -13,8 +13,6 @@
 namespace waybreaker::geo {
 namespace {
 
-using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
-
 // Both in (east, north) order.
 OGRSpatialReference system_of(const site::Georeference& place) {
     OGRSpatialReference system(place.crs.c_str());
@@ -42,7 +40,7 @@ ToLonLat::ToLonLat(const site::Georeference& place) : transform_(place.transform
     const GdalScope gdal;
     const OGRSpatialReference from = system_of(place);
     const OGRSpatialReference to = degrees();
-    to_wgs84_ = Transformation(OGRCreateCoordinateTransformation(&from, &to));
+    to_wgs84_.reset(OGRCreateCoordinateTransformation(&from, &to));
     if (!to_wgs84_) throw InputError("the map's coordinate system has no longitudes and latitudes: " + gdal.failure());
 }
 
@@ -66,7 +64,7 @@ FromLonLat::FromLonLat(const site::Georeference& place) : transform_(place.trans
     const GdalScope gdal;
     const OGRSpatialReference from = degrees();
     const OGRSpatialReference to = system_of(place);
-    from_wgs84_ = Transformation(OGRCreateCoordinateTransformation(&from, &to));
+    from_wgs84_.reset(OGRCreateCoordinateTransformation(&from, &to));
 }
 
 FromLonLat::~FromLonLat() = default;

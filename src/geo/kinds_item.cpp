@@ -9,14 +9,13 @@
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
-using Kind = site::ObstacleKind;
 
 std::string kinds_text(const site::ObstacleKinds& kinds) {
     std::string text;
     for (std::size_t kind = 1; kind < site::obstacle_kind_words.size(); ++kind) {
         std::string numbers;
         for (std::size_t id = 1; id < kinds.size(); ++id) {
-            if (kinds[id] == Kind(kind)) numbers += fmt::format(" {}", id);
+            if (kinds[id] == site::ObstacleKind(kind)) numbers += fmt::format(" {}", id);
         }
         if (numbers.empty()) continue;
         text += fmt::format("{}{}{}", text.empty() ? "" : "\n", site::obstacle_kind_words[kind], numbers);
@@ -30,7 +29,7 @@ site::LabelKinds read_kinds(GDALDataset& file, const std::string& name) {
     site::LabelKinds kinds;
     for (std::size_t line = 1; !text.empty(); ++line) {
         std::string_view rest = take_until('\n', text);
-        const Kind kind = site::kind_called(take_until(' ', rest));
+        const site::ObstacleKind kind = site::kind_called(take_until(' ', rest));
         while (!rest.empty()) {
             const std::string_view word = take_until(' ', rest);
             std::uint32_t label = 0;
@@ -41,7 +40,7 @@ site::LabelKinds read_kinds(GDALDataset& file, const std::string& name) {
                                 "the item with 'gdal_edit.py -mo {}=' or import the map anew",
                                 name, line, kinds_item, kinds_item));
             }
-            if (kind != Kind::unknown) kinds.insert_or_assign(label, kind);
+            if (kind != site::ObstacleKind::unknown) kinds.insert_or_assign(label, kind);
         }
     }
     return kinds;
