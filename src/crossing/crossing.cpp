@@ -43,7 +43,9 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
     Label label;
     label.at = reached.at;
     label.cost = *cost;
-    if (label.cost + length(goal_ - label.at) > limit_ || label.cost + rest(label.at) > limit_) return;
+    if (label.cost + length(goal_ - label.at) > limit_) return;
+    const Vertex from = labels_[parent].at;
+    if (label.cost + rest(label.at, length(label.at - from) + rest(from)) > limit_) return;
     label.parent = parent;
     label.since = since_of(parent);
     label.set = labels_[parent].set;

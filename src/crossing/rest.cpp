@@ -1,7 +1,6 @@
 #include "crossing/rest.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace waybreaker::crossing {
 
@@ -18,26 +17,41 @@ void Rest::start_query(const Regions& regions, Vertex start, Vertex goal, const 
     fan_.start_query(regions, goal, all_open, pinched, nullptr, interrupt);
     fan_.ray().pass_destructible();
     known_.clear();
-    known_[key(goal)] = 0;
+    note(goal, {0, true});
 }
 
-double Rest::from(Vertex v) {
-    if (const auto rest = known(v)) return *rest;
-    const double rest = search(v) * (1 - rounding);
+double Rest::from(Vertex v, double at_most) {
+    if (const Known rest = known(v); rest.exact) return rest.least;
+    const double matters = longest_ - length(v - start_);
+    range_ = std::min(matters, at_most * (1 + rounding));
+    double rest = search(v);
+    if (rest == infinity && range_ < matters) {  // rounded off
+        range_ = matters;
+        rest = search(v);
+    }
     if (interrupt_->cause() != Interrupt::Cause::none) return length(goal_ - v);
-    known_[key(v)] = rest;
+    rest *= 1 - rounding;
+    if (rest < infinity) {
+        // Who is so far from v is at most so much nearer to the goal, as in Adaptive A* (Koenig, Likhachev 2005).
+        for (const Label& label : labels_) note(label.at, {rest - label.cost});
+    }
+    note(v, {rest, true});
     return rest;
 }
 
-std::optional<double> Rest::known(Vertex v) const {
+Rest::Known Rest::known(Vertex v) const {
     const auto found = known_.find(key(v));
-    return found == known_.end() ? std::nullopt : std::optional(found->second);
+    return found == known_.end() ? Known{length(goal_ - v)} : found->second;
+}
+
+void Rest::note(Vertex v, Known rest) {
+    Known& known = known_.try_emplace(key(v), Known{length(goal_ - v)}).first->second;
+    if (!known.exact && (rest.exact || rest.least > known.least)) known = rest;
 }
 
 // A* that ends where the rest is known.
 double Rest::search(Vertex v) {
-    driven_ = length(v - start_);
-    labels_.assign(1, {.at = v, .estimate = length(goal_ - v)});
+    labels_.assign(1, {.at = v, .estimate = known(v).least});
     open_.assign(1, 0);
     reached_.clear();
     while (!open_.empty()) {
@@ -45,34 +59,35 @@ double Rest::search(Vertex v) {
         std::ranges::pop_heap(open_, [this](auto a, auto b) { return later(a, b); });
         open_.pop_back();
         const Label label = labels_[index];
-        if (known(label.at)) {
+        if (label.exact) {
             for (std::uint32_t at = label.parent; at != 0; at = labels_[at].parent) {
-                known_[key(labels_[at].at)] = label.estimate - labels_[at].cost;
+                note(labels_[at].at, {label.estimate - labels_[at].cost, true});
             }
             return label.estimate;
         }
         if (index == 0 || label.cost <= reached_[key(label.at)]) expand(index);
         if (interrupt_->cause() != Interrupt::Cause::none) break;
     }
-    return std::numeric_limits<double>::infinity();
+    return infinity;
 }
 
 void Rest::expand(std::uint32_t index) {
     const Label label = labels_[index];
     Viewpoint from{.at = label.at, .arriving = std::nullopt, .ahead = std::nullopt, .open = removed_};
-    from.range = longest_ - driven_ - label.cost;
+    from.range = range_ - label.cost;
     if (index != 0) from.arriving = label.at - labels_[label.parent].at;
     for (const Reached& reached : fan_.look(from, false)) push(index, reached.at);
 }
 
 void Rest::push(std::uint32_t parent, Vertex at) {
     const double cost = labels_[parent].cost + length(at - labels_[parent].at);
-    const double estimate = cost + known(at).value_or(length(goal_ - at));
-    if (driven_ + estimate > longest_) return;
+    const Known rest = known(at);
+    const double estimate = cost + rest.least;
+    if (estimate > range_) return;
     const auto [before, first] = reached_.try_emplace(key(at), cost);
     if (!first && before->second <= cost) return;
     before->second = cost;
-    labels_.push_back({at, cost, estimate, parent});
+    labels_.push_back({at, cost, estimate, parent, rest.exact});
     open_.push_back(std::uint32_t(labels_.size() - 1));
     std::ranges::push_heap(open_, [this](auto a, auto b) { return later(a, b); });
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <limits>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -18,25 +18,33 @@ class Rest {
     void start_query(const Regions& regions, Vertex start, Vertex goal, const CrossingOptions& options, bool pinched,
                      Interrupt& interrupt);
 
-    // A lower limit, half cells; infinity if no path through v is short enough.
-    double from(Vertex v);
+    // A lower limit, half cells; infinity if no path through v is short enough. `at_most`: a way that is known is so
+    // long; it only saves time.
+    double from(Vertex v, double at_most = infinity);
     // Whether something that stays is in the way from v straight to the goal.
     bool detours(Vertex v) { return from(v) > length(goal_ - v) * (1 + rounding); }
 
   private:
-    static constexpr double rounding = 1e-12;  // relative
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    static constexpr double rounding = 1e-11;  // relative
 
+    struct Known {
+        double least = 0;
+        bool exact = false;
+    };
     struct Label {
         Vertex at;
         double cost = 0;
         double estimate = 0;
         std::uint32_t parent = 0;  // of the first: itself
+        bool exact = false;        // the estimate is the length of a path
     };
 
     double search(Vertex v);
     void push(std::uint32_t parent, Vertex at);
     void expand(std::uint32_t index);
-    std::optional<double> known(Vertex v) const;
+    Known known(Vertex v) const;
+    void note(Vertex v, Known rest);
     bool later(std::uint32_t a, std::uint32_t b) const { return labels_[a].estimate > labels_[b].estimate; }
     static std::uint64_t key(Vertex v) { return (std::uint64_t(std::uint32_t(v.x)) << 32) | std::uint32_t(v.y); }
 
@@ -46,9 +54,9 @@ class Rest {
     std::span<const ObstacleId> removed_;
     Interrupt* interrupt_ = nullptr;
     Fan fan_;
-    std::unordered_map<std::uint64_t, double> known_;  // by vertex
+    std::unordered_map<std::uint64_t, Known> known_;  // by vertex
     // Of the search from one vertex:
-    double driven_ = 0;  // to it, at least
+    double range_ = 0;  // longest path, half cells
     std::vector<Label> labels_;
     std::vector<std::uint32_t> open_;                    // heap
     std::unordered_map<std::uint64_t, double> reached_;  // the least cost, by vertex

@@ -60,7 +60,10 @@ class CrossingSearcher::Search {
     double opened_after(std::span<const ObstacleId> sorted) const;
     std::uint32_t add_set(std::span<const ObstacleId> sorted);
     double estimate(const crossing::Label& label);
-    double rest(crossing::Vertex v) { return detours_ ? rest_.from(v) : length(goal_ - v); }
+    // `at_most`: as of Rest.
+    double rest(crossing::Vertex v, double at_most = std::numeric_limits<double>::infinity()) {
+        return detours_ ? rest_.from(v, at_most) : length(goal_ - v);
+    }
     double with_flight(double ground, std::uint32_t set) const;
     double paid(std::uint32_t set) const { return options_->prices.empty() ? 0 : paid_[set]; }
     std::optional<double> cost_of(std::uint32_t parent, const crossing::Reached& reached);
