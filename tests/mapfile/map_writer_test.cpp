@@ -121,7 +121,7 @@ TEST_F(WrittenMaps, SayWhatIsLost) {
 // Names and what lies around go with a map, as far as its format takes them.
 TEST_F(WrittenMaps, AreStillKnownByTheirNames) {
     const io::MapFile city = read_map_file(project_folder() / "data" / "berlin-mitte.tif");
-    ASSERT_EQ(site::name_count(city.names), 98U);
+    ASSERT_EQ(site::name_count(city.names), 809U);
     ASSERT_FALSE(city.background.features.empty());
     EXPECT_TRUE(write(city, "b.tif").losses.empty());
     EXPECT_EQ(bytes_of("b.tif"), bytes_of(project_folder() / "data" / "berlin-mitte.tif"));
