@@ -24,6 +24,8 @@ void Ray::start_query(const Regions& regions, const CrossingOptions& options, bo
     weighs_ = options.budget < std::numeric_limits<double>::infinity();
     allows_some_ = !options.only.empty();
     passes_destructible_ = false;
+    rows_ = &map_->grid();
+    columns_ = &map_->transposed();
     const std::size_t region_limit = regions.count() + 1;
     const std::size_t obstacle_limit = regions.obstacle_limit();
     // Fresh pages are zero and cost nothing until used: a big map costs no more than what the rays see of it.
@@ -39,6 +41,12 @@ void Ray::start_query(const Regions& regions, const CrossingOptions& options, bo
     ++query_;
     for (const ObstacleId id : options.protect) obstacle_marks_[id.value].protect = query_;
     for (const ObstacleId id : options.only) obstacle_marks_[id.value].allow = query_;
+}
+
+void Ray::pass_destructible() {
+    passes_destructible_ = true;
+    rows_ = &regions_->permanent().rows;
+    columns_ = &regions_->permanent().columns;
 }
 
 void Ray::set_open(std::span<const ObstacleId> obstacles) {
@@ -64,8 +72,8 @@ bool Ray::cast(Vertex from, Vertex to, int crossings, double weight) {
     stopped_at_ = std::numeric_limits<double>::infinity();
     const int dx = to.x - from.x;
     const int dy = to.y - from.y;
-    const Frame frame = std::abs(dx) >= std::abs(dy) ? Frame{&map_->grid(), false, from.x, from.y, dx, dy}
-                                                     : Frame{&map_->transposed(), true, from.y, from.x, dy, dx};
+    const Frame frame = std::abs(dx) >= std::abs(dy) ? Frame{rows_, false, from.x, from.y, dx, dy}
+                                                     : Frame{columns_, true, from.y, from.x, dy, dx};
     const bool along_edge = frame.dy == 0 && reach_ == 1 && frame.y % 2 != 0;
     if (along_edge) {
         walk_edge(frame);

@@ -40,7 +40,7 @@ class Ray {
     void set_open(std::span<const ObstacleId> obstacles);
 
     // Until the next query: rays pass all that can be removed as if it were gone.
-    void pass_destructible() { passes_destructible_ = true; }
+    void pass_destructible();
 
     // Casts a ray that passes at most so many further obstacles, of at most that weight together. False when it was
     // stopped: by a region that cannot be passed any more, or by the edge of the map. What it met before is in
@@ -137,6 +137,8 @@ class Ray {
     bool pinched_ = false;      // between cells that touch at a corner
     bool allows_some_ = false;  // and no others
     bool passes_destructible_ = false;
+    const Grid* rows_ = nullptr;  // what rays look for
+    const Grid* columns_ = nullptr;
     bool weighs_ = false;  // whether the budget is limited
     std::unique_ptr<RegionMark[], Free> region_marks_;
     std::unique_ptr<ObstacleMark[], Free> obstacle_marks_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "crossing/lattice.hpp"
+#include "map/bit_run.hpp"
 #include "map/line_of_sight.hpp"
 
 namespace waybreaker::crossing {
@@ -179,6 +180,24 @@ Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& inte
     grown_from_.assign(map.obstacles().begin(), map.obstacles().end());
     // It numbers what it finds row by row, as growing does.
     grown_ = Map::from_labels(map.width(), map.height(), growing.take_labels());
+}
+
+const Permanent& Regions::permanent() const {
+    if (permanent_) return *permanent_;
+    std::vector<bool> stays(count() + 1);
+    for (std::uint32_t region = 1; region <= count(); ++region) {
+        for_each_member(RegionId{region}, [&](ObstacleId o) { stays[region] = stays[region] || !destructible(o); });
+    }
+    Grid rows(map().width(), map().height());
+    for (int y = 0; y < rows.height(); ++y) {
+        for_each_run(map().grid().row(y), rows.width(), [&](int first, int last) {
+            for (int x = first; x <= last; ++x) {
+                if (stays[region_at(map(), {x, y}).value]) rows.set_blocked({x, y}, true);
+            }
+        });
+    }
+    Grid columns = rows.transposed();
+    return permanent_.emplace(Permanent{std::move(rows), std::move(columns)});
 }
 
 }  // namespace waybreaker::crossing

@@ -29,6 +29,12 @@ inline RegionId region_at(const Map& map, Cell c) {
     return {map.obstacle_at(c).value};
 }
 
+// Cells that stay, as a grid and with x and y exchanged.
+struct Permanent {
+    Grid rows;
+    Grid columns;
+};
+
 class Regions {
   public:
     // For the body that the options move. Time O(runs of blocked cells * radius) to grow the map, else O(1). The map
@@ -46,6 +52,8 @@ class Regions {
 
     // Whose obstacles are the regions.
     const Map& map() const { return grown_ ? *grown_ : *original_; }
+    // Of its cells those that nothing can free. Made when first asked for, in O(cells); not by two threads at a time.
+    const Permanent& permanent() const;
     // Regions are numbered from 1 to this.
     std::size_t count() const { return map().obstacles().size(); }
     // The obstacles' numbers are below this: the edge of the map is one behind the last.
@@ -113,6 +121,7 @@ class Regions {
     const Map* original_;           // to be used only while it is not grown
     bool complete_ = true;
     std::optional<Map> grown_;
+    mutable std::optional<Permanent> permanent_;
     std::vector<Obstacle> grown_from_;
     Lists<ObstacleId> members_;  // by region
     Lists<RegionId> regions_;    // by obstacle
