@@ -69,8 +69,11 @@ void CrossingSearcher::Search::push(std::uint32_t parent, const Reached& reached
 
 // Unless another one at its vertex dominates it.
 void CrossingSearcher::Search::add(Label label) {
-    const Dominance dominates{*regions_, convex_, sets_,     groups_,          options_->budget < infinity,
-                              goal_,     limit_,  by_count_, options_->prices, paid_};
+    // What costs the same may still be told of.
+    const std::size_t full = accept_ == nullptr ? std::size_t(capacity_) : SIZE_MAX;
+    const Dominance dominates{*regions_, convex_, sets_,     groups_, options_->budget < infinity,
+                              goal_,     limit_,  by_count_, full,    options_->prices,
+                              paid_};
     const std::uint32_t place = places_.find_or_add(label.at);
     for (std::uint32_t other = places_[place].labels; other != no_label; other = labels_[other].next) {
         if (!labels_[other].dominated && dominates(labels_[other], label)) return;
@@ -286,11 +289,13 @@ void CrossingSearcher::Search::start_parts() {
     Convex* const convex = by_count_ && options_->prices.empty() ? &convex_ : nullptr;
     convex_.start_query(*regions_, reach_of(*options_));
     fan_.start_query(*regions_, goal_, *options_, pinched, convex, interrupt_);
-    // Who waits may be half a cell from the place that stands for it.
     detours_ = false;
-    if (options_->crossings == 0 || waits_) return;
-    rest_.start_query(*regions_, start_, goal_, *options_, pinched, interrupt_);
+    if (options_->crossings == 0) return;
+    // Who waits may be half a cell from the place that stands for it.
+    const double longest = 2 * options_->length_limit + (waits_ ? 2 * early_ : 0);
+    rest_.start_query(*regions_, start_, goal_, longest, *options_, pinched, interrupt_);
     detours_ = rest_.detours(start_);
+    rest_of_.clear();
 }
 
 // In ellipses that grow until one holds the path: what lies outside costs nothing, and the last one costs about as much

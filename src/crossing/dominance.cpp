@@ -21,7 +21,7 @@ bool Dominance::operator()(const Label& better, const Label& worse) const {
         left -= price(obstacle);
     }
     if (more == 0 && left >= 0) return true;
-    if (!by_count) return false;
+    if (!by_count) return theirs.size() >= full && better.estimate <= worse.estimate && all_lost(worse, mine);
     for (const ObstacleId obstacle : theirs) {
         if (std::binary_search(mine.begin(), mine.end(), obstacle) || !lost(obstacle, worse)) continue;
         --more;
@@ -29,6 +29,12 @@ bool Dominance::operator()(const Label& better, const Label& worse) const {
         left += price(obstacle);
     }
     return more <= 0 && more_weight <= 0 && left >= 0;
+}
+
+bool Dominance::all_lost(const Label& label, std::span<const ObstacleId> but) const {
+    return std::ranges::all_of(sets[label.set], [&](ObstacleId obstacle) {
+        return std::ranges::binary_search(but, obstacle) || lost(obstacle, label);
+    });
 }
 
 // How much cheaper, what is paid aside. At the goal waits and flights are over.

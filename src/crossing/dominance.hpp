@@ -19,7 +19,8 @@ struct Dominance {
     bool weighs;  // whether the budget is limited
     Vertex goal;
     double limit;                     // half cells: dearer paths are not looked for
-    bool by_count;                    // false: only what is crossed within what the other has crossed is as good
+    bool by_count;                    // false: only what is crossed within what the other has crossed is as good,
+    std::size_t full;                 // but whoever has crossed so many crosses nothing else
     std::span<const double> prices;   // by id; empty: nothing is paid
     const std::vector<double>& paid;  // by set, half cells
 
@@ -28,6 +29,7 @@ struct Dominance {
     bool operator()(const Label& better, const Label& worse) const;
 
   private:
+    bool all_lost(const Label& label, std::span<const ObstacleId> but) const;
     bool lost(ObstacleId obstacle, const Label& label) const;
     double gain(const Label& better, const Label& worse) const;
     double price(ObstacleId obstacle) const { return prices.empty() ? 0 : 2 * prices[obstacle.value]; }

@@ -12,9 +12,9 @@ constexpr double spacing = 2;  // of neighbours, half cells
 
 }  // namespace
 
-double GateGroup::first_estimate(Vertex goal) const {
+double GateGroup::first_estimate(double rest) const {
     const double arrival = terms_.arrival + gap(terms_.from, *border_);
-    return std::max(terms_.open, arrival) - terms_.early + gap(goal, *border_);
+    return std::max(terms_.open, arrival) - terms_.early + rest;
 }
 
 double GateGroup::cost_of(const Point& point) const {
@@ -32,22 +32,28 @@ void GateGroup::open_up(const std::function<bool(Vertex)>& stands) {
     for (const Vertex v : border_->points) {
         const double arrival = terms_.arrival + length(v - terms_.from);
         const bool free = stands(v);
-        points_.push_back({.arrival = arrival, .stands = free, .done = !is_gate(arrival) || !free});
+        points_.push_back({.arrival = arrival, .rest = 0, .stands = free, .done = !is_gate(arrival) || !free});
     }
 }
 
-bool GateGroup::find_best(Vertex goal, const std::function<bool(Vertex)>& stands) {
+bool GateGroup::find_best(Vertex goal, const std::function<bool(Vertex)>& stands,
+                          const std::function<double(Vertex)>& rest) {
     if (points_.empty()) open_up(stands);
-    best_gate_.estimate = infinity;
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-        if (points_[i].done) continue;
-        const double cost = cost_of(points_[i]);
-        const double estimate = cost + length(goal - border_->points[i]);
-        if (estimate >= best_gate_.estimate) continue;
-        best_ = i;
-        best_gate_ = {border_->points[i], cost, estimate};
+    while (true) {
+        best_gate_.estimate = infinity;
+        for (std::uint32_t i = 0; i < points_.size(); ++i) {
+            if (points_[i].done) continue;
+            const double cost = cost_of(points_[i]);
+            const double estimate = cost + std::max(points_[i].rest, length(goal - border_->points[i]));
+            if (estimate >= best_gate_.estimate) continue;
+            best_ = i;
+            best_gate_ = {border_->points[i], cost, estimate};
+        }
+        if (best_gate_.estimate == infinity) return false;
+        if (points_[best_].rest_known) return true;
+        points_[best_].rest_known = true;
+        points_[best_].rest = rest(best_gate_.at);
     }
-    return best_gate_.estimate < infinity;
 }
 
 double GateGroup::past(Vertex v, const std::function<bool(Vertex)>& stands,

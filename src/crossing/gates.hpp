@@ -34,8 +34,8 @@ class GateGroup {
 
     const Terms& terms() const { return terms_; }
 
-    // No gate of the group leads to the goal for less.
-    double first_estimate(Vertex goal) const;
+    // No gate of the group leads to the goal for less. `rest`: how far it is from the border to the goal at least.
+    double first_estimate(double rest) const;
 
     struct Gate {
         Vertex at;
@@ -43,8 +43,8 @@ class GateGroup {
         double estimate = 0;
     };
     // Turns to the gate with the least estimate of those left; false if none is. `stands`: whether the agent can be
-    // somewhere.
-    bool find_best(Vertex goal, const std::function<bool(Vertex)>& stands);
+    // somewhere; `rest`: how far it is from there to the goal at least.
+    bool find_best(Vertex goal, const std::function<bool(Vertex)>& stands, const std::function<double(Vertex)>& rest);
     // Of the best: whether the way to it is known, not only a lower limit.
     const Gate& best() const { return best_gate_; }
     bool proven() const { return points_[best_].proven; }
@@ -59,7 +59,9 @@ class GateGroup {
   private:
     struct Point {
         double arrival;  // a lower limit
+        double rest;     // likewise
         bool proven = false;
+        bool rest_known = false;
         bool stands = false;
         bool done = false;
     };

@@ -4,11 +4,11 @@
 
 namespace waybreaker::crossing {
 
-void Rest::start_query(const Regions& regions, Vertex start, Vertex goal, const CrossingOptions& options, bool pinched,
-                       Interrupt& interrupt) {
+void Rest::start_query(const Regions& regions, Vertex start, Vertex goal, double longest,
+                       const CrossingOptions& options, bool pinched, Interrupt& interrupt) {
     start_ = start;
     goal_ = goal;
-    longest_ = 2 * options.length_limit * (1 + rounding);
+    longest_ = longest * (1 + rounding);
     removed_ = options.removed;
     interrupt_ = &interrupt;
     CrossingOptions all_open;

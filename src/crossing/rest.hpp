@@ -14,9 +14,9 @@ namespace waybreaker::crossing {
 
 class Rest {
   public:
-    // Keeps what it is given for as long as the query lasts.
-    void start_query(const Regions& regions, Vertex start, Vertex goal, const CrossingOptions& options, bool pinched,
-                     Interrupt& interrupt);
+    // Keeps what it is given for as long as the query lasts. `longest`: of the paths that matter, half cells.
+    void start_query(const Regions& regions, Vertex start, Vertex goal, double longest, const CrossingOptions& options,
+                     bool pinched, Interrupt& interrupt);
 
     // A lower limit, half cells; infinity if no path through v is short enough. `at_most`: a way that is known is so
     // long; it only saves time.
@@ -50,7 +50,7 @@ class Rest {
 
     Vertex start_;
     Vertex goal_;
-    double longest_ = 0;  // of the paths that matter, half cells
+    double longest_ = 0;
     std::span<const ObstacleId> removed_;
     Interrupt* interrupt_ = nullptr;
     Fan fan_;

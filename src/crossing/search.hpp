@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "crossing/border.hpp"
@@ -70,6 +71,7 @@ class CrossingSearcher::Search {
     std::vector<ObstacleId> add_members(crossing::RegionId region, std::vector<ObstacleId>& set) const;
     void push_gates(std::uint32_t parent);
     std::uint32_t push_group(crossing::GateGroup::Terms terms, const std::vector<ObstacleId>& set);
+    double rest_of(const crossing::Border& border, crossing::RegionId region);
     void expand_group(std::uint32_t index);
     void push_gate(std::uint32_t number, std::uint32_t set);
     double arrival_at_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
@@ -113,7 +115,8 @@ class CrossingSearcher::Search {
     double early_ = 0;                // at a gate, half cells
     crossing::Borders borders_;
     crossing::Ways ways_;
-    bool to_gate_ = false;  // this search is for such a way:
+    std::unordered_map<std::uint32_t, double> rest_of_;  // borders, by region
+    bool to_gate_ = false;                               // this search is for such a way:
     std::unique_ptr<Search> way_to_gate_;
     std::vector<crossing::GateGroup> groups_{{}};                        // the first is none
     std::map<std::vector<std::uint32_t>, std::uint32_t> group_numbers_;  // by set, obstacle and where they come from

@@ -119,7 +119,7 @@ std::uint32_t CrossingSearcher::Search::push_group(GateGroup::Terms terms, const
     terms.arrival = labels_[terms.since].cost;
     terms.early = early_;
     const Border& border = borders_.of(terms.region);
-    const double first = GateGroup(terms, border).first_estimate(goal_);
+    const double first = GateGroup(terms, border).first_estimate(rest_of(border, terms.region));
     if (first > limit_) return 0;
     terms.set = add_set(set);
     Label label;
@@ -134,12 +134,28 @@ std::uint32_t CrossingSearcher::Search::push_group(GateGroup::Terms terms, const
     return label.group;
 }
 
+// How far it is to the goal at least, from anywhere on a border.
+double CrossingSearcher::Search::rest_of(const Border& border, RegionId region) {
+    if (!detours_) return gap(goal_, border);
+    const auto [known, added] = rest_of_.try_emplace(region.value, 0);
+    if (!added) return known->second;
+    std::vector<std::pair<double, Vertex>> points;
+    for (const Vertex v : border.points) points.emplace_back(length(goal_ - v), v);
+    std::ranges::sort(points, {}, &std::pair<double, Vertex>::first);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [straight, v] : points) {
+        if (straight >= least) break;
+        least = std::min(least, rest(v));
+    }
+    return known->second = least;
+}
+
 // Takes the next gate out of a group, or puts the group back where it belongs by now.
 void CrossingSearcher::Search::expand_group(std::uint32_t index) {
     const std::uint32_t set = labels_[index].set;
     GateGroup& group = groups_[labels_[index].group];
     const auto stands = [&](Vertex v) { return borders_.stands(v, sets_[set]); };
-    while (group.find_best(goal_, stands)) {
+    while (group.find_best(goal_, stands, [this](Vertex v) { return rest(v); })) {
         const double estimate = with_flight(group.best().estimate, set);
         if (estimate > limit_) return;
         if (estimate > labels_[index].estimate) {

@@ -8,10 +8,11 @@
 namespace waybreaker {
 namespace {
 
-constexpr std::uint64_t most_expanded_in_time = 400'000;  // where obstacles open in time
-constexpr double grace = 0.01;                            // seconds
+constexpr std::uint64_t most_expanded_in_time = 40'000;  // where obstacles open in time
+constexpr double grace = 0.01;                           // seconds
 constexpr double good_weight = 1.15;
 constexpr std::uint64_t most_expanded_for_good = 4'000;
+constexpr std::uint64_t most_expanded_priced = 10'000;
 
 }  // namespace
 
@@ -74,6 +75,20 @@ CrossingResult find_good(const Task& task, CrossingSearcher& crossing, double ob
     CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective, seconds, opening_times);
     options.weight = good_weight;
     options.limits.expansions = std::min(options.limits.expansions, most_expanded_for_good);
+    return crossing.find(task.map, task.driver.start, task.driver.goal, options);
+}
+
+CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double share, double objective,
+                           double seconds) {
+    OpeningTimes at_once = OpeningTimes::at_once(task);
+    CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective, seconds, at_once);
+    std::vector<double> prices{0};  // by id, from 1
+    for (const Obstacle& obstacle : task.map.obstacles()) {
+        prices.push_back(share * task.rules.breach_time.of(obstacle) * task.driver.speed);
+    }
+    if (std::ranges::max(prices) == 0) return {};
+    options.prices = prices;
+    options.limits.expansions = std::min(options.limits.expansions, most_expanded_priced);
     return crossing.find(task.map, task.driver.start, task.driver.goal, options);
 }
 

@@ -48,6 +48,11 @@ CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::sp
 CrossingResult find_good(const Task& task, CrossingSearcher& crossing, double objective, double seconds,
                          OpeningTimes& opening_times);
 
+// The best path if nobody waited but each obstacle that it crosses cost this share of the time that its breach takes.
+// None if no breach takes time.
+CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double share, double objective,
+                           double seconds);
+
 // Sets to try after the first, and expansions to look for them. A search for each takes long, and so do schedules of
 // many obstacles; where breaching takes time, there are very many sets that could be better and hardly one that is.
 int patience(const Task& task);

@@ -1,331 +1,24 @@
 #include "select/exact.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <utility>
 
-#include "select/hits.hpp"
-#include "select/opening_times.hpp"
-#include "select/shortcuts.hpp"
-#include "select/timed_path.hpp"
+#include "select/exact_selection.hpp"
 
 namespace waybreaker {
 namespace {
 
-constexpr std::uint64_t patient_expansions = 10'000;
-constexpr std::uint64_t least_patience = 1'000;  // for further sets, however short the search for the first
-// Where little time is given, a proof that takes more begins anew once a weighted search has found a good plan.
-constexpr double haste = 0.5;  // seconds
+// Expansions: where little time is given, a proof that takes more begins anew once a weighted search has found a good
+// plan.
 constexpr std::uint64_t easy_expansions = 250;
-// Where obstacles open in time.
-constexpr std::uint64_t patient_expansions_in_time = 4'000;
-// Relative: where obstacles open in time, a plan so near to its bound is good enough.
-constexpr double close = 1e-3;
-// Relative: where a set that is best without waits ends so much later than without them, others are best in time.
-constexpr double most_above = 0.03;
-// Relative: a plan so far from its bound may not remove what the disc needs gone where neither point nor square do.
-constexpr double far_from_bound = 0.05;
-// Relative: the disc's path is hardly ever so much shorter than the square's.
-constexpr double most_shortened = 1e-4;
 // Of the time that is left when selecting begins; the rest is for sets that are likely to be good, if the proof is not
 // done by then.
 constexpr double share_of_proof = 0.8;
 // Of the proof's time: for the bound of the relaxed body. The square's comes after it.
 constexpr double share_of_relaxed = 0.5;
-// Likewise: for the weighted search.
-constexpr double share_of_weighted = 0.8;
 // Likewise, where obstacles open in time: for what can be said as if they did not.
 constexpr double share_of_waitless = 0.3;
-
-// No path of the unit square that crosses as much is longer than this times a path of the disc (docs/exact.md, Theorem
-// 2): a step to one of eight neighbours after the other is never longer.
-constexpr double most_of_square = 1.0823922002923940;  // sqrt(4 - 2 sqrt(2))
-
-bool in_haste(const Task& task) {
-    return task.limits.seconds < haste;
-}
-
-bool square_bounds(const Task& task, const OpeningTimes& opening_times) {
-    return drives_by_crossing(task) && square_stands_for(task.driver.body) && !opening_times.matter();
-}
-
-// One selection, in the order of its steps.
-class ExactSelection {
-  public:
-    // `reached`: the objective of the best plan so far.
-    ExactSelection(const Task& task, const Searchers& searchers, const Candidate& start, double reached,
-                   const Bound& bound, const Deadline& deadline, OpeningTimes& opening_times)
-        : task_(task),
-          searchers_(searchers),
-          start_(start),
-          bound_(bound),
-          deadline_(deadline),
-          opening_times_(opening_times),
-          reached_(reached),
-          best_(reached),
-          proven_(bound.objective) {}
-
-    Selected run() && {
-        if (task_.spare_removals() > 0) {
-            try_sets();
-            if (passes_more_than_square() && best_ > bound_.objective * (1 + far_from_bound)) try_most_hit();
-        } else if (best_ > bound_.objective * most_of_square && square_bounds(task_, opening_times_)) {
-            raise_bound(find_first());
-        }
-        if (opening_times_.matter()) try_as_if_forced();
-        selected_.bound = proven_;
-        return std::move(selected_);
-    }
-
-    // The set whose shortest path is shortest, and nothing else. `best`: no other choice can be better than its plan.
-    struct Tried {
-        Selected selected;
-        bool best = false;
-    };
-    Tried run_first() && {
-        improves_paths_ = false;
-        try_within(bound_.removed);
-        if (best_ > bound_.objective * (1 + most_above)) {
-            selected_.bound = proven_;
-            return {std::move(selected_)};
-        }
-        const CrossingResult first = find_first();
-        raise_bound(first);
-        selected_.bound = proven_;
-        const bool beaten = !first.best.path.empty() && beats_best(first.best);
-        return {std::move(selected_), first.status != SearchStatus::limit_reached && !beaten};
-    }
-
-    // What a weighted search finds: a good plan, soon.
-    Selected run_weighted() && {
-        try_weighted(deadline_.left());
-        return std::move(selected_);
-    }
-
-    // Lets a plan be found that is as good as the one known: with waits at obstacles, not long before them.
-    void take_as_good() { best_ *= 1 + 2 * rounding; }
-
-  private:
-    void report() const { task_.report(std::min(best_, reached_), proven_); }
-
-    void try_sets() {
-        if (!drives_by_crossing(task_)) try_for_other_planners();
-        // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
-        try_within(bound_.removed);
-        if (is_near_bound()) return;
-        const CrossingResult first = find_first();
-        raise_bound(first);
-        if (first.status == SearchStatus::limit_reached) {
-            const bool own_patience = opening_times_.matter() && first.expanded >= patience_of_search() &&
-                                      task_.limits.expansions >= patience_of_search();
-            selected_.limited = selected_.limited || !own_patience;
-            try_what_is_likely();
-        }
-        if (first.status != SearchStatus::found || !beats_best(first.best)) return;
-        if (!try_others(first)) try_with_fewer_removals();
-    }
-
-    // To force what the plan removes must not be better, nor must it be worse to force that.
-    void try_as_if_forced() {
-        const std::vector<ObstacleId> removed = selected_.candidates.empty()
-                                                    ? start_.opening.removed
-                                                    : best_of(task_, start_, selected_.candidates).opening.removed;
-        if (removed.empty()) return;
-        if (!selected_.candidates.empty()) add_candidate(open(task_.trip(), searchers_, removed));
-        if (!task_.rules.force.empty()) try_in_time(removed);
-        report();
-    }
-
-    // The path in time through these; what must be removed stands until it opens, too.
-    void try_in_time(const std::vector<ObstacleId>& removed) {
-        if (!drives_by_crossing(task_) || task_.driver.body.is_point()) return;
-        CrossingOptions options = crossing_options(task_, false, best_, a_little_more(task_), opening_times_);
-        options.only = removed;
-        options.removed = {};
-        options.crossings = int(removed.size());
-        options.budget = infinity;
-        const CrossingResult found =
-            searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
-        if (found.best.path.empty()) return;
-        Opening opening = drivable(task_, searchers_, found.best, removed);
-        if (opening.status == SearchStatus::found) add_candidate(std::move(opening));
-    }
-
-    // Where the relaxed body slips through what stops the disc, the square's shortest path tells more.
-    void raise_bound(const CrossingResult& of_square) {
-        if (!square_bounds(task_, opening_times_)) return;
-        const double least = least_objective(task_, of_square.lower_bound / most_of_square, opening_times_);
-        proven_ = std::max(bound_.objective, std::min(least, best_));
-        report();
-    }
-
-    bool is_near_bound() const {
-        const double enough = std::max(task_.limits.gap, opening_times_.matter() ? close : 0);
-        return enough > 0 && best_ <= bound_.objective * (1 + enough);
-    }
-
-    // By enough.
-    bool beats_best(const CrossingPath& path) const {
-        return least_objective(task_, path.cost, opening_times_) < task_.worth(best_) * (1 - rounding);
-    }
-
-    // Puts a path and what it crosses in time. `search` found it.
-    void try_out(const CrossingPath& path, const CrossingResult& search) {
-        const std::vector<ObstacleId> removed = task_.with_forced(path.crossed);
-        const auto known = [&](const Candidate& candidate) { return candidate.opening.removed == removed; };
-        if (path.crossed.empty() || std::ranges::any_of(selected_.candidates, known)) return;
-        CrossingResult found = search;
-        found.best = path;
-        if (!opening_times_.matter()) {
-            add_candidate(drives_by_crossing(task_) ? fitted_opening(removed, found)
-                                                    : open(task_.trip(), searchers_, removed));
-        } else {
-            if (drives_by_crossing(task_) && !task_.driver.body.is_point()) {
-                Opening opening = drivable(task_, searchers_, path, removed);
-                selected_.limited = selected_.limited || opening.limited;
-                opening.ground.expanded += search.expanded;
-                opening.ground.generated += search.generated;
-                opening.ground.seconds = since_last_.seconds();
-                if (opening.status == SearchStatus::found) add_candidate(std::move(opening));
-            }
-            if (beats_best(path)) add_candidate(open(task_.trip(), searchers_, removed));
-        }
-        report();
-        since_last_ = {};
-    }
-
-    Opening fitted_opening(const std::vector<ObstacleId>& removed, const CrossingResult& found) {
-        Opening opening = opening_of(task_.trip(), removed, found, since_last_.seconds());
-        fit_to_disc(task_.trip(), searchers_, opening, dearest_path(task_, best_, opening_times_));
-        return opening;
-    }
-
-    std::uint64_t patience_of_search() const {
-        return opening_times_.matter() ? patient_expansions_in_time : patient_expansions;
-    }
-
-    // In proportion to the search for the first set. Where obstacles open in time that one says little of the others.
-    std::uint64_t patience_for_others(const CrossingResult& first) const {
-        const std::uint64_t most = patience_of_search();
-        return opening_times_.matter() ? most : std::min(most, std::max(least_patience, first.expanded / 2));
-    }
-
-    void add_candidate(Opening opening) {
-        selected_.candidates.push_back(improves_paths_ ? timed_candidate(task_, searchers_, std::move(opening))
-                                                       : candidate_of(task_, std::move(opening)));
-        const double reached = cost(task_, selected_.candidates.back());
-        if (reached < best_ * (1 - rounding)) best_ = reached;
-    }
-
-    void try_within(std::span<const ObstacleId> likely) {
-        const CrossingResult found = find_within(task_, searchers_.crossing, likely, best_, opening_times_);
-        if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
-        if (!passes_more_than_square() || likely.empty()) return;
-        add_candidate(open(task_.trip(), searchers_, task_.with_forced(likely)));
-        report();
-    }
-
-    bool passes_more_than_square() const {
-        const Body& body = task_.driver.body;
-        return drives_by_crossing(task_) && !body.is_point() && !square_stands_for(body);
-    }
-
-    // Another agent may not fit where a point slips through: what is in its way most often, and what opens the way for
-    // the square.
-    void try_for_other_planners() {
-        try_most_hit();
-        const CrossingOptions options = crossing_options(task_, false, best_, deadline_.left(), opening_times_);
-        const CrossingResult found =
-            searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
-        if (!found.best.path.empty()) try_out(found.best, found);
-    }
-
-    void try_most_hit() {
-        const SearchResult search = search_counting_hits(task_, searchers_.cells);
-        const std::vector<ObstacleId> hit = chosen_by_hits(task_, search.hits);
-        for (std::size_t count = task_.rules.force.size() + 1; count <= hit.size() && !deadline_.passed(); ++count) {
-            add_candidate(open(task_.trip(), searchers_, {hit.begin(), hit.begin() + std::ptrdiff_t(count)}));
-        }
-    }
-
-    // The set whose shortest path is shortest.
-    CrossingResult find_first() {
-        options_ = crossing_options(task_, !drives_by_crossing(task_), task_.worth(best_) * (1 - rounding),
-                                    deadline_.left(), opening_times_);
-        options_.expected = dearest_path(task_, bound_.objective, opening_times_);
-        if (opening_times_.matter()) {
-            options_.limits.expansions = std::min(options_.limits.expansions, patience_of_search());
-        }
-        CrossingResult first = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options_);
-        if (!first.best.path.empty() && beats_best(first.best)) try_out(first.best, first);
-        return first;
-    }
-
-    void try_weighted(double seconds) {
-        const CrossingResult found = find_good(task_, searchers_.crossing, best_, seconds, opening_times_);
-        try_within(found.best.crossed);
-    }
-
-    void try_what_is_likely() {
-        if (!in_haste(task_) && !opening_times_.matter()) try_weighted(task_.deadline.left() * share_of_weighted);
-        const std::vector<Point>& closed = start_.opening.ground.path;
-        try_within(closed.empty() ? chosen_by_hits(task_, search_counting_hits(task_, searchers_.cells).hits)
-                                  : chosen_by_shortcuts(task_, closed));
-    }
-
-    // All sets that could still be better, in order. Whether they came to their end.
-    bool try_others(const CrossingResult& first) {
-        options_.length_limit = dearest_path(task_, task_.worth(best_), opening_times_);
-        options_.limits.seconds = deadline_.left();
-        const std::uint64_t patient = patience_for_others(first);
-        options_.limits.expansions = std::min(options_.limits.expansions, patient);
-        CrossingSearcher enumerator = searchers_.crossing.another();
-        int tried = 0;
-        bool gave_up = false;
-        const auto try_next = [&](const CrossingPath& path) {
-            if (!beats_best(path)) return false;
-            gave_up = tried == patience(task_);
-            if (gave_up) return false;
-            ++tried;
-            try_out(path, first);
-            return !deadline_.passed();
-        };
-        const CrossingResult rest =
-            enumerator.enumerate(task_.map, task_.driver.start, task_.driver.goal, options_, try_next);
-        const bool cut = rest.status == SearchStatus::limit_reached;
-        // Patience is the method's own; the limits are the caller's.
-        selected_.limited = selected_.limited || deadline_.passed() || (cut && task_.limits.expansions < patient);
-        return !gave_up && !cut;
-    }
-
-    // What fewer removals reach, more must reach as well. Where the square's path tells how good a set is, only sets
-    // that may be better than the best are looked for.
-    void try_with_fewer_removals() {
-        if (deadline_.passed()) return;
-        Rules fewer = task_.rules;
-        --fewer.removals;
-        const Task less = task_.under(fewer);
-        const bool tells = drives_by_crossing(task_) && !passes_more_than_square() && !opening_times_.matter();
-        const double reached = tells ? best_ * (1 + most_shortened) : cost(less, start_);
-        Selected selected = ExactSelection(less, searchers_, start_, reached, bound_, deadline_, opening_times_).run();
-        std::ranges::move(selected.candidates, std::back_inserter(selected_.candidates));
-        selected_.limited = selected_.limited || selected.limited;
-    }
-
-    const Task& task_;
-    Searchers searchers_;
-    const Candidate& start_;
-    const Bound& bound_;
-    const Deadline& deadline_;
-    OpeningTimes& opening_times_;
-    CrossingOptions options_;
-    Stopwatch since_last_;  // candidate
-    double reached_;        // of the best plan before
-    double best_;           // to be beaten
-    double proven_;         // no plan costs less
-    Selected selected_;
-    bool improves_paths_ = true;  // for their timetables
-};
 
 }  // namespace
 
@@ -344,9 +37,11 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
         ExactSelection(task, searchers_, start, begun.reached, begun.bound, soon, at_once).run_first();
     std::ranges::move(begun.weighted.candidates, std::back_inserter(first.candidates));
     if (is_best) return std::move(first);
+    const bool cut = begun.bound.limited || soon.passed();
     const double reached = cost(task, best_of(task, start, first.candidates));
     Selected selected = select(task, start, reached, first.bound.value_or(0), deadline, opening_times);
     std::ranges::move(first.candidates, std::back_inserter(selected.candidates));
+    selected.limited = selected.limited || cut;
     return selected;
 }
 

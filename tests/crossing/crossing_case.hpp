@@ -197,6 +197,12 @@ inline double random_budget(Map& map) {
     return *number(0, 8);
 }
 
+// When an aircraft has removed each obstacle, by id, and is home.
+inline rc::Gen<std::vector<double>> some_times(const Map& map) {
+    return rc::gen::container<std::vector<double>>(map.obstacles().size() + 1,
+                                                   rc::gen::map(number(0, 16), [](int t) { return double(t); }));
+}
+
 inline CrossingCase random_case(Map map) {
     RC_PRE(map.obstacles().size() <= slow::most_obstacles);
     const int crossings = *number(0, most_crossings(map));
@@ -208,9 +214,7 @@ inline CrossingCase random_case(Map map) {
     double budget = std::numeric_limits<double>::infinity();
     if (*number(0, 3) == 0) budget = random_budget(map);
     std::vector<double> done_after;
-    if (*number(0, 3) == 0) {
-        for (std::size_t id = 0; id <= map.obstacles().size(); ++id) done_after.push_back(*number(0, 16));
-    }
+    if (*number(0, 3) == 0) done_after = *some_times(map);
     std::vector<double> prices;
     if (*number(0, 2) == 0) {
         for (std::size_t id = 0; id <= map.obstacles().size(); ++id) prices.push_back(0.5 * *number(0, 8));

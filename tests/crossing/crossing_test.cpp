@@ -84,6 +84,7 @@ RC_GTEST_PROP(Crossing, IsTheShortestThroughWalls, ()) {
     for (int limits = 0; limits < 24; ++limits) {
         problem.crossings = *number(0, 4);
         if (limits >= 8) problem.budget = random_budget(problem.map);
+        if (limits >= 16) problem.done_after = *some_times(problem.map);
         judge.check(problem, searcher.find(problem.map, problem.start, problem.goal, problem.options()));
     }
 }

@@ -44,6 +44,7 @@ World any_world() {
     air.speed = *rc::gen::element(0.5, 1.0, 1.0, 3.0);
     Rules& rules = world.mission.rules;
     rules.removals = *number(1, 2);
+    if (!world.map.obstacles().empty() && *number(0, 2) == 0) rules.protect = {ObstacleId{1}};
     rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     rules.breach_time = {*rc::gen::element(0.0, 1.0, 4.5), *rc::gen::element(0.0, 0.0, 0.3)};
     return world;
