@@ -91,10 +91,17 @@ class BestFirst {
             observer_.surrounded(cell, blocked);
             const auto relax = parents_.relax(*this, cell, node);
             moves_.for_each(nodes_, cell, node.parent.cell(), blocked, [&](Cell to, Node& next, double cost) {
-                if (!nodes_.is_closed(next)) relax(to, next, cost);
+                if (!nodes_.is_closed(next) || reopens(node.g + cost, next)) relax(to, next, cost);
             });
         }
         return SearchStatus::no_path;
+    }
+
+    // Steps that are pruned by where a cell is entered from are pruned for good only if the way there is shortest. With
+    // a weight it may not be when the cell is closed.
+    static bool reopens(double g, const Node& closed) {
+        constexpr double rounding = 1e-12;  // relative
+        return Steps::pruned && g < closed.g * (1 - rounding);
     }
 
     // Turning points only: a straight line through several nodes is one segment.

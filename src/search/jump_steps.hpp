@@ -9,6 +9,7 @@ namespace waybreaker {
 
 class JumpSteps {
   public:
+    static constexpr bool pruned = true;  // by where the cell is entered from
     JumpSteps(const OpenedMap& map, Corners corners, Cell goal)
         : map_(map),
           corners_(corners),

@@ -12,6 +12,7 @@ namespace waybreaker {
 // The four or eight neighbours.
 class GridSteps {
   public:
+    static constexpr bool pruned = false;  // by where the cell is entered from
     // `unit_cost`: every step costs 1, so that path length is the number of steps (BFS).
     GridSteps(const OpenedMap& map, Corners corners, bool diagonal, bool unit_cost)
         : legal_(legal_steps(corners, diagonal)) {
@@ -39,6 +40,7 @@ class GridSteps {
 // The same for an agent that is wider than a cell: a step must be clear for its whole disc.
 class WideSteps {
   public:
+    static constexpr bool pruned = false;  // by where the cell is entered from
     WideSteps(const LineOfSight& sight, bool diagonal, bool unit_cost)
         : sight_(sight), diagonal_(diagonal), unit_cost_(unit_cost) {}
 

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <string_view>
+
+#include "ascii_map.hpp"
 #include "legal_path.hpp"
 #include "random_map.hpp"
 
@@ -96,6 +99,37 @@ RC_GTEST_PROP(GridPaths, StayWithinTheHeuristicsWeight, ()) {
         RC_ASSERT(greedy.status == optimal.status);
         RC_ASSERT(greedy.length <= weight * optimal.length + 1e-9);
         RC_ASSERT(greedy.length >= optimal.length - 1e-9);
+    }
+}
+
+// A cell that was first entered by a detour is entered again, from another side: else no path was found here.
+TEST(GridPaths, OfAWeightedJumpSearchAreFound) {
+    constexpr std::string_view picture = R"(
+        .........................
+        ...................#....G
+        ...........#####.........
+        S..........#####.........
+        .....#...................
+        ......................#..
+        .............#...........
+        .........................
+        .........................
+        ..#...........#.........#
+        ..............#..........
+        ..#................#.....
+        ..................######.
+        ...........#......######.
+        ..................######.
+        ............#....#######.
+        ............#....#######.
+        ######.#.................
+        ######...................)";
+    const Map map = map_from_ascii(picture);
+    for (const Corners corners : {Corners::cut, Corners::squeeze}) {
+        const SearchOptions options{.planner = Planner::jps, .weight = 5, .body = {.corners = corners}};
+        const SearchResult found =
+            Searcher().find(OpenedMap(map, {}), mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'), options);
+        EXPECT_EQ(found.status, SearchStatus::found);
     }
 }
 
