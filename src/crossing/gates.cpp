@@ -32,6 +32,7 @@ void GateGroup::open_up(const std::function<bool(Vertex)>& stands) {
     for (const Vertex v : border_->points) {
         const double arrival = terms_.arrival + length(v - terms_.from);
         const bool free = stands(v);
+        left_.push_back(std::uint32_t(points_.size()));
         points_.push_back({.arrival = arrival, .rest = 0, .stands = free, .done = !is_gate(arrival) || !free});
     }
 }
@@ -41,8 +42,8 @@ bool GateGroup::find_best(Vertex goal, const std::function<bool(Vertex)>& stands
     if (points_.empty()) open_up(stands);
     while (true) {
         best_gate_.estimate = infinity;
-        for (std::uint32_t i = 0; i < points_.size(); ++i) {
-            if (points_[i].done) continue;
+        std::erase_if(left_, [&](std::uint32_t i) { return points_[i].done; });
+        for (const std::uint32_t i : left_) {
             const double cost = cost_of(points_[i]);
             const double estimate = cost + std::max(points_[i].rest, length(goal - border_->points[i]));
             if (estimate >= best_gate_.estimate) continue;

@@ -74,7 +74,8 @@ class GateGroup {
 
     Terms terms_;
     const Border* border_ = nullptr;
-    std::vector<Point> points_;  // as the border's; empty until the first is asked for
+    std::vector<Point> points_;        // as the border's; empty until the first is asked for
+    std::vector<std::uint32_t> left_;  // those not done when last looked at, in their order
     std::uint32_t best_ = 0;
     Gate best_gate_;
 };

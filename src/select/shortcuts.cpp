@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace waybreaker {
 namespace {
@@ -43,6 +44,7 @@ class Shortcuts {
     std::vector<ObstacleId> chosen() {
         ways_.assign(places_.size(), std::vector<Way>(most_ + 1));
         ways_.front().front().length = 0;
+        shortest_.assign(places_.size() * (most_ + 1), std::numeric_limits<double>::infinity());
         for (std::size_t to = 1; to < places_.size(); ++to) {
             if (task_.deadline.passed()) return {};  // a path may have any number of turns
             for (std::size_t from = 0; from < to; ++from) extend(from, to);
@@ -79,17 +81,20 @@ class Shortcuts {
         for (std::size_t count = 0; count + crossed.size() <= most_; ++count) {
             const Way& way = ways_[from][count];
             if (!gains(count, crossed.size()) || way.weight + weight > task_.rules.budget) continue;
-            ways_[to][count + crossed.size()] = {way.length + step, way.weight + weight, from, count, crossed};
+            keep(to, count + crossed.size(), {way.length + step, way.weight + weight, from, count, crossed});
         }
     }
 
-    // The length of the shortest way found to a place with at most so many obstacles crossed.
-    double shortest(std::size_t place, std::size_t count) const {
-        const auto begin = ways_[place].begin();
-        return std::min_element(begin, begin + std::ptrdiff_t(count) + 1,
-                                [](const Way& a, const Way& b) { return a.length < b.length; })
-            ->length;
+    void keep(std::size_t place, std::size_t count, Way way) {
+        for (std::size_t most = count; most <= most_; ++most) {
+            double& shortest = shortest_[place * (most_ + 1) + most];
+            shortest = std::min(shortest, way.length);
+        }
+        ways_[place][count] = std::move(way);
     }
+
+    // The length of the shortest way found to a place with at most so many obstacles crossed.
+    double shortest(std::size_t place, std::size_t count) const { return shortest_[place * (most_ + 1) + count]; }
 
     // What the agent would meet on a straight line; none if that is too much or must stay.
     std::optional<std::vector<ObstacleId>> in_the_way(Point a, Point b) const {
@@ -131,6 +136,7 @@ class Shortcuts {
     std::size_t most_;
     std::vector<ObstacleId> protected_;
     std::vector<std::vector<Way>> ways_;  // by place and by number of obstacles crossed
+    std::vector<double> shortest_;        // likewise, in one row: with at most so many crossed
 };
 
 }  // namespace
