@@ -24,8 +24,10 @@ namespace waybreaker {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 1e-9;  // relative, and far more than our sums of doubles can be off
-constexpr int halvings = 2;        // of a piece from one round to the next
+constexpr double rounding = 1e-9;      // relative, and far more than our sums of doubles can be off
+constexpr int halvings = 2;            // of a piece from one round to the next
+constexpr std::size_t group_size = 8;  // pieces
+constexpr std::size_t none = SIZE_MAX;
 
 // A set of targets: bit i stands for target i.
 using Set = std::uint32_t;
@@ -110,7 +112,7 @@ class Round {
     }
 
   private:
-    // Pieces that were one in the round before; many can be passed over at once.
+    // A few pieces of one target that lie side by side; they can be passed over at once.
     struct Group {
         std::size_t target;
         std::size_t first;
@@ -125,7 +127,9 @@ class Round {
     void group(std::size_t targets) {
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             const Piece& piece = pieces_[i];
-            if (i == 0 || piece.whole != pieces_[i - 1].whole) groups_.push_back({piece.target, i, i, piece.box});
+            const bool begins =
+                i == 0 || piece.target != groups_.back().target || i - groups_.back().first == group_size;
+            if (begins) groups_.push_back({piece.target, i, i, piece.box});
             groups_.back().last = i + 1;
             groups_.back().box = united(groups_.back().box, piece.box);
         }
@@ -143,24 +147,31 @@ class Round {
         const Group& group = groups_[g];
         const Set others = all_ & ~set & ~only(group.target);
         const double latest = deadlines_ ? latest_arrival(*deadlines_, set, group.target) : infinity;
+        std::size_t next = none;
         for (std::size_t i = group.first; i < group.last; ++i) {
             const Piece& piece = pieces_[i];
             const double far = before ? before->bound_of(others, piece.whole) : gap(piece.box, far_end_);
             if (far + gap(piece.box, near_end_) > limit) continue;
             const double reach = std::min(limit - far, latest);
-            const double length = best_way(piece.box, set, reach).length;
-            if (length > reach) continue;
-            bound_of(set, i) = length;
-            group_bound_of(set, g) = std::min(group_bound_of(set, g), length);
+            const Way way = best_way(piece.box, set, reach, next);
+            if (way.length > reach) continue;
+            next = way.next;
+            bound_of(set, i) = way.length;
+            group_bound_of(set, g) = std::min(group_bound_of(set, g), way.length);
             useful_[i] = true;
         }
     }
 
     // The shortest way from a box through a set to the near end; some longer one if that is longer than `limit`.
-    Way best_way(const Box& from, Set set, double limit) const {
-        const std::size_t none = pieces_.size();
+    // `likely`: a piece in the set that is probably next; of ways equally long its own is taken.
+    Way best_way(const Box& from, Set set, double limit, std::size_t likely = none) const {
         if (set == 0) return {gap(from, near_end_), none};
         Way best{std::nextafter(limit, infinity), none};
+        if (likely != none) {
+            const double length =
+                gap(from, pieces_[likely].box) + bound_of(set & ~only(pieces_[likely].target), likely);
+            if (length < best.length) best = {length, likely};
+        }
         for (Set next = set; next != 0; next &= next - 1) {
             const std::size_t target = std::size_t(std::countr_zero(next));
             const Set rest = set & ~only(target);
