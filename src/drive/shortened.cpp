@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 
 #include "map/line_of_sight.hpp"
@@ -10,16 +11,19 @@
 namespace waybreaker {
 namespace {
 
-constexpr int farthest = 2;          // cells that a bend is moved at once
+// Cells that a bend is moved at once: farther where nearer ones gain nothing.
+constexpr int near = 2;
+constexpr int farthest = 3;
 constexpr double least_gain = 1e-9;  // in cells
 
-// The best place for a bend near to where it is, its neighbours staying where they are.
-Cell best_near(const LineOfSight& sight, const OpenedMap& map, Cell before, Cell bend, Cell after) {
+// The best place for a bend near to where it is, or exactly so many cells away, its neighbours staying where they are.
+Cell best_place(const LineOfSight& sight, const OpenedMap& map, Cell before, Cell bend, Cell after, int within) {
     const auto detour = [&](Cell c) { return distance(before, c) + distance(c, after); };
     Cell best = bend;
     double least = detour(bend) - least_gain;
-    for (int dy = -farthest; dy <= farthest; ++dy) {
-        for (int dx = -farthest; dx <= farthest; ++dx) {
+    for (int dy = -within; dy <= within; ++dy) {
+        for (int dx = -within; dx <= within; ++dx) {
+            if (within > near && std::max(std::abs(dx), std::abs(dy)) < within) continue;
             const Cell c{bend.x + dx, bend.y + dy};
             if (!map.map().grid().contains(c) || detour(c) >= least) continue;
             if (!sight.fits(c) || !sight.clear(before, c) || !sight.clear(c, after)) continue;
@@ -30,6 +34,26 @@ Cell best_near(const LineOfSight& sight, const OpenedMap& map, Cell before, Cell
     return best;
 }
 
+// One round over all bends; whether it changed any.
+bool shorten(const LineOfSight& sight, const OpenedMap& map, std::vector<Point>& path, int within) {
+    bool changed = false;
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+        const Cell before = cell_of(path[i - 1]);
+        const Cell bend = cell_of(path[i]);
+        const Cell after = cell_of(path[i + 1]);
+        if (within == near && sight.clear(before, after)) {
+            path.erase(path.begin() + std::ptrdiff_t(i--));
+            changed = true;
+            continue;
+        }
+        const Cell better = best_place(sight, map, before, bend, after, within);
+        if (better == bend) continue;
+        path[i] = Point(better);
+        changed = true;
+    }
+    return changed;
+}
+
 }  // namespace
 
 Cell cell_of(Point p) {
@@ -38,22 +62,9 @@ Cell cell_of(Point p) {
 
 std::vector<Point> shortened(const OpenedMap& map, const Body& body, std::vector<Point> path) {
     const LineOfSight sight(map, body);
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-            const Cell before = cell_of(path[i - 1]);
-            const Cell bend = cell_of(path[i]);
-            const Cell after = cell_of(path[i + 1]);
-            if (sight.clear(before, after)) {
-                path.erase(path.begin() + std::ptrdiff_t(i--));
-                changed = true;
-                continue;
-            }
-            const Cell better = best_near(sight, map, before, bend, after);
-            if (better == bend) continue;
-            path[i] = Point(better);
-            changed = true;
-        }
+    for (int within = near; within <= farthest;) {
+        const bool changed = shorten(sight, map, path, within);
+        within = changed ? near : within + 1;
     }
     return path;
 }

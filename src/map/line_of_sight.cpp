@@ -1,5 +1,6 @@
 #include "map/line_of_sight.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -64,6 +65,12 @@ LineOfSight::LineOfSight(const OpenedMap& map, const Body& body) : map_(&map), r
             model_ = Model::point_squeezing;
             break;
     }
+    if (model_ != Model::wide_disc) return;
+    row_count_ = 0;
+    for (int v = 0, row = 0; (row = waybreaker::disc_row(radius_, v)) >= 0; ++v) {
+        assert(row_count_ < rows_.size());
+        rows_[row_count_++] = std::int8_t(row);
+    }
 }
 
 bool LineOfSight::passes_corners(Cell from, Cell to) const {
@@ -92,11 +99,6 @@ int disc_row(std::int64_t thousandths, int v) {
         [&](std::uint64_t twice) { return (twice * twice + twice_v * twice_v) * unit * unit < 4 * radius * radius; });
 }
 
-int LineOfSight::disc_row(int v) const {
-    if (model_ != Model::wide_disc) return v == 0 ? 0 : -1;
-    return waybreaker::disc_row(radius_, v);
-}
-
 bool LineOfSight::wide_disc_fits(Cell at) const {
     const auto row_fits = [&](int v) {
         const int reach = disc_row(v);
@@ -105,7 +107,7 @@ bool LineOfSight::wide_disc_fits(Cell at) const {
         if (y < 0 || y >= map_->height() || at.x - reach < 0 || at.x + reach >= map_->width()) return false;
         return !any_bit(map_->row(y), unsigned(at.x - reach + 1), unsigned(at.x + reach + 1));
     };
-    for (int v = 0; disc_row(v) >= 0; ++v) {
+    for (int v = 0; v < int(row_count_); ++v) {
         if (!row_fits(v) || !row_fits(-v)) return false;
     }
     return true;

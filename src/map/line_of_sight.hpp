@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
@@ -26,7 +28,10 @@ class LineOfSight {
     bool fits(Cell at) const { return model_ == Model::wide_disc ? wide_disc_fits(at) : !map_->blocked(at); }
 
     // As the function; for points and unit discs it is the cell itself.
-    int disc_row(int v) const;
+    int disc_row(int v) const {
+        const auto row = std::size_t(std::abs(v));
+        return row < row_count_ ? rows_[row] : -1;
+    }
 
     // Whether it can move straight between two cells of the map. Precondition: it fits on both.
     bool clear(Cell from, Cell to) const {
@@ -79,7 +84,9 @@ class LineOfSight {
 
     const OpenedMap* map_;
     Model model_;
-    std::int64_t radius_;  // in thousandths of a cell
+    std::int64_t radius_;                 // in thousandths of a cell
+    std::array<std::int8_t, 34> rows_{};  // of the disc, from its middle on
+    std::size_t row_count_ = 1;
 };
 
 }  // namespace waybreaker

@@ -64,15 +64,11 @@ class Shortcuts {
 
     void extend(std::size_t from, std::size_t to) {
         const double step = distance(places_[from], places_[to]);
-        const auto gains = [&](std::size_t count, std::size_t more) {
-            return ways_[from][count].length + step < shortest(to, count + more) - slack;
-        };
+        const std::optional<std::size_t> most = most_crossed(from, to, step);
+        if (!most) return;
         std::vector<ObstacleId> crossed;
         if (from + 1 < to) {
-            bool promising = false;
-            for (std::size_t count = 0; count <= most_; ++count) promising = promising || gains(count, 0);
-            if (!promising) return;
-            std::optional<std::vector<ObstacleId>> met = in_the_way(places_[from], places_[to]);
+            std::optional<std::vector<ObstacleId>> met = in_the_way(places_[from], places_[to], *most);
             if (!met) return;
             crossed = std::move(*met);
         }
@@ -80,10 +76,24 @@ class Shortcuts {
         for (const ObstacleId id : crossed) weight += task_.map.obstacle(id).weight;
         for (std::size_t count = 0; count + crossed.size() <= most_; ++count) {
             const Way& way = ways_[from][count];
-            if (!gains(count, crossed.size()) || way.weight + weight > task_.rules.budget) continue;
+            if (!gains(way.length + step, to, count + crossed.size())) continue;
+            if (way.weight + weight > task_.rules.budget) continue;
             keep(to, count + crossed.size(), {way.length + step, way.weight + weight, from, count, crossed});
         }
     }
+
+    // How many obstacles there may be on a step at most that is to gain anything; none if nothing is gained without
+    // any.
+    std::optional<std::size_t> most_crossed(std::size_t from, std::size_t to, double step) const {
+        std::size_t gaining = 0;  // numbers, from none upwards
+        for (std::size_t count = 0; count <= most_; ++count) {
+            while (count + gaining <= most_ && gains(ways_[from][count].length + step, to, count + gaining)) ++gaining;
+        }
+        if (gaining == 0) return std::nullopt;
+        return gaining - 1;
+    }
+
+    bool gains(double length, std::size_t to, std::size_t count) const { return length < shortest(to, count) - slack; }
 
     void keep(std::size_t place, std::size_t count, Way way) {
         for (std::size_t most = count; most <= most_; ++most) {
@@ -96,8 +106,8 @@ class Shortcuts {
     // The length of the shortest way found to a place with at most so many obstacles crossed.
     double shortest(std::size_t place, std::size_t count) const { return shortest_[place * (most_ + 1) + count]; }
 
-    // What the agent would meet on a straight line; none if that is too much or must stay.
-    std::optional<std::vector<ObstacleId>> in_the_way(Point a, Point b) const {
+    // What the agent would meet on a straight line; none if that is more than `most`, or must stay.
+    std::optional<std::vector<ObstacleId>> in_the_way(Point a, Point b, std::size_t most) const {
         std::vector<ObstacleId> met;
         const int steps = int(distance(a, b)) + 1;
         const double reach = 0.5 + task_.driver.body.reach() - slack;
@@ -109,7 +119,7 @@ class Shortcuts {
                     if (!task_.map.grid().contains(c)) return std::nullopt;
                     const ObstacleId id = task_.map.obstacle_at(c);
                     if (std::ranges::find(met, id) != met.end()) continue;
-                    if (met.size() == most_ || !removable(id)) return std::nullopt;
+                    if (met.size() == most || !removable(id)) return std::nullopt;
                     met.push_back(id);
                 }
             }

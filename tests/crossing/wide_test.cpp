@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ascii_map.hpp"
+#include "crossing/step_bound.hpp"
 #include "crossing_case.hpp"
 
 namespace waybreaker {
@@ -122,6 +123,11 @@ RC_GTEST_PROP(WideCrossing, IsLegalForTheDiscAndTheRelaxedIsALimit, ()) {
     const double limit = searcher.find(problem.map, problem.start, problem.goal, problem.options()).lower_bound;
     RC_LOG() << problem << "found " << found.best.length << ", disc " << disc << ", limit " << limit << '\n';
     RC_ASSERT(limit <= disc * (1 + 1e-9));
+    if (problem.body.radius >= 0.36 && problem.body.radius <= 0.5) {
+        const StepBound steps = least_by_steps(problem.map, problem.start, problem.goal, problem.options());
+        RC_LOG() << "by steps " << steps.least << '\n';
+        RC_ASSERT(steps.least <= disc * (1 + 1e-9));
+    }
     if (problem.body.radius <= 0.5) RC_ASSERT((found.status == SearchStatus::found) == std::isfinite(disc));
     if (found.status != SearchStatus::found) return;
     RC_ASSERT(found.best.length >= disc * (1 - 1e-9));
