@@ -33,6 +33,12 @@ inline double gap(Vertex v, const Border& border) {
         {std::max({border.min.x - v.x, v.x - border.max.x, 0}), std::max({border.min.y - v.y, v.y - border.max.y, 0})});
 }
 
+// From a vertex to all places where an agent touches the cells of a box.
+inline double gap(Vertex v, const Box& box) {
+    return length({std::max({2 * box.min.x - 2 - v.x, v.x - 2 * box.max.x - 2, 0}),
+                   std::max({2 * box.min.y - 2 - v.y, v.y - 2 * box.max.y - 2, 0})});
+}
+
 class Borders {
   public:
     void start_query(const Regions& regions, int reach);

@@ -103,6 +103,7 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
                    .range = limit_ - label.cost - paid(label.set) - (options_->adds_both ? done_after_[label.set] : 0)};
     // Where it comes from does not matter after a wait.
     if (label.parent != no_label && label.gate == 0) from.arriving = label.at - labels_[label.parent].at;
+    if (waits_ && least_with_more(label.set, limit_) > limit_) from.crossings = 0;
     for (const ObstacleId obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
     if (label.fronts_begin != 0) {
         from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
@@ -111,7 +112,7 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
     const std::span<const Reached> all = fan_.look(from, alternatives);
     if (interrupt_.cause() != Interrupt::Cause::none) return;
     for (const Reached& reached : all) push(index, reached);
-    if (waits_) push_gates(index);
+    if (waits_ && from.crossings > 0) push_gates(index);
 }
 
 std::optional<CrossingSearcher::Search::Outcome> CrossingSearcher::Search::interrupted() {
@@ -133,6 +134,7 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
     capacity_ = options_->crossings + int(removed_.size());
     weight_capacity_ = options_->budget;
     for (const ObstacleId obstacle : removed_) weight_capacity_ += fan_.ray().weight(obstacle);
+    if (waits_) list_openable();
     Label start;
     start.at = start_;
     start.set = add_set(removed_);
@@ -146,6 +148,7 @@ CrossingSearcher::Search::Outcome CrossingSearcher::Search::search_ellipse() {
         std::pop_heap(open_.begin(), open_.end(), [this](auto a, auto b) { return earlier(b, a); });
         open_.pop_back();
         if (labels_[index].dominated) continue;
+        if (waits_ && !settle(index)) continue;
         ++result_.expanded;
         // What a wait costs is a lower limit, and may come out below what was proven before.
         if (waits_) proven_ = std::max(proven_, labels_[index].estimate);
@@ -289,11 +292,15 @@ void CrossingSearcher::Search::start_parts() {
     Convex* const convex = by_count_ && options_->prices.empty() ? &convex_ : nullptr;
     convex_.start_query(*regions_, reach_of(*options_));
     fan_.start_query(*regions_, goal_, *options_, pinched, convex, interrupt_);
-    detours_ = false;
-    if (options_->crossings == 0) return;
     // Who waits may be half a cell from the place that stands for it.
     const double longest = 2 * options_->length_limit + (waits_ ? 2 * early_ : 0);
-    rest_.start_query(*regions_, start_, goal_, longest, *options_, pinched, interrupt_);
+    const auto start_rest = [&](Rest& rest, Rest::Passes passes) {
+        rest.start_query(*regions_, start_, goal_, longest, *options_, passes, pinched, interrupt_);
+    };
+    if (waits_) start_rest(without_more_, Rest::Passes::open);
+    detours_ = false;
+    if (options_->crossings == 0) return;
+    start_rest(rest_, Rest::Passes::destructible);
     detours_ = rest_.detours(start_);
     rest_of_.clear();
 }

@@ -49,12 +49,7 @@ double Dominance::gain(const Label& better, const Label& worse) const {
 bool Dominance::lost(ObstacleId obstacle, const Label& label) const {
     if (convex.left(obstacle, label.at)) return true;
     const Box box = regions.bounds(obstacle);
-    const auto gap = [&box](Vertex v) {
-        const int dx = std::max({2 * box.min.x - 2 - v.x, v.x - 2 * box.max.x - 2, 0});
-        const int dy = std::max({2 * box.min.y - 2 - v.y, v.y - 2 * box.max.y - 2, 0});
-        return length({dx, dy});
-    };
-    return label.cost + gap(label.at) + gap(goal) > limit;
+    return label.cost + gap(label.at, box) + gap(goal, box) > limit;
 }
 
 }  // namespace waybreaker::crossing

@@ -1,6 +1,7 @@
 #include "crossing/gates.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -32,29 +33,72 @@ void GateGroup::open_up(const std::function<bool(Vertex)>& stands) {
     for (const Vertex v : border_->points) {
         const double arrival = terms_.arrival + length(v - terms_.from);
         const bool free = stands(v);
-        left_.push_back(std::uint32_t(points_.size()));
         points_.push_back({.arrival = arrival, .rest = 0, .stands = free, .done = !is_gate(arrival) || !free});
     }
 }
 
-bool GateGroup::find_best(Vertex goal, const std::function<bool(Vertex)>& stands,
-                          const std::function<double(Vertex)>& rest) {
-    if (points_.empty()) open_up(stands);
-    while (true) {
-        best_gate_.estimate = infinity;
-        std::erase_if(left_, [&](std::uint32_t i) { return points_[i].done; });
-        for (const std::uint32_t i : left_) {
-            const double cost = cost_of(points_[i]);
-            const double estimate = cost + std::max(points_[i].rest, length(goal - border_->points[i]));
-            if (estimate >= best_gate_.estimate) continue;
-            best_ = i;
-            best_gate_ = {border_->points[i], cost, estimate};
-        }
-        if (best_gate_.estimate == infinity) return false;
-        if (points_[best_].rest_known) return true;
-        points_[best_].rest_known = true;
-        points_[best_].rest = rest(best_gate_.at);
+void GateGroup::queue_all(Vertex goal) {
+    queue_.clear();
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+        if (!points_[i].done) queue_.push_back({estimate_of(i, goal), i});
     }
+    std::ranges::make_heap(queue_, std::greater{});
+    queued_ = true;
+}
+
+double GateGroup::estimate_of(std::uint32_t point, Vertex goal) const {
+    return cost_of(points_[point]) + std::max(points_[point].rest, length(goal - border_->points[point]));
+}
+
+bool GateGroup::find_best(Vertex goal, const std::function<bool(Vertex)>& stands,
+                          const std::function<double(Vertex, double)>& rest) {
+    if (points_.empty()) open_up(stands);
+    if (!queued_) queue_all(goal);
+    while (!queue_.empty()) {
+        const auto [least, at] = queue_.front();
+        Point& point = points_[at];
+        const double estimate = point.done ? least : estimate_of(at, goal);
+        if (point.done || estimate > least) {
+            std::ranges::pop_heap(queue_, std::greater{});
+            queue_.pop_back();
+            if (point.done) continue;
+            queue_.push_back({estimate, at});
+            std::ranges::push_heap(queue_, std::greater{});
+            continue;
+        }
+        if (estimate == infinity) return false;
+        best_ = at;
+        best_gate_ = {border_->points[at], cost_of(point), estimate};
+        if (point.rest_known) return true;
+        point.rest_known = true;
+        point.rest = rest(best_gate_.at, best_gate_.cost);
+        learn_rest(at, goal);
+    }
+    return false;
+}
+
+// From its neighbours the goal is as far, but for the way to them. Where no way is short enough, that says nothing of
+// them: who comes to them earlier may take a longer one.
+void GateGroup::learn_rest(std::uint32_t point, Vertex goal) {
+    if (points_[point].rest == infinity) return;
+    std::vector<std::uint32_t> queue{point};
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+        const double least = points_[queue[i]].rest - spacing;
+        for (const std::uint32_t next : border_->neighbours[queue[i]]) {
+            if (next == no_neighbour || least <= std::max(points_[next].rest, length(goal - border_->points[next])))
+                continue;
+            points_[next].rest = least;
+            queue.push_back(next);
+        }
+    }
+}
+
+void GateGroup::forget_rests() {
+    for (Point& point : points_) {
+        point.rest = 0;
+        point.rest_known = false;
+    }
+    queued_ = false;
 }
 
 double GateGroup::past(Vertex v, const std::function<bool(Vertex)>& stands,

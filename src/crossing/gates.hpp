@@ -5,6 +5,7 @@
 // way to a point is, is found out when it is its turn.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -43,8 +44,11 @@ class GateGroup {
         double estimate = 0;
     };
     // Turns to the gate with the least estimate of those left; false if none is. `stands`: whether the agent can be
-    // somewhere; `rest`: how far it is from there to the goal at least.
-    bool find_best(Vertex goal, const std::function<bool(Vertex)>& stands, const std::function<double(Vertex)>& rest);
+    // somewhere; `rest`: how far it is from there, when it costs so much to be there, to the goal at least.
+    bool find_best(Vertex goal, const std::function<bool(Vertex)>& stands,
+                   const std::function<double(Vertex, double)>& rest);
+    // From now on `rest` may say less.
+    void forget_rests();
     // Of the best: whether the way to it is known, not only a lower limit.
     const Gate& best() const { return best_gate_; }
     bool proven() const { return points_[best_].proven; }
@@ -65,17 +69,27 @@ class GateGroup {
         bool stands = false;
         bool done = false;
     };
+    // A gate that may be the best, by what it cost at least when it was put there.
+    struct Candidate {
+        double estimate;
+        std::uint32_t point;
+        friend auto operator<=>(const Candidate&, const Candidate&) = default;
+    };
     bool is_gate(double arrival) const;
     double cost_of(const Point& point) const;
+    double estimate_of(std::uint32_t point, Vertex goal) const;
     void open_up(const std::function<bool(Vertex)>& stands);
+    void queue_all(Vertex goal);
+    void learn_rest(std::uint32_t point, Vertex goal);
     void prove(std::uint32_t point, double arrival);
     void learn(std::uint32_t point, double arrival);
     void prove_around(std::uint32_t point, double arrival);
 
     Terms terms_;
     const Border* border_ = nullptr;
-    std::vector<Point> points_;        // as the border's; empty until the first is asked for
-    std::vector<std::uint32_t> left_;  // those not done when last looked at, in their order
+    std::vector<Point> points_;     // as the border's; empty until the first is asked for
+    std::vector<Candidate> queue_;  // heap, the least first; may hold points that are done
+    bool queued_ = false;
     std::uint32_t best_ = 0;
     Gate best_gate_;
 };

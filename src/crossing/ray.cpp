@@ -255,10 +255,7 @@ void Ray::stop(double at) {
 bool Ray::solid(RegionId region) const {
     bool solid = false;
     regions_->for_each_member(region, [&](ObstacleId obstacle) {
-        const ObstacleMark& mark = obstacle_marks_[obstacle.value];
-        if (mark.open == opening_) return;
-        solid = solid || !regions_->destructible(obstacle) || mark.protect == query_ ||
-                (allows_some_ && mark.allow != query_);
+        solid = solid || (obstacle_marks_[obstacle.value].open != opening_ && stays(obstacle));
     });
     return solid;
 }

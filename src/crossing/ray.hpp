@@ -63,6 +63,11 @@ class Ray {
     }
     // Never passed.
     bool solid(RegionId region) const;
+    // Never removed, unless it is open.
+    bool stays(ObstacleId obstacle) const {
+        const ObstacleMark& mark = obstacle_marks_[obstacle.value];
+        return !regions_->destructible(obstacle) || mark.protect == query_ || (allows_some_ && mark.allow != query_);
+    }
     // Of an obstacle against the budget; 0 where it is not limited.
     double weight(ObstacleId obstacle) const { return weighs_ ? regions_->weight(obstacle) : 0; }
     // Whether nothing of a region stands that is not in the list.

@@ -5,29 +5,35 @@
 namespace waybreaker::crossing {
 
 void Rest::start_query(const Regions& regions, Vertex start, Vertex goal, double longest,
-                       const CrossingOptions& options, bool pinched, Interrupt& interrupt) {
+                       const CrossingOptions& options, Passes passes, bool pinched, Interrupt& interrupt) {
     start_ = start;
     goal_ = goal;
     longest_ = longest * (1 + rounding);
-    removed_ = options.removed;
     interrupt_ = &interrupt;
     CrossingOptions all_open;
     all_open.body = options.body;
     all_open.relaxed = options.relaxed;
     fan_.start_query(regions, goal, all_open, pinched, nullptr, interrupt);
-    fan_.ray().pass_destructible();
-    known_.clear();
-    note(goal, {0, true});
+    if (passes == Passes::destructible) fan_.ray().pass_destructible();
+    known_with_.clear();
+    expanded_ = 0;
+    open(options.removed);
+}
+
+void Rest::open(std::span<const ObstacleId> obstacles) {
+    open_obstacles_.assign(obstacles.begin(), obstacles.end());
+    known_ = &known_with_[open_obstacles_];
+    note(goal_, {0, true});
 }
 
 double Rest::from(Vertex v, double at_most) {
     if (const Known rest = known(v); rest.exact) return rest.least;
     const double matters = longest_ - length(v - start_);
     range_ = std::min(matters, at_most * (1 + rounding));
-    double rest = search(v);
+    double rest = search(v, SIZE_MAX);
     if (rest == infinity && range_ < matters) {  // rounded off
         range_ = matters;
-        rest = search(v);
+        rest = search(v, SIZE_MAX);
     }
     if (interrupt_->cause() != Interrupt::Cause::none) return length(goal_ - v);
     rest *= 1 - rounding;
@@ -39,22 +45,35 @@ double Rest::from(Vertex v, double at_most) {
     return rest;
 }
 
+double Rest::within(Vertex v, double range) {
+    const Known before = known(v);
+    if (before.exact || before.least > range) return before.least;
+    range_ = range * (1 + rounding);
+    const double found = search(v, most_expanded);
+    if (interrupt_->cause() != Interrupt::Cause::none) return before.least;
+    Known rest{found * (1 - rounding), true};
+    if (found == infinity) rest = {open_.empty() ? range_ : labels_[open_.front()].estimate * (1 - rounding)};
+    for (const Label& label : labels_) note(label.at, {rest.least - label.cost});
+    note(v, rest);
+    return rest.least;
+}
+
 Rest::Known Rest::known(Vertex v) const {
-    const auto found = known_.find(key(v));
-    return found == known_.end() ? Known{length(goal_ - v)} : found->second;
+    const auto found = known_->find(key(v));
+    return found == known_->end() ? Known{length(goal_ - v)} : found->second;
 }
 
 void Rest::note(Vertex v, Known rest) {
-    Known& known = known_.try_emplace(key(v), Known{length(goal_ - v)}).first->second;
+    Known& known = known_->try_emplace(key(v), Known{length(goal_ - v)}).first->second;
     if (!known.exact && (rest.exact || rest.least > known.least)) known = rest;
 }
 
-// A* that ends where the rest is known.
-double Rest::search(Vertex v) {
+// A* that ends where the rest is known, or once it has taken so many labels.
+double Rest::search(Vertex v, std::size_t patience) {
     labels_.assign(1, {.at = v, .estimate = known(v).least});
     open_.assign(1, 0);
     reached_.clear();
-    while (!open_.empty()) {
+    while (!open_.empty() && patience-- > 0) {
         const std::uint32_t index = open_.front();
         std::ranges::pop_heap(open_, [this](auto a, auto b) { return later(a, b); });
         open_.pop_back();
@@ -72,8 +91,9 @@ double Rest::search(Vertex v) {
 }
 
 void Rest::expand(std::uint32_t index) {
+    ++expanded_;
     const Label label = labels_[index];
-    Viewpoint from{.at = label.at, .arriving = std::nullopt, .ahead = std::nullopt, .open = removed_};
+    Viewpoint from{.at = label.at, .arriving = std::nullopt, .ahead = std::nullopt, .open = open_obstacles_};
     from.range = range_ - label.cost;
     if (index != 0) from.arriving = label.at - labels_[label.parent].at;
     for (const Reached& reached : fan_.look(from, false)) push(index, reached.at);

@@ -73,11 +73,18 @@ class CrossingSearcher::Search {
     std::uint32_t push_group(crossing::GateGroup::Terms terms, const std::vector<ObstacleId>& set);
     double rest_of(const crossing::Border& border, crossing::RegionId region);
     void expand_group(std::uint32_t index);
-    void push_gate(std::uint32_t number, std::uint32_t set);
+    void push_gate(std::uint32_t of);
     double arrival_at_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
     double way_to_gate(const crossing::GateGroup::Terms& terms, crossing::Vertex gate);
     std::uint32_t since_of(std::uint32_t label) const;
     std::uint32_t since_all_open(std::uint32_t label, std::span<const ObstacleId> sorted) const;
+
+    // more.cpp
+    void list_openable();
+    double least_with_more(std::uint32_t set, double than);
+    double least_with(std::span<const ObstacleId> sorted, double rest) const;
+    double rest_without_more(crossing::Vertex v, double cost, std::uint32_t set, double most);
+    bool settle(std::uint32_t index);
 
     const Map* map_ = nullptr;
     const CrossingOptions* options_ = nullptr;
@@ -113,6 +120,14 @@ class CrossingSearcher::Search {
     // Of paths in time.
     std::vector<double> done_after_;  // by set, half cells
     double early_ = 0;                // at a gate, half cells
+    // What can be crossed, and how far it is from there to the goal at least, half cells.
+    struct Openable {
+        ObstacleId obstacle;
+        double rest;
+    };
+    std::vector<Openable> openable_;
+    std::vector<double> least_with_more_;  // by set; below 0: not known yet
+    crossing::Rest without_more_;          // the rest where nothing else is crossed
     crossing::Borders borders_;
     crossing::Ways ways_;
     std::unordered_map<std::uint32_t, double> rest_of_;  // borders, by region

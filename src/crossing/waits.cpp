@@ -21,6 +21,9 @@ double CrossingSearcher::Search::opened_after(std::span<const ObstacleId> sorted
 }
 
 std::uint32_t CrossingSearcher::Search::add_set(std::span<const ObstacleId> sorted) {
+    const std::uint32_t known = sets_.size();
+    const std::uint32_t set = sets_.find_or_add(sorted);
+    if (set < known) return set;
     if (options_->done_after) {
         const double cells = options_->done_after(ids_of(sorted));
         if (!(cells >= 0)) throw InputError("done_after must say a number, at least 0");
@@ -31,7 +34,7 @@ std::uint32_t CrossingSearcher::Search::add_set(std::span<const ObstacleId> sort
         for (const ObstacleId id : ids_of(sorted)) paid += 2 * options_->prices[id.value];
         paid_.push_back(paid);
     }
-    return sets_.add(sorted);
+    return set;
 }
 
 double CrossingSearcher::Search::estimate(const Label& label) {
@@ -155,8 +158,20 @@ void CrossingSearcher::Search::expand_group(std::uint32_t index) {
     const std::uint32_t set = labels_[index].set;
     GateGroup& group = groups_[labels_[index].group];
     const auto stands = [&](Vertex v) { return borders_.stands(v, sets_[set]); };
-    while (group.find_best(goal_, stands, [this](Vertex v) { return rest(v); })) {
-        const double estimate = with_flight(group.best().estimate, set);
+    // First as if nothing else were crossed; then what a path costs at least that crosses more.
+    const double more = least_with_more(set, labels_[index].estimate);
+    if (more <= labels_[index].estimate) labels_[index].settled = true;
+    const auto rest_from = [&](Vertex v, double cost) {
+        return labels_[index].settled ? rest(v) : rest_without_more(v, cost, set, std::min(more, limit_));
+    };
+    while (group.find_best(goal_, stands, rest_from)) {
+        double estimate = with_flight(group.best().estimate, set);
+        if (!labels_[index].settled && estimate > more) {
+            labels_[index].settled = true;
+            group.forget_rests();
+            continue;
+        }
+        if (labels_[index].settled) estimate = std::max(estimate, more);
         if (estimate > limit_) return;
         if (estimate > labels_[index].estimate) {
             labels_[index].estimate = estimate;
@@ -166,7 +181,7 @@ void CrossingSearcher::Search::expand_group(std::uint32_t index) {
         if (group.proven()) {
             group.take();
             insert(index);
-            push_gate(labels_[index].group, set);
+            push_gate(index);
             return;
         }
         group.prove(arrival_at_gate(group.terms(), group.best().at));
@@ -177,16 +192,17 @@ void CrossingSearcher::Search::expand_group(std::uint32_t index) {
     }
 }
 
-void CrossingSearcher::Search::push_gate(std::uint32_t number, std::uint32_t set) {
+void CrossingSearcher::Search::push_gate(std::uint32_t of) {
+    const std::uint32_t number = labels_[of].group;
     const GateGroup& group = groups_[number];
     Label label;
     label.at = group.best().at;
     label.parent = group.terms().since;
     label.since = group.terms().since;
     label.gate = number;
-    label.set = set;
+    label.set = labels_[of].set;
     label.cost = group.best().cost;
-    label.estimate = estimate(label);
+    label.estimate = std::max(estimate(label), labels_[of].estimate);
     add(label);
 }
 
