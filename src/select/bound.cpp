@@ -102,10 +102,10 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     if (task.worth(reached) <= proven) return {proven};
     CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
     options.limits.expansions = std::min(options.limits.expansions, expansions);
+    options.expected = dearest_path(task, proven, opening_times);
     const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, most_expanded_in_time);
-        options.expected = dearest_path(task, proven, opening_times);
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
         const bool cut = found.status == SearchStatus::limit_reached;
         const bool own_patience = cut && found.expanded >= most_expanded_in_time;

@@ -16,6 +16,7 @@ struct Bound {
     double objective = 0;                  // no plan is below it, whatever the agent's radius
     std::vector<ObstacleId> removed = {};  // of the best way that the proof has found: worth a try
     bool limited = false;                  // a limit ended the proof
+    bool by_steps = false;                 // it is no lower than what steps prove
 };
 
 // Of a point, the air agent on its shortest way. `reached`: the objective of a plan; the bound is never above. A proof

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "select/by_steps.hpp"
 #include "select/exact_selection.hpp"
 
 namespace waybreaker {
@@ -12,6 +13,8 @@ namespace {
 // Expansions: where little time is given, a proof that takes more begins anew once a weighted search has found a good
 // plan.
 constexpr std::uint64_t easy_expansions = 250;
+// Expansions: a proof that takes more is left to steps from cell to cell first.
+constexpr std::uint64_t hard_expansions = 5'000;
 // Of the time that is left when selecting begins; the rest is for sets that are likely to be good, if the proof is not
 // done by then.
 constexpr double share_of_proof = 0.8;
@@ -35,7 +38,7 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     Begun begun = begin(task, start, cost(task, start), 0, soon, 1, at_once);
     auto [first, is_best] =
         ExactSelection(task, searchers_, start, begun.reached, begun.bound, soon, at_once).run_first();
-    std::ranges::move(begun.weighted.candidates, std::back_inserter(first.candidates));
+    std::ranges::move(begun.likely.candidates, std::back_inserter(first.candidates));
     if (is_best) return std::move(first);
     const bool cut = begun.bound.limited || soon.passed();
     const double reached = cost(task, best_of(task, start, first.candidates));
@@ -52,7 +55,7 @@ Selected ExactSelector::select(const Task& task, const Candidate& start, double 
     if (begun.reached < cost(task, start)) selection.take_as_good();
     Selected selected = std::move(selection).run();
     selected.limited = selected.limited || begun.bound.limited;
-    std::ranges::copy(begun.weighted.candidates, std::back_inserter(selected.candidates));
+    std::ranges::copy(begun.likely.candidates, std::back_inserter(selected.candidates));
     return selected;
 }
 
@@ -66,17 +69,21 @@ ExactSelector::Begun ExactSelector::begin(const Task& task, const Candidate& sta
         begun.bound.objective = std::max(begun.bound.objective, proven);
         task.report(begun.reached, begun.bound.objective);
     };
-    if (!in_haste(task) || task.spare_removals() == 0 || opening_times.matter()) {
+    const bool in_steps = has_time_for_steps(task, opening_times);
+    const bool hastes = in_haste(task) && task.spare_removals() > 0 && !opening_times.matter();
+    if (!in_steps && !hastes) {
         prove(UINT64_MAX);
         return begun;
     }
-    prove(easy_expansions);
+    prove(hastes ? easy_expansions : hard_expansions);
     if (!begun.bound.limited || deadline.passed()) return begun;
     const Deadline soon = deadline.share(share_of_weighted);
-    begun.weighted = ExactSelection(task, searchers_, start, reached, begun.bound, soon, opening_times).run_weighted();
-    begun.reached = std::min(reached, cost(task, best_of(task, start, begun.weighted.candidates)));
-    proven = begun.bound.objective;
+    ExactSelection likely(task, searchers_, start, reached, begun.bound, soon, opening_times);
+    begun.likely = hastes ? std::move(likely).run_weighted() : std::move(likely).run_by_steps();
+    begun.reached = std::min(reached, cost(task, best_of(task, start, begun.likely.candidates)));
+    proven = std::max(begun.bound.objective, begun.likely.bound.value_or(0));
     prove(UINT64_MAX);
+    begun.bound.by_steps = !hastes;
     return begun;
 }
 

@@ -18,11 +18,11 @@ class ExactSelector : public Selector {
     Selected select(const Task& task, const Candidate& start) override;
 
   private:
-    // What is known before sets are tried: a bound, what a weighted search has found where there is little time, and
-    // what the best plan reaches.
+    // What is known before sets are tried: a bound, what a quick search has found where there is little time or the
+    // proof is long, and what the best plan reaches.
     struct Begun {
         Bound bound = {};
-        Selected weighted = {};
+        Selected likely = {};
         double reached;
     };
     // `share_of_bound`: of the time that is left.

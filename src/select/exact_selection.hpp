@@ -45,6 +45,9 @@ class ExactSelection {
     };
     Tried run_first() &&;
 
+    // What steps from cell to cell tell: a bound, and a good plan.
+    Selected run_by_steps() &&;
+
     // What a weighted search finds: a good plan, soon.
     Selected run_weighted() &&;
 
@@ -64,6 +67,7 @@ class ExactSelection {
     // What is likely to be good.
     void try_within(std::span<const ObstacleId> likely);
     void try_weighted(double seconds);
+    void try_by_steps();
     void try_most_hit();
     void try_what_is_likely();
     // In time: as if nobody waited but each removal cost what its breach does.
@@ -110,6 +114,7 @@ class ExactSelection {
     double proven_;         // no plan costs less
     Selected selected_;
     bool improves_paths_ = true;  // for their timetables
+    bool tries_most_hit_ = true;
 };
 
 }  // namespace waybreaker

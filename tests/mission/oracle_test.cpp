@@ -22,12 +22,29 @@ struct World {
     Mission mission;
 };
 
+constexpr std::uint32_t river = 4;
+
+// Across the map, and bridged in a few places.
+void add_river(std::vector<std::uint32_t>& labels, int width, int height) {
+    const bool down = *rc::gen::arbitrary<bool>();
+    const int at = *number(0, (down ? width : height) - 1);
+    const int length = down ? height : width;
+    const auto bridges = *rc::gen::container<std::vector<int>>(std::size_t(*number(0, 2)), number(0, length - 1));
+    for (int i = 0; i < length; ++i) {
+        if (std::ranges::find(bridges, i) != bridges.end()) continue;
+        labels[std::size_t(down ? i * width + at : at * width + i)] = river;
+    }
+}
+
 World any_world() {
     const int width = *number(2, 8);
     const int height = *number(2, 6);
-    const auto labels = *rc::gen::container<std::vector<std::uint32_t>>(
+    auto labels = *rc::gen::container<std::vector<std::uint32_t>>(
         std::size_t(width * height), rc::gen::weightedElement<std::uint32_t>({{5, 0}, {2, 1}, {1, 2}, {1, 3}}));
-    Map map = Map::from_labels(width, height, labels);
+    if (*number(0, 2) == 0) add_river(labels, width, height);
+    std::vector<ObstacleAttributes> attributes(river + 1);
+    attributes[river].destructible = false;
+    Map map = Map::from_labels(width, height, labels, attributes);
     std::vector<Cell> free;
     for (Cell c; c.y < height; ++c.y) {
         for (c.x = 0; c.x < width; ++c.x) {
@@ -67,6 +84,9 @@ std::string picture(const World& world) {
     for (Cell c; c.y < world.map.height(); ++c.y) {
         for (c.x = 0; c.x < world.map.width(); ++c.x) text << ".abcdef"[world.map.obstacle_at(c).value];
         text << '\n';
+    }
+    for (const Obstacle& o : world.map.obstacles()) {
+        if (!o.destructible) text << ".abcdef"[o.id.value] << " stays\n";
     }
     for (const Agent& agent : world.mission.agents) {
         text << agent.id << ' ' << agent.start.x << ',' << agent.start.y << " to " << agent.goal.x << ','
