@@ -85,11 +85,11 @@ class SafeIntervalSearcher {
     SafeIntervalSearcher& operator=(SafeIntervalSearcher&&) noexcept;
 
     // An early way from start to goal that meets nobody: the known one, stopping only for what opens late, if it is
-    // free; else the best of a search near it, else, on maps of up to four million cells, of one over the whole map;
-    // that one is left out where there is `arrive_before`. So `no_path` means that no way was found, not that there is
-    // none. The same query has the same answer, time limits aside. Throws InputError if options are out of range.
-    // Memory: about 24 bytes a cell that is searched, and 128 MB of distances kept for later queries. Not for use by
-    // two threads at once.
+    // free; else the best of a search near it. On maps of up to four million cells, where that is more than ten cells
+    // later than the known one would be, or none is found, the best of a search over all that can be reached in time.
+    // So `no_path` means that no way was found, not that there is none. The same query has the same answer, time limits
+    // aside. Throws InputError if options are out of range. Memory: about 24 bytes a cell that is searched, and 128 MB
+    // of distances kept for later queries. Not for use by two threads at once.
     SafeIntervalResult find(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goal,
                             const SafeIntervalOptions& options = {});
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "safe_interval/distances.hpp"
@@ -12,23 +13,21 @@ namespace waybreaker::safe_interval {
 
 class DistanceMemory {
   public:
-    // As the constructor of Distances. What is returned stays until the next call.
-    const Distances& get(const OpenedMap& map, const LineOfSight& sight, const Body& body, Cell goal,
-                         std::span<const Cell> way, const Deadline& deadline);
+    // As the constructor of Distances. What is returned stays until the next call, and so do the steps.
+    const Distances& get(const OpenedMap& map, const LineOfSight& sight, const Body& body, std::span<const Cell> way,
+                         Region region, const Deadline& deadline);
+    // Of the map last asked for.
+    OpenSteps& open_steps(const Body& body);
 
   private:
-    struct Key {
-        Cell goal;
-        double radius;
-        Corners corners;
-        std::vector<Cell> way;
-        friend bool operator<(const Key& a, const Key& b) {
-            return std::tie(a.goal, a.radius, a.corners, a.way) < std::tie(b.goal, b.radius, b.corners, b.way);
-        }
-    };
+    using BodyKey = std::pair<double, Corners>;
+    using Key = std::tuple<BodyKey, Region, std::vector<Cell>>;
 
     std::shared_ptr<const void> map_;
     std::vector<ObstacleId> removed_;
+    int width_ = 0;
+    int height_ = 0;
+    std::map<BodyKey, OpenSteps> open_steps_;
     std::map<Key, Distances> known_;
     std::size_t bytes_ = 0;
 };

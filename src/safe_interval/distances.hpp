@@ -1,7 +1,7 @@
 // Distances to the goal for an agent that is alone: the heuristic, and the way on when nobody is in the way.
 #pragma once
 
-#include <array>
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -9,25 +9,32 @@
 
 #include "core/stopwatch.hpp"
 #include "map/line_of_sight.hpp"
+#include "safe_interval/open_steps.hpp"
 
 namespace waybreaker::safe_interval {
 
-// To the eight neighbours of a cell.
-inline constexpr std::array<Cell, 8> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+// Where distances are asked for: next to a way, or wherever ways between its ends go that are up to so many cells long.
+struct Region {
+    double longest = 0;
+    friend auto operator<=>(const Region&, const Region&) = default;
+};
+inline constexpr Region near_the_way{0};
+inline constexpr Region everywhere{std::numeric_limits<double>::infinity()};
 
 // Any-angle distances from every cell of a region, by Lazy Theta* from the goal without a heuristic (Nash, Koenig,
-// Tovey 2010). A length is that of a real way, so it is never too small, and may be a little too large.
+// Tovey 2010); but a cell looks at all its neighbours when it is settled, and those of a known way follow it unless
+// they find a shorter one. A length is that of a real way, so it is never too small, and may be a little too large.
 //
-// The region is made of tiles: those of the whole map, or only those near a way.
+// The region is made of tiles.
 class Distances {
   public:
     static constexpr float unknown = std::numeric_limits<float>::infinity();
 
-    // Of all cells from which the goal can be reached; or, if there is a way, of those in tiles that lie next to one on
-    // the way. Time O(n log n) in the cells of the region, and one line of sight for each; not complete if the deadline
-    // passes.
-    Distances(const OpenedMap& map, const LineOfSight& sight, Cell goal, std::span<const Cell> way,
-              const Deadline& deadline);
+    // To the end of a legal way, perhaps of one cell: for all cells from which that can be reached, or for those in
+    // tiles that lie next to one on the way. Time O(n log n) in the cells of the region, and a few lines of sight for
+    // each; not complete if the deadline passes.
+    Distances(const OpenedMap& map, const LineOfSight& sight, OpenSteps& open_steps, std::span<const Cell> way,
+              Region region, const Deadline& deadline);
 
     bool complete() const { return complete_; }
 
@@ -63,13 +70,14 @@ class Distances {
 
     void add_tile(std::uint32_t number);
     void add_tiles_near(std::span<const Cell> way);
+    void add_tiles_within(double longest, Cell start, Cell goal);
 
     // The box of the region.
     int left_ = 0;
     int top_ = 0;
-    int right_;
-    int bottom_;
-    unsigned columns_;                  // of tiles
+    int right_ = 0;
+    int bottom_ = 0;
+    unsigned columns_ = 1;              // of tiles
     std::vector<std::uint32_t> tiles_;  // the first entry of each
     std::vector<Entry> entries_;
     bool complete_ = false;

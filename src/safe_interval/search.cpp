@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "core/range.hpp"
 #include "safe_interval/driven.hpp"
-#include "waybreaker/error.hpp"
 
 namespace waybreaker {
 
@@ -17,29 +14,6 @@ using safe_interval::Move;
 using safe_interval::Vector;
 
 namespace {
-
-// Of more cells: ways near the known one are tried first.
-constexpr std::size_t small_map = 4096;
-// Of more cells: no others are.
-constexpr std::size_t largest_map = std::size_t{1} << 22U;
-
-void validate(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goal, const SafeIntervalOptions& options) {
-    validate(options.body);
-    require_range(options.speed, least_speed, most_speed, "the speed");
-    require_range(options.ready_at, 0, most_breach_time, "the time at which the agent is ready");
-    if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
-    if (traffic.index().width() != map.width() || traffic.index().height() != map.height()) {
-        throw InputError("the traffic is that of a map of another size");
-    }
-    if (!options.known.empty() && (options.known.front() != start || options.known.back() != goal)) {
-        throw InputError("the known way does not go from the start to the goal");
-    }
-    for (const TimedOpening& opening : options.openings) {
-        if (std::ranges::binary_search(map.removed(), opening.obstacle)) continue;
-        throw InputError("obstacle " + std::to_string(opening.obstacle.value) +
-                         " opens at a time, but the opened map still has it");
-    }
-}
 
 Vector vector_of(Cell c) {
     return {double(c.x), double(c.y)};
@@ -52,72 +26,11 @@ Move move_between(Cell from, Cell to, double speed) {
 
 }  // namespace
 
-SafeIntervalResult SafeIntervalSearcher::Search::run(const OpenedMap& map, const Traffic& traffic, Cell start,
-                                                     Cell goal, const SafeIntervalOptions& options) {
-    validate(map, traffic, start, goal, options);
-    map_ = &map;
-    traffic_ = &traffic.index();
-    options_ = &options;
-    sight_.emplace(map, options.body);
-    start_ = start;
-    goal_ = goal;
-    radius_ = options.body.reach();
-    deadline_ = Deadline(options.limits.seconds);
-    expanded_ = 0;
-    const auto stands = [&](Cell c) { return map.map().grid().contains(c) && sight_->fits(c); };
-    SafeIntervalResult result;
-    if (!stands(start) || !stands(goal)) return result;
-    std::vector<Cell> way;
-    result.status = find_way(way);
-    if (result.status != SearchStatus::found) return result;
-    if (std::vector<Waypoint> path = safe_interval::driven(map.map(), way, options); meets_nobody(path)) {
-        result.status = path.back().t < options.arrive_before ? SearchStatus::found : SearchStatus::no_path;
-        if (result.status == SearchStatus::found) result.path = std::move(path);
-        return result;
-    }
-    const std::size_t cells = map.map().grid().cell_count();
-    const bool small = cells <= small_map;
-    if (!small) {
-        distances_ = &memory_.get(map, *sight_, options.body, goal, way, deadline_);
-        result.status = search();
-    }
-    const bool far = cells <= largest_map && options.arrive_before == for_ever;
-    if (small || (result.status == SearchStatus::no_path && far)) {
-        distances_ = &memory_.get(map, *sight_, options.body, goal, {}, deadline_);
-        result.status = search();
-    }
-    if (result.status == SearchStatus::found) result.path = path_to(reached_);
-    result.expanded = expanded_;
-    return result;
-}
-
-SearchStatus SafeIntervalSearcher::Search::find_way(std::vector<Cell>& way) {
-    way.assign(options_->known.begin(), options_->known.end());
-    if (!way.empty()) return SearchStatus::found;
-    SearchOptions options;
-    options.body = options_->body;
-    options.limits = options_->limits;
-    SearchResult found = searcher_.find(*map_, start_, goal_, options);
-    way = std::move(found.path);
-    return found.status;
-}
-
-bool SafeIntervalSearcher::Search::meets_nobody(std::span<const Waypoint> path) const {
-    bool meets = false;
-    for (const Leg& leg : Traffic::Index::legs(path, options_->stays)) {
-        traffic_->near(leg, radius_, [&](const Traffic::Index::Piece& piece) {
-            meets = !safe_interval::overlap(leg, piece.leg, traffic_->reach(piece, radius_)).empty();
-            return !meets;
-        });
-        if (meets) return false;
-    }
-    return true;
-}
-
 SearchStatus SafeIntervalSearcher::Search::search() {
     nodes_.clear();
     open_.clear();
     if (!distances_->complete()) return SearchStatus::limit_reached;
+    open_steps_ = &memory_.open_steps(options_->body);
     nodes_of_.resize(std::max(nodes_of_.size(), distances_->size()));
     ++query_;
     reached_ = none;
@@ -171,17 +84,28 @@ SafeIntervalSearcher::Search::Nodes SafeIntervalSearcher::Search::nodes_at(Cell 
     return nodes;
 }
 
-// One for each safe interval: what is left of time when all that comes too near is taken away.
+// When the agent may be there if it is to arrive in time: it comes no earlier, and goes no later, than by straight
+// lines. Whether it can stand at the start from the first moment, and at the goal for ever, is asked as well.
+Interval SafeIntervalSearcher::Search::useful_times(Cell cell) const {
+    constexpr double rounding = 1e-9;
+    const double earliest = options_->ready_at + distance(start_, cell) / options_->speed;
+    const double latest = arrive_before_ - distance(cell, goal_) / options_->speed;
+    return {cell == start_ ? 0 : earliest * (1 - rounding), cell == goal_ ? for_ever : latest};
+}
+
+// One for each safe interval: what is left of the useful time when all that comes too near is taken away.
 void SafeIntervalSearcher::Search::add_nodes(Cell cell) {
+    const Interval useful = useful_times(cell);
+    if (useful.empty()) return;
     unsafe_.clear();
-    const Leg here{vector_of(cell), {}, 0, for_ever};
+    const Leg here{vector_of(cell), {}, useful.from, useful.to};
     traffic_->near(here, radius_, [&](const Traffic::Index::Piece& piece) {
         const Interval near = safe_interval::overlap(piece.leg, here, traffic_->reach(piece, radius_));
         if (!near.empty()) unsafe_.push_back(near);
         return true;
     });
     std::ranges::sort(unsafe_, {}, &Interval::from);
-    double from = 0;
+    double from = useful.from;
     const auto add = [&](double to) {
         Node node;
         node.cell = cell;
@@ -193,7 +117,7 @@ void SafeIntervalSearcher::Search::add_nodes(Cell cell) {
         if (near.from > from) add(near.from);
         from = std::max(from, near.to);
     }
-    if (from < for_ever) add(for_ever);
+    if (from < useful.to) add(useful.to);
 }
 
 bool SafeIntervalSearcher::Search::is_end(std::uint32_t node) const {
@@ -205,21 +129,20 @@ bool SafeIntervalSearcher::Search::is_end(std::uint32_t node) const {
 void SafeIntervalSearcher::Search::push(std::uint32_t at, double arrival, std::uint32_t by) {
     const double ahead = double(distances_->to_goal(nodes_[at].cell)) / options_->speed;
     const double cost = std::max(arrival + ahead, goal_free_from_);
-    if (!(cost < options_->arrive_before) || cost == for_ever) return;
+    if (!(cost < arrive_before_) || cost == for_ever) return;
     open_.push_back({cost, ahead, arrival, at, by});
     std::push_heap(open_.begin(), open_.end());
 }
 
 // To all neighbours, and to the next bend of the way on if nobody were there.
 void SafeIntervalSearcher::Search::expand(std::uint32_t at) {
+    if (!sight_) return;  // no query has begun
     nodes_[at].expanded = true;
     const Cell here = nodes_[at].cell;
     offer(at, distances_->next(here));
-    for (const Cell step : safe_interval::steps) {
-        const Cell beside{here.x + step.x, here.y + step.y};
-        if (distances_->to_goal(beside) == safe_interval::Distances::unknown || !sees(here, beside)) continue;
-        offer(at, beside);
-    }
+    open_steps_->from(here, *sight_, [&](Cell beside) {
+        if (distances_->to_goal(beside) != safe_interval::Distances::unknown) offer(at, beside);
+    });
 }
 
 // Opens the nodes of a cell that might be reached earlier than by what is known: if nobody is in the way.
@@ -227,16 +150,18 @@ void SafeIntervalSearcher::Search::offer(std::uint32_t by, Cell to) {
     const Nodes nodes = nodes_at(to);
     const Node from = nodes_[by];
     const double duration = distance(from.cell, to) / options_->speed;
-    double earliest = from.arrival + duration;
-    double latest = from.to + duration;
+    const Interval beside{from.arrival + duration, from.to + duration};
+    Interval straight;
     if (from.parent != none) {
         const Node& parent = nodes_[from.parent];
         const double direct = distance(parent.cell, to) / options_->speed;
-        earliest = std::min(earliest, parent.arrival + direct);
-        latest = std::max(latest, parent.to + direct);
+        straight = {parent.arrival + direct, parent.to + direct};
     }
     for (std::uint32_t at = nodes.first; at < nodes.first + nodes.count; ++at) {
         const Node& node = nodes_[at];
+        const bool tried = from.parent == none || node.tried == from.parent;
+        const double earliest = tried ? beside.from : std::min(beside.from, straight.from);
+        const double latest = tried ? beside.to : std::max(beside.to, straight.to);
         const double arrival = std::max(earliest, node.from);
         if (node.expanded || arrival >= node.arrival || arrival > node.to || latest < node.from) continue;
         push(at, arrival, by);
@@ -246,7 +171,10 @@ void SafeIntervalSearcher::Search::offer(std::uint32_t by, Cell to) {
 // As Theta*: straight from where `by` was come from, if that can be; else from `by`.
 void SafeIntervalSearcher::Search::come_from(std::uint32_t by, std::uint32_t to) {
     const double known = nodes_[to].arrival;
-    if (nodes_[by].parent != none) relax(nodes_[by].parent, to);
+    if (const std::uint32_t parent = nodes_[by].parent; parent != none && parent != nodes_[to].tried) {
+        relax(parent, to);
+        nodes_[to].tried = parent;
+    }
     relax(by, to);
     if (nodes_[to].arrival < known) push(to, nodes_[to].arrival, none);
 }
@@ -304,16 +232,6 @@ std::vector<Waypoint> SafeIntervalSearcher::Search::path_to(std::uint32_t node) 
     }
     std::ranges::reverse(path);
     return path;
-}
-
-SafeIntervalSearcher::SafeIntervalSearcher() : search_(std::make_unique<Search>()) {}
-SafeIntervalSearcher::~SafeIntervalSearcher() = default;
-SafeIntervalSearcher::SafeIntervalSearcher(SafeIntervalSearcher&&) noexcept = default;
-SafeIntervalSearcher& SafeIntervalSearcher::operator=(SafeIntervalSearcher&&) noexcept = default;
-
-SafeIntervalResult SafeIntervalSearcher::find(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goal,
-                                              const SafeIntervalOptions& options) {
-    return search_->run(map, traffic, start, goal, options);
 }
 
 }  // namespace waybreaker

@@ -28,6 +28,7 @@ class SafeIntervalSearcher::Search {
         double arrival = safe_interval::for_ever;
         double departure = 0;  // from the parent
         std::uint32_t parent = none;
+        std::uint32_t tried = none;  // what it was last tried to come from, past the node that offered it
         bool expanded = false;
     };
     struct Nodes {
@@ -52,9 +53,11 @@ class SafeIntervalSearcher::Search {
 
     SearchStatus find_way(std::vector<Cell>& way);
     bool meets_nobody(std::span<const Waypoint> path) const;
+    void search_in(safe_interval::Region region, std::span<const Cell> way, SafeIntervalResult& result);
     SearchStatus search();
     std::optional<SearchStatus> interrupted() const;
     Nodes nodes_at(Cell cell);
+    safe_interval::Interval useful_times(Cell cell) const;
     void add_nodes(Cell cell);
     bool is_end(std::uint32_t node) const;
     void expand(std::uint32_t at);
@@ -76,11 +79,13 @@ class SafeIntervalSearcher::Search {
     Cell goal_;
     double radius_ = 0;
     Deadline deadline_;
+    double arrive_before_ = safe_interval::for_ever;  // also than the best path so far
     std::uint64_t expanded_ = 0;
 
     // The search.
     safe_interval::DistanceMemory memory_;
     const safe_interval::Distances* distances_ = nullptr;
+    safe_interval::OpenSteps* open_steps_ = nullptr;
     std::uint32_t query_ = 0;
     std::vector<Nodes> nodes_of_;  // by cell of the region
     std::vector<Node> nodes_;

@@ -53,11 +53,16 @@ Fleet::Fleet(const Ground& ground, std::span<const Vehicle> vehicles, const Rule
     for (std::uint32_t i = 0; i < vehicles.size(); ++i) stand_at_start(i);
 }
 
-void Fleet::hold_as_at_first() {
+bool Fleet::hold_as_at_first() {
+    bool held_longer = false;
     for (std::uint32_t i = 0; i < size(); ++i) {
         const Agent& agent = vehicles_[i].agent;
-        hold_[i] = agent.ready_at + first_hold * std::max(agent.body.reach() + rules_.separation, 0.1) / agent.speed;
+        const double hold =
+            agent.ready_at + first_hold * std::max(agent.body.reach() + rules_.separation, 0.1) / agent.speed;
+        held_longer = held_longer || hold_[i] > hold;
+        hold_[i] = hold;
     }
+    return held_longer;
 }
 
 Cost Fleet::cost() const {

@@ -59,7 +59,8 @@ class Fleet {
     void skip_standstill();
     // Its start was passed by others before it could leave: they will have to leave it more time.
     void hold_longer(std::uint32_t i) { hold_[i] *= 2; }
-    void hold_as_at_first();
+    // Whether any was to be left more time.
+    bool hold_as_at_first();
 
   private:
     void stand_at_start(std::uint32_t i);

@@ -97,8 +97,8 @@ bool NeighbourhoodSearch::shorten_waits() {
 void NeighbourhoodSearch::improve(double enough, const std::function<void()>& gained) {
     if (fleet_.cost().first <= enough) return;
     const std::size_t patience = 100 + 20 * fleet_.size();
-    fleet_.hold_as_at_first();
-    if (shorten_waits()) gained();
+    const bool held_longer = fleet_.hold_as_at_first();
+    if (held_longer && shorten_waits()) gained();
     std::set<std::vector<std::uint32_t>> vain;  // orders, since paths have last changed
     for (std::size_t failures = 0; failures < patience && fleet_.cost().first > enough;) {
         const std::optional<std::uint32_t> late = delayed();

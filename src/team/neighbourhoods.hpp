@@ -19,6 +19,8 @@ class NeighbourhoodSearch {
 
     // Until every vehicle has a path, time is over, or so many tries have failed to help.
     void repair();
+    // Plans each that loses time once again. Whether any has gained. REQUIRES: all have a path.
+    bool shorten_waits();
     // Until the objective is no more than `enough`, nobody loses time on the others, time is over, or so many tries in
     // a row have gained nothing. Calls `gained` after each that has.
     void improve(double enough, const std::function<void()>& gained);
@@ -27,7 +29,6 @@ class NeighbourhoodSearch {
     std::vector<std::uint32_t> around(std::uint32_t vehicle, std::size_t most);
     double delay(std::uint32_t vehicle) const;
     std::optional<std::uint32_t> delayed();
-    bool shorten_waits();
     bool replan(const std::vector<std::uint32_t>& order, bool repairing);
 
     Fleet& fleet_;

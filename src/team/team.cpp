@@ -5,6 +5,7 @@
 
 #include "drive/centres.hpp"
 #include "plan/objective.hpp"
+#include "team/in_lockstep.hpp"
 #include "team/neighbourhoods.hpp"
 
 namespace waybreaker::team {
@@ -29,17 +30,21 @@ std::vector<std::uint32_t> order_of(std::span<const Vehicle> vehicles, Objective
 // their neighbourhoods are replanned. If that does not help, or they are many, they come first in another round, as
 // AA-SIPP(m) does (Andreychuk, Yakovlev: Two techniques that enhance the performance of multi-robot prioritized path
 // planning, AAMAS 2018). A round is soon over, and replanning takes as long as several: at first, rounds come before
-// it. Ends with a path for each, or after a number of rounds: where some have to make way for each other in turn, this
-// finds no plan.
-void plan_all(const TeamPlan& plan, Objective objective, const Interrupts& interrupts, Fleet& fleet,
-              NeighbourhoodSearch& search) {
+// it. Where the first round leaves too many without a way, vehicles crowd each other: if they are alike, they move in
+// lockstep, and then each as early as it can. Ends with a path for each, or after a number of rounds.
+void plan_all(const Ground& ground, const TeamPlan& plan, const Rules& rules, const Interrupts& interrupts,
+              Fleet& fleet, NeighbourhoodSearch& search) {
     constexpr int most_rounds = 50;
     constexpr int first_rounds = 10;
     constexpr double any_time = std::numeric_limits<double>::infinity();
-    std::vector<std::uint32_t> order = order_of(plan.vehicles, objective);
+    std::vector<std::uint32_t> order = order_of(plan.vehicles, rules.objective);
     const std::size_t few = order.size() / 10 + 1;
     const std::size_t very_few = std::min<std::size_t>(few, 2);
     for (int round = 0; round < most_rounds && !interrupts.due(); ++round) {
+        if (round == 1 && move_in_lockstep(ground, plan.vehicles, rules, interrupts, fleet)) {
+            search.shorten_waits();
+            return;
+        }
         for (const std::uint32_t i : order) {
             if (!fleet.plan(i, any_time)) fleet.hold_longer(i);
         }
@@ -102,7 +107,7 @@ TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const R
     plan.vehicles = std::move(vehicles);
     Fleet fleet(ground, plan.vehicles, rules, interrupts);
     NeighbourhoodSearch search(fleet, interrupts);
-    plan_all(plan, rules.objective, interrupts, fleet, search);
+    plan_all(ground, plan, rules, interrupts, fleet, search);
     if (fleet.cost().missing > 0) {
         plan.status = interrupts.stop.stop_requested() ? SearchStatus::stopped : SearchStatus::limit_reached;
         return plan;

@@ -22,19 +22,6 @@ double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingS
     return std::max(straight, found.status == SearchStatus::found ? found.lower_bound : 0.0);
 }
 
-// The disc drives it as it is.
-Opening way_of_square(const Trip& trip, CrossingSearcher& crossing, const std::vector<ObstacleId>& removed) {
-    const CrossingOptions options{
-        .body = trip.driver.body, .removed = removed, .limits = trip.limits(trip.deadline.left())};
-    const CrossingResult found = crossing.find(trip.map, trip.driver.start, trip.driver.goal, options);
-    Opening opening{removed, found.status};
-    opening.ground.path = found.best.path;
-    opening.ground.length = found.best.length;
-    opening.ground.expanded = found.expanded;
-    opening.ground.generated = found.generated;
-    return opening;
-}
-
 }  // namespace
 
 bool drives_by_crossing(const Body& body) {
@@ -68,8 +55,7 @@ SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, Crossi
     const Agent& agent = vehicle.agent;
     const Trip trip = trip_of(map.map(), agent, interrupts);
     const std::vector<ObstacleId> removed(map.removed().begin(), map.removed().end());
-    const bool by_square = trip.by_crossing() && !is_wide(agent.body);
-    const Opening way = by_square ? way_of_square(trip, crossing, removed) : open(trip, {theta, crossing}, removed);
+    const Opening way = open(trip, {theta, crossing}, removed);
     vehicle.way = cells_of(way.ground.path);
     vehicle.expanded = way.ground.expanded;
     vehicle.generated = way.ground.generated;

@@ -46,8 +46,7 @@ Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts);
 // The cells of a path that bends at centres.
 std::vector<Cell> cells_of(std::span<const Point> path);
 
-// Its shortest way: that of its square where it fits into that, else as in a mission of its own. `found`: the vehicle
-// is complete. Anything else is why it is not.
+// Its shortest way, as in a mission of its own. `found`: the vehicle is complete. Anything else is why it is not.
 SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
                       Vehicle& vehicle);
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
+
 #include "random_map.hpp"
 #include "waybreaker/search.hpp"
 
@@ -40,7 +42,9 @@ RC_GTEST_PROP(Distances, AreThoseOfRealWays, ()) {
     const Cell goal = any_free_cell(plain);
     const LineOfSight sight(opened, body);
     RC_PRE(sight.fits(goal));
-    const safe_interval::Distances distances(opened, sight, goal, {}, Deadline());
+    safe_interval::OpenSteps open_steps(map.width(), map.height());
+    const safe_interval::Distances distances(opened, sight, open_steps, std::array{goal}, safe_interval::everywhere,
+                                             Deadline());
     const std::vector<Cell> cells = plain.free_cells();
     const std::vector<double> least = shortest(plain, opened, body, goal);
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -63,6 +67,30 @@ RC_GTEST_PROP(Distances, AreThoseOfRealWays, ()) {
     }
     RC_ASSERT(std::isinf(distances.to_goal({-1, 0})));
     RC_ASSERT(std::isinf(distances.to_goal({0, plain.height})));
+}
+
+// Whoever is on the way has at most the rest of it to go, though Theta* alone would find something longer.
+RC_GTEST_PROP(Distances, AreNoLongerThanTheWay, ()) {
+    const PlainMap plain = *random_map(12, 12);
+    const Map map(plain.grid());
+    const OpenedMap opened(map);
+    const LineOfSight sight(opened, {});
+    std::vector<Cell> way{any_free_cell(plain)};
+    for (int legs = *number(0, 4); legs > 0; --legs) {
+        const Cell next = any_free_cell(plain);
+        if (next != way.back() && sight.clear(way.back(), next)) way.push_back(next);
+    }
+    double length = 0;
+    for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
+    const safe_interval::Region region = *rc::gen::element(safe_interval::everywhere, safe_interval::near_the_way,
+                                                           safe_interval::Region{std::max(length, 1.0)});
+    safe_interval::OpenSteps open_steps(map.width(), map.height());
+    const safe_interval::Distances distances(opened, sight, open_steps, way, region, Deadline());
+    double rest = 0;
+    for (std::size_t i = way.size(); i-- > 0;) {
+        if (i + 1 < way.size()) rest += distance(way[i], way[i + 1]);
+        RC_ASSERT(double(distances.to_goal(way[i])) <= rest + 1e-3);
+    }
 }
 
 }  // namespace

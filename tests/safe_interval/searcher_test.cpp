@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <random>
+#include <string>
+
 #include "ascii_map.hpp"
 #include "random_map.hpp"
 #include "waybreaker/error.hpp"
@@ -55,6 +58,46 @@ RC_GTEST_PROP(SafeInterval, MeetsNobody, ()) {
         RC_ASSERT(SafeIntervalSearcher().find(opened, traffic, start, goal, options).path == found.path);
         traffic.add(who, found.path, options.body.radius, options.stays);
     }
+}
+
+// Nothing that is late; and what is in time as well as without a limit, but for a few ways that its distances, which
+// are those of Theta*, make look longer than they are.
+TEST(SafeInterval, LooksForNoLateArrival) {
+    std::mt19937 random(7);
+    const auto below = [&](int count) { return int(random() % unsigned(count)); };
+    SafeIntervalSearcher searcher;
+    int known = 0;
+    int found_again = 0;
+    for (int round = 0; round < 100; ++round) {
+        PlainMap plain{10 + below(10), 10 + below(10), {}};
+        for (int i = 0; i < plain.width * plain.height; ++i) plain.obstacles.push_back(below(100) < 20 ? 1 : 0);
+        const std::vector<Cell> free = plain.free_cells();
+        const auto any = [&] { return free[std::size_t(below(int(free.size())))]; };
+        const Map map(plain.grid());
+        const OpenedMap opened(map);
+        Traffic traffic(map.width(), map.height());
+        for (std::uint32_t who = 0; who < 8; ++who) {
+            const Cell start = any();
+            const Cell goal = any();
+            SafeIntervalOptions options{.ready_at = double(below(3)), .stays = below(4) > 0};
+            const SafeIntervalResult without = searcher.find(opened, traffic, start, goal, options);
+            if (without.status != SearchStatus::found) continue;
+            ++known;
+            const double arrival = without.path.back().t;
+            options.arrive_before = arrival + 0.01;
+            const SafeIntervalResult in_time = searcher.find(opened, traffic, start, goal, options);
+            if (in_time.status == SearchStatus::found) {
+                EXPECT_EQ(faults(opened, traffic, start, goal, options, in_time.path), "");
+                found_again += in_time.path.back().t < arrival + 1e-6 ? 1 : 0;
+            }
+            options.arrive_before = arrival;
+            const SafeIntervalResult earlier = searcher.find(opened, traffic, start, goal, options);
+            EXPECT_TRUE(earlier.status != SearchStatus::found || earlier.path.back().t < arrival);
+            traffic.add(who, without.path, options.body.radius, options.stays);
+        }
+    }
+    EXPECT_GT(known, 500);
+    EXPECT_GE(found_again, known * 98 / 100) << "of " << known;
 }
 
 // One cell wide.
@@ -143,6 +186,31 @@ TEST(SafeInterval, ReachesAGoalOnlyForGood) {
     options.arrive_before = 2;
     EXPECT_EQ(SafeIntervalSearcher().find(OpenedMap(map), traffic, {4, 2}, {4, 0}, options).status,
               SearchStatus::no_path);
+}
+
+// A wall with two gaps, the nearer one closed by somebody for long; too large a map to look everywhere at once.
+TEST(SafeInterval, GoesAnotherWayWhereTheNearOneTakesLong) {
+    std::string picture;
+    for (int y = 0; y < 90; ++y) {
+        picture += std::string(40, '.') + (y == 10 || y == 80 ? '.' : '#') + std::string(40, '.') + '\n';
+    }
+    const Map map = map_from_ascii(picture);
+    Traffic traffic(map.width(), map.height());
+    traffic.add(0, std::vector<Waypoint>{{40, 10, 0}, {40, 10, 150}, {80, 10, 190}}, 0.5, false);
+    SafeIntervalOptions options;
+    const Cell start{20, 30};
+    const Cell goal{60, 30};
+    const auto found = SafeIntervalSearcher().find(OpenedMap(map), traffic, start, goal, options);
+    ASSERT_EQ(found.status, SearchStatus::found);
+    EXPECT_EQ(faults(OpenedMap(map), traffic, start, goal, options, found.path), "");
+    const double around = distance(start, {39, 80}) + 2 + distance({41, 80}, goal);
+    EXPECT_GE(found.path.back().t, around - 1e-6);
+    EXPECT_LT(found.path.back().t, around + 1);
+    // Also where only that one is in time, and not where none is.
+    options.arrive_before = around + 1;
+    EXPECT_EQ(SafeIntervalSearcher().find(OpenedMap(map), traffic, start, goal, options).status, SearchStatus::found);
+    options.arrive_before = around - 1;
+    EXPECT_EQ(SafeIntervalSearcher().find(OpenedMap(map), traffic, start, goal, options).status, SearchStatus::no_path);
 }
 
 TEST(SafeInterval, WaitsUntilAnObstacleIsGone) {

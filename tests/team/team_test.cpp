@@ -63,6 +63,55 @@ bool same(const Plan& a, const Plan& b) {
     return a.status == b.status && std::ranges::equal(a.agents, b.agents, path) && a.bound == b.bound;
 }
 
+// So many that one after the other does not do.
+RC_GTEST_PROP(Team, CrowdsKeepClear, ()) {
+    const PlainMap plain = *random_map(7, 7);
+    const Map map(plain.grid());
+    std::vector<Cell> free = plain.free_cells();
+    RC_PRE(free.size() > 1);
+    const auto take = [](std::vector<Cell>& cells) {
+        const auto at = cells.begin() + *number(0, int(cells.size()) - 1);
+        const Cell taken = *at;
+        cells.erase(at);
+        return taken;
+    };
+    Mission mission;
+    mission.rules.removals = 0;
+    mission.rules.objective = *rc::gen::element(Objective::flowtime, Objective::makespan);
+    std::vector<Cell> starts = free;
+    std::vector<Cell> goals = free;
+    const double radius = *rc::gen::element(0.2, 0.354, 0.5);
+    const double speed = *rc::gen::element(1.0, 3.0);
+    const double ready_at = *rc::gen::element(0.0, 2.5);
+    const int vehicles = *number(2, std::min(int(free.size()), 24));
+    for (int i = 0; i < vehicles; ++i) {
+        Agent agent = vehicle(std::to_string(i), take(starts), take(goals), radius);
+        agent.speed = speed;
+        agent.ready_at = ready_at;
+        mission.agents.push_back(agent);
+    }
+    const Plan plan = MissionPlanner().plan(map, mission, {}, {.seconds = 0.2});
+    RC_TAG(plan.status == PlanStatus::solved ? "solved" : "not solved");
+    RC_ASSERT(plan_faults(map, mission, plan) == "");
+    if (plan.status == PlanStatus::solved) RC_ASSERT(simulate(map, mission, plan, 0.05) == "");
+}
+
+// All change places with those opposite.
+TEST(Team, OfACrowdFindsAPlan) {
+    constexpr int side = 5;
+    const Map map(Grid(side, side));
+    Mission mission;
+    mission.rules.removals = 0;
+    mission.rules.objective = Objective::flowtime;
+    for (int i = 0; i < 14; ++i) {
+        const Cell start{i % side, i / side};
+        mission.agents.push_back(vehicle(std::to_string(i), start, {side - 1 - start.x, side - 1 - start.y}, 0.354));
+    }
+    const Plan plan = MissionPlanner().plan(map, mission);
+    EXPECT_EQ(plan.status, PlanStatus::solved);
+    EXPECT_EQ(plan_faults(map, mission, plan), "");
+}
+
 TEST(Team, IsPlannedTheSameEachTime) {
     const Map map = map_from_ascii(R"(
         ..........

@@ -1,0 +1,132 @@
+// Which ways are tried, one after the other: the known one, those near it, those far off.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/range.hpp"
+#include "safe_interval/driven.hpp"
+#include "safe_interval/search.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker {
+
+using safe_interval::Leg;
+using safe_interval::Region;
+
+namespace {
+
+// Of more cells: ways near the known one are tried first.
+constexpr std::size_t small_map = 4096;
+// Who has to go, or wait, for so many cells more may have a shorter way elsewhere. That is about how far one can go
+// around somebody without leaving the region near the way.
+constexpr double far_detour = 10;
+// Of more cells: no other ways are tried.
+constexpr std::size_t largest_map = std::size_t{1} << 22U;
+// Such ways are looked for up to a multiple of so many cells: the next time, their distances are known.
+constexpr double step = 16;
+
+void validate(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goal, const SafeIntervalOptions& options) {
+    validate(options.body);
+    require_range(options.speed, least_speed, most_speed, "the speed");
+    require_range(options.ready_at, 0, most_breach_time, "the time at which the agent is ready");
+    if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
+    if (traffic.index().width() != map.width() || traffic.index().height() != map.height()) {
+        throw InputError("the traffic is that of a map of another size");
+    }
+    if (!options.known.empty() && (options.known.front() != start || options.known.back() != goal)) {
+        throw InputError("the known way does not go from the start to the goal");
+    }
+    for (const TimedOpening& opening : options.openings) {
+        if (std::ranges::binary_search(map.removed(), opening.obstacle)) continue;
+        throw InputError("obstacle " + std::to_string(opening.obstacle.value) +
+                         " opens at a time, but the opened map still has it");
+    }
+}
+
+}  // namespace
+
+SafeIntervalResult SafeIntervalSearcher::Search::run(const OpenedMap& map, const Traffic& traffic, Cell start,
+                                                     Cell goal, const SafeIntervalOptions& options) {
+    validate(map, traffic, start, goal, options);
+    map_ = &map;
+    traffic_ = &traffic.index();
+    options_ = &options;
+    sight_.emplace(map, options.body);
+    start_ = start;
+    goal_ = goal;
+    radius_ = options.body.reach();
+    deadline_ = Deadline(options.limits.seconds);
+    expanded_ = 0;
+    arrive_before_ = options.arrive_before;
+    const auto stands = [&](Cell c) { return map.map().grid().contains(c) && sight_->fits(c); };
+    SafeIntervalResult result;
+    if (!stands(start) || !stands(goal)) return result;
+    std::vector<Cell> way;
+    result.status = find_way(way);
+    if (result.status != SearchStatus::found) return result;
+    std::vector<Waypoint> straight_on = safe_interval::driven(map.map(), way, options);
+    const double earliest = straight_on.back().t;
+    if (meets_nobody(straight_on)) {
+        result.status = earliest < options.arrive_before ? SearchStatus::found : SearchStatus::no_path;
+        if (result.status == SearchStatus::found) result.path = std::move(straight_on);
+        return result;
+    }
+    const std::size_t cells = map.map().grid().cell_count();
+    if (cells <= small_map) {
+        search_in(safe_interval::everywhere, way, result);
+    } else {
+        search_in(safe_interval::near_the_way, way, result);
+        const bool late = (arrive_before_ - earliest) * options.speed > far_detour;
+        const double longest = (arrive_before_ - options.ready_at) * options.speed;
+        const bool interrupted = result.status != SearchStatus::found && result.status != SearchStatus::no_path;
+        if (late && !interrupted && cells <= largest_map) search_in({std::ceil(longest / step) * step}, way, result);
+    }
+    result.expanded = expanded_;
+    return result;
+}
+
+// For a path that is earlier than that of the result.
+void SafeIntervalSearcher::Search::search_in(Region region, std::span<const Cell> way, SafeIntervalResult& result) {
+    if (!sight_) return;  // no query has begun
+    distances_ = &memory_.get(*map_, *sight_, options_->body, way, region, deadline_);
+    const SearchStatus status = search();
+    if (result.path.empty()) result.status = status;
+    if (status != SearchStatus::found) return;
+    result.path = path_to(reached_);
+    arrive_before_ = result.path.back().t;
+}
+
+SearchStatus SafeIntervalSearcher::Search::find_way(std::vector<Cell>& way) {
+    way.assign(options_->known.begin(), options_->known.end());
+    if (!way.empty()) return SearchStatus::found;
+    SearchOptions options;
+    options.body = options_->body;
+    options.limits = options_->limits;
+    SearchResult found = searcher_.find(*map_, start_, goal_, options);
+    way = std::move(found.path);
+    return found.status;
+}
+
+bool SafeIntervalSearcher::Search::meets_nobody(std::span<const Waypoint> path) const {
+    bool meets = false;
+    for (const Leg& leg : Traffic::Index::legs(path, options_->stays)) {
+        traffic_->near(leg, radius_, [&](const Traffic::Index::Piece& piece) {
+            meets = !safe_interval::overlap(leg, piece.leg, traffic_->reach(piece, radius_)).empty();
+            return !meets;
+        });
+        if (meets) return false;
+    }
+    return true;
+}
+
+SafeIntervalSearcher::SafeIntervalSearcher() : search_(std::make_unique<Search>()) {}
+SafeIntervalSearcher::~SafeIntervalSearcher() = default;
+SafeIntervalSearcher::SafeIntervalSearcher(SafeIntervalSearcher&&) noexcept = default;
+SafeIntervalSearcher& SafeIntervalSearcher::operator=(SafeIntervalSearcher&&) noexcept = default;
+
+SafeIntervalResult SafeIntervalSearcher::find(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goal,
+                                              const SafeIntervalOptions& options) {
+    return search_->run(map, traffic, start, goal, options);
+}
+
+}  // namespace waybreaker
