@@ -19,6 +19,8 @@ export interface TimelineProps {
 
 export function Timeline({ plan, cells, clock, formatTime }: TimelineProps) {
   const length = duration(plan);
+  // A little less: rounded, the last step could lie beyond the end, and End would stop one short of it.
+  const step = length / 400.000001;
   const story = useMemo(() => new Story(plan, cells), [plan, cells]);
   const [pointed, setPointed] = useState<string | null>(null);
   useEffect(() => clock.load(length), [clock, length]);
@@ -51,7 +53,7 @@ export function Timeline({ plan, cells, clock, formatTime }: TimelineProps) {
           type="range"
           min={0}
           max={length}
-          step={length / 400}
+          step={step}
           value={time}
           aria-label="Time of the mission"
           aria-valuetext={`${formatTime(time)} of ${formatTime(length)}: ${activityAt(story, time)}`}
