@@ -30,7 +30,7 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     task.report(cost(task, start), 0);
     OpeningTimes opening_times(task);
     if (!opening_times.matter() || task.spare_removals() == 0) {
-        return select(task, start, cost(task, start), 0, deadline, opening_times);
+        return select(task, start, Selected(), deadline, opening_times);
     }
     // Often nobody has to wait; and what is proven as if nobody did makes the search in time short.
     OpeningTimes at_once = OpeningTimes::at_once(task);
@@ -41,21 +41,20 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     std::ranges::move(begun.likely.candidates, std::back_inserter(first.candidates));
     if (is_best) return std::move(first);
     const bool cut = begun.bound.limited || soon.passed();
-    const double reached = cost(task, best_of(task, start, first.candidates));
-    Selected selected = select(task, start, reached, first.bound.value_or(0), deadline, opening_times);
-    std::ranges::move(first.candidates, std::back_inserter(selected.candidates));
+    Selected selected = select(task, start, std::move(first), deadline, opening_times);
     selected.limited = selected.limited || cut;
     return selected;
 }
 
-Selected ExactSelector::select(const Task& task, const Candidate& start, double reached, double proven,
-                               const Deadline& deadline, OpeningTimes& opening_times) {
-    const Begun begun = begin(task, start, reached, proven, deadline, share_of_relaxed, opening_times);
+Selected ExactSelector::select(const Task& task, const Candidate& start, Selected first, const Deadline& deadline,
+                               OpeningTimes& opening_times) {
+    const double reached = cost(task, best_of(task, start, first.candidates));
+    Begun begun = begin(task, start, reached, first.bound.value_or(0), deadline, share_of_relaxed, opening_times);
+    std::ranges::move(begun.likely.candidates, std::back_inserter(first.candidates));
     ExactSelection selection(task, searchers_, start, begun.reached, begun.bound, deadline, opening_times);
-    if (begun.reached < cost(task, start)) selection.take_as_good();
+    selection.take_up(std::move(first.candidates));
     Selected selected = std::move(selection).run();
     selected.limited = selected.limited || begun.bound.limited;
-    std::ranges::copy(begun.likely.candidates, std::back_inserter(selected.candidates));
     return selected;
 }
 

@@ -28,8 +28,8 @@ class ExactSelector : public Selector {
     // `share_of_bound`: of the time that is left.
     Begun begin(const Task& task, const Candidate& start, double reached, double proven, const Deadline& deadline,
                 double share_of_bound, OpeningTimes& opening_times);
-    // `reached`: by a plan that is known; `proven`: no plan is below.
-    Selected select(const Task& task, const Candidate& start, double reached, double proven, const Deadline& deadline,
+    // `first`: what is known before.
+    Selected select(const Task& task, const Candidate& start, Selected first, const Deadline& deadline,
                     OpeningTimes& opening_times);
 
     Searchers searchers_;

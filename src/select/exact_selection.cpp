@@ -6,7 +6,6 @@
 #include "select/by_steps.hpp"
 #include "select/hits.hpp"
 #include "select/shortcuts.hpp"
-#include "select/timed_path.hpp"
 
 namespace waybreaker {
 namespace {
@@ -47,6 +46,7 @@ Selected ExactSelection::run() && {
     if (best_ > proven_ * (1 + far_from_bound)) try_by_steps();
     if (opening_times_.matter()) try_as_if_forced();
     selected_.bound = proven_;
+    std::ranges::move(earlier_, std::back_inserter(selected_.candidates));
     return std::move(selected_);
 }
 
@@ -95,18 +95,24 @@ void ExactSelection::try_sets() {
 }
 
 void ExactSelection::try_as_if_forced() {
-    const std::vector<ObstacleId> removed = selected_.candidates.empty()
-                                                ? start_.opening.removed
-                                                : best_of(task_, start_, selected_.candidates).opening.removed;
-    if (removed.empty()) return;
-    if (!selected_.candidates.empty()) add_candidate(open(task_.trip(), searchers_, removed));
-    if (!task_.rules.force.empty()) try_in_time(removed);
+    const std::vector<ObstacleId> removed = best_so_far().opening.removed;
+    if (removed.empty() || best_ <= best_possible()) return;
+    if (!selected_.candidates.empty() || !earlier_.empty()) add_opened(removed);
+    if (!task_.rules.force.empty() || waits(task_, best_so_far())) try_in_time(removed);
     report();
+}
+
+// As it will be chosen: of equally good ones the one that was found here.
+const Candidate& ExactSelection::best_so_far() const {
+    const Candidate& last = best_of(task_, start_, selected_.candidates);
+    const Candidate& earlier = best_of(task_, start_, earlier_);
+    return cost(task_, earlier) < cost(task_, last) * (1 - rounding) ? earlier : last;
 }
 
 void ExactSelection::try_in_time(const std::vector<ObstacleId>& removed) {
     if (!drives_by_crossing(task_) || task_.driver.body.is_point()) return;
-    CrossingOptions options = crossing_options(task_, false, best_, a_little_more(task_), opening_times_);
+    // The disc has to wait less than its square.
+    CrossingOptions options = crossing_options(task_, false, infinity, a_little_more(task_), opening_times_);
     options.only = removed;
     options.removed = {};
     options.crossings = int(removed.size());
@@ -163,7 +169,7 @@ void ExactSelection::try_out(const CrossingPath& path, const CrossingResult& sea
             opening.ground.seconds = since_last_.seconds();
             if (opening.status == SearchStatus::found) add_candidate(std::move(opening));
         }
-        if (beats_best(path)) add_candidate(open(task_.trip(), searchers_, removed));
+        if (beats_best(path)) add_opened(removed);
     }
     report();
     since_last_ = {};
@@ -188,10 +194,17 @@ void ExactSelection::add_candidate(Opening opening) {
     // The path of a set is hardly shorter for its timetable.
     const bool promises =
         opening.ground.length && least_objective(task_, *opening.ground.length, opening_times_) < best_;
-    selected_.candidates.push_back(improves_paths_ && promises ? timed_candidate(task_, searchers_, std::move(opening))
-                                                               : candidate_of(task_, std::move(opening)));
+    selected_.candidates.push_back(improves_paths_ && promises
+                                       ? timed_paths_.candidate(task_, searchers_, std::move(opening), best_possible())
+                                       : candidate_of(task_, std::move(opening)));
     const double reached = cost(task_, selected_.candidates.back());
     if (reached < best_ * (1 - rounding)) best_ = reached;
+}
+
+void ExactSelection::add_opened(const std::vector<ObstacleId>& removed) {
+    if (std::ranges::find(opened_, removed) != opened_.end()) return;
+    opened_.push_back(removed);
+    add_candidate(open(task_.trip(), searchers_, removed));
 }
 
 void ExactSelection::try_within(std::span<const ObstacleId> likely) {

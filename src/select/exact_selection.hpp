@@ -11,6 +11,7 @@
 #include "select/opening_times.hpp"
 #include "select/selector.hpp"
 #include "select/task.hpp"
+#include "select/timed_path.hpp"
 
 namespace waybreaker {
 
@@ -51,8 +52,12 @@ class ExactSelection {
     // What a weighted search finds: a good plan, soon.
     Selected run_weighted() &&;
 
-    // Lets a plan be found that is as good as the one known: with waits at obstacles, not long before them.
-    void take_as_good() { best_ *= 1 + 2 * rounding; }
+    // Candidates found before. Lets a plan be found that is as good as theirs: with waits at obstacles, not long before
+    // them.
+    void take_up(std::vector<Candidate> candidates) {
+        earlier_ = std::move(candidates);
+        if (reached_ < cost(task_, start_)) best_ *= 1 + 2 * rounding;
+    }
 
   private:
     void try_sets();
@@ -80,6 +85,7 @@ class ExactSelection {
 
     // To force what the plan removes must not be better, nor must it be worse to force that.
     void try_as_if_forced();
+    const Candidate& best_so_far() const;
     // The path in time through these; what must be removed stands until it opens, too.
     void try_in_time(const std::vector<ObstacleId>& removed);
 
@@ -87,6 +93,8 @@ class ExactSelection {
     void try_out(const CrossingPath& path, const CrossingResult& search);
     Opening fitted_opening(const std::vector<ObstacleId>& removed, const CrossingResult& found);
     void add_candidate(Opening opening);
+    // The shortest path through these, in time; once.
+    void add_opened(const std::vector<ObstacleId>& removed);
 
     // Where the relaxed body slips through what stops the disc, the square's shortest path tells more.
     void raise_bound(const CrossingResult& of_square);
@@ -95,6 +103,8 @@ class ExactSelection {
     // By enough.
     bool beats_best(const CrossingPath& path) const;
     bool is_near_bound() const;
+    // A plan that costs no more is the best, but for what waits at places half a cell apart may differ by.
+    double best_possible() const { return proven_ * (1 + 1e-6); }
     bool is_worth_more() const;
     bool passes_more_than_square() const;
     std::uint64_t patience_of_search() const;
@@ -113,6 +123,9 @@ class ExactSelection {
     double best_;           // to be beaten
     double proven_;         // no plan costs less
     Selected selected_;
+    std::vector<Candidate> earlier_;
+    std::vector<std::vector<ObstacleId>> opened_;
+    TimedPaths timed_paths_;
     bool improves_paths_ = true;  // for their timetables
     bool tries_most_hit_ = true;
 };

@@ -38,7 +38,7 @@ std::unique_ptr<Selector> selector_of(const Method& method, const Searchers& sea
 Candidate start_of(const Task& task, const Searchers& searchers, const Candidate& baseline) {
     const std::vector<ObstacleId>& force = task.rules.force;
     if (force.empty()) return baseline;
-    Candidate opened = timed_candidate(task, searchers, open(task.trip(), searchers, force));
+    Candidate opened = TimedPaths().candidate(task, searchers, open(task.trip(), searchers, force), 0);
     // An obstacle that falls late may better be driven around.
     Opening around = baseline.opening;
     around.removed = force;

@@ -15,12 +15,6 @@ namespace {
 
 constexpr int most_rounds = 8;
 
-bool waits(const Task& task, const Candidate& candidate) {
-    if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
-    const double driven = *candidate.opening.ground.length / task.driver.speed;
-    return candidate.schedule.ground.back().t > driven * (1 + rounding);
-}
-
 CrossingOptions options_for(const Task& task) {
     CrossingOptions options;
     options.body = task.driver.body;
@@ -73,6 +67,12 @@ std::vector<Point> bent_for(const Task& task, const Candidate& candidate) {
 
 }  // namespace
 
+bool waits(const Task& task, const Candidate& candidate) {
+    if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
+    const double driven = *candidate.opening.ground.length / task.driver.speed;
+    return candidate.schedule.ground.back().t > driven * (1 + rounding);
+}
+
 Opening drivable(const Task& task, const Searchers& searchers, const CrossingPath& path,
                  std::vector<ObstacleId> removed) {
     Opening opening{std::move(removed), SearchStatus::found, {}, false};
@@ -103,21 +103,30 @@ Opening drivable(const Task& task, const Searchers& searchers, const CrossingPat
     return opening;
 }
 
-Candidate timed_candidate(const Task& task, const Searchers& searchers, Opening opening) {
+bool TimedPaths::is_new(const Opening& opening) {
+    Tried tried{opening.removed, opening.ground.path};
+    if (std::ranges::find(tried_, tried) != tried_.end()) return false;
+    tried_.push_back(std::move(tried));
+    return true;
+}
+
+Candidate TimedPaths::candidate(const Task& task, const Searchers& searchers, Opening opening, double enough) {
+    const bool first = is_new(opening);
     Candidate best = candidate_of(task, std::move(opening));
-    if (!drives_by_crossing(task) || task.driver.body.is_point()) return best;
-    for (int round = 0; round < most_rounds && waits(task, best) && !task.deadline.passed(); ++round) {
+    if (!first || !drives_by_crossing(task) || task.driver.body.is_point()) return best;
+    const auto may_gain = [&] { return waits(task, best) && cost(task, best) > enough && !task.deadline.passed(); };
+    for (int round = 0; round < most_rounds && may_gain(); ++round) {
         std::optional<Opening> other = other_path(task, searchers, best);
-        if (!other || other->ground.path == best.opening.ground.path) break;
+        if (!other || !is_new(*other)) break;
         Candidate next = candidate_of(task, std::move(*other));
         if (!(cost(task, next) < cost(task, best) * (1 - rounding))) break;
         best = std::move(next);
     }
     // The search moves a square, which touches obstacles before the disc does.
-    while (waits(task, best) && !task.deadline.passed()) {
+    while (may_gain()) {
         Opening other = best.opening;
         other.ground.path = bent_for(task, best);
-        if (other.ground.path == best.opening.ground.path) break;
+        if (!is_new(other)) break;
         other.ground.length = path_length(other.ground.path);
         Candidate next = candidate_of(task, std::move(other));
         if (!(cost(task, next) < cost(task, best) * (1 - rounding))) break;

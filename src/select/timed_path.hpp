@@ -2,17 +2,37 @@
 // rest of the way is shortest, which is seldom on the shortest path.
 #pragma once
 
+#include <vector>
+
 #include "select/candidate.hpp"
 
 namespace waybreaker {
+
+// Whether the ground agent stands somewhere before its goal.
+bool waits(const Task& task, const Candidate& candidate);
 
 // A path of the crossing search as the ground agent can drive it: the shortest ways to its gates. No path if a limit
 // comes first. `removed`: what is open in the end.
 Opening drivable(const Task& task, const Searchers& searchers, const CrossingPath& path,
                  std::vector<ObstacleId> removed);
 
-// Puts an opening in time. If the ground agent has to wait, other paths through the same obstacles are tried: each is
-// the shortest for the breaches of the schedule before it, until none is better.
-Candidate timed_candidate(const Task& task, const Searchers& searchers, Opening opening);
+// Puts openings in time.
+class TimedPaths {
+  public:
+    // If the ground agent has to wait, other paths through the same obstacles are tried: each is the shortest for the
+    // breaches of the schedule before it, until none is better, or one costs no more than `enough`, or one has been
+    // tried before.
+    Candidate candidate(const Task& task, const Searchers& searchers, Opening opening, double enough);
+
+  private:
+    bool is_new(const Opening& opening);
+
+    struct Tried {
+        std::vector<ObstacleId> removed;
+        std::vector<Point> path;
+        friend bool operator==(const Tried&, const Tried&) = default;
+    };
+    std::vector<Tried> tried_;
+};
 
 }  // namespace waybreaker
