@@ -13,6 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Of the time that is left: for the optimal ground path, before a quick search takes over.
 constexpr double share_of_optimal_path = 0.5;
+// Likewise: for the path of Theta* that another is compared with.
+constexpr double share_of_comparison = 0.2;
 // Relative, above the path of the relaxed body: a path so short is good enough; so long, the disc may have another way.
 constexpr double short_enough = 0.01;
 constexpr double too_long = 0.05;
@@ -34,16 +36,20 @@ CrossingOptions open_search(const Trip& trip, std::span<const ObstacleId> remove
     return options;
 }
 
-Opening open_by_cells(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed) {
+Opening open_by_cells(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
+                      double share_of_time = 1) {
     const Stopwatch watch;
+    SearchOptions options = trip.by_cells();
+    options.limits = trip.limits(trip.deadline.share(share_of_time).left());
     const SearchResult found =
-        searchers.cells.find(OpenedMap(trip.map, removed), trip.driver.start, trip.driver.goal, trip.by_cells());
+        searchers.cells.find(OpenedMap(trip.map, removed), trip.driver.start, trip.driver.goal, options);
     return opening_of(std::move(removed), found, watch.seconds());
 }
 
 // Of the path and Theta*'s.
 void take_shorter(const Trip& trip, const Searchers& searchers, Opening& opening) {
-    Opening other = open_by_cells(trip, searchers, opening.removed);
+    Opening other = open_by_cells(trip, searchers, opening.removed, share_of_comparison);
+    opening.limited = opening.limited || other.limited;
     if (other.status != SearchStatus::found) return;
     const std::vector<Point> path = std::move(other.ground.path);
     drive(trip, other, path, path_length(path));

@@ -22,7 +22,8 @@ constexpr double most_above = 0.03;
 // Relative: a plan so far from its bound may not remove what the disc needs gone where neither point nor square do. And
 // steps may prove more: seldom that a plan is within 3 % of its bound, often that it is within 5 %.
 constexpr double far_from_bound = 0.05;
-// Relative: so far from its bound a plan in time is worth further searches for what is likely.
+// Relative: so far from its bound a plan in time is worth further searches for what is likely, and the path of a disc
+// is worth comparing with Theta*'s.
 constexpr double worth_more = 0.01;
 // Relative: the disc's path is hardly ever so much shorter than the square's.
 constexpr double most_shortened = 1e-4;
@@ -41,10 +42,11 @@ Selected ExactSelection::run() && {
     if (task_.spare_removals() > 0) {
         try_sets();
         const bool far = best_ > bound_.objective * (1 + far_from_bound);
-        if (far && tries_most_hit_ && passes_more_than_square()) try_most_hit();
+        if (far && !of_fewer_ && passes_more_than_square()) try_most_hit();
     }
     if (best_ > proven_ * (1 + far_from_bound)) try_by_steps();
     if (opening_times_.matter()) try_as_if_forced();
+    if (!of_fewer_ && passes_more_than_square() && best_ > proven_ * (1 + worth_more)) compare_best();
     selected_.bound = proven_;
     std::ranges::move(earlier_, std::back_inserter(selected_.candidates));
     return std::move(selected_);
@@ -107,6 +109,11 @@ const Candidate& ExactSelection::best_so_far() const {
     const Candidate& last = best_of(task_, start_, selected_.candidates);
     const Candidate& earlier = best_of(task_, start_, earlier_);
     return cost(task_, earlier) < cost(task_, last) * (1 - rounding) ? earlier : last;
+}
+
+void ExactSelection::compare_best() {
+    add_candidate(open(task_.comparing_trip(), searchers_, best_so_far().opening.removed));
+    report();
 }
 
 void ExactSelection::try_in_time(const std::vector<ObstacleId>& removed) {
@@ -316,7 +323,7 @@ void ExactSelection::try_with_fewer_removals() {
     const bool tells = drives_by_crossing(task_) && !passes_more_than_square() && !opening_times_.matter();
     const double reached = tells ? best_ * (1 + most_shortened) : cost(less, start_);
     ExactSelection selection(less, searchers_, start_, reached, bound_, deadline_, opening_times_);
-    selection.tries_most_hit_ = false;  // the same are tried with more removals
+    selection.of_fewer_ = true;
     Selected selected = std::move(selection).run();
     std::ranges::move(selected.candidates, std::back_inserter(selected_.candidates));
     selected_.limited = selected_.limited || selected.limited;

@@ -86,6 +86,8 @@ class ExactSelection {
     // To force what the plan removes must not be better, nor must it be worse to force that.
     void try_as_if_forced();
     const Candidate& best_so_far() const;
+    // Where the relaxed body slips through what stops the disc, Theta* may know a shorter path.
+    void compare_best();
     // The path in time through these; what must be removed stands until it opens, too.
     void try_in_time(const std::vector<ObstacleId>& removed);
 
@@ -127,7 +129,7 @@ class ExactSelection {
     std::vector<std::vector<ObstacleId>> opened_;
     TimedPaths timed_paths_;
     bool improves_paths_ = true;  // for their timetables
-    bool tries_most_hit_ = true;
+    bool of_fewer_ = false;       // part of a selection with more removals
 };
 
 }  // namespace waybreaker

@@ -19,6 +19,11 @@ Mission mission_of_disc(double radius, Cell start, Cell goal, int removals) {
     return mission;
 }
 
+bool fits_there(const Map& map, const Mission& mission) {
+    const Agent& driver = mission.agents[0];
+    return fits(OpenedMap(map), driver.start, driver.body) && fits(OpenedMap(map), driver.goal, driver.body);
+}
+
 TEST(Disc, PassesBetweenRowsOfCells) {
     const Map door = map_from_ascii(R"(
         ....
@@ -73,6 +78,26 @@ TEST(Disc, TakesNoDetourBecauseItsSquareDoes) {
     EXPECT_DOUBLE_EQ(*plan.after.makespan, distance(Cell{5, 3}, Cell{3, 5}));
 }
 
+TEST(Disc, TakesAnotherWayThanThePointSlipsThrough) {
+    const Map map = map_from_ascii(R"(
+        ##.................
+        ...................
+        ...................
+        ...................
+        #####..............
+        ...###.............
+        ...................
+        ...................
+        ...................
+        ...................
+        ................###)");
+    const Mission mission = mission_of_disc(0.7, {6, 1}, {2, 6}, 0);
+    const Plan plan = MissionPlanner().plan(map, mission);
+    ASSERT_TRUE(is_valid(map, mission, plan));
+    const Plan theta = MissionPlanner().plan(map, mission, {.planner = Planner::theta});
+    EXPECT_LE(*plan.after.makespan, *theta.after.makespan * (1 + 1e-9));
+}
+
 TEST(Disc, GoesWhereForcingASetShowsAWay) {
     const Map map = map_from_ascii(R"(
         ........
@@ -104,13 +129,10 @@ TEST(Disc, LeavesWhatItDoesNotEnter) {
 RC_GTEST_PROP(Disc, EntersAllThatGoes, ()) {
     const PlainMap plain = *random_map(10, 8);
     const Map map(plain.grid());
-    const OpenedMap closed(map);
     const double radius = *rc::gen::element(0.2, 0.5, 0.6, 0.7, 1.0, 1.5);
     Mission mission = mission_of_disc(radius, any_free_cell(plain), any_free_cell(plain), *number(0, 3));
     mission.rules.breach_time.per_obstacle = *rc::gen::element(0.0, 2.0, 20.0);
-    const bool fits_there = fits(closed, mission.agents[0].start, mission.agents[0].body) &&
-                            fits(closed, mission.agents[0].goal, mission.agents[0].body);
-    RC_PRE(fits_there);
+    RC_PRE(fits_there(map, mission));
     const Planner planner = *rc::gen::element(Planner::optimal, Planner::theta);
     const Plan plan = MissionPlanner().plan(map, mission, {.planner = planner});
     RC_ASSERT(plan_faults(map, mission, plan) == "");
@@ -118,6 +140,21 @@ RC_GTEST_PROP(Disc, EntersAllThatGoes, ()) {
     RC_ASSERT(std::ranges::all_of(plan.breaches, [](const Breach& breach) { return breach.entered_at.has_value(); }));
     if (!plan.before.makespan) return;
     RC_ASSERT(*plan.after.makespan <= *plan.before.makespan * (1 + 1e-9));
+}
+
+// Theta* is asked where a plan ends more than 1 % above its bound.
+RC_GTEST_PROP(Disc, DrivesNoLongerThanThetaByMoreThanAHundredth, ()) {
+    const PlainMap plain = *random_map(24, 20);
+    const Map map(plain.grid());
+    const double radius = *rc::gen::element(0.2, 0.6, 0.7, 1.0, 1.5);
+    const Mission mission = mission_of_disc(radius, any_free_cell(plain), any_free_cell(plain), 0);
+    RC_PRE(fits_there(map, mission));
+    const Plan theta = MissionPlanner().plan(map, mission, {.planner = Planner::theta});
+    if (theta.status != PlanStatus::solved) return;
+    const Plan plan = MissionPlanner().plan(map, mission);
+    RC_ASSERT(plan.status == PlanStatus::solved);
+    RC_CLASSIFY(*plan.after.makespan < *theta.after.makespan * (1 - 1e-9), "shorter");
+    RC_ASSERT(*plan.after.makespan <= *theta.after.makespan * 1.01);
 }
 
 }  // namespace
