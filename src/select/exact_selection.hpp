@@ -125,8 +125,8 @@ class ExactSelection {
     double best_;           // to be beaten
     double proven_;         // no plan costs less
     Selected selected_;
-    std::vector<Candidate> earlier_;
-    std::vector<std::vector<ObstacleId>> opened_;
+    std::vector<Candidate> earlier_;               // found before
+    std::vector<std::vector<ObstacleId>> opened_;  // their shortest paths have been tried
     TimedPaths timed_paths_;
     bool improves_paths_ = true;  // for their timetables
     bool of_fewer_ = false;       // part of a selection with more removals
