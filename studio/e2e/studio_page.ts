@@ -77,9 +77,9 @@ export class StudioPage {
     return this.page.getByRole("region", { name: "Result" });
   }
 
-  // Once the plan stands and its independent check is in.
+  // Once the plan of the mission as it is stands, and its independent check is in.
   async settled(): Promise<void> {
-    await this.result().getByText("Checked independently").waitFor();
+    await this.page.locator('[aria-label="Result"][aria-busy="false"]').getByText("Checked independently").waitFor();
   }
 
   // What the headline says: the objective with the removals, and without.

@@ -46,7 +46,13 @@ export class PageState {
   readonly looks = computed(() => looksOf(this.mission.value?.agents ?? []));
   readonly clock = new Clock();
 
-  // Whether what is shown answers an older question, and has for a moment: what follows the mouse does so within it.
+  // Whether what is shown answers an older question.
+  readonly outdated = computed(() => {
+    const answered = this.results.answered.value?.of;
+    const mission = this.mission.value;
+    return Boolean(answered && mission && !asksTheSame(answered, mission));
+  });
+  // Whether it has for a moment: what follows the mouse does so within it.
   readonly old = signal(false);
 
   // `pace`: of a plan that is in the units of its file (unitsOf).
@@ -54,16 +60,11 @@ export class PageState {
     readonly results: Results,
     private readonly pace: Pace | null = null,
   ) {
-    const isOld = computed(() => {
-      const answered = results.answered.value?.of;
-      const mission = this.mission.value;
-      return Boolean(answered && mission && !asksTheSame(answered, mission));
-    });
     let timer: ReturnType<typeof setTimeout>;
     effect(() => {
       void results.answered.value; // each answer is another moment
       clearTimeout(timer);
-      if (!isOld.value) this.old.value = false;
+      if (!this.outdated.value) this.old.value = false;
       else timer = setTimeout(() => (this.old.value = true), moment);
     });
   }

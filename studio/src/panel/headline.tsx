@@ -45,7 +45,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
   const asked = page instanceof Studio ? null : askedRules(after.plan); // there the choices are listed
   const spoken = [words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title, who].join(" ");
   return (
-    <section class={`headline ${words.tone}`} aria-label="Result">
+    <section class={`headline ${words.tone}`} aria-label="Result" aria-busy={page.outdated.value}>
       <h2>
         {words.title}
         {words.figures && ":"}
