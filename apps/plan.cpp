@@ -156,9 +156,10 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
 
 std::string why_no_team_plan(const Plan& plan, const Mission& mission) {
     if (plan.status == PlanStatus::limit_reached) {
+        const bool flies = std::ranges::any_of(mission.agents, [](const Agent& a) { return a.kind == AgentKind::air; });
         return fmt::format(
-            "no plan for {} agents was found, nor that there is none; fewer agents or more time may help",
-            mission.agents.size());
+            "no plan for {} agents was found, nor that there is none; fewer agents{} or more time may help",
+            mission.agents.size(), flies ? ", more removals" : "");
     }
     return "no plan: a ground agent cannot get from its start to its goal, even if it were alone";
 }

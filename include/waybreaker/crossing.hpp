@@ -40,6 +40,9 @@ struct CrossingOptions {
     // or below 0: they are open from the start. The agent waits for that, wherever at the border of an obstacle the
     // rest of the way is shortest. Empty: all are open.
     std::function<double(std::span<const ObstacleId>)> opened_after = {};
+    // What it says of several is the latest that it says of one of them. find() is faster then: of what is crossed and
+    // left, only the number and the prices matter.
+    bool opens_each_alone = false;
     // The same of the whole mission of whoever opens them, none below 0. A path costs no less; `adds_both`: it costs
     // the sum of both.
     std::function<double(std::span<const ObstacleId>)> done_after = {};

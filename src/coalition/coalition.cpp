@@ -21,8 +21,8 @@ constexpr int most_rounds = 12;
 constexpr double close = 1e-3;
 constexpr double near = 6e-3;
 constexpr double near_enough = 5e-3;
-// Relative, for each vehicle: columns that cost so much more than the best are kept while prices change.
-constexpr double worth_knowing = 1e-3;
+// Relative: how much more than the best columns may cost that are compared with all others.
+constexpr double listed = 4e-3;
 // Prices aim at what the best set reaches; no farther, while there is none or a bad one.
 constexpr double farthest_aim = 1.1;
 // Of what is missing: when a round of prices gains less, no other follows.
@@ -32,8 +32,9 @@ constexpr int most_vain_tries = 4;
 // All sets are tried if they are no more.
 constexpr std::size_t most_sets = 128;
 constexpr std::uint64_t most_effort = 100'000;  // as Ways::effort() counts
-// Relative: what vehicles may lose on each other.
+// What vehicles may lose on each other: of the objective, and of what is not proven anyway.
 constexpr double close_on_others = 2e-4;
+constexpr double small_share = 0.05;
 // Sets planned past collisions, while another one may still be better.
 constexpr std::size_t most_tries = 4;
 
@@ -76,7 +77,9 @@ class Planning {
     double bound_with(std::size_t removals) const { return removals < bounds_.size() ? bounds_[removals] : 0; }
     // Whether what vehicles lose on each other, which the choice of sets does not see, may make another set better.
     bool lost_on_others() const {
-        return !drafts_.empty() && plan_.objective > drafts_.front().cost.first * (1 + close_on_others);
+        if (drafts_.empty()) return false;
+        const double alone = drafts_.front().cost.first;
+        return plan_.objective > alone + tolerable_loss(alone);
     }
 
   private:
@@ -131,11 +134,11 @@ class Planning {
     bool is_within(double gap) const { return reached() <= plan_.bound * (1 + std::max(gap, interrupts_.gap)); }
 
     // Prices learn from the best set, and find more wishes; wishes find better sets.
-    void improve_prices(Columns& columns, Relaxation& relaxation) {
+    void improve_prices(const Columns& columns, Relaxation& relaxation) {
         draft(Picks(problem_, columns).best_from({}));
         for (int round = 0; round < most_rounds && !choice_.due() && !is_within(near); ++round) {
             const double aim = std::min(reached(), farthest_aim * plan_.bound);
-            const bool found = relaxation.tighten(aim, worth_knowing * aim / double(columns.size()));
+            const bool found = relaxation.tighten(aim);
             const double gain = relaxation.bound() - plan_.bound;
             const double missing = reached() - plan_.bound;
             plan_.bound = relaxation.bound();
@@ -148,9 +151,11 @@ class Planning {
     // Sets in the order of their limits, until none can be better or patience is over.
     void try_jointly(Columns& columns, Relaxation& relaxation) {
         if (drafts_.empty() || is_within(close) || choice_.due()) return;
-        // All that could be part of a better plan, or what is likely to be.
+        // All that could be part of a better plan, or what is likely to be. Where vehicles are many, lists as long as
+        // that say too little.
         const double useless = reached() / (1 + interrupts_.gap);
-        relaxation.list(std::min(useless - plan_.bound, near * reached()));
+        if (Columns::most_margin * reached() / double(columns.size()) < least_gain * (useless - plan_.bound)) return;
+        relaxation.list(std::min(useless - plan_.bound, listed * reached()));
         plan_.bound = std::max(plan_.bound, relaxation.bound());
         if (!relaxation.proof().complete) return;
         Joint joint(problem_, columns, relaxation.proof(), flights_, useless);
@@ -218,12 +223,16 @@ class Planning {
         std::vector<team::Vehicle> vehicles = plan_.closed;
         for (std::size_t v = 0; removes && v < vehicles.size(); ++v) vehicles[v] = vehicle(draft, v);
         const auto enough = [&](std::span<team::Vehicle> all) {
-            const double near_alone =
-                removes ? team::objective_alone(all, problem_.rules().objective) * (1 + close_on_others) : 0;
-            return std::max(near_alone, good_enough(draft));
+            const double alone = team::objective_alone(all, problem_.rules().objective);
+            return std::max(removes ? alone + tolerable_loss(draft.cost.first) : 0, good_enough(draft));
         };
         return team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_, enough,
                                 [](const team::Cost&) {});
+    }
+
+    // On other vehicles, where nobody would do otherwise.
+    double tolerable_loss(double alone) const {
+        return std::max(close_on_others * alone, small_share * (alone - plan_.bound));
     }
 
     // Of the vehicles' objective, with the flights of a draft; 0 if none is.
@@ -352,7 +361,7 @@ CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool select
         return Planning(map, other, interrupts, crossing, theta).run(removals > 0, tell);
     });
     // From the fewest on: who may remove less takes the same steps, and leaves out the last.
-    const int least = mission.rules.removals - planning.spare_removals();
+    const int least = int(mission.rules.force.size());
     for (int spare = 0; spare < planning.spare_removals() && !interrupts.due(); ++spare) {
         if (first.objective <= planning.bound_with(std::size_t(spare))) continue;
         again.plan(least + spare, mission.rules.force);

@@ -11,11 +11,16 @@ namespace {
 // Of one search: to be told of many sets at once saves searches; most searches end long before so many expansions.
 constexpr int most_told = 64;
 constexpr std::uint64_t most_expansions = 6'000;
-constexpr std::uint64_t most_expansions_at_first = 20'000;
-// Relative: no search looks for sets that cost more than the best by that much.
-constexpr double most_margin = 0.03;
+constexpr std::uint64_t most_expansions_at_first = 5'000;
+constexpr std::uint64_t most_expansions_in_time = 1'500;
 // Of sets with as many obstacles the best is looked for, and of those with as many as may be.
 constexpr int most_counted = 3;
+
+double paid_for(std::span<const ObstacleId> opened, std::span<const double> prices) {
+    double paid = 0;
+    for (const ObstacleId id : opened) paid += prices[id.value];
+    return paid;
+}
 
 }  // namespace
 
@@ -30,7 +35,12 @@ Cheapest cheapest(const Wishes& wishes, double weight, const std::vector<double>
 }
 
 Columns::Columns(const Problem& problem, CrossingSearcher& crossing, FlightLimits& flights, Shape shape)
-    : problem_(problem), crossing_(crossing), flights_(flights), shape_(shape), wishes_(problem.vehicles().size()) {
+    : problem_(problem),
+      crossing_(crossing),
+      flights_(flights),
+      shape_(shape),
+      wishes_(problem.vehicles().size()),
+      proofs_(wishes_.size()) {
     for (std::size_t i = 0; i < size(); ++i) add(i, {}, find(i, 0, infinity).lower_bound);
     // Where the last arrival counts, only those matter that may be the last.
     std::vector<std::size_t> order(size());
@@ -76,17 +86,18 @@ void Columns::begin_in_time(std::size_t vehicle) {
     const double least = std::min(best.lower_bound, closed);
     wishes.least = arrival_of(agent, {}, least);
     if (std::isinf(least)) return;
-    if (problem_.rules().timing == Timing::enforce) {
+    if (in_time()) {
         CrossingOptions options = options_for(agent);
         options.limits.expansions = std::min(problem_.interrupts().expansions, most_expansions_at_first);
         options.length_limit = closed;
         options.expected = least;
-        options.opened_after = [&](std::span<const ObstacleId> opened) { return opened_after(agent, opened); };
+        options.opens_each_alone = true;
+        options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
         best = crossing_.find(problem_.map(), agent.start, agent.goal, options);
         note(best);
         wishes.least = std::max(wishes.least, arrival_of(agent, {}, std::min(best.lower_bound, closed)));
     }
-    if (best.status == SearchStatus::found) add(vehicle, best.best.crossed, best.best.cost);
+    if (best.status == SearchStatus::found) add_in_time(vehicle, best.best.crossed, best.best.cost);
 }
 
 // The best set of one obstacle, of two, and so on, and of as many as may be.
@@ -102,7 +113,7 @@ void Columns::begin_by_count(std::size_t vehicle) {
     }
     wishes.least = arrival_of(agent, {}, least);
     const std::vector<double> free(problem_.map().obstacles().size() + 1, 0);
-    wishes.least = std::max(wishes.least, search(vehicle, free, most_margin * wishes.least).least);
+    wishes.least = std::max(wishes.least, list(vehicle, free, most_margin * wishes.least).least);
 }
 
 CrossingOptions Columns::options_for(const Agent& agent) const {
@@ -148,6 +159,13 @@ double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obs
     return (flights_.of(Set(obstacles.begin(), obstacles.end())).open - agent.ready_at) * agent.speed;
 }
 
+// As if an aircraft could have each of them open as early as if it were the only one.
+double Columns::each_opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) const {
+    double last = -infinity;
+    for (const ObstacleId id : obstacles) last = std::max(last, problem_.earliest_opening(id));
+    return (last - agent.ready_at) * agent.speed;
+}
+
 // Who crosses an obstacle does so no earlier than the first aircraft can have it open, and has the rest of the way to
 // go. Where the last arrival counts, the aircraft's own counts as well.
 double Columns::arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const {
@@ -187,19 +205,75 @@ void Columns::note(const CrossingResult& search) {
     limited_ = limited_ || (ended && (interrupts.due() || interrupts.expansions < most_expansions));
 }
 
-Columns::Search Columns::search(std::size_t vehicle, std::span<const double> prices, double margin) {
+double Columns::best_known(std::size_t vehicle, std::span<const double> prices) const {
+    std::vector<double> known_prices;
+    for (const ObstacleId id : wishes_[vehicle].obstacles) known_prices.push_back(prices[id.value]);
+    return cheapest(wishes_[vehicle], 1, known_prices).cost;
+}
+
+// By how much what is paid for a set can have fallen.
+double Columns::greatest_fall(std::span<const double> from, std::span<const double> to) const {
+    std::vector<double> falls;
+    for (std::size_t id = 0; id < from.size(); ++id) {
+        if (to[id] < from[id]) falls.push_back(from[id] - to[id]);
+    }
+    std::ranges::sort(falls, std::greater<>());
+    falls.resize(std::min(falls.size(), std::size_t(problem_.spare_removals())));
+    return std::accumulate(falls.begin(), falls.end(), 0.0);
+}
+
+// First as if all were open: that takes a fraction of the time, is often in time, and says more than a search in time
+// that a limit ends.
+Columns::Search Columns::search(std::size_t vehicle, std::span<const double> prices) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (agent.start == agent.goal) return {agent.ready_at, infinity};
-    const Wishes& wishes = wishes_[vehicle];
-    std::vector<double> known_prices;
-    for (const ObstacleId id : wishes.obstacles) known_prices.push_back(prices[id.value]);
-    double best = cheapest(wishes, 1, known_prices).cost;
+    Proof& proof = proofs_[vehicle];
+    double best = best_known(vehicle, prices);
+    if (proof.complete && proof.least - greatest_fall(proof.prices, prices) >= best * (1 - rounding))
+        return {best, best};
     std::vector<double> in_cells;
     for (const double price : prices) in_cells.push_back(price * agent.speed);
     CrossingOptions options = options_for(agent);
     options.prices = in_cells;
-    const bool timed = shape_ == Shape::relaxed && problem_.rules().timing == Timing::enforce;
-    if (timed) {
+    std::vector<ObstacleId> protect = useless(agent, prices, best);
+    protect.insert(protect.end(), options.protect.begin(), options.protect.end());
+    options.protect = protect;
+    const auto find = [&] {
+        if (std::isfinite(best)) {
+            options.length_limit = (best - agent.ready_at) * agent.speed;
+            options.expected = options.length_limit;
+        }
+        CrossingResult found = crossing_.find(problem_.map(), agent.start, agent.goal, options);
+        note(found);
+        if (found.status == SearchStatus::found) {
+            add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, in_cells));
+        }
+        best = best_known(vehicle, prices);
+        proof.complete = found.status == SearchStatus::found || found.status == SearchStatus::no_path;
+        proof.least = std::min(best, std::max(proof.least, agent.ready_at + found.lower_bound / agent.speed));
+    };
+    proof.prices.assign(prices.begin(), prices.end());
+    proof.least = 0;
+    find();
+    if (in_time() && proof.least < best * (1 - rounding)) {
+        options.opens_each_alone = true;
+        options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
+        options.limits.expansions = std::min(options.limits.expansions, most_expansions_in_time);
+        find();
+    }
+    return {proof.least, proof.least};
+}
+
+Columns::Search Columns::list(std::size_t vehicle, std::span<const double> prices, double margin) {
+    const Search proven = search(vehicle, prices);
+    const Agent& agent = *problem_.vehicles()[vehicle];
+    if (agent.start == agent.goal || !proofs_[vehicle].complete) return proven;
+    double best = best_known(vehicle, prices);
+    std::vector<double> in_cells;
+    for (const double price : prices) in_cells.push_back(price * agent.speed);
+    CrossingOptions options = options_for(agent);
+    options.prices = in_cells;
+    if (in_time()) {
         options.opened_after = [&](std::span<const ObstacleId> opened) { return opened_after(agent, opened); };
     }
     if (std::isfinite(best)) {
@@ -215,16 +289,37 @@ Columns::Search Columns::search(std::size_t vehicle, std::span<const double> pri
         crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (told == most_told || agent.ready_at + path.cost / agent.speed >= best + margin) return false;
             ++told;
-            double paid = 0;
-            for (const ObstacleId id : path.crossed) paid += prices[id.value];
-            const double length = timed ? path.cost - paid * agent.speed : path.length;
+            const double length = path.cost - paid_for(path.crossed, in_cells);
             add(vehicle, path.crossed, length);
-            best = std::min(best, arrival_of(agent, path.crossed, length) + paid);
+            best = std::min(best, arrival_of(agent, path.crossed, length) + paid_for(path.crossed, prices));
             return true;
         });
     note(rest);
     const double others = agent.ready_at + rest.lower_bound / agent.speed;
-    return {std::min(best, others), others};
+    return {std::max(proven.least, std::min(best, others)), std::max(proven.least, others)};
+}
+
+// When the vehicle arrives by way of such a set and by nothing else, all of it opened by the aircraft together; its way
+// takes that length at least. Once for each set.
+void Columns::add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length) {
+    const Agent& agent = *problem_.vehicles()[vehicle];
+    if (!in_time() || opened.empty()) return add(vehicle, opened, length);
+    Set set(opened.begin(), opened.end());
+    std::ranges::sort(set);
+    if (!timed_.emplace(vehicle, set).second) return;
+    double nearest = infinity;
+    for (const ObstacleId id : set) nearest = std::min(nearest, gap(problem_.map().obstacle(id).bounds, agent.start));
+    if (opened_after(agent, set) <= nearest) return add(vehicle, set, length);
+    CrossingOptions options = options_for(agent);
+    options.only = set;
+    options.crossings = int(set.size());
+    options.opened_after = [&](std::span<const ObstacleId> ids) { return opened_after(agent, ids); };
+    const CrossingResult found = crossing_.find(problem_.map(), agent.start, agent.goal, options);
+    if (found.status == SearchStatus::found) {
+        add(vehicle, found.best.crossed, found.best.cost);
+    } else {
+        add(vehicle, set, std::max(length, found.lower_bound));
+    }
 }
 
 }  // namespace waybreaker::coalition

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coalition/flight_limits.hpp"
@@ -37,6 +39,9 @@ class Columns {
         double told = 0;
     };
 
+    // Relative: no list holds sets that cost more than the best by that much.
+    static constexpr double most_margin = 0.03;
+
     // Each vehicle with nothing opened but what must be, and with what is best for it alone.
     Columns(const Problem& problem, CrossingSearcher& crossing, FlightLimits& flights, Shape shape);
 
@@ -48,9 +53,10 @@ class Columns {
     bool limited() const { return limited_; }
 
     // The least arrival plus prices over all sets, also those that are not known: a lower limit, the exact value unless
-    // a limit ends the search. Prices by id, in units of time. Adds columns that cost up to so much more than the best,
-    // if they are not too many.
-    Search search(std::size_t vehicle, std::span<const double> prices, double margin);
+    // a limit ends a search. Prices by id, in units of time. Adds the best column, or one nearly as good.
+    Search search(std::size_t vehicle, std::span<const double> prices);
+    // The same, and adds columns that cost up to so much more than the best, if they are not too many.
+    Search list(std::size_t vehicle, std::span<const double> prices, double margin);
 
   private:
     CrossingResult find(std::size_t vehicle, int crossings, double length_limit);
@@ -59,9 +65,14 @@ class Columns {
     void begin_by_count(std::size_t vehicle);
     void note(const CrossingResult& search);
     void add(std::size_t vehicle, std::span<const ObstacleId> opened, double length);
+    void add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length);
+    double greatest_fall(std::span<const double> from, std::span<const double> to) const;
+    double best_known(std::size_t vehicle, std::span<const double> prices) const;
+    bool in_time() const { return shape_ == Shape::relaxed && problem_.rules().timing == Timing::enforce; }
     CrossingOptions options_for(const Agent& agent) const;
     std::vector<ObstacleId> useless(const Agent& agent, std::span<const double> prices, double known) const;
     double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles);
+    double each_opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) const;
     static double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
     double arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const;
 
@@ -69,7 +80,16 @@ class Columns {
     CrossingSearcher& crossing_;
     FlightLimits& flights_;
     Shape shape_;
+    // What the last search of a vehicle has proven.
+    struct Proof {
+        std::vector<double> prices = {};
+        double least = 0;
+        bool complete = false;  // no limit has ended it
+    };
+
     std::vector<Wishes> wishes_;
+    std::vector<Proof> proofs_;
+    std::set<std::pair<std::size_t, Set>> timed_;  // of a vehicle: searched in time, and nothing else open
     bool limited_ = false;
 };
 

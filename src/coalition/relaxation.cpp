@@ -239,8 +239,9 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
     return shares;
 }
 
-// Searches at certain prices. Whether that has raised the bound or found new columns.
-bool Relaxation::prove(Prices at, double margin) {
+// Searches at certain prices: for the best columns, or with a margin for all that cost up to so much more. Whether that
+// has raised the bound or found new columns.
+bool Relaxation::prove(Prices at, std::optional<double> margin) {
     for (double& weight : at.weights) weight = weight < least_weight_of_vehicle ? 0 : weight;
     const std::vector<double> shares = offer_all(at);
     std::vector<ObstacleId> chosen;
@@ -254,7 +255,7 @@ bool Relaxation::prove(Prices at, double margin) {
         std::vector<double> prices = prices_of(i, at, shares);
         for (double& price : prices) price /= weight;
         const std::size_t before = columns_.of(i).columns.size();
-        search = columns_.search(i, prices, margin / weight);
+        search = margin ? columns_.list(i, prices, *margin / weight) : columns_.search(i, prices);
         search = {search.least * weight, search.told * weight};
         value += search.least;
         found = found || columns_.of(i).columns.size() > before;
@@ -277,7 +278,7 @@ bool Relaxation::prove(Prices at, double margin) {
 }
 
 // Between the best prices that are proven and those that look best on what is known: the latter may be far off.
-bool Relaxation::tighten(double reached, double margin) {
+bool Relaxation::tighten(double reached) {
     ascend(reached);
     Prices at = centre_;
     const auto approach = [](double& from, double to) { from += share_of_step * (to - from); };
@@ -285,7 +286,7 @@ bool Relaxation::tighten(double reached, double margin) {
         approach(at.weights[i], best_.weights[i]);
         for (std::size_t k = 0; k < at.prices[i].size(); ++k) approach(at.prices[i][k], best_.prices[i][k]);
     }
-    return prove(at, margin);
+    return prove(at);
 }
 
 double Relaxation::bound_with(std::size_t removals) const {

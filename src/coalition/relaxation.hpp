@@ -12,6 +12,7 @@
 // new columns. As few columns are known at first, prices go only part of the way to what looks best on them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "coalition/columns.hpp"
@@ -26,10 +27,10 @@ class Relaxation {
     // No plan has a smaller objective.
     double bound() const { return bound_; }
     // One round: better prices for the columns that are known, by subgradients towards the objective of a set that is
-    // known; searches prove the bound there, and find columns that cost a vehicle up to so much more than its best.
-    // Whether that has gained anything.
-    bool tighten(double reached, double margin);
-    // Searches at the prices that are proven best: for all columns that cost up to so much more.
+    // known; searches prove the bound there, and find the best column of each vehicle. Whether that has gained
+    // anything.
+    bool tighten(double reached);
+    // Searches at the prices that are proven best: for all columns that cost up to so much more than the best.
     void list(double margin) { prove(centre_, margin); }
 
     // What the last searches have proven.
@@ -70,7 +71,7 @@ class Relaxation {
     void ascend(double reached);
     std::vector<double> offer_all(const Prices& at);
     std::vector<double> prices_of(std::size_t vehicle, const Prices& at, const std::vector<double>& free) const;
-    bool prove(Prices at, double margin);
+    bool prove(Prices at, std::optional<double> margin = std::nullopt);
 
     const Problem& problem_;
     Columns& columns_;

@@ -286,10 +286,11 @@ CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex star
 }
 
 void CrossingSearcher::Search::start_parts() {
-    by_count_ = accept_ == nullptr && !in_time();  // another set may open later
+    const bool alone = !waits_ || options_->opens_each_alone;  // another set may open later
+    by_count_ = accept_ == nullptr && alone && !options_->done_after;
     // Gates may be where two cells touch at a corner.
     const bool pinched = regions_->pinched() && !waits_ && !to_gate_;
-    Convex* const convex = by_count_ && options_->prices.empty() ? &convex_ : nullptr;
+    Convex* const convex = by_count_ && !in_time() && options_->prices.empty() ? &convex_ : nullptr;
     convex_.start_query(*regions_, reach_of(*options_));
     fan_.start_query(*regions_, goal_, *options_, pinched, convex, interrupt_);
     // Who waits may be half a cell from the place that stands for it.

@@ -65,6 +65,36 @@ RC_GTEST_PROP(CrossingLaws, AWeightedPathIsAsLongAsItsWeightAllows, ()) {
     RC_ASSERT(found.best.crossed.size() <= std::size_t(problem.crossings));
 }
 
+// What was crossed and left then counts by its number and prices, and not by its members. Of a point in time costs are
+// lower limits: they may differ, but not be above the square's.
+RC_GTEST_PROP(CrossingLaws, ObstaclesThatEachOpenAloneAreSearchedByTheirNumber, ()) {
+    CrossingCase problem = *number(0, 1) == 0 ? *any_walls() : *any_case(24);
+    const std::vector<double> opened = *some_times(problem.map);
+    problem.done_after.clear();
+    const auto find = [&](const Mover& mover, bool each_alone) {
+        problem.set(mover);
+        CrossingOptions options = problem.options();
+        options.opens_each_alone = each_alone;
+        options.opened_after = [&](std::span<const ObstacleId> crossed) {
+            double last = 0;
+            for (const ObstacleId id : crossed) last = std::max(last, opened[id.value]);
+            return last;
+        };
+        return CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    };
+    const CrossingResult square = find({Body{}}, false);
+    RC_LOG() << problem << square.best.cost << '\n';
+    const CrossingResult by_number = find({Body{}}, true);
+    RC_ASSERT(by_number.status == square.status);
+    if (square.status != SearchStatus::found) return;
+    RC_ASSERT(std::abs(by_number.best.cost - square.best.cost) <= 1e-9 * (1 + square.best.cost));
+    for (const Mover& mover : {Mover{point_body}, Mover{Body{}, true}}) {
+        const CrossingResult limit = find(mover, true);
+        RC_ASSERT(limit.status == SearchStatus::found);
+        RC_ASSERT(limit.best.cost <= square.best.cost * (1 + 1e-12));
+    }
+}
+
 RC_GTEST_PROP(CrossingLaws, ASquareIsNeverFasterThanAPoint, ()) {
     CrossingCase problem = *any_case(40);
     const auto cost_of = [&](const Mover& mover) {

@@ -179,7 +179,7 @@ double proven(const Map& map, const Mission& mission, double reached) {
     coalition::FlightLimits flights(problem);
     coalition::Columns columns(problem, crossing, flights, coalition::Shape::relaxed);
     coalition::Relaxation relaxation(problem, columns);
-    for (int round = 0; round < 3; ++round) relaxation.tighten(reached, 0.01 * reached);
+    for (int round = 0; round < 3; ++round) relaxation.tighten(reached);
     relaxation.list(reached - relaxation.bound());
     if (!relaxation.proof().complete) return relaxation.bound();
     coalition::Joint joint(problem, columns, relaxation.proof(), flights, reached);

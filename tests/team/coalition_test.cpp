@@ -83,6 +83,7 @@ RC_GTEST_PROP(Coalition, IsNoWorseWithMoreRemovals, ()) {
     for (int removals = 0; removals <= 4; ++removals) {
         mission.rules.removals = removals;
         const Plan plan = MissionPlanner().plan(map, mission);
+        RC_LOG() << removals << " removals: " << value(plan.after, objective).value_or(-1) << '\n';
         if (before) {
             RC_ASSERT(plan.status == PlanStatus::solved);
             RC_ASSERT(*value(plan.after, objective) <= *before * (1 + 1e-9));
@@ -177,6 +178,32 @@ TEST(Coalition, HasNoPlanWhereNotEnoughMayBeRemoved) {
     mission.agents[2].breaches = 2;
     mission.rules.protect = {{1}};
     EXPECT_EQ(MissionPlanner().plan(two_walls(), mission).status, PlanStatus::no_plan);
+}
+
+// Vehicles that hinder each other: the set that is best for each alone is not the best for all.
+TEST(Coalition, TriesFewerRemovalsThanAircraftCanBreach) {
+    const Map map = map_from_ascii(R"(
+        a.aa.b
+        aaa.bb
+        .....b
+        ..c...)");
+    Mission mission;
+    mission.agents = {vehicle("slow", {0, 2}, {3, 2}), vehicle("a", {3, 1}, {1, 3}),
+                      vehicle("point", {1, 2}, {4, 2}, 0), vehicle("parked", {4, 0}, {4, 0}),
+                      aircraft("air", {0, 0}, {1, 2})};
+    mission.agents[0].speed = 0.5;
+    mission.agents[3].body = {.corners = Corners::cut};
+    mission.agents[4].breaches = 2;
+    mission.rules.objective = Objective::flowtime;
+    mission.rules.timing = Timing::ignore;
+    mission.rules.separation = 0.5;
+    mission.rules.removals = 1;
+    const Plan one = MissionPlanner().plan(map, mission);
+    mission.rules.removals = 4;
+    const Plan four = MissionPlanner().plan(map, mission);
+    ASSERT_EQ(one.status, PlanStatus::solved);
+    ASSERT_EQ(four.status, PlanStatus::solved);
+    EXPECT_LE(*four.after.flowtime, *one.after.flowtime * (1 + 1e-9));
 }
 
 TEST(Coalition, RemovesWhatItMust) {
