@@ -215,7 +215,7 @@ class StepSearch {
         const Box box = around(from.within);
         for (Cell to = box.min; to.y <= box.max.y; ++to.y) {
             for (to.x = box.min.x; to.x <= box.max.x; ++to.x) {
-                if (!leaves(from.within, to)) continue;
+                if (!leaves(from.within, to) || !is_beside(from.within, to)) continue;
                 reach({to, from.layer}, {node.cost + cost_between(from.at, to), node.crossed});
             }
         }
@@ -226,16 +226,23 @@ class StepSearch {
         for (const Move& move : moves) {
             reach_next(from, move, box, std::uint64_t(crossings_), node);
         }
-        if (!leaves(from.within, from.at)) return;
-        bool beside = false;
-        for_each_beside(from.at, [&](ObstacleId obstacle) { beside = beside || obstacle == from.within; });
-        if (beside) reach({from.at, from.layer}, node);
+        if (!leaves(from.within, from.at) || !is_beside(from.within, from.at)) return;
+        reach({from.at, from.layer}, node);
     }
 
     // Whether who has crossed the obstacle may be there.
     bool leaves(ObstacleId crossed, Cell c) const {
         const ObstacleId here = map_.obstacle_at(c);
         return here != crossed && !(solid_[here.value] && opened_.blocked(c));
+    }
+
+    bool is_beside(ObstacleId obstacle, Cell c) const {
+        for (int y = std::max(c.y - 1, 0); y <= std::min(c.y + 1, map_.height() - 1); ++y) {
+            for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, map_.width() - 1); ++x) {
+                if (map_.obstacle_at({x, y}) == obstacle) return true;
+            }
+        }
+        return false;
     }
 
     // What stands there, each once.
