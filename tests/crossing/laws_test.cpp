@@ -95,6 +95,46 @@ RC_GTEST_PROP(CrossingLaws, ObstaclesThatEachOpenAloneAreSearchedByTheirNumber, 
     }
 }
 
+// The point goes between b and c along their edge. Which of them it crosses matters, as b opens late.
+TEST(CrossingLaws, WhatWasCrossedMattersWhereItOpensLate) {
+    const Map map = map_from_ascii(R"(
+        .a.a.b...
+        .a.a.c.d.)");
+    CrossingOptions options;
+    options.crossings = 2;
+    options.opens_each_alone = true;
+    options.opened_after = [](std::span<const ObstacleId> crossed) {
+        return std::ranges::find(crossed, ObstacleId{2}) == crossed.end() ? 0 : 7;
+    };
+    const double square = cost(map, {0, 0}, {8, 1}, options);
+    options.body = point_body;
+    EXPECT_LE(cost(map, {0, 0}, {8, 1}, options), square);
+}
+
+// Then obstacles open one after the other.
+RC_GTEST_PROP(CrossingLaws, TheBestInTimeIsTheFirstThatIsToldOf, ()) {
+    CrossingCase problem = *number(0, 3) > 0 ? *any_walls() : *any_case(16);
+    problem.set(movers.front());
+    problem.crossings = std::max(problem.crossings, *number(0, 3));
+    const std::vector<double> takes = *some_times(problem.map);
+    problem.done_after.clear();
+    CrossingOptions options = problem.options();
+    options.opened_after = [&](std::span<const ObstacleId> crossed) {
+        double sum = 0;
+        for (const ObstacleId id : crossed) sum += takes[id.value] / 2;
+        return sum;
+    };
+    const CrossingResult best = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    std::optional<double> first;
+    CrossingSearcher().enumerate(problem.map, problem.start, problem.goal, options, [&](const CrossingPath& path) {
+        first = path.cost;
+        return false;
+    });
+    RC_LOG() << problem << best.best.cost << ' ' << first.value_or(-1) << '\n';
+    RC_ASSERT(first.has_value() == (best.status == SearchStatus::found));
+    if (first) RC_ASSERT(std::abs(best.best.cost - *first) <= 1e-9 * (1 + *first));
+}
+
 RC_GTEST_PROP(CrossingLaws, ASquareIsNeverFasterThanAPoint, ()) {
     CrossingCase problem = *any_case(40);
     const auto cost_of = [&](const Mover& mover) {
