@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "ascii_map.hpp"
 #include "crossing_case.hpp"
 
 namespace waybreaker {
