@@ -9,6 +9,7 @@
 
 #include "ascii_map.hpp"
 #include "coalition/all_sets.hpp"
+#include "coalition/columns.hpp"
 #include "coalition/flight_limits.hpp"
 #include "coalition/offers.hpp"
 #include "random_map.hpp"
@@ -151,6 +152,47 @@ RC_GTEST_PROP(FlightLimits, AreBelowEveryFlight, ()) {
     RC_ASSERT(limits.sum >= exact.sum - 1e-9);
     RC_ASSERT(limits.last >= exact.last - 1e-9);
     RC_ASSERT(set.empty() || limits.open >= exact.open - 1e-9);
+}
+
+// What was proven at other prices is a limit at these, but no more than that: the vehicle's square costs no less.
+RC_GTEST_PROP(Columns, ProveLimitsOnePriceAfterTheOther, ()) {
+    const PlainMap plain = *random_map(10, 10);
+    const Map map(plain.grid());
+    RC_PRE(!map.obstacles().empty());
+    Mission mission;
+    mission.agents.resize(3);
+    mission.agents[0].start = any_free_cell(plain);
+    mission.agents[0].goal = any_free_cell(plain);
+    for (Agent* agent : {&mission.agents[1], &mission.agents[2]}) {
+        agent->kind = AgentKind::air;
+        agent->start = any_cell(plain);
+        agent->goal = any_cell(plain);
+    }
+    mission.rules.removals = *number(1, 3);
+    mission.rules.objective = Objective::flowtime;
+    mission.rules.timing = *rc::gen::element(Timing::enforce, Timing::ignore);
+    const team::Interrupts interrupts{Deadline(), {}};
+    const Problem problem(map, mission, interrupts);
+    CrossingSearcher crossing;
+    FlightLimits flights(problem);
+    Columns columns(problem, crossing, flights, Shape::relaxed);
+    CrossingOptions driven;
+    driven.crossings = mission.rules.removals;
+    if (mission.rules.timing == Timing::enforce) {
+        driven.opened_after = [&](std::span<const ObstacleId> crossed) {
+            Set set(crossed.begin(), crossed.end());
+            std::ranges::sort(set);
+            return flights.of(set).open;
+        };
+    }
+    for (int round = 0; round < 3; ++round) {
+        std::vector<double> prices;
+        for (std::size_t id = 0; id <= map.obstacles().size(); ++id) prices.push_back(*number(0, 6) / 2.0);
+        driven.prices = prices;
+        const CrossingResult best =
+            CrossingSearcher().find(map, mission.agents[0].start, mission.agents[0].goal, driven);
+        if (best.status == SearchStatus::found) RC_ASSERT(columns.search(0, prices).least <= best.best.cost + 1e-9);
+    }
 }
 
 // The subsets of what may be removed beside what must be; one vehicle gains by all of them, if by any.
