@@ -154,7 +154,8 @@ class Planning {
         // All that could be part of a better plan, or what is likely to be. Where vehicles are many, lists as long as
         // that say too little.
         const double useless = reached() / (1 + interrupts_.gap);
-        if (Columns::most_margin * reached() / double(columns.size()) < least_gain * (useless - plan_.bound)) return;
+        const double longest = Columns::most_margin * reached() / double(columns.size());
+        if (problem_.sums() && longest < least_gain * (useless - plan_.bound)) return;
         relaxation.list(std::min(useless - plan_.bound, listed * reached()));
         plan_.bound = std::max(plan_.bound, relaxation.bound());
         if (!relaxation.proof().complete) return;
