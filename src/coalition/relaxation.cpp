@@ -13,6 +13,7 @@ constexpr double least_share = 1e-4;    // of the way to what is reached
 constexpr double least_gain = 1e-6;     // of such a share
 constexpr double share_of_step = 0.7;   // from the prices that are proven best
 constexpr double worth_knowing = 1e-3;  // relative: columns that cost a vehicle so much more than the best
+constexpr std::size_t few_vehicles = 20;
 constexpr double least_weight_of_vehicle = 1e-6;
 
 // The nearest point with no negative coordinate whose coordinates add up to 1 (Duchi and others 2008).
@@ -287,8 +288,9 @@ bool Relaxation::tighten(double reached) {
         approach(at.weights[i], best_.weights[i]);
         for (std::size_t k = 0; k < at.prices[i].size(); ++k) approach(at.prices[i][k], best_.prices[i][k]);
     }
-    // For a maximum few prices matter, and the best columns alone say too little about them.
-    return problem_.sums() ? prove(at) : prove(at, worth_knowing * reached / double(columns_.size()));
+    // In the sum of many one column more of a vehicle hardly matters.
+    if (problem_.sums() && columns_.size() > few_vehicles) return prove(at);
+    return prove(at, worth_knowing * reached / double(columns_.size()));
 }
 
 double Relaxation::bound_with(std::size_t removals) const {

@@ -27,8 +27,8 @@ class Relaxation {
     // No plan has a smaller objective.
     double bound() const { return bound_; }
     // One round: better prices for the columns that are known, by subgradients towards the objective of a set that is
-    // known; searches prove the bound there, and find the best column of each vehicle, for a maximum some more.
-    // Whether that has gained anything.
+    // known; searches prove the bound there, and find the best column of each vehicle, and where these are few some
+    // more. Whether that has gained anything.
     bool tighten(double reached);
     // Searches at the prices that are proven best: for all columns that cost up to so much more than the best.
     void list(double margin) { prove(centre_, margin); }
