@@ -179,12 +179,19 @@ double proven(const Map& map, const Mission& mission, double reached) {
     coalition::FlightLimits flights(problem);
     coalition::Columns columns(problem, crossing, flights, coalition::Shape::relaxed);
     coalition::Relaxation relaxation(problem, columns);
+    double bound = relaxation.bound();
+    const auto list = [&](double margin) {
+        relaxation.list(margin);
+        bound = std::max(bound, relaxation.bound());
+        if (!relaxation.proof().complete) return;
+        coalition::Joint joint(problem, columns, relaxation.proof(), flights, reached);
+        joint.next();
+        bound = std::max(bound, joint.bound());
+    };
+    list(0);  // most sets are not known then
     for (int round = 0; round < 3; ++round) relaxation.tighten(reached);
-    relaxation.list(reached - relaxation.bound());
-    if (!relaxation.proof().complete) return relaxation.bound();
-    coalition::Joint joint(problem, columns, relaxation.proof(), flights, reached);
-    joint.next();
-    return std::max(relaxation.bound(), joint.bound());
+    list(reached - relaxation.bound());
+    return bound;
 }
 
 // Rooms side by side with a vehicle in each, so that none is in another's way; aircraft fly over all.
