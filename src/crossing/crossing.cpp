@@ -18,6 +18,7 @@ using namespace crossing;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-9;  // relative
 
 std::vector<ObstacleId> sorted(std::span<const ObstacleId> ids) {
     std::vector<ObstacleId> set(ids.begin(), ids.end());
@@ -104,7 +105,12 @@ void CrossingSearcher::Search::expand(std::uint32_t index) {
     // Where it comes from does not matter after a wait.
     if (label.parent != no_label && label.gate == 0) from.arriving = label.at - labels_[label.parent].at;
     if (waits_ && least_with_more(label.set, limit_) > limit_) from.crossings = 0;
-    for (const ObstacleId obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
+    if (fan_.ray().prices()) {
+        // Nobody can pay more than what is left beside the shortest rest of the way.
+        from.weight = from.range - rest(label.at) + rounding * limit_;
+    } else {
+        for (const ObstacleId obstacle : from.open) from.weight -= fan_.ray().weight(obstacle);
+    }
     if (label.fronts_begin != 0) {
         from.ahead = std::span(fronts_.data() + label.fronts_begin, fronts_.data() + label.fronts_end);
     }

@@ -22,6 +22,7 @@ void Ray::start_query(const Regions& regions, const CrossingOptions& options, bo
     pinched_ = pinched;
     reach_ = reach_of(options);
     weighs_ = options.budget < std::numeric_limits<double>::infinity();
+    prices_ = weighs_ ? std::span<const double>() : options.prices;
     allows_some_ = !options.only.empty();
     passes_destructible_ = false;
     rows_ = &map_->grid();

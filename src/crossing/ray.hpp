@@ -68,8 +68,13 @@ class Ray {
         const ObstacleMark& mark = obstacle_marks_[obstacle.value];
         return !regions_->destructible(obstacle) || mark.protect == query_ || (allows_some_ && mark.allow != query_);
     }
-    // Of an obstacle against the budget; 0 where it is not limited.
-    double weight(ObstacleId obstacle) const { return weighs_ ? regions_->weight(obstacle) : 0; }
+    // Of an obstacle against what may be crossed: its weight where a budget limits that, else its price, in half cells.
+    double weight(ObstacleId obstacle) const {
+        if (weighs_) return regions_->weight(obstacle);
+        return prices_.empty() || regions_->is_edge(obstacle) ? 0 : 2 * prices_[obstacle.value];
+    }
+    // Whether weights are prices.
+    bool prices() const { return !prices_.empty(); }
     // Whether nothing of a region stands that is not in the list.
     bool opens(RegionId region, std::span<const ObstacleId> obstacles) const {
         bool all = true;
@@ -145,6 +150,7 @@ class Ray {
     const Grid* rows_ = nullptr;  // what rays look for
     const Grid* columns_ = nullptr;
     bool weighs_ = false;  // whether the budget is limited
+    std::span<const double> prices_;  // by id; empty: nothing is paid, or the budget is limited
     std::unique_ptr<RegionMark[], Free> region_marks_;
     std::unique_ptr<ObstacleMark[], Free> obstacle_marks_;
     std::size_t region_limit_ = 0;
