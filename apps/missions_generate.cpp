@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "commands.hpp"
+#include "core/parallel.hpp"
 #include "experiment/document.hpp"
 #include "experiment/missions.hpp"
-#include "experiment/parallel.hpp"
 #include "help.hpp"
 #include "io/map_file.hpp"
 #include "io/option_words.hpp"
@@ -88,8 +88,8 @@ void run(const MissionsGenerateOptions& options) {
     std::vector<Drawn> of_map(options.maps.size());
     {
         const Progress progress(fmt::format("drawing missions on {} maps", options.maps.size()));
-        experiment::for_each_index(options.maps.size(), 0,
-                                   [&](std::size_t i) { of_map[i] = draw(options.maps[i], options); });
+        for_each_index(options.maps.size(), 0,
+                       [&](std::size_t i, std::size_t) { of_map[i] = draw(options.maps[i], options); });
     }
     experiment::DrawnMissions all;
     std::string teams;

@@ -189,6 +189,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     mission.rules.timing = options.timing.value_or(mission.rules.timing);
     result.limits.seconds = options.time_limit.value_or(result.limits.seconds);
     result.limits.gap = options.gap.value_or(result.limits.gap);
+    result.limits.threads = options.threads;
     result.limits.expansions = options.expansion_limit.value_or(result.limits.expansions);
     const Planner planner = planner_of(method, mission.ground_body());
     if (options.planner == Planner::optimal && planner != Planner::optimal) {

@@ -195,6 +195,9 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
         "Stop planning so long after the start, with the best plan known and how far it can be from the best; none "
         "takes the time it needs (default: 10)");
     add_gap(command, options);
+    add_count(
+        command, "--threads", [&options](auto n) { options.threads = unsigned(n); }, 1, 1024,
+        "How many threads plan a team with aircraft; the plan is the same (default: one on each core)");
     command.add_flag("--bound", options.bound, "Prove a limit that no plan can beat also where the method proves none");
     command.add_flag(
         "--explain", options.explain,

@@ -34,6 +34,7 @@ struct PlanOptions {
     std::string weights;
     std::optional<double> time_limit;  // seconds, of the whole call
     std::optional<double> gap;         // a share
+    unsigned threads = 0;              // 0: all cores
     std::optional<FlightRule> flight;
     std::optional<Timing> timing;
     std::optional<Measure> ground_speed;

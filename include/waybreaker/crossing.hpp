@@ -84,6 +84,24 @@ struct CrossingResult {
     std::uint64_t generated = 0;
 };
 
+namespace crossing {
+class Ways;
+}
+
+// What queries have found out that helps later ones on the same map. How many labels those count as expanded, and where
+// a limit ends them, depends on it.
+class CrossingMemory {
+  public:
+    CrossingMemory();
+    ~CrossingMemory();
+    CrossingMemory(CrossingMemory&&) noexcept;
+    CrossingMemory& operator=(CrossingMemory&&) noexcept;
+
+  private:
+    friend class CrossingSearcher;
+    std::unique_ptr<crossing::Ways> ways_;
+};
+
 class CrossingSearcher {
   public:
     CrossingSearcher();
@@ -93,6 +111,8 @@ class CrossingSearcher {
 
     // Another searcher, for queries while this one is busy, that shares the maps grown for wide bodies.
     CrossingSearcher another() const;
+    // Goes on with that memory, and gives away its own.
+    void exchange(CrossingMemory& memory);
 
     // The shortest path; of equally short ones always the same. No path if start or goal lie in an obstacle that is not
     // removed, or off the map. Cost grows with the ellipse that the path needs, not with the map. Throws InputError on

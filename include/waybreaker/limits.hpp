@@ -48,6 +48,9 @@ struct Limits {
     // planning ends there, and no choice is tried that gains less than this share. The same plan comes out
     // every time, unless a time limit ends planning before. Single searches do not use it.
     double gap = 0;
+    // So many threads plan the vehicles of a team with aircraft side by side (0: all cores): the same plan, sooner. All
+    // else takes the thread that calls.
+    unsigned threads = 1;
     StopToken stop = {};  // checked, as the time is, at least every 1024 expansions
     // Called by `exact` whenever more is known, on the thread that plans. Single searches do not call it.
     std::function<void(const Progress&)> progress = {};

@@ -44,20 +44,21 @@ class Planning {
     Planning(const Map& map, const Mission& mission, const team::Interrupts& interrupts, CrossingSearcher& crossing,
              Searcher& theta)
         : interrupts_(interrupts),
-          choice_{interrupts.deadline.share(share_of_choice), interrupts.stop, interrupts.expansions, interrupts.gap},
+          choice_{interrupts.deadline.share(share_of_choice), interrupts.stop, interrupts.expansions, interrupts.gap,
+                  interrupts.threads},
           problem_(map, mission, choice_),
           crossing_(crossing),
-          limits_(crossing.another()),
-          theta_(theta) {}
+          theta_(theta),
+          crew_(problem_, crossing, theta) {}
 
     CoalitionPlan run(bool selects, const std::function<void(double, double)>& improved) {
         if (!drive_alone()) return std::move(plan_);
-        Columns columns(problem_, limits_, flights_, Shape::relaxed);
-        Relaxation relaxation(problem_, columns);
+        Columns columns(problem_, crew_, Shape::relaxed, plan_.closed);
+        Relaxation relaxation(problem_, columns, crew_);
         plan_.bound = relaxation.bound();
         if (std::isinf(plan_.bound)) return std::move(plan_);
-        Ways ways(problem_, plan_.closed, crossing_, theta_);
-        SortiePlanner sorties(problem_, ways);
+        Ways ways(problem_, plan_.closed);
+        SortiePlanner sorties(problem_, ways, crew_);
         sorties_ = &sorties;
         ways_ = &ways;
         draft({});
@@ -85,13 +86,19 @@ class Planning {
   private:
     // Each vehicle past all obstacles. False if a limit ends it.
     bool drive_alone() {
-        for (const Agent* agent : problem_.vehicles()) {
-            team::Vehicle& vehicle = plan_.closed.emplace_back();
-            vehicle.agent = *agent;
-            const SearchStatus status =
-                team::go_alone(OpenedMap(problem_.map()), interrupts_, crossing_, theta_, vehicle);
-            if (status == SearchStatus::found || status == SearchStatus::no_path) continue;
-            plan_.status = status;
+        const OpenedMap map(problem_.map());
+        std::vector<team::Vehicle> vehicles(problem_.vehicles().size());
+        std::vector<SearchStatus> ends(vehicles.size());
+        const auto drive = [&](std::size_t i, CrossingSearcher& crossing, Searcher& theta) {
+            vehicles[i].agent = *problem_.vehicles()[i];
+            ends[i] = team::go_alone(map, interrupts_, crossing, theta, vehicles[i]);
+        };
+        drive(0, crossing_, theta_);  // first, so that all hands share the maps that it grows
+        crew_.for_each(vehicles.size() - 1, [&](std::size_t i, Hand& hand) { drive(i + 1, hand.crossing, hand.theta); });
+        for (std::size_t i = 0; i < vehicles.size(); ++i) {
+            plan_.closed.push_back(std::move(vehicles[i]));
+            if (ends[i] == SearchStatus::found || ends[i] == SearchStatus::no_path) continue;
+            plan_.status = ends[i];
             return false;
         }
         return true;
@@ -159,7 +166,7 @@ class Planning {
         relaxation.list(std::min(useless - plan_.bound, listed * reached()));
         plan_.bound = std::max(plan_.bound, relaxation.bound());
         if (!relaxation.proof().complete) return;
-        Joint joint(problem_, columns, relaxation.proof(), flights_, useless);
+        Joint joint(problem_, columns, relaxation.proof(), crew_.own().flights, useless);
         const double enough = 1 + std::max(close, interrupts_.gap);
         for (int vain = 0; vain < most_vain_tries && reached() > joint.rest() * enough;) {
             const std::optional<Set> set = joint.next();
@@ -174,7 +181,7 @@ class Planning {
     // A vehicle may need more open than a point, which slips through.
     void draft_for_own_bodies(const Relaxation& relaxation) {
         if (choice_.due()) return;
-        const Columns own(problem_, crossing_, flights_, Shape::own);
+        const Columns own(problem_, crew_, Shape::own);
         Picks picks(problem_, own);
         draft(picks.best_from({}));
         draft(picks.best_from(most_wanted(relaxation)));
@@ -301,9 +308,8 @@ class Planning {
     team::Interrupts choice_;
     Problem problem_;
     CrossingSearcher& crossing_;
-    CrossingSearcher limits_;  // for columns: a searcher remembers more of one kind of body than of two in turn
     Searcher& theta_;
-    FlightLimits flights_{problem_};
+    Crew crew_;
     Ways* ways_ = nullptr;
     SortiePlanner* sorties_ = nullptr;
     std::vector<Set> drafted_;

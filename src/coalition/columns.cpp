@@ -34,55 +34,73 @@ Cheapest cheapest(const Wishes& wishes, double weight, const std::vector<double>
     return best;
 }
 
-Columns::Columns(const Problem& problem, CrossingSearcher& crossing, FlightLimits& flights, Shape shape)
+Columns::Columns(const Problem& problem, Crew& crew, Shape shape, std::span<const team::Vehicle> closed)
     : problem_(problem),
-      crossing_(crossing),
-      flights_(flights),
       shape_(shape),
       wishes_(problem.vehicles().size()),
-      proofs_(wishes_.size()) {
-    for (std::size_t i = 0; i < size(); ++i) add(i, {}, find(i, 0, infinity).lower_bound);
-    // Where the last arrival counts, only those matter that may be the last.
+      proofs_(wishes_.size()),
+      memories_(wishes_.size()),
+      timed_(wishes_.size()),
+      limited_(wishes_.size(), false) {
+    crew.for_each(size(), [&](std::size_t i, Hand& hand) {
+        const Remembering remembering(searcher(hand), memories_[i]);
+        add(i, {}, closed_length(i, closed, hand));
+        if (problem.sums()) begin(i, hand);
+    });
+    if (!problem.sums()) begin_latest(crew.own());
+}
+
+// Where the last arrival counts, only those matter that may be the last.
+void Columns::begin_latest(Hand& hand) {
     std::vector<std::size_t> order(size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto closed = [this](std::size_t i) { return wishes_[i].columns.front().arrival; };
-    if (!problem.sums()) std::ranges::stable_sort(order, std::greater<>(), closed);
+    std::ranges::stable_sort(order, std::greater<>(), closed);
     double last = 0;
     for (const std::size_t i : order) {
-        if (!problem.sums() && closed(i) <= last) break;
-        begin(i);
+        if (closed(i) <= last) break;
+        const Remembering remembering(searcher(hand), memories_[i]);
+        begin(i, hand);
         last = std::max(last, wishes_[i].least);
     }
 }
 
+// At least so long is the way with nothing opened but what must be.
+double Columns::closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Hand& hand) {
+    const Agent& agent = *problem_.vehicles()[vehicle];
+    const bool known = !closed.empty() && !closed[vehicle].way.empty() && problem_.forced().empty();
+    if (known && shape_ == Shape::relaxed && team::drives_by_crossing(agent.body)) return (closed[vehicle].bound - agent.ready_at) * agent.speed;
+    return find(vehicle, 0, infinity, hand).lower_bound;
+}
+
 // The best set of that size or smaller.
-CrossingResult Columns::find(std::size_t vehicle, int crossings, double length_limit) {
+CrossingResult Columns::find(std::size_t vehicle, int crossings, double length_limit, Hand& hand) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     CrossingOptions options = options_for(agent);
     options.crossings = crossings;
     options.length_limit = length_limit;
-    CrossingResult found = crossing_.find(problem_.map(), agent.start, agent.goal, options);
-    note(found);
+    CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
+    note(vehicle, found);
     return found;
 }
 
-void Columns::begin(std::size_t vehicle) {
+void Columns::begin(std::size_t vehicle, Hand& hand) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     wishes_[vehicle].least = wishes_[vehicle].columns.front().arrival;
     if (agent.start == agent.goal || problem_.spare_removals() == 0) return;
     if (shape_ == Shape::relaxed) {
-        begin_in_time(vehicle);
+        begin_in_time(vehicle, hand);
     } else {
-        begin_by_count(vehicle);
+        begin_by_count(vehicle, hand);
     }
 }
 
 // The best set in time. Without waits it is found faster, and says where to look.
-void Columns::begin_in_time(std::size_t vehicle) {
+void Columns::begin_in_time(std::size_t vehicle, Hand& hand) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     Wishes& wishes = wishes_[vehicle];
     const double closed = (wishes.columns.front().arrival - agent.ready_at) * agent.speed;
-    CrossingResult best = find(vehicle, problem_.spare_removals(), closed);
+    CrossingResult best = find(vehicle, problem_.spare_removals(), closed, hand);
     const double least = std::min(best.lower_bound, closed);
     wishes.least = arrival_of(agent, {}, least);
     if (std::isinf(least)) return;
@@ -93,27 +111,27 @@ void Columns::begin_in_time(std::size_t vehicle) {
         options.expected = least;
         options.opens_each_alone = true;
         options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
-        best = crossing_.find(problem_.map(), agent.start, agent.goal, options);
-        note(best);
+        best = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
+        note(vehicle, best);
         wishes.least = std::max(wishes.least, arrival_of(agent, {}, std::min(best.lower_bound, closed)));
     }
-    if (best.status == SearchStatus::found) add_in_time(vehicle, best.best.crossed, best.best.cost);
+    if (best.status == SearchStatus::found) add_in_time(vehicle, best.best.crossed, best.best.cost, hand);
 }
 
 // The best set of one obstacle, of two, and so on, and of as many as may be.
-void Columns::begin_by_count(std::size_t vehicle) {
+void Columns::begin_by_count(std::size_t vehicle, Hand& hand) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     Wishes& wishes = wishes_[vehicle];
     double least = (wishes.columns.front().arrival - agent.ready_at) * agent.speed;
     const int all = problem_.spare_removals();
     for (int count = 1; count <= all; count = count < most_counted ? count + 1 : std::max(all, count + 1)) {
-        const CrossingResult best = find(vehicle, count, least);
+        const CrossingResult best = find(vehicle, count, least, hand);
         if (best.status == SearchStatus::found) add(vehicle, best.best.crossed, best.lower_bound);
         least = std::min(least, best.lower_bound);
     }
     wishes.least = arrival_of(agent, {}, least);
     const std::vector<double> free(problem_.map().obstacles().size() + 1, 0);
-    wishes.least = std::max(wishes.least, list(vehicle, free, most_margin * wishes.least).least);
+    wishes.least = std::max(wishes.least, list_near(vehicle, free, most_margin * wishes.least, hand).least);
 }
 
 CrossingOptions Columns::options_for(const Agent& agent) const {
@@ -155,8 +173,8 @@ double Columns::late_arrival(const Agent& agent, const Obstacle& obstacle, doubl
 }
 
 // In cells that it could drive until then.
-double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) {
-    return (flights_.of(Set(obstacles.begin(), obstacles.end())).open - agent.ready_at) * agent.speed;
+double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, FlightLimits& flights) {
+    return (flights.of(Set(obstacles.begin(), obstacles.end())).open - agent.ready_at) * agent.speed;
 }
 
 // As if an aircraft could have each of them open as early as if it were the only one.
@@ -199,10 +217,10 @@ void Columns::add(std::size_t vehicle, std::span<const ObstacleId> opened, doubl
 }
 
 // Patience is the method's own; the limits are the caller's.
-void Columns::note(const CrossingResult& search) {
+void Columns::note(std::size_t vehicle, const CrossingResult& search) {
     const team::Interrupts& interrupts = problem_.interrupts();
     const bool ended = search.status == SearchStatus::limit_reached || search.status == SearchStatus::stopped;
-    limited_ = limited_ || (ended && (interrupts.due() || interrupts.expansions < most_expansions));
+    if (ended && (interrupts.due() || interrupts.expansions < most_expansions)) limited_[vehicle] = true;
 }
 
 double Columns::best_known(std::size_t vehicle, std::span<const double> prices) const {
@@ -222,9 +240,19 @@ double Columns::greatest_fall(std::span<const double> from, std::span<const doub
     return std::accumulate(falls.begin(), falls.end(), 0.0);
 }
 
+Columns::Search Columns::search(std::size_t vehicle, std::span<const double> prices, Hand& hand) {
+    const Remembering remembering(searcher(hand), memories_[vehicle]);
+    return search_best(vehicle, prices, hand);
+}
+
+Columns::Search Columns::list(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand) {
+    const Remembering remembering(searcher(hand), memories_[vehicle]);
+    return list_near(vehicle, prices, margin, hand);
+}
+
 // First as if all were open: that takes a fraction of the time, is often in time, and says more than a search in time
 // that a limit ends.
-Columns::Search Columns::search(std::size_t vehicle, std::span<const double> prices) {
+Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double> prices, Hand& hand) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (agent.start == agent.goal) return {agent.ready_at, infinity};
     Proof& proof = proofs_[vehicle];
@@ -243,10 +271,10 @@ Columns::Search Columns::search(std::size_t vehicle, std::span<const double> pri
             options.length_limit = (best - agent.ready_at) * agent.speed;
             options.expected = options.length_limit;
         }
-        CrossingResult found = crossing_.find(problem_.map(), agent.start, agent.goal, options);
-        note(found);
+        CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
+        note(vehicle, found);
         if (found.status == SearchStatus::found) {
-            add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, in_cells));
+            add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, in_cells), hand);
         }
         best = best_known(vehicle, prices);
         proof.complete = found.status == SearchStatus::found || found.status == SearchStatus::no_path;
@@ -264,8 +292,8 @@ Columns::Search Columns::search(std::size_t vehicle, std::span<const double> pri
     return {proof.least, proof.least};
 }
 
-Columns::Search Columns::list(std::size_t vehicle, std::span<const double> prices, double margin) {
-    const Search proven = search(vehicle, prices);
+Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand) {
+    const Search proven = search_best(vehicle, prices, hand);
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (agent.start == agent.goal || !proofs_[vehicle].complete) return proven;
     double best = best_known(vehicle, prices);
@@ -274,7 +302,9 @@ Columns::Search Columns::list(std::size_t vehicle, std::span<const double> price
     CrossingOptions options = options_for(agent);
     options.prices = in_cells;
     if (in_time()) {
-        options.opened_after = [&](std::span<const ObstacleId> opened) { return opened_after(agent, opened); };
+        options.opened_after = [&](std::span<const ObstacleId> opened) {
+            return opened_after(agent, opened, hand.flights);
+        };
     }
     if (std::isfinite(best)) {
         margin = std::min(margin, most_margin * best);
@@ -286,7 +316,7 @@ Columns::Search Columns::list(std::size_t vehicle, std::span<const double> price
     options.protect = protect;
     int told = 0;
     const CrossingResult rest =
-        crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
+        searcher(hand).enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (told == most_told || agent.ready_at + path.cost / agent.speed >= best + margin) return false;
             ++told;
             const double length = path.cost - paid_for(path.crossed, in_cells);
@@ -294,27 +324,27 @@ Columns::Search Columns::list(std::size_t vehicle, std::span<const double> price
             best = std::min(best, arrival_of(agent, path.crossed, length) + paid_for(path.crossed, prices));
             return true;
         });
-    note(rest);
+    note(vehicle, rest);
     const double others = agent.ready_at + rest.lower_bound / agent.speed;
     return {std::max(proven.least, std::min(best, others)), std::max(proven.least, others)};
 }
 
 // When the vehicle arrives by way of such a set and by nothing else, all of it opened by the aircraft together; its way
 // takes that length at least. Once for each set.
-void Columns::add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length) {
+void Columns::add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length, Hand& hand) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (!in_time() || opened.empty()) return add(vehicle, opened, length);
     Set set(opened.begin(), opened.end());
     std::ranges::sort(set);
-    if (!timed_.emplace(vehicle, set).second) return;
+    if (!timed_[vehicle].insert(set).second) return;
     double nearest = infinity;
     for (const ObstacleId id : set) nearest = std::min(nearest, gap(problem_.map().obstacle(id).bounds, agent.start));
-    if (opened_after(agent, set) <= nearest) return add(vehicle, set, length);
+    if (opened_after(agent, set, hand.flights) <= nearest) return add(vehicle, set, length);
     CrossingOptions options = options_for(agent);
     options.only = set;
     options.crossings = int(set.size());
-    options.opened_after = [&](std::span<const ObstacleId> ids) { return opened_after(agent, ids); };
-    const CrossingResult found = crossing_.find(problem_.map(), agent.start, agent.goal, options);
+    options.opened_after = [&](std::span<const ObstacleId> ids) { return opened_after(agent, ids, hand.flights); };
+    const CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
     if (found.status == SearchStatus::found) {
         add(vehicle, found.best.crossed, found.best.cost);
     } else {

@@ -2,13 +2,13 @@
 // A few of very many: those that matter are found by a search in which each obstacle has a price.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "coalition/flight_limits.hpp"
+#include "coalition/crew.hpp"
 #include "coalition/problem.hpp"
 #include "waybreaker/crossing.hpp"
 
@@ -42,43 +42,48 @@ class Columns {
     // Relative: no list holds sets that cost more than the best by that much.
     static constexpr double most_margin = 0.03;
 
-    // Each vehicle with nothing opened but what must be, and with what is best for it alone.
-    Columns(const Problem& problem, CrossingSearcher& crossing, FlightLimits& flights, Shape shape);
+    // Each vehicle with nothing opened but what must be, and with what is best for it alone. `closed`: past all
+    // obstacles, if that is known.
+    Columns(const Problem& problem, Crew& crew, Shape shape, std::span<const team::Vehicle> closed = {});
 
     std::size_t size() const { return wishes_.size(); }
     const Wishes& of(std::size_t vehicle) const { return wishes_[vehicle]; }
     // Whether a vehicle may arrive earlier than past all obstacles with that one open.
     bool may_gain(std::size_t vehicle, const Obstacle& obstacle) const;
     // Whether a limit has ended a search.
-    bool limited() const { return limited_; }
+    bool limited() const { return std::ranges::find(limited_, true) != limited_.end(); }
 
     // The least arrival plus prices over all sets, also those that are not known: a lower limit, the exact value unless
-    // a limit ends a search. Prices by id, in units of time. Adds the best column, or one nearly as good.
-    Search search(std::size_t vehicle, std::span<const double> prices);
+    // a limit ends a search. Prices by id, in units of time. Adds the best column, or one nearly as good. For two
+    // vehicles, two hands may do so at once.
+    Search search(std::size_t vehicle, std::span<const double> prices, Hand& hand);
     // The same, and adds columns that cost up to so much more than the best, if they are not too many.
-    Search list(std::size_t vehicle, std::span<const double> prices, double margin);
+    Search list(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand);
 
   private:
-    CrossingResult find(std::size_t vehicle, int crossings, double length_limit);
-    void begin(std::size_t vehicle);
-    void begin_in_time(std::size_t vehicle);
-    void begin_by_count(std::size_t vehicle);
-    void note(const CrossingResult& search);
+    Search search_best(std::size_t vehicle, std::span<const double> prices, Hand& hand);
+    Search list_near(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand);
+    double closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Hand& hand);
+    CrossingResult find(std::size_t vehicle, int crossings, double length_limit, Hand& hand);
+    void begin_latest(Hand& hand);
+    void begin(std::size_t vehicle, Hand& hand);
+    void begin_in_time(std::size_t vehicle, Hand& hand);
+    void begin_by_count(std::size_t vehicle, Hand& hand);
+    CrossingSearcher& searcher(Hand& hand) const { return shape_ == Shape::relaxed ? hand.limits : hand.crossing; }
+    void note(std::size_t vehicle, const CrossingResult& search);
     void add(std::size_t vehicle, std::span<const ObstacleId> opened, double length);
-    void add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length);
+    void add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length, Hand& hand);
     double greatest_fall(std::span<const double> from, std::span<const double> to) const;
     double best_known(std::size_t vehicle, std::span<const double> prices) const;
     bool in_time() const { return shape_ == Shape::relaxed && problem_.rules().timing == Timing::enforce; }
     CrossingOptions options_for(const Agent& agent) const;
     std::vector<ObstacleId> useless(const Agent& agent, std::span<const double> prices, double known) const;
-    double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles);
+    static double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, FlightLimits& flights);
     double each_opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) const;
     static double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
     double arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const;
 
     const Problem& problem_;
-    CrossingSearcher& crossing_;
-    FlightLimits& flights_;
     Shape shape_;
     // What the last search of a vehicle has proven.
     struct Proof {
@@ -89,8 +94,9 @@ class Columns {
 
     std::vector<Wishes> wishes_;
     std::vector<Proof> proofs_;
-    std::set<std::pair<std::size_t, Set>> timed_;  // of a vehicle: searched in time, and nothing else open
-    bool limited_ = false;
+    std::vector<CrossingMemory> memories_;  // by vehicle
+    std::vector<std::set<Set>> timed_;  // by vehicle: searched in time, and nothing else open
+    std::vector<char> limited_;         // by vehicle
 };
 
 // The least arrival plus prices (as wishes.obstacles) over the known columns, and the first column that has it.

@@ -30,7 +30,12 @@ bool Problem::allows(const Set& set) const {
 }
 
 Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts& interrupts)
-    : map_(map), mission_(mission), interrupts_(interrupts), forced_(mission.rules.force) {
+    : map_(map),
+      mission_(mission),
+      interrupts_(interrupts),
+      forced_(mission.rules.force),
+      earliest_(map.obstacles().size() + 1),
+      asked_(map.obstacles().size() + 1) {
     std::int64_t capacity = 0;
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::ground) {
@@ -62,9 +67,12 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
 }
 
 const Problem::Earliest& Problem::earliest(ObstacleId id) const {
-    const auto [known, is_new] = earliest_.try_emplace(id);
-    if (!is_new) return known->second;
-    Earliest& earliest = known->second;
+    std::call_once(asked_[id.value], [&] { earliest_[id.value] = find_earliest(id); });
+    return earliest_[id.value];
+}
+
+Problem::Earliest Problem::find_earliest(ObstacleId id) const {
+    Earliest earliest;
     const double stay = breach_time(id);
     const std::vector<Cell> boundary = map_.boundary(id);
     for (const Agent* agent : aircraft_) {

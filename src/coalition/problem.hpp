@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -73,6 +73,7 @@ class Problem {
         double detour = infinity;
     };
     const Earliest& earliest(ObstacleId id) const;
+    Earliest find_earliest(ObstacleId id) const;
 
     const Map& map_;
     const Mission& mission_;
@@ -82,9 +83,11 @@ class Problem {
     Set forced_;
     int spare_removals_ = 0;
     double spare_budget_ = infinity;
-    std::vector<double> least_openings_;               // by id
-    std::vector<double> short_detours_;                // by id
-    mutable std::map<ObstacleId, Earliest> earliest_;  // of those that were asked for
+    std::vector<double> least_openings_;  // by id
+    std::vector<double> short_detours_;   // by id
+    // By id, of those that were asked for.
+    mutable std::vector<Earliest> earliest_;
+    mutable std::vector<std::once_flag> asked_;
 };
 
 }  // namespace waybreaker::coalition

@@ -1,6 +1,7 @@
 #include "coalition/relaxation.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 
@@ -41,7 +42,8 @@ double squared_length(const std::vector<double>& weights, const std::vector<std:
 
 }  // namespace
 
-Relaxation::Relaxation(const Problem& problem, Columns& columns) : problem_(problem), columns_(columns) {
+Relaxation::Relaxation(const Problem& problem, Columns& columns, Crew& crew)
+    : problem_(problem), columns_(columns), crew_(crew) {
     const std::size_t vehicles = columns.size();
     best_.weights.assign(vehicles, problem.sums() ? 1 : 0);
     best_.prices.resize(vehicles);
@@ -247,27 +249,33 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
     for (double& weight : at.weights) weight = weight < least_weight_of_vehicle ? 0 : weight;
     const std::vector<double> shares = offer_all(at);
     std::vector<ObstacleId> chosen;
-    double value = proof_.fixed - dearest(proof_.offers, chosen);
-    bool found = false;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
+    proof_.searches.resize(columns_.size());
+    std::vector<char> found(columns_.size(), false);
+    std::atomic<bool> due = false;
+    crew_.for_each(columns_.size(), [&](std::size_t i, Hand& hand) {
         const double weight = at.weights[i];
-        Columns::Search& search = proof_.searches.emplace_back();
-        if (weight == 0) continue;
-        if (problem_.interrupts().due()) return false;
+        if (weight == 0 || due) return;
+        if (problem_.interrupts().due()) {
+            due = true;
+            return;
+        }
         std::vector<double> prices = prices_of(i, at, shares);
         for (double& price : prices) price /= weight;
         const std::size_t before = columns_.of(i).columns.size();
-        search = margin ? columns_.list(i, prices, *margin / weight) : columns_.search(i, prices);
-        search = {search.least * weight, search.told * weight};
-        value += search.least;
-        found = found || columns_.of(i).columns.size() > before;
+        const Columns::Search search =
+            margin ? columns_.list(i, prices, *margin / weight, hand) : columns_.search(i, prices, hand);
+        proof_.searches[i] = {search.least * weight, search.told * weight};
+        found[i] = columns_.of(i).columns.size() > before;
         // Those that are new keep the price that they were found at.
         for (std::size_t k = at.prices[i].size(); k < columns_.of(i).obstacles.size(); ++k) {
             const double price = prices[columns_.of(i).obstacles[k].value] * weight;
             for (Prices* all : {&at, &best_, &centre_}) all->prices[i].push_back(price);
         }
-    }
+    });
     number_obstacles();
+    if (due) return false;
+    double value = proof_.fixed - dearest(proof_.offers, chosen);
+    for (const Columns::Search& search : proof_.searches) value += search.least;
     proof_.prices = at.prices;
     proof_.bound = value;
     proof_.complete = true;
@@ -276,7 +284,7 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
         bound_ = value;
         centre_ = std::move(at);
     }
-    return gained || found;
+    return gained || std::ranges::find(found, true) != found.end();
 }
 
 // Between the best prices that are proven and those that look best on what is known: the latter may be far off.

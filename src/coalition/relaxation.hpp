@@ -22,7 +22,8 @@ namespace waybreaker::coalition {
 
 class Relaxation {
   public:
-    Relaxation(const Problem& problem, Columns& columns);
+    // All arguments must outlive it.
+    Relaxation(const Problem& problem, Columns& columns, Crew& crew);
 
     // No plan has a smaller objective.
     double bound() const { return bound_; }
@@ -75,6 +76,7 @@ class Relaxation {
 
     const Problem& problem_;
     Columns& columns_;
+    Crew& crew_;
     std::vector<ObstacleId> numbered_;                 // obstacles of any column
     std::vector<std::vector<std::uint32_t>> numbers_;  // by vehicle: of its list of obstacles
     std::map<ObstacleId, std::uint32_t> number_of_;

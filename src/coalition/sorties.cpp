@@ -91,18 +91,32 @@ double SortiePlanner::could_cost(const Draft& draft) const {
 
 // For those that have to wait, by the times of a draft. Whether there are any.
 bool SortiePlanner::find_timed_ways(const Draft& draft, bool thorough) {
-    bool any = false;
-    for (std::size_t i = 0; i < menus_.size() && !problem_.interrupts().due(); ++i) {
-        const Agent& agent = *problem_.vehicles()[i];
-        const double time = arrival(agent, draft.taken[i], draft.openings);
-        const bool could_gain = std::ranges::any_of(
-            ways_.of(i, draft.set), [&](const Way& other) { return arrival(agent, other, {}) < time * (1 - 1e-9); });
-        any = (could_gain && ways_.find_timed(i, draft.set, draft.openings, time, thorough)) || any;
+    const auto time_of = [&](std::size_t i) { return arrival(*problem_.vehicles()[i], draft.taken[i], draft.openings); };
+    std::vector<std::size_t> late;
+    for (std::size_t i = 0; i < menus_.size(); ++i) {
+        const auto is_earlier = [&](const Way& other) {
+            return arrival(*problem_.vehicles()[i], other, {}) < time_of(i) * (1 - rounding);
+        };
+        if (std::ranges::any_of(ways_.of(i, draft.set, crew_.own()), is_earlier)) late.push_back(i);
     }
-    return any;
+    std::vector<char> found(late.size(), false);
+    crew_.for_each(late.size(), [&](std::size_t at, Hand& hand) {
+        if (problem_.interrupts().due()) return;
+        found[at] = ways_.find_timed(late[at], draft.set, draft.openings, time_of(late[at]), thorough, hand);
+    });
+    return std::ranges::find(found, true) != found.end();
+}
+
+void SortiePlanner::search_ways(const Set& set) {
+    std::vector<std::size_t> unknown;
+    for (std::size_t i = 0; i < problem_.vehicles().size(); ++i) {
+        if (!ways_.knows(i, set)) unknown.push_back(i);
+    }
+    crew_.for_each(unknown.size(), [&](std::size_t at, Hand& hand) { ways_.of(unknown[at], set, hand); });
 }
 
 void SortiePlanner::prepare(const Set& set) {
+    search_ways(set);
     targets_ = targets_of(problem_.map(), set);
     std::vector<double> stays;
     for (const ObstacleId id : set) stays.push_back(problem_.breach_time(id));
@@ -113,7 +127,7 @@ void SortiePlanner::prepare(const Set& set) {
         const Agent& agent = *problem_.vehicles()[i];
         std::vector<const Way*>& menu = menus_.emplace_back();
         std::vector<Drive> drives;
-        for (const Way& way : ways_.of(i, set)) {
+        for (const Way& way : ways_.of(i, set, crew_.own())) {
             menu.push_back(&way);
             Drive& drive = drives.emplace_back(Drive{arrival(agent, way, {})});
             if (!waits) continue;

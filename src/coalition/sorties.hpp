@@ -26,7 +26,8 @@ struct Draft {
 
 class SortiePlanner {
   public:
-    SortiePlanner(const Problem& problem, Ways& ways) : problem_(problem), ways_(ways) {}
+    // All arguments must outlive it.
+    SortiePlanner(const Problem& problem, Ways& ways, Crew& crew) : problem_(problem), ways_(ways), crew_(crew) {}
 
     // The best sorties found for a set: obstacles are inserted in the order in which vehicles come to them, a few of
     // them in every order; then single ones are moved, and cells exchanged, while that gains. Obstacles that nobody
@@ -37,6 +38,7 @@ class SortiePlanner {
 
   private:
     void prepare(const Set& set);
+    void search_ways(const Set& set);
     Draft best_for(const Set& set);
     team::Cost cost_of(const std::vector<Sortie>& sorties) const;
     void fill(Draft& draft) const;
@@ -53,6 +55,7 @@ class SortiePlanner {
 
     const Problem& problem_;
     Ways& ways_;
+    Crew& crew_;
     std::vector<Target> targets_;
     std::vector<std::vector<const Way*>> menus_;  // by vehicle
     Precedence precedence_;                       // of all on any way of theirs

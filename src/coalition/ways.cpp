@@ -29,15 +29,15 @@ double arrival(const Agent& agent, const Way& way, const Openings& openings) {
     return agent.ready_at + way.drive + delay;
 }
 
-Ways::Ways(const Problem& problem, std::span<const team::Vehicle> closed, CrossingSearcher& crossing, Searcher& theta)
-    : problem_(problem),
-      closed_(closed),
-      crossing_(crossing),
-      theta_(theta),
-      known_(closed.size()),
-      timed_(closed.size()) {}
+Ways::Ways(const Problem& problem, std::span<const team::Vehicle> closed)
+    : problem_(problem), closed_(closed), effort_(closed.size()), memories_(closed.size()), known_(closed.size()), timed_(closed.size()) {}
 
-const std::vector<Way>& Ways::of(std::size_t vehicle, const Set& set) {
+bool Ways::knows(std::size_t vehicle, const Set& set) const {
+    const Set part = near(vehicle, set);
+    return part.empty() || known_[vehicle].contains(part) || larger_menu(vehicle, part) != nullptr;
+}
+
+const std::vector<Way>& Ways::of(std::size_t vehicle, const Set& set, Hand& hand) {
     Set part = near(vehicle, set);
     const auto known = known_[vehicle].find(part);
     if (known != known_[vehicle].end()) return known->second.ways;
@@ -48,7 +48,7 @@ const std::vector<Way>& Ways::of(std::size_t vehicle, const Set& set) {
         };
         std::ranges::copy_if(larger->ways, std::back_inserter(menu.ways), fits);
     } else {
-        menu = search(vehicle, part);
+        menu = search(vehicle, part, hand);
     }
     return known_[vehicle].emplace(std::move(part), std::move(menu)).first->second.ways;
 }
@@ -95,7 +95,7 @@ Way Ways::way_of(const Agent& agent, std::span<const Point> path, std::span<cons
     return way;
 }
 
-Ways::Menu Ways::search(std::size_t vehicle, const Set& set) {
+Ways::Menu Ways::search(std::size_t vehicle, const Set& set, Hand& hand) {
     const team::Vehicle& closed = closed_[vehicle];
     Menu menu;
     if (!closed.way.empty()) menu.ways.push_back(closed_way(vehicle));
@@ -104,16 +104,16 @@ Ways::Menu Ways::search(std::size_t vehicle, const Set& set) {
         return menu;
     }
     if (team::is_wide(closed.agent.body)) {
-        search_wide(vehicle, set, menu);
+        search_wide(vehicle, set, menu, hand);
         return menu;
     }
     if (team::drives_by_crossing(closed.agent.body)) {
-        search_crossing(vehicle, set, menu);
+        search_crossing(vehicle, set, menu, hand);
         return menu;
     }
     const SearchOptions options{.body = closed.agent.body, .limits = problem_.interrupts().limits()};
     const OpenedMap opened(problem_.map(), set);
-    const SearchResult found = theta_.find(opened, closed.agent.start, closed.agent.goal, options);
+    const SearchResult found = hand.theta.find(opened, closed.agent.start, closed.agent.goal, options);
     if (found.status != SearchStatus::found) return menu;
     Way& way =
         menu.ways.emplace_back(way_of(closed.agent, std::vector<Point>(found.path.begin(), found.path.end()), set));
@@ -138,17 +138,17 @@ CrossingOptions Ways::options_for(std::size_t vehicle, const Set& set) const {
     return options;
 }
 
-void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu) {
+void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Hand& hand) {
     const Agent& agent = closed_[vehicle].agent;
     const CrossingOptions options = options_for(vehicle, set);
     const std::size_t before = menu.ways.size();
     const CrossingResult all =
-        crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
+        hand.crossing.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (!path.crossed.empty())
                 menu.ways.push_back(way_of(agent, shorter(agent, path.path, path.crossed), path.crossed));
             return menu.ways.size() < before + most_ways;
         });
-    effort_ += effort_of_label * all.expanded;
+    effort_[vehicle] += effort_of_label * all.expanded;
     menu.complete = menu.ways.size() < before + most_ways && all.status != SearchStatus::limit_reached &&
                     all.status != SearchStatus::stopped;
     for (Way& way : std::span(menu.ways).subspan(before)) {
@@ -159,17 +159,17 @@ void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu) {
 
 // As in a mission of its own, for each set that gains for the square or for the relaxed body: the disc fits where its
 // square does not.
-void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu) {
-    std::vector<Set> sets = gaining(vehicle, set, false, menu);
-    for (Set& other : gaining(vehicle, set, true, menu)) {
+void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu, Hand& hand) {
+    std::vector<Set> sets = gaining(vehicle, set, false, menu, hand);
+    for (Set& other : gaining(vehicle, set, true, menu, hand)) {
         if (std::ranges::find(sets, other) == sets.end()) sets.push_back(std::move(other));
     }
     const Agent& agent = closed_[vehicle].agent;
     const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts());
     const double longest = options_for(vehicle, set).length_limit;
     for (const Set& crossed : sets) {
-        const Opening opening = open(trip, {theta_, crossing_}, crossed);
-        effort_ += effort_of_label * opening.ground.expanded;
+        const Opening opening = open(trip, {hand.theta, hand.crossing}, crossed);
+        effort_[vehicle] += effort_of_label * opening.ground.expanded;
         menu.complete = menu.complete && !opening.limited;
         if (opening.status != SearchStatus::found || *opening.ground.length > longest) continue;
         Way& way = menu.ways.emplace_back(way_of(agent, opening.ground.path, crossed));
@@ -179,18 +179,18 @@ void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu) {
 }
 
 // The sets that a search tells of.
-std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu) {
+std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu, Hand& hand) {
     const Agent& agent = closed_[vehicle].agent;
     CrossingOptions options = options_for(vehicle, set);
     options.relaxed = relaxed;
     std::vector<Set> sets;
     const CrossingResult all =
-        crossing_.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
+        hand.crossing.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (path.crossed.empty()) return true;
             std::ranges::sort(sets.emplace_back(path.crossed));
             return sets.size() < most_ways;
         });
-    effort_ += effort_of_label * all.expanded;
+    effort_[vehicle] += effort_of_label * all.expanded;
     const bool ended = all.status != SearchStatus::limit_reached && all.status != SearchStatus::stopped;
     menu.complete = menu.complete && ended && sets.size() < most_ways;
     return sets;
@@ -205,7 +205,7 @@ Way Ways::closed_way(std::size_t vehicle) const {
 }
 
 bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before,
-                      bool thorough) {
+                      bool thorough, Hand& hand) {
     const Agent& agent = closed_[vehicle].agent;
     const Set part = near(vehicle, set);
     if (part.empty() || !team::drives_by_crossing(agent.body) || !(arrive_before > agent.ready_at)) return false;
@@ -216,12 +216,13 @@ bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openi
     tried->second = thorough;
     std::vector<Way> found;
     if (thorough) found = waiting(vehicle, part, openings, arrive_before);
-    if (std::optional<Way> way = search_timed(vehicle, part, openings, arrive_before)) found.push_back(std::move(*way));
+    if (std::optional<Way> way = search_timed(vehicle, part, openings, arrive_before, hand))
+        found.push_back(std::move(*way));
     if (found.empty()) return false;
     const OpenedMap opened(problem_.map(), part);
     std::optional<Way> best;
     for (const Way& way : found) {
-        Way bent = punctual_way(opened, agent, way, part, openings);
+        Way bent = punctual_way(opened, vehicle, way, part, openings);
         const double time = arrival(agent, bent, openings);
         if (!(time < arrive_before * (1 - rounding))) continue;
         arrive_before = time;
@@ -244,7 +245,8 @@ std::vector<Way> Ways::waiting(std::size_t vehicle, const Set& part, const Openi
 
 // A path of the crossing search in time, as the vehicle can drive it.
 std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, const Openings& openings,
-                                      double arrive_before) {
+                                      double arrive_before, Hand& hand) {
+    const Remembering remembering(hand.crossing, memories_[vehicle]);
     const Agent& agent = closed_[vehicle].agent;
     CrossingOptions options;
     options.body = agent.body;
@@ -258,14 +260,14 @@ std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, cons
         for (const ObstacleId id : crossed) last = std::max(last, openings.at(id) - agent.ready_at);
         return last * agent.speed;
     };
-    const CrossingResult found = crossing_.find(problem_.map(), agent.start, agent.goal, options);
-    effort_ += effort_of_label * found.expanded;
+    const CrossingResult found = hand.crossing.find(problem_.map(), agent.start, agent.goal, options);
+    effort_[vehicle] += effort_of_label * found.expanded;
     if (found.best.path.empty()) return std::nullopt;
     const Method method;
     const Limits limits = options.limits;
     const Task task{problem_.map(), agent,  *problem_.aircraft().front(),   problem_.rules(),
                     method,         limits, problem_.interrupts().deadline, 0};
-    const Opening driven = drivable(task, {theta_, crossing_}, found.best, part);
+    const Opening driven = drivable(task, {hand.theta, hand.crossing}, found.best, part);
     if (driven.status != SearchStatus::found) return std::nullopt;
     // Not shortened: who bends may do so to come late.
     Way way = way_of(agent, driven.ground.path, part);
@@ -274,12 +276,13 @@ std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, cons
     return way;
 }
 
-Way Ways::punctual_way(const OpenedMap& opened, const Agent& agent, const Way& way, const Set& part,
+Way Ways::punctual_way(const OpenedMap& opened, std::size_t vehicle, const Way& way, const Set& part,
                        const Openings& openings) {
+    const Agent& agent = closed_[vehicle].agent;
     std::vector<TimedOpening> times;
     for (const ObstacleId id : part) times.push_back({id, openings.at(id)});
     const auto [path, judged] = punctual(opened, agent, way.path, std::move(times));
-    effort_ += judged;
+    effort_[vehicle] += judged;
     Way bent = way_of(agent, std::vector<Point>(path.begin(), path.end()), part);
     bent.expanded = way.expanded;
     bent.generated = way.generated;

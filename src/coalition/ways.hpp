@@ -2,11 +2,12 @@
 #pragma once
 
 #include <map>
+#include <numeric>
 #include <optional>
 #include <vector>
 
+#include "coalition/crew.hpp"
 #include "coalition/problem.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker::coalition {
 
@@ -30,22 +31,26 @@ using Openings = std::map<ObstacleId, double>;
 // Alone, with a stop before every gate that is not open yet; without openings, all are.
 double arrival(const Agent& agent, const Way& way, const Openings& openings);
 
+// For two vehicles, two hands may use it at once.
 class Ways {
   public:
     // The vehicles, each with its way past all obstacles, or with none.
-    Ways(const Problem& problem, std::span<const team::Vehicle> closed, CrossingSearcher& crossing, Searcher& theta);
+    Ways(const Problem& problem, std::span<const team::Vehicle> closed);
 
     // Of a vehicle with a set removed sooner or later: a way for each part of the set that is worth having open. Stays
     // where it is.
-    const std::vector<Way>& of(std::size_t vehicle, const Set& set);
+    const std::vector<Way>& of(std::size_t vehicle, const Set& set, Hand& hand);
+    // Whether that takes no search.
+    bool knows(std::size_t vehicle, const Set& set) const;
 
     // Looks for a way of a vehicle that is earlier than that, obstacles of a set being gone at certain times: who has
     // to wait anyway waits where the rest of the way is shortest. Whether there is one; it is among its ways from then
     // on. `thorough`: also by bends of known ways.
-    bool find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before, bool thorough);
+    bool find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before, bool thorough,
+                    Hand& hand);
 
     // Of all that was done so far: labels of searches and paths judged, as many as take as long.
-    std::uint64_t effort() const { return effort_; }
+    std::uint64_t effort() const { return std::accumulate(effort_.begin(), effort_.end(), std::uint64_t{0}); }
 
   private:
     struct Menu {
@@ -54,15 +59,15 @@ class Ways {
     };
     Set near(std::size_t vehicle, const Set& set) const;
     const Menu* larger_menu(std::size_t vehicle, const Set& part) const;
-    Menu search(std::size_t vehicle, const Set& set);
+    Menu search(std::size_t vehicle, const Set& set, Hand& hand);
     CrossingOptions options_for(std::size_t vehicle, const Set& set) const;
-    void search_crossing(std::size_t vehicle, const Set& set, Menu& menu);
-    void search_wide(std::size_t vehicle, const Set& set, Menu& menu);
-    std::vector<Set> gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu);
+    void search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Hand& hand);
+    void search_wide(std::size_t vehicle, const Set& set, Menu& menu, Hand& hand);
+    std::vector<Set> gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu, Hand& hand);
     std::vector<Way> waiting(std::size_t vehicle, const Set& part, const Openings& openings, double arrive_before);
     std::optional<Way> search_timed(std::size_t vehicle, const Set& part, const Openings& openings,
-                                    double arrive_before);
-    Way punctual_way(const OpenedMap& opened, const Agent& agent, const Way& way, const Set& part,
+                                    double arrive_before, Hand& hand);
+    Way punctual_way(const OpenedMap& opened, std::size_t vehicle, const Way& way, const Set& part,
                      const Openings& openings);
     Way closed_way(std::size_t vehicle) const;
     Way way_of(const Agent& agent, std::span<const Point> path, std::span<const ObstacleId> set) const;
@@ -70,9 +75,8 @@ class Ways {
 
     const Problem& problem_;
     std::span<const team::Vehicle> closed_;
-    CrossingSearcher& crossing_;
-    Searcher& theta_;
-    std::uint64_t effort_ = 0;
+    std::vector<std::uint64_t> effort_;       // by vehicle
+    std::vector<CrossingMemory> memories_;    // by vehicle
     std::vector<std::map<Set, Menu>> known_;  // by vehicle and the part of a set that is near its way
     // By vehicle: such parts, and when they open, for which ways were looked for; and whether thoroughly.
     std::vector<std::map<std::vector<std::pair<ObstacleId, double>>, bool>> timed_;

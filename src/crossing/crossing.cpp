@@ -361,6 +361,11 @@ CrossingPath CrossingSearcher::Search::incumbent() {
     return best == no_label ? CrossingPath{} : path_of(best);
 }
 
+CrossingMemory::CrossingMemory() : ways_(std::make_unique<Ways>()) {}
+CrossingMemory::~CrossingMemory() = default;
+CrossingMemory::CrossingMemory(CrossingMemory&&) noexcept = default;
+CrossingMemory& CrossingMemory::operator=(CrossingMemory&&) noexcept = default;
+
 CrossingSearcher::CrossingSearcher() : search_(std::make_unique<Search>()) {}
 CrossingSearcher::CrossingSearcher(std::unique_ptr<Search> search) : search_(std::move(search)) {}
 CrossingSearcher::~CrossingSearcher() = default;
@@ -369,6 +374,10 @@ CrossingSearcher& CrossingSearcher::operator=(CrossingSearcher&&) noexcept = def
 
 CrossingSearcher CrossingSearcher::another() const {
     return CrossingSearcher(search_->another());
+}
+
+void CrossingSearcher::exchange(CrossingMemory& memory) {
+    search_->exchange(*memory.ways_);
 }
 
 CrossingResult CrossingSearcher::find(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {

@@ -183,7 +183,11 @@ Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& inte
 }
 
 const Permanent& Regions::permanent() const {
-    if (permanent_) return *permanent_;
+    std::call_once(permanent_made_, [this] { permanent_ = find_permanent(); });
+    return *permanent_;
+}
+
+Permanent Regions::find_permanent() const {
     std::vector<bool> stays(count() + 1);
     for (std::uint32_t region = 1; region <= count(); ++region) {
         for_each_member(RegionId{region}, [&](ObstacleId o) { stays[region] = stays[region] || !destructible(o); });
@@ -197,7 +201,7 @@ const Permanent& Regions::permanent() const {
         });
     }
     Grid columns = rows.transposed();
-    return permanent_.emplace(Permanent{std::move(rows), std::move(columns)});
+    return {std::move(rows), std::move(columns)};
 }
 
 }  // namespace waybreaker::crossing

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,7 +53,7 @@ class Regions {
 
     // Whose obstacles are the regions.
     const Map& map() const { return grown_ ? *grown_ : *original_; }
-    // Of its cells those that nothing can free. Made when first asked for, in O(cells); not by two threads at a time.
+    // Of its cells those that nothing can free. Made when first asked for, in O(cells).
     const Permanent& permanent() const;
     // Regions are numbered from 1 to this.
     std::size_t count() const { return map().obstacles().size(); }
@@ -113,6 +114,8 @@ class Regions {
 
     std::span<const Obstacle> obstacles() const { return grown_ ? std::span(grown_from_) : original_->obstacles(); }
 
+    Permanent find_permanent() const;
+
     std::shared_ptr<const void> identity_;  // of the map
     Body body_;
     bool relaxed_;
@@ -122,6 +125,7 @@ class Regions {
     bool complete_ = true;
     std::optional<Map> grown_;
     mutable std::optional<Permanent> permanent_;
+    mutable std::once_flag permanent_made_;
     std::vector<Obstacle> grown_from_;
     Lists<ObstacleId> members_;  // by region
     Lists<RegionId> regions_;    // by obstacle

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "crossing/border.hpp"
@@ -29,6 +30,7 @@ class CrossingSearcher::Search {
   public:
     // With the same grown maps.
     std::unique_ptr<Search> another() const;
+    void exchange(crossing::Ways& ways) { std::swap(ways_, ways); }
     CrossingResult run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                        const std::function<bool(const CrossingPath&)>* accept);
     bool has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options);

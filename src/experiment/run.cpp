@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "experiment/crash_note.hpp"
 #include "experiment/evaluate.hpp"
 #include "experiment/map_cache.hpp"
-#include "experiment/parallel.hpp"
 
 namespace waybreaker::experiment {
 namespace {

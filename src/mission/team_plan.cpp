@@ -138,7 +138,8 @@ void add_entries(const Map& map, const Mission& mission, Plan& plan) {
 Plan plan_coalition(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                     coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
     const Stopwatch total;
-    const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions, limits.gap};
+    const team::Interrupts interrupts{Deadline(limits.seconds), limits.stop, limits.expansions, limits.gap,
+                                      limits.threads};
     const auto tell = [&](double objective, double bound) {
         if (limits.progress) limits.progress({.best = objective, .bound = bound});
     };

@@ -29,6 +29,7 @@ struct Interrupts {
     StopToken stop;
     std::uint64_t expansions = UINT64_MAX;
     double gap = 0;  // a share: a plan so near to its bound is good enough
+    unsigned threads = 1;
 
     bool good_enough(double objective, double bound) const { return gap > 0 && objective <= bound * (1 + gap); }
     bool due() const { return stop.stop_requested() || deadline.passed(); }

@@ -174,8 +174,10 @@ RC_GTEST_PROP(Columns, ProveLimitsOnePriceAfterTheOther, ()) {
     const team::Interrupts interrupts{Deadline(), {}};
     const Problem problem(map, mission, interrupts);
     CrossingSearcher crossing;
+    Searcher theta;
+    Crew crew(problem, crossing, theta);
+    Columns columns(problem, crew, Shape::relaxed);
     FlightLimits flights(problem);
-    Columns columns(problem, crossing, flights, Shape::relaxed);
     CrossingOptions driven;
     driven.crossings = mission.rules.removals;
     if (mission.rules.timing == Timing::enforce) {
@@ -191,7 +193,7 @@ RC_GTEST_PROP(Columns, ProveLimitsOnePriceAfterTheOther, ()) {
         driven.prices = prices;
         const CrossingResult best =
             CrossingSearcher().find(map, mission.agents[0].start, mission.agents[0].goal, driven);
-        if (best.status == SearchStatus::found) RC_ASSERT(columns.search(0, prices).least <= best.best.cost + 1e-9);
+        if (best.status == SearchStatus::found) RC_ASSERT(columns.search(0, prices, crew.own()).least <= best.best.cost + 1e-9);
     }
 }
 
@@ -214,10 +216,11 @@ TEST(AllSets, AreThoseThatMayBeRemoved) {
     mission.rules.budget = 3;
     const team::Interrupts interrupts{Deadline(), {}};
     CrossingSearcher crossing;
+    Searcher theta;
     const auto sets = [&](std::size_t most) {
         const Problem problem(map, mission, interrupts);
-        FlightLimits flights(problem);
-        return all_sets(problem, Columns(problem, crossing, flights, Shape::relaxed), most);
+        Crew crew(problem, crossing, theta);
+        return all_sets(problem, Columns(problem, crew, Shape::relaxed), most);
     };
     EXPECT_EQ(sets(4), (std::vector<Set>{{}, {id('a')}, {id('b')}, {id('a'), id('b')}}));
     EXPECT_EQ(sets(3), std::vector<Set>());

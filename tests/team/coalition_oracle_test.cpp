@@ -176,15 +176,16 @@ double proven(const Map& map, const Mission& mission, double reached) {
     const team::Interrupts interrupts{Deadline(), {}};
     const coalition::Problem problem(map, mission, interrupts);
     CrossingSearcher crossing;
-    coalition::FlightLimits flights(problem);
-    coalition::Columns columns(problem, crossing, flights, coalition::Shape::relaxed);
-    coalition::Relaxation relaxation(problem, columns);
+    Searcher theta;
+    coalition::Crew crew(problem, crossing, theta);
+    coalition::Columns columns(problem, crew, coalition::Shape::relaxed);
+    coalition::Relaxation relaxation(problem, columns, crew);
     double bound = relaxation.bound();
     const auto list = [&](double margin) {
         relaxation.list(margin);
         bound = std::max(bound, relaxation.bound());
         if (!relaxation.proof().complete) return;
-        coalition::Joint joint(problem, columns, relaxation.proof(), flights, reached);
+        coalition::Joint joint(problem, columns, relaxation.proof(), crew.own().flights, reached);
         joint.next();
         bound = std::max(bound, joint.bound());
     };

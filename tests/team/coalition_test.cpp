@@ -234,6 +234,33 @@ TEST(Coalition, IsPlannedTheSameEachTime) {
     }
 }
 
+// Not even in how much work it was, wherever a limit ends a search.
+RC_GTEST_PROP(Coalition, IsPlannedTheSameByAnyNumberOfThreads, ()) {
+    const PlainMap plain = *random_map(20, 20);
+    const Map map(plain.grid());
+    const Mission mission = any_coalition(plain, map);
+    Limits limits{.expansions = *rc::gen::element<std::uint64_t>(10, 100, UINT64_MAX, UINT64_MAX)};
+    try {
+        validate(map, mission, {}, limits);
+    } catch (const InputError&) {
+        RC_DISCARD();
+    }
+    const Plan one = MissionPlanner().plan(map, mission, {}, limits);
+    limits.threads = unsigned(*number(2, 4));
+    const Plan many = MissionPlanner().plan(map, mission, {}, limits);
+    RC_ASSERT(many.status == one.status);
+    RC_ASSERT(many.bound == one.bound);
+    RC_ASSERT(many.limit_reached == one.limit_reached);
+    RC_ASSERT(many.after.flowtime == one.after.flowtime);
+    RC_ASSERT(many.agents.size() == one.agents.size());
+    for (std::size_t i = 0; i < one.agents.size(); ++i) RC_ASSERT(many.agents[i].path == one.agents[i].path);
+    RC_ASSERT(many.after.routes.size() == one.after.routes.size());
+    for (std::size_t i = 0; i < one.after.routes.size(); ++i) {
+        RC_ASSERT(many.after.routes[i].expanded == one.after.routes[i].expanded);
+        RC_ASSERT(many.after.routes[i].generated == one.after.routes[i].generated);
+    }
+}
+
 TEST(Coalition, StopsInTime) {
     const Mission mission = through_two_walls();
     StopSource source;

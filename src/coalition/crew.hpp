@@ -1,0 +1,66 @@
+// Crew: threads that plan the vehicles of a team side by side. What comes out does not depend on how many there are.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+
+#include "coalition/flight_limits.hpp"
+#include "core/parallel.hpp"
+#include "waybreaker/crossing.hpp"
+#include "waybreaker/search.hpp"
+
+namespace waybreaker::coalition {
+
+// What one thread plans with, and remembers.
+struct Hand {
+    CrossingSearcher& crossing;  // of the vehicles' own bodies
+    CrossingSearcher limits;     // for lower limits: a searcher remembers more of one kind of body than of two in turn
+    Searcher& theta;
+    FlightLimits flights;
+};
+
+// A vehicle's own memory, in use for as long as this lives: what comes out does not depend on whose hand it is in.
+class Remembering {
+  public:
+    Remembering(CrossingSearcher& searcher, CrossingMemory& memory) : searcher_(searcher), memory_(memory) {
+        searcher_.exchange(memory_);
+    }
+    Remembering(const Remembering&) = delete;
+    Remembering& operator=(const Remembering&) = delete;
+    ~Remembering() { searcher_.exchange(memory_); }
+
+  private:
+    CrossingSearcher& searcher_;
+    CrossingMemory& memory_;
+};
+
+class Crew {
+  public:
+    // The searchers are for the thread that calls; all arguments must outlive it. What the first has grown by the time
+    // that there is work is shared by all.
+    Crew(const Problem& problem, CrossingSearcher& crossing, Searcher& theta);
+
+    // Of the thread that calls.
+    Hand& own();
+
+    // Calls work(i, hand) for i = 0 .. count - 1, each once, in any order.
+    template <class Work>
+    void for_each(std::size_t count, const Work& work) {
+        gather(count);
+        for_each_index(count, unsigned(hands_.size()), [&](std::size_t i, std::size_t thread) { work(i, hands_[thread]); });
+    }
+
+  private:
+    // As many hands as there is work for.
+    void gather(std::size_t count);
+
+    const Problem& problem_;
+    std::size_t most_;  // hands
+    CrossingSearcher& crossing_;
+    Searcher& theta_;
+    std::deque<CrossingSearcher> crossings_;  // of the hands but the first
+    std::deque<Searcher> thetas_;
+    std::deque<Hand> hands_;
+};
+
+}  // namespace waybreaker::coalition
