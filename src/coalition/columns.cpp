@@ -250,6 +250,15 @@ Columns::Search Columns::list(std::size_t vehicle, std::span<const double> price
     return list_near(vehicle, prices, margin, hand);
 }
 
+Columns::Query Columns::query(const Agent& agent, std::span<const double> prices, double less_than) const {
+    Query query{{}, useless(agent, prices, less_than), options_for(agent)};
+    for (const double price : prices) query.prices.push_back(price * agent.speed);
+    query.protect.insert(query.protect.end(), query.options.protect.begin(), query.options.protect.end());
+    query.options.prices = query.prices;
+    query.options.protect = query.protect;
+    return query;
+}
+
 // First as if all were open: that takes a fraction of the time, is often in time, and says more than a search in time
 // that a limit ends.
 Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double> prices, Hand& hand) {
@@ -259,13 +268,8 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
     double best = best_known(vehicle, prices);
     if (proof.complete && proof.least - greatest_fall(proof.prices, prices) >= best * (1 - rounding))
         return {best, best};
-    std::vector<double> in_cells;
-    for (const double price : prices) in_cells.push_back(price * agent.speed);
-    CrossingOptions options = options_for(agent);
-    options.prices = in_cells;
-    std::vector<ObstacleId> protect = useless(agent, prices, best);
-    protect.insert(protect.end(), options.protect.begin(), options.protect.end());
-    options.protect = protect;
+    Query asked = query(agent, prices, best);
+    CrossingOptions& options = asked.options;
     const auto find = [&] {
         if (std::isfinite(best)) {
             options.length_limit = (best - agent.ready_at) * agent.speed;
@@ -274,7 +278,7 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
         CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
         note(vehicle, found);
         if (found.status == SearchStatus::found) {
-            add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, in_cells), hand);
+            add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, asked.prices), hand);
         }
         best = best_known(vehicle, prices);
         proof.complete = found.status == SearchStatus::found || found.status == SearchStatus::no_path;
@@ -297,29 +301,24 @@ Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> 
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (agent.start == agent.goal || !proofs_[vehicle].complete) return proven;
     double best = best_known(vehicle, prices);
-    std::vector<double> in_cells;
-    for (const double price : prices) in_cells.push_back(price * agent.speed);
-    CrossingOptions options = options_for(agent);
-    options.prices = in_cells;
+    if (std::isfinite(best)) margin = std::min(margin, most_margin * best);
+    Query asked = query(agent, prices, best + margin);
+    CrossingOptions& options = asked.options;
+    if (std::isfinite(best)) {
+        options.length_limit = (best + margin - agent.ready_at) * agent.speed;
+        options.expected = options.length_limit;
+    }
     if (in_time()) {
         options.opened_after = [&](std::span<const ObstacleId> opened) {
             return opened_after(agent, opened, hand.flights);
         };
     }
-    if (std::isfinite(best)) {
-        margin = std::min(margin, most_margin * best);
-        options.length_limit = (best + margin - agent.ready_at) * agent.speed;
-        options.expected = options.length_limit;
-    }
-    std::vector<ObstacleId> protect = useless(agent, prices, best + margin);
-    protect.insert(protect.end(), options.protect.begin(), options.protect.end());
-    options.protect = protect;
     int told = 0;
     const CrossingResult rest =
         searcher(hand).enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (told == most_told || agent.ready_at + path.cost / agent.speed >= best + margin) return false;
             ++told;
-            const double length = path.cost - paid_for(path.crossed, in_cells);
+            const double length = path.cost - paid_for(path.crossed, asked.prices);
             add(vehicle, path.crossed, length);
             best = std::min(best, arrival_of(agent, path.crossed, length) + paid_for(path.crossed, prices));
             return true;

@@ -61,6 +61,13 @@ class Columns {
     Search list(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand);
 
   private:
+    // At certain prices, for what costs less than that. The options refer to the lists.
+    struct Query {
+        std::vector<double> prices;  // by id, in cells
+        std::vector<ObstacleId> protect;
+        CrossingOptions options;
+    };
+    Query query(const Agent& agent, std::span<const double> prices, double less_than) const;
     Search search_best(std::size_t vehicle, std::span<const double> prices, Hand& hand);
     Search list_near(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand);
     double closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Hand& hand);
