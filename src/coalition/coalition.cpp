@@ -94,7 +94,8 @@ class Planning {
             ends[i] = team::go_alone(map, interrupts_, crossing, theta, vehicles[i]);
         };
         drive(0, crossing_, theta_);  // first, so that all hands share the maps that it grows
-        crew_.for_each(vehicles.size() - 1, [&](std::size_t i, Hand& hand) { drive(i + 1, hand.crossing, hand.theta); });
+        crew_.for_each(vehicles.size() - 1,
+                       [&](std::size_t i, Hand& hand) { drive(i + 1, hand.crossing, hand.theta); });
         for (std::size_t i = 0; i < vehicles.size(); ++i) {
             plan_.closed.push_back(std::move(vehicles[i]));
             if (ends[i] == SearchStatus::found || ends[i] == SearchStatus::no_path) continue;

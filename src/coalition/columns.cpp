@@ -69,7 +69,8 @@ void Columns::begin_latest(Hand& hand) {
 double Columns::closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Hand& hand) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     const bool known = !closed.empty() && !closed[vehicle].way.empty() && problem_.forced().empty();
-    if (known && shape_ == Shape::relaxed && team::drives_by_crossing(agent.body)) return (closed[vehicle].bound - agent.ready_at) * agent.speed;
+    if (known && shape_ == Shape::relaxed && team::drives_by_crossing(agent.body))
+        return (closed[vehicle].bound - agent.ready_at) * agent.speed;
     return find(vehicle, 0, infinity, hand).lower_bound;
 }
 
@@ -278,7 +279,8 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
         CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
         note(vehicle, found);
         if (found.status == SearchStatus::found) {
-            add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, asked.prices), hand);
+            add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, asked.prices),
+                        hand);
         }
         best = best_known(vehicle, prices);
         proof.complete = found.status == SearchStatus::found || found.status == SearchStatus::no_path;

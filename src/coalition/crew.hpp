@@ -47,7 +47,8 @@ class Crew {
     template <class Work>
     void for_each(std::size_t count, const Work& work) {
         gather(count);
-        for_each_index(count, unsigned(hands_.size()), [&](std::size_t i, std::size_t thread) { work(i, hands_[thread]); });
+        for_each_index(count, unsigned(hands_.size()),
+                       [&](std::size_t i, std::size_t thread) { work(i, hands_[thread]); });
     }
 
   private:

@@ -91,7 +91,9 @@ double SortiePlanner::could_cost(const Draft& draft) const {
 
 // For those that have to wait, by the times of a draft. Whether there are any.
 bool SortiePlanner::find_timed_ways(const Draft& draft, bool thorough) {
-    const auto time_of = [&](std::size_t i) { return arrival(*problem_.vehicles()[i], draft.taken[i], draft.openings); };
+    const auto time_of = [&](std::size_t i) {
+        return arrival(*problem_.vehicles()[i], draft.taken[i], draft.openings);
+    };
     std::vector<std::size_t> late;
     for (std::size_t i = 0; i < menus_.size(); ++i) {
         const auto is_earlier = [&](const Way& other) {

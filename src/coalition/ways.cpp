@@ -30,7 +30,12 @@ double arrival(const Agent& agent, const Way& way, const Openings& openings) {
 }
 
 Ways::Ways(const Problem& problem, std::span<const team::Vehicle> closed)
-    : problem_(problem), closed_(closed), effort_(closed.size()), memories_(closed.size()), known_(closed.size()), timed_(closed.size()) {}
+    : problem_(problem),
+      closed_(closed),
+      effort_(closed.size()),
+      memories_(closed.size()),
+      known_(closed.size()),
+      timed_(closed.size()) {}
 
 bool Ways::knows(std::size_t vehicle, const Set& set) const {
     const Set part = near(vehicle, set);

@@ -149,7 +149,7 @@ class Ray {
     bool passes_destructible_ = false;
     const Grid* rows_ = nullptr;  // what rays look for
     const Grid* columns_ = nullptr;
-    bool weighs_ = false;  // whether the budget is limited
+    bool weighs_ = false;             // whether the budget is limited
     std::span<const double> prices_;  // by id; empty: nothing is paid, or the budget is limited
     std::unique_ptr<RegionMark[], Free> region_marks_;
     std::unique_ptr<ObstacleMark[], Free> obstacle_marks_;

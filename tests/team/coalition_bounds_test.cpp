@@ -193,7 +193,8 @@ RC_GTEST_PROP(Columns, ProveLimitsOnePriceAfterTheOther, ()) {
         driven.prices = prices;
         const CrossingResult best =
             CrossingSearcher().find(map, mission.agents[0].start, mission.agents[0].goal, driven);
-        if (best.status == SearchStatus::found) RC_ASSERT(columns.search(0, prices, crew.own()).least <= best.best.cost + 1e-9);
+        if (best.status == SearchStatus::found)
+            RC_ASSERT(columns.search(0, prices, crew.own()).least <= best.best.cost + 1e-9);
     }
 }
 
