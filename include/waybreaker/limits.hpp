@@ -49,10 +49,10 @@ struct Limits {
     // every time, unless a time limit ends planning before. Single searches do not use it.
     double gap = 0;
     // So many threads plan the vehicles of a team with aircraft side by side (0: all cores): the same plan, sooner. All
-    // else takes the thread that calls.
+    // else is done by the thread that calls.
     unsigned threads = 1;
     StopToken stop = {};  // checked, as the time is, at least every 1024 expansions
-    // Called by `exact` whenever more is known, on the thread that plans. Single searches do not call it.
+    // Called by `exact` whenever more is known, on the thread that calls. Single searches do not call it.
     std::function<void(const Progress&)> progress = {};
 };
 
