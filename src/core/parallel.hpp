@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -54,8 +55,12 @@ void for_each_index(std::size_t count, unsigned threads, const Work& work) {
     };
     {
         Joined others;
-        for (std::size_t thread = 1; thread < std::min<std::size_t>(thread_count(threads), count); ++thread) {
-            others.start([&take, thread] { take(thread); });
+        try {
+            for (std::size_t thread = 1; thread < std::min<std::size_t>(thread_count(threads), count); ++thread) {
+                others.start([&take, thread] { take(thread); });
+            }
+        } catch (const std::system_error&) {
+            // The system has no more threads: fewer do the same.
         }
         take(0);
     }
