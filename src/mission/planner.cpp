@@ -95,6 +95,9 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
 
 Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
+    // What earlier missions have taught would change how much work this one is.
+    CrossingMemory nothing;
+    crossing_.exchange(nothing);
     if (mission.is_team()) return explained_team(map, mission, method, limits, searcher_, crossing_);
     const Task task = task_of(map, mission, method, limits);
     const Stopwatch total;

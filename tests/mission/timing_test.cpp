@@ -50,6 +50,21 @@ bool no_more(double a, double b) {
     return a <= b + 1e-6 || a == b;
 }
 
+// Not even in how much work it was.
+RC_GTEST_PROP(Timing, APlannerPlansTheSameAgain, ()) {
+    TimedMission world = any_timed_mission();
+    world.method.select = *rc::gen::element(Selection::hits, Selection::exact, Selection::exact);
+    world.limits.expansions = *rc::gen::element<std::uint64_t>(20, 200, UINT64_MAX, UINT64_MAX);
+    MissionPlanner planner;
+    const Plan first = planner.plan(world.map, world.mission, world.method, world.limits);
+    const Plan again = planner.plan(world.map, world.mission, world.method, world.limits);
+    RC_ASSERT(again.bound == first.bound);
+    RC_ASSERT(again.agents.size() == first.agents.size());
+    for (std::size_t i = 0; i < first.agents.size(); ++i) RC_ASSERT(again.agents[i].path == first.agents[i].path);
+    RC_ASSERT(again.after.ground().expanded == first.after.ground().expanded);
+    RC_ASSERT(again.after.ground().generated == first.after.ground().generated);
+}
+
 RC_GTEST_PROP(Timing, NeverMakesAPlanWorseThanToRemoveNothing, ()) {
     const TimedMission world = any_timed_mission();
     const Plan plan = world.plan();
