@@ -183,7 +183,7 @@ Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& inte
 }
 
 const Permanent& Regions::permanent() const {
-    std::call_once(permanent_made_, [this] { permanent_ = find_permanent(); });
+    std::call_once(permanent_made_, [this] { permanent_ = std::make_unique<const Permanent>(find_permanent()); });
     return *permanent_;
 }
 

@@ -124,7 +124,7 @@ class Regions {
     const Map* original_;           // to be used only while it is not grown
     bool complete_ = true;
     std::optional<Map> grown_;
-    mutable std::optional<Permanent> permanent_;
+    mutable std::unique_ptr<const Permanent> permanent_;
     mutable std::once_flag permanent_made_;
     std::vector<Obstacle> grown_from_;
     Lists<ObstacleId> members_;  // by region
