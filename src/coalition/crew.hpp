@@ -36,8 +36,8 @@ class Remembering {
 
 class Crew {
   public:
-    // The searchers are for the thread that calls; all arguments must outlive it. What the first has grown by the time
-    // that there is work is shared by all.
+    // The searchers are for the thread that calls; all arguments must outlive it. All hands share the maps that
+    // `crossing` has grown for wide bodies before they first have work.
     Crew(const Problem& problem, CrossingSearcher& crossing, Searcher& theta);
 
     // Of the thread that calls.

@@ -37,7 +37,7 @@ class Joined {
 };
 
 // Calls work(i, thread) for i = 0 .. count - 1, each once, in any order, on so many threads (0: all cores). They are
-// numbered from 0, which is the one that calls; as many are started as there are items. Throws what one of the calls
+// numbered from 0, which is the one that calls; there are no more of them than items. Throws what one of the calls
 // threw; items not begun by then are left out.
 template <class Work>
 void for_each_index(std::size_t count, unsigned threads, const Work& work) {
