@@ -125,11 +125,6 @@ class CrossingSearcher {
     CrossingResult enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                              const std::function<bool(const CrossingPath&)>& accept);
 
-    // Whether the body gets from start to goal by legal steps to one of eight neighbours, past all but what is removed;
-    // true as well if a limit ends before that is known. A disc wider than 0.5 may do so where find() knows no path:
-    // its square does not pass diagonally between two cells. Time O(cells of the map).
-    bool has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options = {});
-
   private:
     class Search;
     explicit CrossingSearcher(std::unique_ptr<Search> search);

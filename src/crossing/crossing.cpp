@@ -248,10 +248,17 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
     return none;
 }
 
-// Grown once for all queries that move the same body on the same map.
+bool CrossingSearcher::Search::stands(const Regions& regions, Cell c, std::span<const ObstacleId> removed) {
+    if (!regions.map().grid().contains(c)) return false;
+    const RegionId region = region_at(regions.map(), c);
+    return !region || regions.within(region, removed);
+}
+
+// Grown once for all queries that move the same body on the same map, whatever its obstacles weigh.
 std::shared_ptr<const Regions> CrossingSearcher::Search::regions_for(const Map& map, const CrossingOptions& options) {
     std::shared_ptr<const Regions>& known = regions_of_[std::size_t(reach_of(options) - 1)];
     if (known && known->serve(map, options)) return known;
+    if (known && known->fit(map, options)) return known = std::make_shared<const Regions>(*known, map);
     auto regions = std::make_shared<const Regions>(map, options, interrupt_);
     // What was interrupted may be done with more time.
     if (interrupt_.cause() == Interrupt::Cause::none) known = regions;
@@ -383,11 +390,6 @@ void CrossingSearcher::exchange(CrossingMemory& memory) {
 CrossingResult CrossingSearcher::find(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
     validate(map, options);
     return search_->run(map, start, goal, options, nullptr);
-}
-
-bool CrossingSearcher::has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
-    validate(map, options);
-    return search_->has_steps(map, start, goal, options);
 }
 
 CrossingResult CrossingSearcher::enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,

@@ -158,33 +158,32 @@ class Growing {
 
 }  // namespace
 
-Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& interrupt)
-    : identity_(map.identity()),
-      body_(options.body),
-      relaxed_(options.relaxed),
-      half_widths_(growth_of(options)),
-      original_(&map) {
-    if (half_widths_.empty()) return;
-    margin_ = half_widths_.front();
-    Growing growing(map, half_widths_);
-    complete_ = growing.grow(interrupt);
-    if (!complete_) return;
+Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& interrupt) : map_(&map) {
+    const auto shape = std::make_shared<Shape>();
+    shape_ = shape;
+    shape->identity = map.identity();
+    shape->body = options.body;
+    shape->relaxed = options.relaxed;
+    shape->half_widths = growth_of(options);
+    if (shape->half_widths.empty()) return;
+    Growing growing(map, shape->half_widths);
+    shape->complete = growing.grow(interrupt);
+    if (!shape->complete) return;
     std::vector<std::vector<RegionId>> regions_of(obstacle_limit());
     RegionId region;
     for (const std::vector<ObstacleId>& members : growing.members()) {
-        members_.add(members);
+        shape->members.add(members);
         ++region.value;
         for (const ObstacleId obstacle : members) regions_of[obstacle.value].push_back(region);
     }
-    for (std::size_t obstacle = 1; obstacle < regions_of.size(); ++obstacle) regions_.add(regions_of[obstacle]);
-    grown_from_.assign(map.obstacles().begin(), map.obstacles().end());
+    for (std::size_t obstacle = 1; obstacle < regions_of.size(); ++obstacle) shape->regions.add(regions_of[obstacle]);
     // It numbers what it finds row by row, as growing does.
-    grown_ = Map::from_labels(map.width(), map.height(), growing.take_labels());
+    shape->grown = Map::from_labels(map.width(), map.height(), growing.take_labels());
 }
 
 const Permanent& Regions::permanent() const {
-    std::call_once(permanent_made_, [this] { permanent_ = std::make_unique<const Permanent>(find_permanent()); });
-    return *permanent_;
+    std::call_once(shape_->permanent_made, [this] { shape_->permanent.emplace(find_permanent()); });
+    return *shape_->permanent;
 }
 
 Permanent Regions::find_permanent() const {

@@ -36,39 +36,73 @@ struct Permanent {
     Grid columns;
 };
 
+// Lists, by number from 1 on.
+template <class Id>
+class Lists {
+  public:
+    void add(std::span<const Id> list) {
+        items_.insert(items_.end(), list.begin(), list.end());
+        begins_.push_back(items_.size());
+    }
+    std::span<const Id> of(std::uint32_t number) const {
+        return {items_.data() + begins_[number], items_.data() + begins_[number + 1]};
+    }
+
+  private:
+    std::vector<Id> items_;
+    std::vector<std::size_t> begins_{0, 0};  // number 0 has none
+};
+
+// What depends on the shape of a map and of a body alone, not on what obstacles weigh: shared by all maps of one
+// identity.
+struct Shape {
+    std::shared_ptr<const void> identity;  // of the map
+    Body body;
+    bool relaxed = false;
+    std::vector<int> half_widths;  // of the growth's rows, by distance from its middle row; empty: not grown
+    bool complete = true;
+    std::optional<Map> grown;
+    Lists<ObstacleId> members;                   // by region
+    Lists<RegionId> regions;                     // by obstacle
+    mutable std::optional<Permanent> permanent;  // when first asked for
+    mutable std::once_flag permanent_made;
+};
+
 class Regions {
   public:
     // For the body that the options move. Time O(runs of blocked cells * radius) to grow the map, else O(1). The map
-    // must outlive it unless it is grown.
+    // must outlive every query.
     Regions(const Map& map, const CrossingOptions& options, Interrupt& interrupt);
-    Regions(const Regions&) = delete;
-    Regions& operator=(const Regions&) = delete;
+    // The same regions of a map that differs from theirs only in what its obstacles weigh. O(1).
+    Regions(const Regions& known, const Map& map) : shape_(known.shape_), map_(&map) {}
     // False: growing was interrupted, or the growths of so many obstacles overlap that the regions would take much more
     // memory than the map. Then nothing else may be asked.
-    bool complete() const { return complete_; }
-    bool serve(const Map& map, const CrossingOptions& options) const {
-        const bool same_map = identity_ == map.identity() && (!half_widths_.empty() || original_ == &map);
-        return same_map && body_ == options.body && relaxed_ == options.relaxed;
+    bool complete() const { return shape_->complete; }
+    // Whether they are those of the map and the body, whatever its obstacles weigh.
+    bool fit(const Map& map, const CrossingOptions& options) const {
+        return shape_->identity == map.identity() && shape_->body == options.body && shape_->relaxed == options.relaxed;
     }
+    // Whether weights are those of the map, too.
+    bool serve(const Map& map, const CrossingOptions& options) const { return fit(map, options) && map_ == &map; }
 
     // Whose obstacles are the regions.
-    const Map& map() const { return grown_ ? *grown_ : *original_; }
+    const Map& map() const { return shape_->grown ? *shape_->grown : *map_; }
     // Of its cells those that nothing can free. Made when first asked for, in O(cells).
     const Permanent& permanent() const;
     // Regions are numbered from 1 to this.
     std::size_t count() const { return map().obstacles().size(); }
     // The obstacles' numbers are below this: the edge of the map is one behind the last.
-    std::size_t obstacle_limit() const { return obstacles().size() + 2; }
+    std::size_t obstacle_limit() const { return map_->obstacles().size() + 2; }
 
     template <class Visit>
     void for_each_member(RegionId region, Visit visit) const {
-        if (!grown_) return visit(ObstacleId{region.value});
-        for (const ObstacleId obstacle : members_.of(region.value)) visit(obstacle);
+        if (!shape_->grown) return visit(ObstacleId{region.value});
+        for (const ObstacleId obstacle : shape_->members.of(region.value)) visit(obstacle);
     }
     template <class Visit>
     void for_each_region_of(ObstacleId obstacle, Visit visit) const {
-        if (!grown_) return visit(RegionId{obstacle.value});
-        for (const RegionId region : regions_.of(obstacle.value)) visit(region);
+        if (!shape_->grown) return visit(RegionId{obstacle.value});
+        for (const RegionId region : shape_->regions.of(obstacle.value)) visit(region);
     }
     // Whether all of a region's obstacles are among these, which are sorted.
     bool within(RegionId region, std::span<const ObstacleId> obstacles) const {
@@ -80,55 +114,24 @@ class Regions {
     }
 
     // Of an obstacle; the edge of the map stands for ever and weighs nothing.
-    bool destructible(ObstacleId obstacle) const {
-        return !is_edge(obstacle) && obstacles()[obstacle.value - 1].destructible;
-    }
-    double weight(ObstacleId obstacle) const { return is_edge(obstacle) ? 0 : obstacles()[obstacle.value - 1].weight; }
+    bool destructible(ObstacleId obstacle) const { return !is_edge(obstacle) && map_->obstacle(obstacle).destructible; }
+    double weight(ObstacleId obstacle) const { return is_edge(obstacle) ? 0 : map_->obstacle(obstacle).weight; }
     // Whether the body, a point that stands for a disc, is too wide for a place where two cells touch at a corner.
-    bool pinched() const { return relaxed_ && body_.radius > 0 && !grown_; }
+    bool pinched() const { return shape_->relaxed && shape_->body.radius > 0 && !shape_->grown; }
     // The map is convex, so what it ends at is in the way of no straight line within it.
-    bool is_edge(ObstacleId obstacle) const { return obstacle.value > obstacles().size(); }
+    bool is_edge(ObstacleId obstacle) const { return obstacle.value > map_->obstacles().size(); }
     // The cells of all its regions lie within.
     Box bounds(ObstacleId obstacle) const {
-        const Box box = obstacles()[obstacle.value - 1].bounds;
-        return {{box.min.x - margin_, box.min.y - margin_}, {box.max.x + margin_, box.max.y + margin_}};
+        const Box box = map_->obstacle(obstacle).bounds;
+        const int margin = shape_->half_widths.empty() ? 0 : shape_->half_widths.front();
+        return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
     }
 
   private:
-    // Lists, by number from 1 on.
-    template <class Id>
-    class Lists {
-      public:
-        void add(std::span<const Id> list) {
-            items_.insert(items_.end(), list.begin(), list.end());
-            begins_.push_back(items_.size());
-        }
-        std::span<const Id> of(std::uint32_t number) const {
-            return {items_.data() + begins_[number], items_.data() + begins_[number + 1]};
-        }
-
-      private:
-        std::vector<Id> items_;
-        std::vector<std::size_t> begins_{0, 0};  // number 0 has none
-    };
-
-    std::span<const Obstacle> obstacles() const { return grown_ ? std::span(grown_from_) : original_->obstacles(); }
-
     Permanent find_permanent() const;
 
-    std::shared_ptr<const void> identity_;  // of the map
-    Body body_;
-    bool relaxed_;
-    std::vector<int> half_widths_;  // of the growth's rows, by distance from its middle row; empty: none
-    int margin_ = 0;                // cells by which it reaches beyond an obstacle
-    const Map* original_;           // to be used only while it is not grown
-    bool complete_ = true;
-    std::optional<Map> grown_;
-    mutable std::unique_ptr<const Permanent> permanent_;
-    mutable std::once_flag permanent_made_;
-    std::vector<Obstacle> grown_from_;
-    Lists<ObstacleId> members_;  // by region
-    Lists<RegionId> regions_;    // by obstacle
+    std::shared_ptr<const Shape> shape_;
+    const Map* map_;  // not grown
 };
 
 }  // namespace waybreaker::crossing

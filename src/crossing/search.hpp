@@ -33,7 +33,6 @@ class CrossingSearcher::Search {
     void exchange(crossing::Ways& ways) { std::swap(ways_, ways); }
     CrossingResult run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
                        const std::function<bool(const CrossingPath&)>* accept);
-    bool has_steps(const Map& map, Cell start, Cell goal, const CrossingOptions& options);
     // Between places where the agent can stand.
     CrossingResult run_between(const Map& map, crossing::Vertex start, crossing::Vertex goal,
                                const CrossingOptions& options, const std::function<bool(const CrossingPath&)>* accept);

@@ -1,6 +1,7 @@
 #include "drive/opening.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "drive/fitted.hpp"
@@ -13,11 +14,12 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Of the time that is left: for the optimal ground path, before a quick search takes over.
 constexpr double share_of_optimal_path = 0.5;
-// Likewise: for the path of Theta* that another is compared with.
-constexpr double share_of_comparison = 0.2;
 // Relative, above the path of the relaxed body: a path so short is good enough; so long, the disc may have another way.
 constexpr double short_enough = 0.01;
 constexpr double too_long = 0.05;
+
+// In so little time for each cell of the map the other searches may not come to their end.
+constexpr double seconds_a_cell = 1e-5;
 
 // As the disc drives it; a point drives the path as it is.
 void drive(const Trip& trip, Opening& opening, const std::vector<Point>& path, double length) {
@@ -36,26 +38,70 @@ CrossingOptions open_search(const Trip& trip, std::span<const ObstacleId> remove
     return options;
 }
 
-Opening open_by_cells(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
-                      double share_of_time = 1) {
+Opening open_by_cells(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed) {
     const Stopwatch watch;
-    SearchOptions options = trip.by_cells();
-    options.limits = trip.limits(trip.deadline.share(share_of_time).left());
     const SearchResult found =
-        searchers.cells.find(OpenedMap(trip.map, removed), trip.driver.start, trip.driver.goal, options);
+        searchers.cells.find(OpenedMap(trip.map, removed), trip.driver.start, trip.driver.goal, trip.by_cells());
     return opening_of(std::move(removed), found, watch.seconds());
 }
 
-// Of the path and Theta*'s.
-void take_shorter(const Trip& trip, const Searchers& searchers, Opening& opening) {
-    Opening other = open_by_cells(trip, searchers, opening.removed, share_of_comparison);
-    opening.limited = opening.limited || other.limited;
-    if (other.status != SearchStatus::found) return;
-    const std::vector<Point> path = std::move(other.ground.path);
-    drive(trip, other, path, path_length(path));
-    if (opening.ground.length.value_or(infinity) <= other.ground.length.value_or(infinity)) return;
-    other.limited = opening.limited;
-    opening = std::move(other);
+Opening open_by_crossing(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed) {
+    const Stopwatch watch;
+    const CrossingResult found =
+        searchers.crossing.find(trip.map, trip.driver.start, trip.driver.goal, open_search(trip, removed));
+    return opening_of(trip, std::move(removed), found, watch.seconds());
+}
+
+// The shorter one, with the work of both.
+Opening shorter(Opening one, Opening other) {
+    const bool takes_other = other.ground.length.value_or(infinity) < one.ground.length.value_or(infinity);
+    Opening& taken = takes_other ? other : one;
+    const Opening& left = takes_other ? one : other;
+    taken.ground.expanded += left.ground.expanded;
+    taken.ground.generated += left.ground.generated;
+    taken.ground.seconds += left.ground.seconds;
+    taken.limited = taken.limited || left.limited;
+    return std::move(taken);
+}
+
+// Whether so little time is left, for the size of the map, that Theta* comes first.
+bool is_in_haste(const Trip& trip) {
+    return trip.deadline.left() < seconds_a_cell * double(trip.map.grid().cell_count());
+}
+
+// Of a disc that the square does not stand for: the square's path; where that is far above the relaxed body's, the
+// shortest of it, of Theta*'s and of one along that of the relaxed body. None, if none can be shorter than so many
+// cells.
+Opening open_for_disc(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
+                      double shorter_than) {
+    const Body& body = trip.driver.body;
+    std::optional<Opening> by_cells;
+    const auto search_cells = [&] {
+        by_cells = open_by_cells(trip, searchers, removed);
+        const std::vector<Point> path = by_cells->ground.path;
+        if (!path.empty()) drive(trip, *by_cells, path, path_length(path));
+    };
+    if (shorter_than == infinity && is_in_haste(trip)) search_cells();
+    CrossingOptions options = open_search(trip, removed);
+    options.relaxed = true;
+    options.length_limit = shorter_than;
+    const CrossingResult guide = searchers.crossing.find(trip.map, trip.driver.start, trip.driver.goal, options);
+    if (guide.status == SearchStatus::no_path) return {std::move(removed)};
+    Opening opening = open_by_crossing(trip, searchers, removed);
+    const auto is_within = [&](double gap) {
+        return opening.ground.length && *opening.ground.length <= guide.lower_bound * (1 + gap);
+    };
+    if (is_within(short_enough)) return opening;
+    if (!by_cells) search_cells();
+    opening = shorter(std::move(opening), std::move(*by_cells));
+    if (guide.best.path.empty() || is_within(short_enough)) return opening;
+    const Stopwatch watch;
+    const double known = std::min(shorter_than, opening.ground.length.value_or(infinity));
+    const OpenedMap map(trip.map, removed);
+    const std::vector<Point> path = fitted(map, body, guide.best.path, known, !is_within(too_long));
+    if (!path.empty()) drive(trip, opening, path, path_length(path));
+    opening.ground.seconds += watch.seconds();
+    return opening;
 }
 
 }  // namespace
@@ -89,52 +135,29 @@ Opening opening_of(const Trip& trip, std::vector<ObstacleId> removed, const Cros
     return opening;
 }
 
-void fit_to_disc(const Trip& trip, const Searchers& searchers, Opening& opening, double shorter_than) {
-    const Body& body = trip.driver.body;
-    if (body.is_point() || square_stands_for(body)) return;
-    const Stopwatch watch;
-    CrossingOptions options = open_search(trip, opening.removed);
-    options.relaxed = true;
-    options.length_limit = std::min(shorter_than, opening.ground.length.value_or(infinity));
-    const CrossingResult guide = searchers.crossing.find(trip.map, trip.driver.start, trip.driver.goal, options);
-    if (guide.best.path.empty()) return;
-    const auto is_within = [&](double gap) {
-        return opening.ground.length && *opening.ground.length <= guide.lower_bound * (1 + gap);
-    };
-    if (is_within(short_enough)) return;
-    const std::vector<Point> path =
-        fitted(OpenedMap(trip.map, opening.removed), body, guide.best.path, options.length_limit, !is_within(too_long));
-    if (!path.empty()) drive(trip, opening, path, path_length(path));
-    if (trip.compares && !is_within(short_enough)) take_shorter(trip, searchers, opening);
-    options = open_search(trip, opening.removed);
-    if (!opening.ground.length &&
-        searchers.crossing.has_steps(trip.map, trip.driver.start, trip.driver.goal, options)) {
-        const bool limited = opening.limited;
-        opening = open_by_cells(trip, searchers, std::move(opening.removed));
-        opening.limited = opening.limited || limited;
-    }
-    opening.ground.seconds += watch.seconds();
-}
-
 bool square_stands_for(const Body& body) {
     return !body.is_point() && body.reach() >= 0.36 && body.reach() <= 0.5;
 }
 
-Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed) {
-    const Stopwatch watch;
+Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, double shorter_than) {
     if (!trip.by_crossing()) return open_by_cells(trip, searchers, std::move(removed));
-    const CrossingOptions options = open_search(trip, removed);
-    const CrossingResult found = searchers.crossing.find(trip.map, trip.driver.start, trip.driver.goal, options);
-    const bool out_of_time = found.status == SearchStatus::limit_reached && found.best.path.empty() &&
-                             found.expanded < options.limits.expansions;
-    if (out_of_time) {
-        Opening opening = open_by_cells(trip, searchers, std::move(removed));
-        opening.limited = true;
-        return opening;
+    if (!trip.driver.body.is_point() && !square_stands_for(trip.driver.body)) {
+        return open_for_disc(trip, searchers, std::move(removed), shorter_than);
     }
-    Opening opening = opening_of(trip, removed, found, watch.seconds());
-    fit_to_disc(trip, searchers, opening);
+    Opening opening = open_by_crossing(trip, searchers, removed);
+    const bool out_of_time = opening.limited && !opening.ground.length && opening.ground.expanded < trip.expansions;
+    if (!out_of_time) return opening;
+    opening = open_by_cells(trip, searchers, std::move(removed));
+    opening.limited = true;
     return opening;
+}
+
+Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, const CrossingResult& found,
+             double seconds, double shorter_than) {
+    const Body& body = trip.driver.body;
+    const bool found_it = trip.by_crossing() && (body.is_point() || square_stands_for(body));
+    return found_it ? opening_of(trip, std::move(removed), found, seconds)
+                    : open(trip, searchers, std::move(removed), shorter_than);
 }
 
 }  // namespace waybreaker

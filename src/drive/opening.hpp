@@ -27,7 +27,6 @@ struct Trip {
     Deadline deadline;     // of the whole call
     std::uint64_t expansions = UINT64_MAX;
     StopToken stop = {};
-    bool compares = false;  // a disc's path with Theta*'s where it is far above that of the relaxed body
 
     bool by_crossing() const { return search.planner == Planner::optimal; }
     Limits limits(double seconds) const { return {.seconds = seconds, .expansions = expansions, .stop = stop}; }
@@ -49,13 +48,15 @@ Opening opening_of(const Trip& trip, std::vector<ObstacleId> removed, const Cros
 // Whether the unit square gets nearly as far as the disc within it (docs/exact.md, Theorem 2).
 bool square_stands_for(const Body& body);
 
-// Other discs than these drive a path along that of the relaxed body, or, if they know none, Theta*'s; if that could be
-// shorter than so many cells.
-void fit_to_disc(const Trip& trip, const Searchers& searchers, Opening& opening,
-                 double shorter_than = std::numeric_limits<double>::infinity());
-
 // The shortest ground path, by the trip's planner, on the map without some obstacles. Where the optimal one does not
-// come in half the time that is left: Theta*'s.
-Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed);
+// come in half the time that is left: Theta*'s. A disc that the square does not stand for drives the shortest of the
+// paths that are known to it, Theta*'s among them; no path where none can be shorter than so many cells. The same set
+// always gives the same path, however it came to be tried.
+Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
+             double shorter_than = std::numeric_limits<double>::infinity());
+// The same, of a set that a crossing search has found together with its path in so many seconds: where that is the one,
+// it is not looked for again.
+Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, const CrossingResult& found,
+             double seconds, double shorter_than = std::numeric_limits<double>::infinity());
 
 }  // namespace waybreaker

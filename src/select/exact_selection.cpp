@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "select/by_steps.hpp"
+#include "select/greedy.hpp"
 #include "select/hits.hpp"
 #include "select/shortcuts.hpp"
 
@@ -19,11 +20,11 @@ constexpr std::uint64_t patient_expansions_in_time = 4'000;
 constexpr double close = 1e-3;
 // Relative: where a set that is best without waits ends so much later than without them, others are best in time.
 constexpr double most_above = 0.03;
-// Relative: a plan so far from its bound may not remove what the disc needs gone where neither point nor square do. And
-// steps may prove more: seldom that a plan is within 3 % of its bound, often that it is within 5 %.
+// Relative: so far from its bound steps may prove more: seldom that a plan is within 3 % of its bound, often that it is
+// within 5 %.
 constexpr double far_from_bound = 0.05;
-// Relative: so far from its bound a plan in time is worth further searches for what is likely, and the path of a disc
-// is worth comparing with Theta*'s.
+// Relative: so far from its bound a plan is worth further searches for what is likely, in time or for a disc, which may
+// need gone what neither the point nor the square does.
 constexpr double worth_more = 0.01;
 // Relative: the disc's path is hardly ever so much shorter than the square's.
 constexpr double most_shortened = 1e-4;
@@ -41,12 +42,10 @@ bool in_haste(const Task& task) {
 Selected ExactSelection::run() && {
     if (task_.spare_removals() > 0) {
         try_sets();
-        const bool far = best_ > bound_.objective * (1 + far_from_bound);
-        if (far && !of_fewer_ && passes_more_than_square()) try_most_hit();
+        if (!of_fewer_ && passes_more_than_square()) try_for_wide_disc();
     }
     if (best_ > proven_ * (1 + far_from_bound)) try_by_steps();
     if (opening_times_.matter()) try_as_if_forced();
-    if (!of_fewer_ && passes_more_than_square() && best_ > proven_ * (1 + worth_more)) compare_best();
     selected_.bound = proven_;
     std::ranges::move(earlier_, std::back_inserter(selected_.candidates));
     return std::move(selected_);
@@ -111,11 +110,6 @@ const Candidate& ExactSelection::best_so_far() const {
     return cost(task_, earlier) < cost(task_, last) * (1 - rounding) ? earlier : last;
 }
 
-void ExactSelection::compare_best() {
-    add_candidate(open(task_.comparing_trip(), searchers_, best_so_far().opening.removed));
-    report();
-}
-
 void ExactSelection::try_in_time(const std::vector<ObstacleId>& removed) {
     if (!drives_by_crossing(task_) || task_.driver.body.is_point()) return;
     // The disc has to wait less than its square.
@@ -165,8 +159,8 @@ void ExactSelection::try_out(const CrossingPath& path, const CrossingResult& sea
     CrossingResult found = search;
     found.best = path;
     if (!opening_times_.matter()) {
-        add_candidate(drives_by_crossing(task_) ? fitted_opening(removed, found)
-                                                : open(task_.trip(), searchers_, removed));
+        add_candidate(open(task_.trip(), searchers_, removed, found, since_last_.seconds(),
+                           dearest_path(task_, best_, opening_times_)));
     } else {
         if (drives_by_crossing(task_) && !task_.driver.body.is_point()) {
             Opening opening = drivable(task_, searchers_, path, removed);
@@ -180,12 +174,6 @@ void ExactSelection::try_out(const CrossingPath& path, const CrossingResult& sea
     }
     report();
     since_last_ = {};
-}
-
-Opening ExactSelection::fitted_opening(const std::vector<ObstacleId>& removed, const CrossingResult& found) {
-    Opening opening = opening_of(task_.trip(), removed, found, since_last_.seconds());
-    fit_to_disc(task_.trip(), searchers_, opening, dearest_path(task_, best_, opening_times_));
-    return opening;
 }
 
 std::uint64_t ExactSelection::patience_of_search() const {
@@ -235,6 +223,14 @@ void ExactSelection::try_for_other_planners() {
     const CrossingOptions options = crossing_options(task_, false, best_, deadline_.left(), opening_times_);
     const CrossingResult found = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
     if (!found.best.path.empty()) try_out(found.best, found);
+}
+
+void ExactSelection::try_for_wide_disc() {
+    const auto is_far = [&] { return best_ > proven_ * (1 + worth_more) && !deadline_.passed(); };
+    if (is_far()) try_most_hit();
+    if (!is_far()) return;
+    for (const GreedyStep& step : greedy_steps(task_, searchers_.crossing)) add_opened(step.removed);
+    report();
 }
 
 void ExactSelection::try_most_hit() {

@@ -82,18 +82,18 @@ class ExactSelection {
     // Another agent may not fit where a point slips through: what is in its way most often, and what opens the way for
     // the square.
     void try_for_other_planners();
+    // A disc that the square does not stand for: what is in the way of Theta* most often, and what greedy selection
+    // takes, while the plan is far from its bound.
+    void try_for_wide_disc();
 
     // To force what the plan removes must not be better, nor must it be worse to force that.
     void try_as_if_forced();
     const Candidate& best_so_far() const;
-    // Where the relaxed body slips through what stops the disc, Theta* may know a shorter path.
-    void compare_best();
     // The path in time through these; what must be removed stands until it opens, too.
     void try_in_time(const std::vector<ObstacleId>& removed);
 
     // Puts a path and what it crosses in time. `search` found it.
     void try_out(const CrossingPath& path, const CrossingResult& search);
-    Opening fitted_opening(const std::vector<ObstacleId>& removed, const CrossingResult& found);
     void add_candidate(Opening opening);
     // The shortest path through these, in time; once.
     void add_opened(const std::vector<ObstacleId>& removed);

@@ -1,14 +1,16 @@
 #include "select/greedy.hpp"
 
+#include <utility>
+#include <vector>
+
 namespace waybreaker {
 
 Candidate GreedySelector::baseline(const Task& task) {
     return candidate_of(task, open(task.trip(), searchers_, {}));
 }
 
-Selected GreedySelector::select(const Task& task, const Candidate& /*start*/) {
-    const Stopwatch watch;
-    Selected selected;
+std::vector<GreedyStep> greedy_steps(const Task& task, CrossingSearcher& crossing) {
+    std::vector<GreedyStep> steps;
     std::vector<ObstacleId> removed = task.rules.force;
     CrossingOptions options;
     options.body = task.driver.body;
@@ -16,14 +18,24 @@ Selected GreedySelector::select(const Task& task, const Candidate& /*start*/) {
     options.protect = task.rules.protect;
     options.budget = task.spare_budget();
     for (int left = task.spare_removals(); left > 0 && !task.deadline.passed(); --left) {
+        const Stopwatch watch;
         options.removed = removed;
         options.limits = limits_of(task, task.deadline.left());
-        const CrossingResult found = searchers_.crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
         if (found.best.crossed.empty()) break;
         const ObstacleId next = found.best.crossed.front();
         removed.push_back(next);
         options.budget -= task.map.obstacle(next).weight;
-        selected.candidates.push_back(candidate_of(task, opening_of(task.trip(), removed, found, watch.seconds())));
+        steps.push_back({removed, std::move(found), watch.seconds()});
+    }
+    return steps;
+}
+
+Selected GreedySelector::select(const Task& task, const Candidate& /*start*/) {
+    Selected selected;
+    for (const GreedyStep& step : greedy_steps(task, searchers_.crossing)) {
+        Opening opening = open(task.trip(), searchers_, step.removed, step.found, step.seconds);
+        selected.candidates.push_back(candidate_of(task, std::move(opening)));
     }
     selected.limited = task.deadline.passed();
     return selected;

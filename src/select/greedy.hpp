@@ -6,6 +6,15 @@
 
 namespace waybreaker {
 
+// What must be removed and the first one, two, ... of those that greedy selection takes, and the search that found it.
+struct GreedyStep {
+    std::vector<ObstacleId> removed;
+    CrossingResult found;
+    double seconds;
+};
+// At most as many as the rules allow; fewer where no other gains or a limit comes first.
+std::vector<GreedyStep> greedy_steps(const Task& task, CrossingSearcher& crossing);
+
 // REQUIRES: the crossing search drives the ground agent.
 class GreedySelector : public Selector {
   public:

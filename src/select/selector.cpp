@@ -12,9 +12,7 @@ namespace {
 class NoSelector : public Selector {
   public:
     explicit NoSelector(const Searchers& searchers) : searchers_(searchers) {}
-    Candidate baseline(const Task& task) override {
-        return candidate_of(task, open(task.comparing_trip(), searchers_, {}));
-    }
+    Candidate baseline(const Task& task) override { return candidate_of(task, open(task.trip(), searchers_, {})); }
     Selected select(const Task& /*task*/, const Candidate& /*start*/) override { return {}; }
 
   private:

@@ -33,12 +33,6 @@ struct Task {
     Trip trip() const {
         return {map, driver, search_options(method, driver.body), deadline, limits.expansions, limits.stop};
     }
-    // The same; its path is compared with Theta*'s, which takes long.
-    Trip comparing_trip() const {
-        Trip comparing = trip();
-        comparing.compares = true;
-        return comparing;
-    }
     // When a ground path and a flight end, as the objective counts it.
     double objective(double ground_time, double air_time) const;
     // How many obstacles may be removed beside those that must be.

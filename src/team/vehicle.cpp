@@ -39,8 +39,7 @@ Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts) {
             {.planner = planner, .body = agent.body},
             interrupts.deadline,
             interrupts.expansions,
-            interrupts.stop,
-            true};
+            interrupts.stop};
 }
 
 std::vector<Cell> cells_of(std::span<const Point> path) {

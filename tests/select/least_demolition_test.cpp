@@ -76,6 +76,9 @@ Mission some_mission(const Map& map) {
     mission.rules.timing = *rc::gen::element(Timing::enforce, Timing::ignore);
     mission.rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
     mission.rules.breach_time.per_obstacle = *rc::gen::element(0.0, 0.0, 2.0);
+    Body& body = mission.agents[0].body;
+    body.radius = *rc::gen::element(0.5, 0.5, 0.6, 0.7, 1.2);
+    RC_PRE(fits(OpenedMap(map), mission.agents[0].start, body) && fits(OpenedMap(map), mission.agents[0].goal, body));
     if (map.obstacles().size() > 1 && *number(0, 3) == 0) mission.rules.protect = {{1}};
     return mission;
 }
@@ -130,6 +133,33 @@ TEST(LeastDemolition, TakesTheThinWallForALittleMore) {
     EXPECT_EQ(cells_of(plan), 2U);
     EXPECT_EQ(plan.least_demolition, 2U);
     EXPECT_GT(plan.gap.value_or(0), 0.01);
+}
+
+TEST(LeastDemolition, EndsForAWideDisc) {
+    const Map map = map_from_ascii("...a...\n...a...\n...a...");
+    Mission mission = ground_and_air({1, 1}, {5, 1});
+    mission.agents[0].body.radius = 0.6;
+    mission.rules.minimise_demolition = 0;
+    const Plan plan = MissionPlanner().plan(map, mission);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    EXPECT_EQ(cells_of(plan), 3U);
+    EXPECT_EQ(plan.least_demolition, 3U);
+}
+
+// Two stones in the way of a wide disc, or one, for a little more.
+TEST(LeastDemolition, SparesAStoneOfTwoForAWideDisc) {
+    const Map map = map_from_ascii("....\n...a\n....\n....\nb.c.\n....\n....\n....\n....");
+    Mission mission = ground_and_air({1, 1}, {2, 7});
+    mission.agents[0].body.radius = 1.2;
+    mission.agents[1].start = {2, 3};
+    mission.rules.removals = 3;
+    MissionPlanner planner;
+    const double best = reached(planner.plan(map, mission), mission);
+    mission.rules.minimise_demolition = 0.08;
+    const Plan plan = planner.plan(map, mission);
+    EXPECT_TRUE(is_valid(map, mission, plan));
+    EXPECT_LE(reached(plan, mission), best * 1.08);
+    EXPECT_EQ(cells_of(plan), 1U);
 }
 
 TEST(LeastDemolition, IsForExactSelectionAndBudgetsOfCells) {
