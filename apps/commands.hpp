@@ -34,6 +34,12 @@ class NoPlan : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// The same, but there may be a plan: none was found.
+class NoPlanFound : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 // There is a plan, but it is not valid. Thrown when all output is written; what() is one line for a person.
 class InvalidPlan : public std::runtime_error {
   public:

@@ -1,5 +1,5 @@
 // waybreaker: the command line. Builds the tree of commands, runs the chosen one, turns errors into one line and an
-// exit status (contract: 0 done, 1 no plan or no valid one, 2 bad usage or input, 3 internal error).
+// exit status (contract: 0 done, 1 no plan or no valid one, 2 bad usage or input, 3 internal error, 4 no plan found).
 #include <fcntl.h>
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@
 namespace waybreaker::apps {
 namespace {
 
-enum ExitStatus : int { done = 0, no_plan = 1, bad_input = 2, internal_error = 3 };
+enum ExitStatus : int { done = 0, no_plan = 1, bad_input = 2, internal_error = 3, no_plan_found = 4 };
 
 int complain(ExitStatus status, std::string message) {
     for (char& c : message) {
@@ -85,6 +85,8 @@ int main(int argc, char** argv) {
         return done;
     } catch (const NoPlan& error) {
         return complain(no_plan, error.what());
+    } catch (const NoPlanFound& error) {
+        return complain(no_plan_found, error.what());
     } catch (const InvalidPlan& error) {
         return complain(no_plan, error.what());
     } catch (const waybreaker::InputError& error) {

@@ -81,7 +81,8 @@ const char* const exit_status =
     ".TP\n0\nDone.\n"
     ".TP\n1\nThe input is valid, but no plan exists, or the plan to check is not valid.\n"
     ".TP\n2\nBad usage or bad input; the message names the file and line, or the option.\n"
-    ".TP\n3\nInternal error.\n";
+    ".TP\n3\nInternal error.\n"
+    ".TP\n4\nNo plan was found, though there may be one.\n";
 
 std::string page(const NamedCommand& command, const std::vector<NamedCommand>& all, const std::string& version) {
     const std::string name = page_name(command.name);

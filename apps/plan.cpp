@@ -154,27 +154,29 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     for (const auto& [path, bytes] : outputs) io::write_whole(path, bytes);
 }
 
-std::string why_no_team_plan(const Plan& plan, const Mission& mission) {
-    if (plan.status == PlanStatus::limit_reached) {
-        const bool flies = std::ranges::any_of(mission.agents, [](const Agent& a) { return a.kind == AgentKind::air; });
-        return fmt::format(
-            "no plan for {} agents was found, nor that there is none; fewer agents{} or more time may help",
-            mission.agents.size(), flies ? ", more removals" : "");
+[[noreturn]] void report_no_team_plan(const Plan& plan, const Mission& mission) {
+    if (plan.status == PlanStatus::no_plan) {
+        throw NoPlan("no plan: a ground agent cannot get from its start to its goal, even if it were alone");
     }
-    return "no plan: a ground agent cannot get from its start to its goal, even if it were alone";
+    const bool flies = std::ranges::any_of(mission.agents, [](const Agent& a) { return a.kind == AgentKind::air; });
+    const bool out_of_time = plan.status == PlanStatus::limit_reached;
+    throw NoPlanFound(fmt::format("no plan for {} agents was found, nor that there is none; fewer agents{}{} may help",
+                                  mission.agents.size(), flies ? ", more removals" : "",
+                                  out_of_time ? " or more time" : ""));
 }
 
 void require_plan(const Plan& plan, const Mission& mission, const Limits& limits) {
     if (plan.status == PlanStatus::solved) return;
-    if (mission.is_team()) throw NoPlan(why_no_team_plan(plan, mission));
+    if (mission.is_team()) report_no_team_plan(plan, mission);
     const Agent& driver = mission.first(AgentKind::ground);
     const std::string way =
         fmt::format("from {},{} to {},{}", driver.start.x, driver.start.y, driver.goal.x, driver.goal.y);
     if (plan.status == PlanStatus::limit_reached) {
         if (limits.expansions == UINT64_MAX) {
-            throw NoPlan(fmt::format("no plan {} was found in time; raise --time-limit", way));
+            throw NoPlanFound(fmt::format("no plan {} was found in time; raise --time-limit", way));
         }
-        throw NoPlan(fmt::format("no plan {} within {} expansions; raise --expansion-limit", way, limits.expansions));
+        throw NoPlanFound(
+            fmt::format("no plan {} within {} expansions; raise --expansion-limit", way, limits.expansions));
     }
     const std::size_t removed = plan.breaches.size();
     throw NoPlan(fmt::format("no plan: the ground agent cannot get {}{}", way,

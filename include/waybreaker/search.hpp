@@ -47,7 +47,9 @@ bool can_drive_optimally(const Body& body, bool diagonal);
 // The heuristic that a search with these options uses.
 Heuristic heuristic_of(const SearchOptions& options);
 
-enum class SearchStatus { found, no_path, limit_reached, stopped };
+// `no_path`: there is none. `not_found`: of a method that may miss one, which has ended by itself. `limit_reached`,
+// `stopped`: the search ended early.
+enum class SearchStatus { found, no_path, not_found, limit_reached, stopped };
 
 struct SearchResult {
     SearchStatus status = SearchStatus::no_path;

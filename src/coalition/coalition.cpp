@@ -68,7 +68,7 @@ class Planning {
         }
         plan_.limited =
             columns.limited() || choice_.due() || std::ranges::any_of(plan_.closed, &team::Vehicle::limited);
-        plan_.status = interrupts_.stop.stop_requested() ? SearchStatus::stopped : SearchStatus::limit_reached;
+        plan_.status = interrupts_.end_without_plan(plan_.limited);
         plan_drafts(improved);
         return std::move(plan_);
     }

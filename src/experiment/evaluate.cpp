@@ -50,6 +50,7 @@ ResultStatus status_of(PlanStatus status) {
     switch (status) {
         case PlanStatus::solved:
             return ResultStatus::solved;
+        case PlanStatus::not_found:  // of teams only
         case PlanStatus::limit_reached:
         case PlanStatus::stopped:
             return ResultStatus::timed_out;

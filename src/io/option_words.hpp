@@ -40,6 +40,7 @@ inline const Words<AgentKind> agent_words{{"ground", AgentKind::ground}, {"air",
 inline const Words<AtGoal> at_goal_words{{"stay", AtGoal::stay}, {"leave", AtGoal::leave}};
 inline const Words<PlanStatus> status_words{{"solved", PlanStatus::solved},
                                             {"no_plan", PlanStatus::no_plan},
+                                            {"not_found", PlanStatus::not_found},
                                             {"limit_reached", PlanStatus::limit_reached},
                                             {"stopped", PlanStatus::stopped}};
 inline const Words<WaitReason> wait_words{{"nothing", WaitReason::nothing},

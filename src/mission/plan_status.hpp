@@ -10,6 +10,8 @@ inline PlanStatus plan_status(SearchStatus search) {
     switch (search) {
         case SearchStatus::found:
             return PlanStatus::solved;
+        case SearchStatus::not_found:
+            return PlanStatus::not_found;
         case SearchStatus::limit_reached:
             return PlanStatus::limit_reached;
         case SearchStatus::stopped:

@@ -52,6 +52,8 @@ std::string removals(const Map& map, const Plan& plan, const PictureOptions& opt
 
 std::string why_no_plan(PlanStatus status) {
     switch (status) {
+        case PlanStatus::not_found:
+            return "No plan was found, nor that there is none";
         case PlanStatus::limit_reached:
             return "No plan: the search reached its limit";
         case PlanStatus::stopped:

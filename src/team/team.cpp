@@ -109,7 +109,7 @@ TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const R
     NeighbourhoodSearch search(fleet, interrupts);
     plan_all(ground, plan, rules, interrupts, fleet, search);
     if (fleet.cost().missing > 0) {
-        plan.status = interrupts.stop.stop_requested() ? SearchStatus::stopped : SearchStatus::limit_reached;
+        plan.status = interrupts.end_without_plan(false);
         return plan;
     }
     plan.status = SearchStatus::found;

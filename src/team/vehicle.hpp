@@ -33,6 +33,11 @@ struct Interrupts {
 
     bool good_enough(double objective, double bound) const { return gap > 0 && objective <= bound * (1 + gap); }
     bool due() const { return stop.stop_requested() || deadline.passed(); }
+    // How a method ends that may miss a plan and has found none.
+    SearchStatus end_without_plan(bool limited) const {
+        if (stop.stop_requested()) return SearchStatus::stopped;
+        return limited || deadline.passed() ? SearchStatus::limit_reached : SearchStatus::not_found;
+    }
     Limits limits() const { return {.seconds = deadline.left(), .expansions = expansions, .stop = stop}; }
 };
 

@@ -241,7 +241,8 @@ TEST(PlanFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(plan_refusal("{}"), "the document has no member format");
     EXPECT_EQ(plan_refusal(std::string(1000, '[')), "its values are nested too deep");
     EXPECT_EQ(plan_refusal(with("/format", "waybreaker-plan/2")), "format is not waybreaker-plan/1");
-    EXPECT_EQ(plan_refusal(with("/status", "well")), "status is none of solved, no_plan, limit_reached, stopped");
+    EXPECT_EQ(plan_refusal(with("/status", "well")),
+              "status is none of solved, no_plan, not_found, limit_reached, stopped");
     EXPECT_EQ(plan_refusal(with("/map/width", 1e9)), "map.width is not between 1 and 32768");
     EXPECT_EQ(plan_refusal(with("/options/radius", -1)), "options.radius is not between 0 and 32");
     EXPECT_EQ(plan_refusal(with("/options/breach_time", -1)), "options.breach_time is not between 0 and 1e+09");

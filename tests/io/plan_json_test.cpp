@@ -127,6 +127,7 @@ TEST_F(PlanJson, NamesOptionsAsTheCommandLineDoes) {
     }
     const std::vector<std::pair<PlanStatus, std::string>> states{{PlanStatus::solved, "solved"},
                                                                  {PlanStatus::no_plan, "no_plan"},
+                                                                 {PlanStatus::not_found, "not_found"},
                                                                  {PlanStatus::limit_reached, "limit_reached"},
                                                                  {PlanStatus::stopped, "stopped"}};
     for (const auto& [status, name] : states) {

@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstddef>
 #include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
@@ -64,6 +68,30 @@ bool same(const Plan& a, const Plan& b) {
 }
 
 // So many that one after the other does not do.
+// Whoever is named first, and whatever their names: each agent drives the same path.
+RC_GTEST_PROP(Team, IsPlannedTheSameInAnyOrder, ()) {
+    const PlainMap plain = *random_map(12, 12);
+    const Map map(plain.grid());
+    const Mission mission = any_team(plain, map);
+    Mission shuffled = mission;
+    std::vector<std::size_t> order(mission.agents.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    for (std::size_t i = order.size(); i-- > 1;) std::swap(order[i], order[std::size_t(*number(0, int(i)))]);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        shuffled.agents[i] = mission.agents[order[i]];
+        shuffled.agents[i].id = "agent " + std::to_string(i);
+    }
+    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan other = MissionPlanner().plan(map, shuffled);
+    RC_ASSERT(other.status == plan.status);
+    RC_ASSERT(other.bound == plan.bound);
+    RC_ASSERT(other.agents.size() == plan.agents.size());
+    for (std::size_t i = 0; i < other.agents.size(); ++i) {
+        RC_ASSERT(other.agents[i].path == plan.agents[order[i]].path);
+        RC_ASSERT(other.agents[i].id == shuffled.agents[i].id);
+    }
+}
+
 RC_GTEST_PROP(Team, CrowdsKeepClear, ()) {
     const PlainMap plain = *random_map(7, 7);
     const Map map(plain.grid());
@@ -226,8 +254,12 @@ TEST(Team, GivesUpWhereTwoCannotPass) {
     Mission mission;
     mission.agents = {vehicle("a", {0, 0}, {4, 0}), vehicle("b", {4, 0}, {0, 0})};
     const Plan plan = MissionPlanner().plan(map, mission);
-    EXPECT_EQ(plan.status, PlanStatus::limit_reached);
+    EXPECT_EQ(plan.status, PlanStatus::not_found);
+    EXPECT_FALSE(plan.limit_reached);
     EXPECT_TRUE(is_valid(map, mission, plan));
+    StopSource source;
+    source.request_stop();
+    EXPECT_EQ(MissionPlanner().plan(map, mission, {}, {.stop = source.get_token()}).status, PlanStatus::stopped);
 }
 
 // The message with which a mission is refused.
