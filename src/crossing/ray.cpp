@@ -81,7 +81,7 @@ bool Ray::cast(Vertex from, Vertex to, int crossings, double weight) {
     } else {
         walk_line(frame);
     }
-    if (pinched_) pass_corners(from, to - from);
+    if (pinched_) pass_corners(from, to - from, {crossings, weight});
     return !stopped_;
 }
 

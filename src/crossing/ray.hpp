@@ -126,10 +126,13 @@ class Ray {
     void visit_leftwards(const Frame& frame, int row, std::size_t from, std::size_t to);
     void visit_cell(const Frame& frame, int x, int row);
     void visit_pair(const Frame& frame, int x, int upper);
-    void pass_corners(Vertex from, Step step);
+    void pass_corners(Vertex from, Step step, Price left);
     void visit_corner(Vertex corner, Step step, double at);
     bool look_beside(Vertex corner, Step cell, Step side, Hit& hit) const;
     void pinch(const Hit& one, const Hit& other);
+    void count_pinch(const Hit& one, const Hit& other);
+    void count_hits(double before);
+    void count(RegionId region);
     void meet(const Hit& hit);
     Price price(RegionId region) const;
     void pay(RegionId region);
@@ -165,6 +168,10 @@ class Ray {
     double weight_left_ = 0;
     bool stopped_ = false;
     double stopped_at_ = 0;  // the share at which it was stopped
+    // Of what is passed on the way to a pinch, at least.
+    Price left_at_pinch_;
+    std::vector<ObstacleId> counted_;
+    std::vector<Hit> to_count_;  // met for certain, the nearest last
 };
 
 }  // namespace waybreaker::crossing

@@ -1,5 +1,10 @@
 // Rays of a body that is too wide to pass between two cells that touch at a corner: docs/exact.md, the relaxed body.
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
 #include <numeric>
+#include <vector>
 
 #include "crossing/ray.hpp"
 
@@ -21,13 +26,59 @@ void for_each_corner(Vertex from, Step step, Visit visit) {
 
 }  // namespace
 
-void Ray::pass_corners(Vertex from, Step step) {
+void Ray::pass_corners(Vertex from, Step step, Price left) {
+    left_at_pinch_ = left;
+    counted_.clear();
+    to_count_.assign(hits_.begin(), hits_.end());
+    std::erase_if(to_count_, [](const Hit& hit) { return !hit.surely; });
+    std::ranges::sort(to_count_, std::greater<>(), &Hit::at);
     for_each_corner(from, step, [&](Vertex corner, Step part, double at) {
         if (stopped_ && at >= stopped_at_) return false;
         constexpr double before = 1 - 1e-10;  // what begins at the corner comes after it
         visit_corner(corner, part, before * at);
         return true;
     });
+    constexpr double at_the_corner = 1 + 1e-9;
+    if (stopped_) std::erase_if(hits_, [&](const Hit& hit) { return hit.at > stopped_at_ * at_the_corner; });
+}
+
+// Counts the obstacles that must go for a region, but for those that may have been counted before.
+void Ray::count(RegionId region) {
+    regions_->for_each_member(region, [&](ObstacleId obstacle) {
+        if (obstacle_marks_[obstacle.value].open == opening_) return;
+        if (std::ranges::find(counted_, obstacle) != counted_.end()) return;
+        counted_.push_back(obstacle);
+        --left_at_pinch_.crossings;
+        left_at_pinch_.weight -= weight(obstacle);
+    });
+}
+
+void Ray::count_hits(double before) {
+    for (; !to_count_.empty() && to_count_.back().at < before; to_count_.pop_back()) count(to_count_.back().region);
+}
+
+// Of a pair of regions one must go: that is one obstacle more, the lightest of them, unless they share any with what
+// was counted before.
+void Ray::count_pinch(const Hit& one, const Hit& other) {
+    count_hits(one.at);
+    const std::size_t before = counted_.size();
+    double least = std::numeric_limits<double>::infinity();
+    bool shares = false;
+    for (const RegionId region : {one.region, other.region}) {
+        regions_->for_each_member(region, [&](ObstacleId obstacle) {
+            if (obstacle_marks_[obstacle.value].open == opening_) return;
+            const auto known = std::ranges::find(counted_, obstacle);
+            shares = shares || known - counted_.begin() < std::ptrdiff_t(before);
+            if (known == counted_.end()) counted_.push_back(obstacle);
+            least = std::min(least, weight(obstacle));
+        });
+    }
+    if (shares) {
+        counted_.resize(before);
+    } else {
+        --left_at_pinch_.crossings;
+        left_at_pinch_.weight -= least;
+    }
 }
 
 bool Ray::pinched(Vertex from, Vertex to) const {
@@ -74,7 +125,7 @@ void Ray::visit_corner(Vertex corner, Step step, double at) {
     }
 }
 
-// What it costs to pass is left to the path: the ray may get farther.
+// Costs no more than the cheapest way to pass does, so the ray may get farther than a path.
 void Ray::pinch(const Hit& one, const Hit& other) {
     const auto note = [&](Hit hit, bool surely) {
         hit.surely = surely;
@@ -89,7 +140,9 @@ void Ray::pinch(const Hit& one, const Hit& other) {
         squeezes_.push_back({one.region, other.region, one.at});
         note(one, false);
         note(other, false);
-        if (solid(one.region) && solid(other.region)) stop(one.at);
+        count_pinch(one, other);
+        const bool too_dear = left_at_pinch_.crossings < 0 || left_at_pinch_.weight < 0;
+        if (too_dear || (solid(one.region) && solid(other.region))) stop(one.at);
         return;
     }
     const RegionMark& mark = region_marks_[one.region.value];
@@ -101,7 +154,9 @@ void Ray::pinch(const Hit& one, const Hit& other) {
         note(one, true);
     }
     note(other, false);
-    if (solid(one.region)) stop(one.at);
+    count_hits(one.at);
+    count(one.region);
+    if (left_at_pinch_.crossings < 0 || left_at_pinch_.weight < 0 || solid(one.region)) stop(one.at);
 }
 
 }  // namespace waybreaker::crossing
