@@ -68,6 +68,9 @@ ExactSelector::Begun ExactSelector::begin(const Task& task, const Candidate& sta
         begun.bound.objective = std::max(begun.bound.objective, proven);
         task.report(begun.reached, begun.bound.objective);
     };
+    const auto is_good_enough = [&] {
+        return task.limits.gap > 0 && task.worth(begun.reached) <= begun.bound.objective;
+    };
     const bool in_steps = has_time_for_steps(task, opening_times);
     const bool hastes = in_haste(task) && task.spare_removals() > 0 && !opening_times.matter();
     if (!in_steps && !hastes) {
@@ -75,13 +78,15 @@ ExactSelector::Begun ExactSelector::begin(const Task& task, const Candidate& sta
         return begun;
     }
     prove(hastes ? easy_expansions : hard_expansions);
+    if (is_good_enough()) begun.bound.limited = false;
     if (!begun.bound.limited || deadline.passed()) return begun;
     const Deadline soon = deadline.share(share_of_weighted);
     ExactSelection likely(task, searchers_, start, reached, begun.bound, soon, opening_times);
     begun.likely = hastes ? std::move(likely).run_weighted() : std::move(likely).run_by_steps();
     begun.reached = std::min(reached, cost(task, best_of(task, start, begun.likely.candidates)));
     proven = std::max(begun.bound.objective, begun.likely.bound.value_or(0));
-    prove(UINT64_MAX);
+    begun.bound.objective = proven;
+    if (!is_good_enough()) prove(UINT64_MAX);
     begun.bound.by_steps = !hastes;
     return begun;
 }

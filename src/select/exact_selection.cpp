@@ -44,7 +44,7 @@ Selected ExactSelection::run() && {
         try_sets();
         if (!of_fewer_ && passes_more_than_square()) try_for_wide_disc();
     }
-    if (best_ > proven_ * (1 + far_from_bound)) try_by_steps();
+    if (best_ > proven_ * (1 + far_from_bound) && !is_near_bound()) try_by_steps();
     if (opening_times_.matter()) try_as_if_forced();
     selected_.bound = proven_;
     std::ranges::move(earlier_, std::back_inserter(selected_.candidates));
@@ -78,6 +78,7 @@ Selected ExactSelection::run_weighted() && {
 
 void ExactSelection::try_sets() {
     if (!drives_by_crossing(task_)) try_for_other_planners();
+    if (task_.limits.gap > 0 && is_near_bound()) return;
     // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
     try_within(bound_.removed);
     if (is_near_bound()) return;
