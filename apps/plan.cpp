@@ -178,6 +178,10 @@ void require_plan(const Plan& plan, const Mission& mission, const Limits& limits
         throw NoPlanFound(
             fmt::format("no plan {} within {} expansions; raise --expansion-limit", way, limits.expansions));
     }
+    if (plan.status == PlanStatus::not_found) {
+        throw NoPlanFound(
+            fmt::format("no plan {} was found, nor that there is none; a smaller --radius may help", way));
+    }
     const std::size_t removed = plan.breaches.size();
     throw NoPlan(fmt::format("no plan: the ground agent cannot get {}{}", way,
                              removed == 0 ? "" : fmt::format(", even with {} removed obstacles", removed)));

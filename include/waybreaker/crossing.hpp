@@ -75,6 +75,8 @@ struct CrossingPath {
 };
 
 struct CrossingResult {
+    // `not_found`: around a disc wider than 0.5 so many obstacles overlap that the grown map would take much more
+    // memory than the map; then the lower bound is the straight line.
     SearchStatus status = SearchStatus::no_path;
     CrossingPath best;  // if found; the best known, or empty, if a limit ended the search
     // No path costs less: the cost if found; for `no_path` the `length_limit`, or infinity if start or goal are closed;

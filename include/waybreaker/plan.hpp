@@ -107,9 +107,9 @@ struct Outcome {
 // The figure of an outcome that the objective speaks of; empty where there is no path.
 std::optional<double> value(const Outcome& outcome, Objective objective);
 
-// `no_plan`: valid input, but a ground agent cannot reach its goal. `not_found`: several ground agents, each with a way
-// of its own, but no plan for all of them was found, nor that there is none; more time would not help. `limit_reached`,
-// `stopped`: a search ended early.
+// `no_plan`: valid input, but a ground agent cannot reach its goal. `not_found`: the search ended by itself without a
+// plan and without a proof that there is none, as it may for several ground agents; more time would not help.
+// `limit_reached`, `stopped`: it ended early.
 enum class PlanStatus { solved, no_plan, not_found, limit_reached, stopped };
 
 struct Plan {

@@ -47,9 +47,14 @@ bool can_drive_optimally(const Body& body, bool diagonal);
 // The heuristic that a search with these options uses.
 Heuristic heuristic_of(const SearchOptions& options);
 
-// `no_path`: there is none. `not_found`: of a method that may miss one, which has ended by itself. `limit_reached`,
-// `stopped`: the search ended early.
+// `no_path`: there is none. `not_found`: the search ended by itself without a path and without a proof that there is
+// none. `limit_reached`, `stopped`: it ended early.
 enum class SearchStatus { found, no_path, not_found, limit_reached, stopped };
+
+// Whether what it has not found is not there.
+constexpr bool came_to_its_end(SearchStatus status) {
+    return status == SearchStatus::found || status == SearchStatus::no_path;
+}
 
 struct SearchResult {
     SearchStatus status = SearchStatus::no_path;

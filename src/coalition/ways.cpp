@@ -154,8 +154,7 @@ void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Hand
             return menu.ways.size() < before + most_ways;
         });
     effort_[vehicle] += effort_of_label * all.expanded;
-    menu.complete = menu.ways.size() < before + most_ways && all.status != SearchStatus::limit_reached &&
-                    all.status != SearchStatus::stopped;
+    menu.complete = menu.ways.size() < before + most_ways && came_to_its_end(all.status);
     for (Way& way : std::span(menu.ways).subspan(before)) {
         way.expanded = all.expanded;
         way.generated = all.generated;
@@ -196,8 +195,7 @@ std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed
             return sets.size() < most_ways;
         });
     effort_[vehicle] += effort_of_label * all.expanded;
-    const bool ended = all.status != SearchStatus::limit_reached && all.status != SearchStatus::stopped;
-    menu.complete = menu.complete && ended && sets.size() < most_ways;
+    menu.complete = menu.complete && came_to_its_end(all.status) && sets.size() < most_ways;
     return sets;
 }
 

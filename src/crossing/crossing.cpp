@@ -235,8 +235,10 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
     const std::vector<ObstacleId> removed = sorted(options.removed);
     if (!regions->complete()) {
         CrossingResult unknown;
-        unknown.status =
-            interrupt_.cause() == Interrupt::Cause::stop ? SearchStatus::stopped : SearchStatus::limit_reached;
+        const Interrupt::Cause cause = interrupt_.cause();
+        unknown.status = cause == Interrupt::Cause::none   ? SearchStatus::not_found
+                         : cause == Interrupt::Cause::stop ? SearchStatus::stopped
+                                                           : SearchStatus::limit_reached;
         unknown.lower_bound = distance(start, goal);
         return unknown;
     }

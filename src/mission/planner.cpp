@@ -152,6 +152,7 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
     plan.limit_reached = selected.limited || (least && least->limited) || limited(baseline) || limited(start) ||
                          std::ranges::any_of(selected.candidates, limited) || task.deadline.passed();
     // Whether there is no way was not found out.
+    if (plan.status == PlanStatus::no_plan && selected.may_miss) plan.status = PlanStatus::not_found;
     if (plan.status == PlanStatus::no_plan && plan.limit_reached) plan.status = PlanStatus::limit_reached;
     plan.seconds.search = baseline.opening.ground.seconds;
     for (const Candidate& candidate : selected.candidates) {

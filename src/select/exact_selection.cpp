@@ -33,6 +33,11 @@ constexpr double most_shortened = 1e-4;
 // 2): a step to one of eight neighbours after the other is never longer.
 constexpr double most_of_square = 1.0823922002923940;  // sqrt(4 - 2 sqrt(2))
 
+// Whether there may be other sets than those that a search has told of.
+bool is_cut(SearchStatus search) {
+    return search == SearchStatus::limit_reached || search == SearchStatus::not_found;
+}
+
 }  // namespace
 
 bool in_haste(const Task& task) {
@@ -62,7 +67,7 @@ ExactSelection::Tried ExactSelection::run_first() && {
     raise_bound(first);
     selected_.bound = proven_;
     const bool beaten = !first.best.path.empty() && beats_best(first.best);
-    return {std::move(selected_), first.status != SearchStatus::limit_reached && !beaten};
+    return {std::move(selected_), !is_cut(first.status) && !beaten};
 }
 
 Selected ExactSelection::run_by_steps() && {
@@ -85,10 +90,11 @@ void ExactSelection::try_sets() {
     if (opening_times_.matter() && is_worth_more()) try_priced();
     const CrossingResult first = find_first();
     raise_bound(first);
-    if (first.status == SearchStatus::limit_reached) {
+    if (is_cut(first.status)) {
         const bool own_patience = opening_times_.matter() && first.expanded >= patience_of_search() &&
                                   task_.limits.expansions >= patience_of_search();
-        selected_.limited = selected_.limited || !own_patience;
+        selected_.may_miss = first.status == SearchStatus::not_found;
+        selected_.limited = selected_.limited || (!own_patience && !selected_.may_miss);
         try_what_is_likely();
         if (own_patience && is_worth_more()) try_likely_of_fewer();
     }
@@ -306,7 +312,7 @@ bool ExactSelection::try_others(const CrossingResult& first) {
     };
     const CrossingResult rest =
         enumerator.enumerate(task_.map, task_.driver.start, task_.driver.goal, options_, try_next);
-    const bool cut = rest.status == SearchStatus::limit_reached;
+    const bool cut = is_cut(rest.status);
     // Patience is the method's own; the limits are the caller's.
     selected_.limited = selected_.limited || deadline_.passed() || (cut && task_.limits.expansions < patient);
     return !gave_up && !cut;

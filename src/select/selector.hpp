@@ -16,7 +16,8 @@ struct Selected {
     std::vector<Candidate> candidates = {};
     // Of the objective, over all plans that keep to the rules; where the way to select proves one.
     std::optional<double> bound = {};
-    bool limited = false;  // a limit ended the selection
+    bool limited = false;   // a limit ended the selection
+    bool may_miss = false;  // it ended by itself, but no proof says that there is nothing else
 };
 
 class Selector {
