@@ -22,11 +22,11 @@ namespace waybreaker {
 class MissionPlanner {
   public:
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
-    // and puts both agents in time. With timing enforced no plan is worse than removing nothing, unless rules.force
+    // and puts all agents in time. With timing enforced no plan is worse than removing nothing, unless rules.force
     // demands removals. More removals can cost more where breaches take time, bases or speeds differ, or a limit ended
-    // the choice (docs/exact.md, "What is not proven"), but not for a team without any limit. When limits.seconds
-    // are over: the best plan found by then, with Plan::limit_reached. Keeps its memory between calls; not for two
-    // threads at once.
+    // the choice (docs/exact.md, "What is not proven"); without any limit not so where several agents drive, or several
+    // may breach. Aircraft that may breach nothing change no other agent's path. When limits.seconds are over: the best
+    // plan found by then, with Plan::limit_reached. Keeps its memory between calls; not for two threads at once.
     Plan plan(const Map& map, const Mission& mission, const Method& method = {}, const Limits& limits = {});
 
     // What each further removal gains: the plans for 0, 1, 2, ... removals, up to the last that gains, at most
@@ -36,6 +36,11 @@ class MissionPlanner {
                             const Limits& limits = {});
 
   private:
+    // Of a valid mission without idle aircraft.
+    Plan plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
+    std::vector<Plan> front_of_active(const Map& map, const Mission& mission, const Method& method,
+                                      const Limits& limits);
+
     Searcher searcher_;
     CrossingSearcher crossing_;
 };

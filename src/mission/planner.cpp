@@ -12,6 +12,7 @@
 #include "mission/explain.hpp"
 #include "mission/plan_status.hpp"
 #include "mission/team_plan.hpp"
+#include "plan/idle.hpp"
 #include "select/exact.hpp"
 #include "select/least_demolition.hpp"
 #include "select/selector.hpp"
@@ -95,6 +96,11 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
 
 Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
+    const ActivePart active(mission);
+    return active.whole(map, plan_active(map, active.mission(), method, limits));
+}
+
+Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     // What earlier missions have taught would change how much work this one is.
     CrossingMemory nothing;
     crossing_.exchange(nothing);
@@ -170,8 +176,16 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
 std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const Method& method,
                                         const Limits& limits) {
     validate(map, mission, method, limits);
+    const ActivePart active(mission);
+    std::vector<Plan> plans = front_of_active(map, active.mission(), method, limits);
+    for (Plan& plan : plans) plan = active.whole(map, std::move(plan));
+    return plans;
+}
+
+std::vector<Plan> MissionPlanner::front_of_active(const Map& map, const Mission& mission, const Method& method,
+                                                  const Limits& limits) {
     const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
-    if (std::ranges::none_of(mission.agents, flies)) return {plan(map, mission, method, limits)};
+    if (std::ranges::none_of(mission.agents, flies)) return {plan_active(map, mission, method, limits)};
     const Rules& rules = mission.rules;
     const Deadline deadline(limits.seconds);
     const auto plan_with = [&](int removals, bool explained) {
@@ -185,7 +199,7 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
         if (step.is_team() && !explained) {
             return plan_team(map, step, how, left, coalition::Fewer::not_tried, searcher_, crossing_);
         }
-        return plan(map, step, how, left);
+        return plan_active(map, step, how, left);
     };
     const auto reached = [&rules](const Plan& plan) {
         return value(plan.after, rules.objective).value_or(std::numeric_limits<double>::infinity());

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/range.hpp"
+#include "plan/idle.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -55,26 +56,16 @@ void validate_demolition(const Map& map, const Mission& mission, const Method& m
     }
 }
 
-// What cannot be planned for a team, or only for one.
-void validate_team(const Mission& mission, const Method& method) {
-    const auto is_ready_later = [](const Agent& agent) { return agent.ready_at > 0; };
-    const auto is_limited = [](const Agent& agent) { return agent.breaches != any_number; };
-    if (!mission.is_team()) {
-        if (std::ranges::any_of(mission.agents, is_ready_later)) {
-            throw InputError("ready_at is for several ground agents: leave it out for one ground and one air agent");
-        }
-        if (std::ranges::any_of(mission.agents, is_limited)) {
-            throw InputError("breaches is for teams: for one ground and one air agent give removals");
-        }
-        return;
-    }
+// What aircraft may breach, and what must be removed.
+void validate_capacity(const Mission& mission) {
     std::int64_t capacity = 0;
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::ground) {
-            if (is_limited(agent)) throw InputError("breaches is for air agents: the " + agent.id + " agent drives");
+            const bool is_limited = agent.breaches != any_number;
+            if (is_limited) throw InputError("breaches is for air agents: the " + agent.id + " agent drives");
             continue;
         }
-        if (is_ready_later(agent)) throw InputError("ready_at is for ground agents: the " + agent.id + " agent flies");
+        if (agent.ready_at > 0) throw InputError("ready_at is for ground agents: the " + agent.id + " agent flies");
         if (agent.breaches < 0) throw InputError("the " + agent.id + " agent cannot breach less than no obstacle");
         capacity += agent.breaches;
     }
@@ -84,7 +75,19 @@ void validate_team(const Mission& mission, const Method& method) {
                                        : "the air agents may breach " + std::to_string(capacity) + " obstacles, but " +
                                              std::to_string(forced) + " must be removed");
     }
-    if (capacity > 0 && mission.rules.removals > 0) {
+}
+
+// What cannot be planned for a team, or only for one. REQUIRES: no aircraft is idle, or there is but one.
+void validate_team(const Mission& mission, const Method& method) {
+    if (!mission.is_team()) {
+        const auto is_ready_later = [](const Agent& agent) { return agent.ready_at > 0; };
+        if (std::ranges::any_of(mission.agents, is_ready_later)) {
+            throw InputError("ready_at is for several ground agents: leave it out for one ground and one air agent");
+        }
+        return;
+    }
+    const bool flies = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind) > 0;
+    if (flies && mission.rules.removals > 0) {
         if (method.select == Selection::hits || method.select == Selection::greedy) {
             throw InputError("what is removed for a team is selected by exact, or none is");
         }
@@ -120,7 +123,8 @@ void validate(const Map& map, const Mission& mission, const Method& method, cons
         }
     }
     validate(map, mission);
-    validate_team(mission, method);
+    validate_capacity(mission);
+    validate_team(ActivePart(mission).mission(), method);
     validate_demolition(map, mission, method);
 }
 

@@ -32,7 +32,7 @@ Mission any_coalition(const PlainMap& plain, const Map& map) {
     for (int i = 0; i < flyers; ++i) {
         mission.agents.push_back(
             aircraft("bird" + std::to_string(i), any_cell(plain), any_cell(plain), *rc::gen::element(0.5, 1.0, 3.0)));
-        if (*number(0, 2) == 0) mission.agents.back().breaches = *number(0, 2);
+        if (*number(0, 2) == 0) mission.agents.back().breaches = *number(1, 2);
     }
     for (int tries = 0; tries < 40 && int(mission.agents.size()) < vehicles + flyers; ++tries) {
         Agent agent = vehicle(std::to_string(tries), any_free_cell(plain), any_free_cell(plain),

@@ -317,8 +317,8 @@ TEST(Team, RefusesWhatCannotBePlanned) {
     pair.agents[0].ready_at = 1;
     refused(pair, "ready_at is for several ground agents");
     pair.agents[0].ready_at = 0;
-    pair.agents[1].breaches = 2;
-    refused(pair, "breaches is for teams");
+    pair.agents[0].breaches = 2;
+    refused(pair, "breaches is for air agents");
 }
 
 }  // namespace
