@@ -273,7 +273,7 @@ std::string bound(const Plan& plan, const io::PlanContext& context) {
     if (!plan.bound || !plan.gap || !reached) return "";
     const std::string objective = words(context.mission.rules.objective);
     const double gap = *plan.gap;
-    const int n = context.mission.rules.removals;
+    const int n = context.mission.removals_allowed();
     const std::string removals = n == 1 ? "1 removal" : fmt::format("{} removals", n);
     if (context.mission.is_team()) {
         if (is_best(plan)) return fmt::format("\nno plan has a smaller {}\n", objective);

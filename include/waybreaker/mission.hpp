@@ -83,6 +83,8 @@ struct Mission {
 
     // Whether it has agents, and others than one ground and one air agent.
     bool is_team() const;
+    // How many obstacles may be removed: by the rules, and by what all aircraft may breach.
+    int removals_allowed() const;
 
     // The first agent of that kind. REQUIRES: there is one, as validate makes sure.
     const Agent& first(AgentKind kind) const;

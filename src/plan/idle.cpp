@@ -42,12 +42,9 @@ ActivePart::ActivePart(const Mission& mission) : whole_(mission), active_{{}, mi
         sum_of_idle_ += flight_time(agent);
     }
     if (active_.is_team() || active_.agents.empty()) return;
-    for (Agent& agent : active_.agents) {
-        if (agent.kind == AgentKind::ground) continue;
-        cut_ = agent.breaches < active_.rules.removals;
-        active_.rules.removals = std::min(active_.rules.removals, agent.breaches);
-        agent.breaches = any_number;
-    }
+    active_.rules.removals = active_.removals_allowed();
+    cut_ = active_.rules.removals < whole_.rules.removals;
+    for (Agent& agent : active_.agents) agent.breaches = any_number;
 }
 
 double ActivePart::with_idle(double objective) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <vector>
@@ -142,6 +143,12 @@ Mission ground_and_air(Cell start, Cell goal) {
 
 bool Mission::is_team() const {
     return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind);
+}
+
+int Mission::removals_allowed() const {
+    std::int64_t capacity = 0;
+    for (const Agent& agent : agents) capacity += agent.kind == AgentKind::air ? agent.breaches : 0;
+    return int(std::min<std::int64_t>(rules.removals, capacity));
 }
 
 void validate(const Map& map, const Mission& mission) {
