@@ -8,8 +8,6 @@
 
 #include "crossing/dominance.hpp"
 #include "crossing/search.hpp"
-#include "crossing/validate.hpp"
-#include "waybreaker/error.hpp"
 
 namespace waybreaker {
 
@@ -368,37 +366,6 @@ CrossingPath CrossingSearcher::Search::incumbent() {
         if (best == no_label || earlier(label, best)) best = label;
     }
     return best == no_label ? CrossingPath{} : path_of(best);
-}
-
-CrossingMemory::CrossingMemory() : ways_(std::make_unique<Ways>()) {}
-CrossingMemory::~CrossingMemory() = default;
-CrossingMemory::CrossingMemory(CrossingMemory&&) noexcept = default;
-CrossingMemory& CrossingMemory::operator=(CrossingMemory&&) noexcept = default;
-
-CrossingSearcher::CrossingSearcher() : search_(std::make_unique<Search>()) {}
-CrossingSearcher::CrossingSearcher(std::unique_ptr<Search> search) : search_(std::move(search)) {}
-CrossingSearcher::~CrossingSearcher() = default;
-CrossingSearcher::CrossingSearcher(CrossingSearcher&&) noexcept = default;
-CrossingSearcher& CrossingSearcher::operator=(CrossingSearcher&&) noexcept = default;
-
-CrossingSearcher CrossingSearcher::another() const {
-    return CrossingSearcher(search_->another());
-}
-
-void CrossingSearcher::exchange(CrossingMemory& memory) {
-    search_->exchange(*memory.ways_);
-}
-
-CrossingResult CrossingSearcher::find(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
-    validate(map, options);
-    return search_->run(map, start, goal, options, nullptr);
-}
-
-CrossingResult CrossingSearcher::enumerate(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
-                                           const std::function<bool(const CrossingPath&)>& accept) {
-    validate(map, options);
-    if (options.weight > 1) throw InputError("paths in order of their cost have no weight");
-    return search_->run(map, start, goal, options, &accept);
 }
 
 }  // namespace waybreaker
