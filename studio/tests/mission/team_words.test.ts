@@ -36,12 +36,13 @@ it("says what each agent gains", () => {
   expect(gainOf(plan, teamOf([1, 1], { after: null }), "1")).toBeNull();
 });
 
-const title = (plan: Plan, other: Plan | null = closed) => plain(teamHeadline(plan, other, true).title);
+const told = { units: city, buildings: true, isLooking: false };
+const title = (plan: Plan, other: Plan | null = closed) => plain(teamHeadline(plan, other, told).title);
 
 describe("headline of a team", () => {
   it("says what removals gain against the plan without them", () => {
     expect(title(teamOf([90, 70], { removed: [4] }))).toBe("Removing one building ends the mission 10 % sooner");
-    expect(teamHeadline(teamOf([90, 70], { removed: [4] }), closed, true).figures).toEqual({ after: 90, before: 100 });
+    expect(teamHeadline(teamOf([90, 70], { removed: [4] }), closed, told).figures).toEqual({ after: 90, before: 100 });
     expect(title(teamOf([110, 70], { removed: [4] }))).toContain("10 % later");
     expect(title(teamOf([100, 70], { removed: [4] }))).toContain("gains nothing");
     const sum = teamOf([90, 63], { removed: [4, 5], options: { objective: "flowtime" } });

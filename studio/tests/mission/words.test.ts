@@ -5,11 +5,12 @@ import { planOf } from "../domain/plans";
 
 const city: Units = { metric: true, cell: 2.4, time: "seconds", seconds: 1 };
 const plain = (text: string) => text.replaceAll(/[\u00a0\u202f]/g, " ");
-const title = (wanted: Parameters<typeof planOf>[0]) => plain(headline(planOf(wanted), true).title);
+const told = { units: city, buildings: true, isLooking: false };
+const title = (wanted: Parameters<typeof planOf>[0]) => plain(headline(planOf(wanted), told).title);
 
 describe("headline", () => {
   it("says what removals gain", () => {
-    const words = headline(planOf({ removed: [4, 99], before: 1254.65, after: 975.05 }), true);
+    const words = headline(planOf({ removed: [4, 99], before: 1254.65, after: 975.05 }), told);
     expect(plain(words.title)).toBe("Removing 2 buildings gets the ground robot there 22 % sooner");
     expect(plain(figuresText(words.figures!, city))).toBe("16 min 15 s instead of 20 min 55 s");
     expect(words.tone).toBe("good");
@@ -20,26 +21,26 @@ describe("headline", () => {
 
   it("names the one whose arrival the figures are", () => {
     const late = planOf({ removed: [4], before: 100, after: 90, air: 95 });
-    expect(plain(headline(late, true).title)).toMatch(/^Removing one building ends the mission/);
+    expect(plain(headline(late, told).title)).toMatch(/^Removing one building ends the mission/);
     expect(plain(arrivals(late, city)!)).toBe("The aircraft arrives last; the ground robot is there after 1 min 30 s.");
     const early = planOf({ removed: [4], before: 100, after: 90, air: 80 });
     expect(title({ removed: [4], before: 100, after: 90, air: 80 })).toContain("gets the ground robot there");
     expect(plain(arrivals(early, city)!)).toBe("The ground robot arrives last; the aircraft is there after 1 min 20 s.");
     const both = planOf({ removed: [4], before: 100, after: 90, air: 90.01 });
-    expect(plain(headline(both, true).title)).toContain("gets the ground robot there");
+    expect(plain(headline(both, told).title)).toContain("gets the ground robot there");
     expect(arrivals(both, city)).toBe("Both arrive then.");
     const sum = planOf({ after: 90, air: 80, options: { objective: "flowtime" } });
     expect(plain(arrivals(sum, city)!)).toBe("The ground robot is there after 1 min 30 s, the aircraft after 1 min 20 s.");
     expect(arrivals(planOf({ after: null }), city)).toBeNull();
     const own = planOf({ removed: [4], before: 100, after: 90, air: 400, options: { objective: "ground-makespan" } });
-    expect(plain(headline(own, true).title)).toBe("Removing one building gets the ground robot there 10 % sooner");
+    expect(plain(headline(own, told).title)).toBe("Removing one building gets the ground robot there 10 % sooner");
     expect(plain(arrivals(own, city)!)).toBe("The aircraft is there after 6 min 40 s.");
   });
 
   it("does not give the aircraft's time for the robot's where nothing is removed", () => {
     const words = planOf({ removed: [], before: 968, after: 251, air: 968, gap: 0, options: { removals: 2 } });
     words.after.makespan = 968;
-    expect(headline(words, true)).toMatchObject({
+    expect(headline(words, told)).toMatchObject({
       title: "No removal ends the mission sooner",
       figures: { after: 968, before: null },
     });
@@ -47,14 +48,23 @@ describe("headline", () => {
   });
 
   it("says that something opens a way that there is not without", () => {
-    const words = headline(planOf({ removed: [4], before: null, after: 90 }), false);
+    const words = headline(planOf({ removed: [4], before: null, after: 90 }), { ...told, buildings: false });
     expect(words.title).toBe("Removing one obstacle opens a way that there is not without");
     expect(plain(figuresText(words.figures!, city))).toBe("1 min 30 s");
   });
 
-  it("does not praise what gains nothing, nor hide what costs", () => {
-    expect(title({ removed: [4], before: 100, after: 100 })).toBe("Removing one building gains nothing here");
-    const words = headline(planOf({ removed: [4], before: 100, after: 110 }), true);
+  it("leads with removing nothing where that is as good, and says what else removals do", () => {
+    const told1 = (before: number, after: number, units = city) => {
+      const { title, figures, note } = headline(planOf({ removed: [4, 5], before, after }), { ...told, units });
+      return [title, figures?.after, note && plain(note)];
+    };
+    const nothing = "Removing nothing is as good";
+    expect(told1(100, 100)).toEqual([nothing, 100, "Removing 2 buildings, as shown, gains nothing."]);
+    expect(told1(1446, 1445.1)).toEqual([nothing, 1446, "Removing 2 buildings, as shown, gains 0.06 %, and takes 1 s off the sum of all times, 48 min 12 s."]);
+  });
+
+  it("does not hide what costs", () => {
+    const words = headline(planOf({ removed: [4], before: 100, after: 110 }), told);
     expect(words.tone).toBe("bad");
     expect(plain(words.title)).toContain("10 % later");
     const none = (gap: number | null) => title({ removed: [], gap, options: { removals: 3 } });
@@ -64,16 +74,16 @@ describe("headline", () => {
   });
 
   it("counts the sum of arrivals where that is wanted", () => {
-    const words = headline(planOf({ removed: [4], before: 100, after: 90, options: { objective: "flowtime" } }), true);
+    const words = headline(planOf({ removed: [4], before: 100, after: 90, options: { objective: "flowtime" } }), told);
     expect(words.figures).toEqual({ after: 180, before: 200 });
     expect(plain(words.title)).toContain("saves 10 %");
   });
 
   it("says what can be done where there is no plan", () => {
-    const words = headline(planOf({ after: null, options: { removals: 2, protect: [4], radius: 0.5 } }), true);
+    const words = headline(planOf({ after: null, options: { removals: 2, protect: [4], radius: 0.5 } }), told);
     expect(words.title).toBe("The ground robot cannot get there, even with 2 buildings removed");
     expect(words.remedies.join(" ")).toMatch(/Allow more removals.*Move.*Protect fewer.*smaller robot/);
-    expect(headline(planOf({ after: null, options: { removals: 8 } }), true).remedies).not.toContain(
+    expect(headline(planOf({ after: null, options: { removals: 8 } }), told).remedies).not.toContain(
       "Allow more removals.",
     );
     expect(title({ after: null, status: "limit_reached" })).toContain("in the time there was");

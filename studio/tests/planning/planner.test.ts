@@ -284,7 +284,7 @@ describe("where plans take long", () => {
       expect(service.last().request?.options).toMatchObject({ ...draft, removals: 2 });
       service.last().answer(planOf({ removed: [4], after: 95 }));
       await settle();
-      expect(planner.results.plans.value.after).toMatchObject({ verdict: null, draft: true });
+      expect(planner.results.plans.value.after).toMatchObject({ verdict: null, rough: "draft" });
       expect(startIn(planner.results.answered.value)).toEqual([x, 0]);
     }
     const drafts = service.asked.length;
@@ -305,7 +305,7 @@ describe("where plans take long", () => {
     service.last().answer(planOf({ removed: [4], after: 95, options: { removals: 3 } }));
     await settle();
     expect(shown().plan).toMatchObject({ after: { makespan: 90 }, options: { removals: 3 }, bound: null });
-    expect(shown().draft).toBe(true);
+    expect(shown().rough).toBe("draft");
     await vi.advanceTimersByTimeAsync(pace.calm + 1);
     await vi.advanceTimersByTimeAsync(pace.fluent + 50);
     service.last().answer(planOf({ removed: [5], after: 80, options: { removals: 3 } }));
@@ -314,7 +314,7 @@ describe("where plans take long", () => {
 
     planner.ask(question(1, { removals: "auto" })); // at once: the curve is not known yet
     await settle();
-    expect(shown()).toMatchObject({ plan: { after: { makespan: 80 } }, draft: true });
+    expect(shown()).toMatchObject({ plan: { after: { makespan: 80 } }, rough: "draft" });
     expect(service.asked.filter((one) => one.request?.options?.select === "hits")).toHaveLength(1);
     await vi.advanceTimersByTimeAsync(pace.calm + 1);
     service.last().onProgress({ state: "planning", seconds: 1, best: 100, bound: 100 });
@@ -329,7 +329,7 @@ describe("where plans take long", () => {
     await settle();
     const { after } = planner.results.plans.value;
     expect(after?.plan).toMatchObject({ after: { makespan: 90 }, bound: { makespan: 80, gap: 0.125 } });
-    expect(after?.draft).toBeUndefined();
+    expect(after?.rough).toBeUndefined();
   });
 
   it("the plan is given up at once when the mouse moves again", async () => {
