@@ -114,7 +114,7 @@ export class PlanFetcher {
       const { after: shown, before } = plans.value;
       if (shown?.rough !== "quick") return;
       const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
-      const isBeforeCut = before !== undefined && isCut(before.plan, undefined);
+      const isBeforeCut = before !== undefined && isCut(before.plan, null);
       const [plan, other] = await Promise.all([
         this.service.plan(question.map, planRequest(question, removals, limit), stop, this.#onProgress(stop)),
         isBeforeCut ? this.service.plan(question.map, beforeRequest(question, limit), stop) : null,
@@ -123,7 +123,7 @@ export class PlanFetcher {
       if (other && isAsGood(other, before!.plan)) this.#show("before", { plan: other, verdict: null }, stop);
       const better = this.#orKnown(question, plan, [plans.value.before?.plan]);
       const same = hasSamePaths(better, shown.plan);
-      const rough = limit !== undefined && isCut(plan, limit) ? { rough: "quick" as const } : {};
+      const rough = limit !== null && isCut(plan, limit) ? { rough: "quick" as const } : {};
       this.#show("after", { plan: better, verdict: same ? shown.verdict : null, ...rough }, stop);
       this.#improveCurve(question, removals, better, stop);
       await this.#judge("after", question, stop);

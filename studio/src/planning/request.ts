@@ -108,14 +108,14 @@ function request(question: Question, method: Method | "draft", options: RequestO
 const quick = 2;
 const patient = 10;
 
-// The limits of the searches that follow the first; without one it is the service's.
-export function furtherLimits({ removals }: Question): readonly (number | undefined)[] {
-  return removals === "auto" ? [undefined] : [patient, undefined]; // steps of the curve were patient
+// The limits of the searches that follow the first; null: the service's own.
+export function furtherLimits({ removals }: Question): readonly (number | null)[] {
+  return removals === "auto" ? [null] : [patient, null]; // steps of the curve were patient
 }
 
 // Whether more time might have brought a better plan.
-export function isCut(plan: Plan, limit: number | undefined): boolean {
-  return plan.limit_reached === true || (limit !== undefined && (plan.seconds?.total ?? 0) >= limit);
+export function isCut(plan: Plan, limit: number | null): boolean {
+  return plan.limit_reached === true || (limit !== null && (plan.seconds?.total ?? 0) >= limit);
 }
 
 // Whether the first answer to a question was.
@@ -123,11 +123,11 @@ export function isHasty(plan: Plan, question: Question): boolean {
   return isCut(plan, question.removals === "auto" ? stepLimit(question) : quick);
 }
 
-function limited(seconds: number | undefined): RequestOptions {
-  return seconds === undefined ? {} : { time_limit: seconds };
+function limited(seconds: number | null): RequestOptions {
+  return seconds === null ? {} : { time_limit: seconds };
 }
 
-export function planRequest(question: Question, removals: number, limit: number | undefined = quick): PlanRequest {
+export function planRequest(question: Question, removals: number, limit: number | null = quick): PlanRequest {
   return request(question, question.method, { removals, ...limited(limit) });
 }
 
@@ -155,7 +155,7 @@ function stepLimit(question: Question): number {
 }
 
 // The way with nothing removed; what has to go or stay is no matter then.
-export function beforeRequest(question: Question, limit: number | undefined = quick): PlanRequest {
+export function beforeRequest(question: Question, limit: number | null = quick): PlanRequest {
   const { protect, force, ...options } = question.options;
   return { mission: question.mission, options: { select: "exact", ...options, removals: 0, ...limited(limit) } };
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Units } from "../../src/domain/units";
-import { arrivals, counted, figuresText, headline, proof, savedBy, tooEarly } from "../../src/mission/words";
+import { arrivals, counted, figuresText, headline, noWay, proof, savedBy, tooEarly } from "../../src/mission/words";
 import { planOf } from "../domain/plans";
 
 const city: Units = { metric: true, cell: 2.4, time: "seconds", seconds: 1 };
@@ -53,14 +53,51 @@ describe("headline", () => {
     expect(plain(figuresText(words.figures!, city))).toBe("1 min 30 s");
   });
 
-  it("leads with removing nothing where that is as good, and says what else removals do", () => {
-    const told1 = (before: number, after: number, units = city) => {
-      const { title, figures, note } = headline(planOf({ removed: [4, 5], before, after }), { ...told, units });
-      return [title, figures?.after, note && plain(note)];
-    };
-    const nothing = "Removing nothing is as good";
-    expect(told1(100, 100)).toEqual([nothing, 100, "Removing 2 buildings, as shown, gains nothing."]);
-    expect(told1(1446, 1445.1)).toEqual([nothing, 1446, "Removing 2 buildings, as shown, gains 0.06 %, and takes 1 s off the sum of all times, 48 min 12 s."]);
+  describe("where removals gain next to nothing", () => {
+    const words = (before: number, after: number, units = city) => headline(planOf({ removed: [4, 5], before, after }), { ...told, units });
+    const isLed = (before: number, after: number, units = city) => words(before, after, units).title === "Removing nothing is as good";
+
+    it("leads with removing nothing", () => {
+      expect(words(100, 100)).toMatchObject({ tone: "plain", figures: { after: 100, before: null } });
+      expect(plain(words(100, 100).note!)).toBe("Removing 2 buildings, as shown, gains nothing.");
+      expect(plain(words(1446, 1445.1).note!)).toBe("Removing 2 buildings, as shown, gains 0.06 %.");
+      expect(words(100, 90).note).toBeUndefined();
+    });
+
+    it("which is less than 0.1 %, or less than a second of more than a minute", () => {
+      expect([isLed(7200, 7193), isLed(7200, 7192)]).toEqual([true, false]);
+      expect([isLed(100, 99.1), isLed(100, 98.9)]).toEqual([true, false]);
+      expect([isLed(30, 29.9), isLed(30, 29.98)]).toEqual([false, true]); // the tenth is told
+      const steps: Units = { metric: false, cell: 1, time: "steps", seconds: 1 };
+      expect([isLed(100, 99.5, steps), isLed(100, 99.95, steps)]).toEqual([false, true]);
+    });
+
+    it("and says what they do for the sum of all times", () => {
+      const plan = planOf({ removed: [4], before: 968, after: 968 });
+      plan.after.flowtime = 1800;
+      expect(plain(headline(plan, told).note!)).toBe(
+        "Removing one building, as shown, gains nothing, and takes 2 min 16 s off the sum of all times, 32 min 16 s.",
+      );
+    });
+  });
+
+  it("claims nothing that only the end of the search can say", () => {
+    const looking = (wanted: Parameters<typeof planOf>[0]) => headline(planOf(wanted), { ...told, isLooking: true });
+    expect(plain(looking({ removed: [4], before: 100, after: 90 }).title)).toBe(
+      "So far, removing one building gets the ground robot there 10 % sooner",
+    );
+    expect(looking({ removed: [], gap: 0, options: { removals: 3 } }).title).toBe(
+      "So far, no removal was found that gets the ground robot there sooner",
+    );
+    expect(looking({ after: null, status: "limit_reached" })).toMatchObject({ tone: "plain", title: "So far, no way was found", remedies: [] });
+    expect(looking({ removed: [4], before: 100, after: 100 }).title).toBe("So far, removing nothing is as good");
+  });
+
+  it("says that there is no way without removals only where that is known", () => {
+    const plan = { ...planOf({ removed: [4], before: null, after: 90 }), limit_reached: true };
+    expect(headline(plan, told).title).toBe("Removing one building opens a way that was not found without");
+    expect(noWay(plan)).toBe("none found");
+    expect(noWay(planOf({ after: null }))).toBe("no way");
   });
 
   it("does not hide what costs", () => {

@@ -103,9 +103,7 @@ it("asks for the rest when it is calm, and not before", async () => {
   explained.removed[0]!.saves = 10;
   service.last().answer(explained);
   await settle();
-  expect(planner.results.plans.value.after?.plan).toBe(explained);
-  service.last().report({ valid: true, violations: [] });
-  await settle();
+  expect(planner.results.plans.value.after).toEqual({ plan: explained, verdict: { valid: true } }); // the same way
 
   expect(service.last().request?.options?.paper).toBe(true);
   service.last().answer(planOf({ removed: [4] }));
@@ -113,6 +111,18 @@ it("asks for the rest when it is calm, and not before", async () => {
   service.last().report({ valid: false, violations: [{ rule: "x", message: "too early" }] });
   await settle();
   expect(planner.results.plans.value.paper?.verdict).toEqual({ valid: false, reason: "too early" });
+  expect(planner.results.working.value).toBe(false);
+});
+
+it("goes on with the rest where the same is asked again", async () => {
+  planner.ask(question(1));
+  service.last().answer(planOf({}));
+  await vi.advanceTimersByTimeAsync(pace.calm + 1);
+  const check = service.last();
+  planner.ask(question(1, { withBefore: true }));
+  await settle();
+  expect(service.last()).toBe(check);
+  expect(check.signal?.aborted).toBe(false);
 });
 
 // Answers all that is asked before what each removal saves.
@@ -153,7 +163,7 @@ it("keeps the plan it has where another is worse", async () => {
 
 it("shows a better plan that is found on the way along the curve, and has it checked", async () => {
   planner.ask(question(1));
-  service.last().answer({ ...planOf({ removed: [4], after: 90 }), seconds: { total: 2.1 } });
+  service.last().answer(planOf({ removed: [4], after: 90 }));
   await vi.advanceTimersByTimeAsync(pace.calm + 1);
   service.last().report({ valid: true, violations: [] });
   await settle();
@@ -161,26 +171,6 @@ it("shows a better plan that is found on the way along the curve, and has it che
   expect(planner.results.plans.value.after?.plan.after.makespan).toBe(85);
   expect(planner.results.plans.value.after?.verdict).toEqual({ valid: true });
   expect(planner.results.front.value?.points[2]?.makespan).toBe(85);
-});
-
-it("takes the time for a better plan once there is one", async () => {
-  planner.ask(question(1));
-  expect(service.last().request?.options?.time_limit).toBeGreaterThan(0);
-  service.last().answer({ ...planOf({ removed: [4], after: 90 }), seconds: { total: 2.1 } });
-  await vi.advanceTimersByTimeAsync(pace.calm + 1);
-  service.last().report({ valid: true, violations: [] });
-  await settle();
-  await answerUntilExplained();
-  expect(service.last().request?.options?.time_limit).toBeUndefined();
-  service.last().onProgress({ state: "planning", seconds: 5 });
-  expect(planner.results.progress.value?.seconds).toBe(5);
-  expect(planner.results.front.value?.points[2]?.makespan).toBe(90); // as the headline says
-  const better = planOf({ removed: [5], after: 80 });
-  service.last().answer(better);
-  await settle();
-  expect(planner.results.plans.value.after).toEqual({ plan: better, verdict: null });
-  expect(planner.results.progress.value).toBeNull();
-  expect(service.last().what).toBe("check");
 });
 
 it("fetches the way without removals at once where it is shown, and keeps it while it holds", async () => {
