@@ -9,7 +9,7 @@ import { Sketch } from "./interaction/sketch";
 import { cellAt, nearestFree, onMap } from "./interaction/snap";
 import { LabelLayer } from "./labels/label_layer";
 import { drawCross, drawGrid, drawGround } from "./layers/base_layer";
-import { drawEvents } from "./layers/event_layer";
+import { drawEvents, roomBesideEvents } from "./layers/event_layer";
 import { drawMarkers } from "./layers/marker_layer";
 import { type Spot, spotAt, spots } from "./layers/marker_spots";
 import { widthOfName } from "./layers/team_markers";
@@ -343,8 +343,8 @@ export class MapView implements GestureTarget {
     drawGround(frame, scene, this.#tiles);
     drawGrid(frame, scene);
     this.#obstacles.draw(frame, scene, fadeSpan);
-    const moreLabels = this.#labels.draw(frame, scene);
     this.#paths.draw(frame, scene);
+    const moreLabels = this.#labels.draw(frame, scene, roomBesideEvents(frame, scene, this.#spots()));
     frame.context.globalAlpha = scene.old ? faint : 1;
     drawEvents(frame, scene, this.#spots(), fadeSpan);
     frame.context.globalAlpha = 1;
