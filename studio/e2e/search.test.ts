@@ -9,8 +9,8 @@ const setting = new Setting("search");
 it("calls a first answer what it is, and stops and goes on when told to", async () => {
   const studio = await setting.visit();
   await studio.settled();
-  const steps = studio.result().getByRole("list").filter({ hasText: "Quick answer" });
-  expect((await steps.innerText()).split("\n")).toEqual(["Quick answer, done", "Looked, done", "Proven, not yet"]);
+  const steps = () => studio.result().getByRole("group", { name: "State of the search" }).getByRole("listitem").allTextContents();
+  expect(await steps()).toEqual(["Quick answer, done", "Looked, done", "Proven, not yet"]);
   // A server that is so slow that nothing comes of the first two seconds, nor of the longer search before the test lets it.
   let goOn = (): void => undefined;
   const held = new Promise<void>((done) => (goOn = done));
@@ -26,14 +26,13 @@ it("calls a first answer what it is, and stops and goes on when told to", async 
   await studio.result().getByRole("heading", { name: /^So far, / }).waitFor();
   expect(await studio.result().getAttribute("class")).not.toContain("bad");
   await studio.result().getByText(/Looking for a better plan/).waitFor();
-  expect((await steps.innerText()).split("\n").slice(1)).toEqual(["Looking, now", "Proven, not yet"]);
+  expect((await steps()).slice(1)).toEqual(["Looking, now", "Proven, not yet"]);
   await studio.result().getByRole("button", { name: "Stop" }).click();
   await studio.result().getByText("Stopped: there may be a better plan.").waitFor();
   goOn();
   await studio.result().getByRole("button", { name: "Look on" }).click();
   await studio.result().getByRole("heading", { name: /^Removing 2 obstacles gets the ground robot there/ }).waitFor();
   await studio.settled();
-  expect(await studio.result().getByText(/So far/).count()).toBe(0);
   expect(await studio.accessibilityFaults()).toEqual([]);
   expect(studio.faults).toEqual([]);
   await studio.close();

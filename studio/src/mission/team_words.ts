@@ -51,14 +51,14 @@ function unhelped(plan: Plan, vehicles: number, { isLooking }: Telling): string 
   return `${none} ${gains[objectiveOf(plan)]}`;
 }
 
-function noPlan(plan: Plan, { isLooking }: Telling): Headline {
+function noPlan(plan: Plan, { isLooking, isFound = false }: Telling): Headline {
   if (plan.status === "no_plan") {
     const remedies = ["Move its start or its goal, or remove it.", "Try smaller vehicles."];
     if (plan.options.removals !== 0) remedies.unshift("Allow more removals, or add aircraft.");
     return { tone: "bad", title: "A vehicle cannot get to its goal", figures: null, remedies };
   }
   const remedies = ["Put starts and goals farther apart from each other.", "Take fewer or smaller vehicles."];
-  const title = isLooking ? "No plan was found" : "No plan was found in the time there was";
+  const title = isFound ? "A plan was found that is not shown yet" : isLooking ? "No plan was found" : "No plan was found in the time there was";
   return { tone: "bad", title, figures: null, remedies: isLooking ? [] : remedies };
 }
 

@@ -18,6 +18,7 @@ export interface Telling {
   units: Units;
   buildings: boolean; // whether all that is removed is sure to be buildings
   isLooking: boolean; // whether a better plan may follow: then nothing is said that only the end of the search can say
+  isFound?: boolean; // whether there is one already that is not shown yet
 }
 
 export interface Proof {
@@ -144,11 +145,11 @@ function lastOf(plan: Plan): "ground" | "air" | "both" {
   return ground! > air! ? "ground" : "air";
 }
 
-function without(plan: Plan, { buildings, isLooking }: Telling): Headline {
+function without(plan: Plan, { buildings, isLooking, isFound = false }: Telling): Headline {
   const allowed = plan.options.removals ?? 0;
   if (plan.status === "limit_reached" || plan.status === "stopped") {
     const tried = ["Ask for fewer removals.", "Move start and goal nearer to each other."];
-    const title = isLooking ? "No way was found" : "No way was found in the time there was";
+    const title = isFound ? "A way was found that is not shown yet" : isLooking ? "No way was found" : "No way was found in the time there was";
     return { tone: "bad", title, figures: null, remedies: isLooking ? [] : tried };
   }
   const remedies = ["Move the start or the goal."];

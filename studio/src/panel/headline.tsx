@@ -38,7 +38,9 @@ export function HeadlineSection({ page }: { page: PageState }) {
   );
   const team = isTeam(after.plan);
   const closed = page.results.plans.value.before?.plan ?? null;
-  const telling = { units, buildings, isLooking: after.rough !== undefined };
+  const isLooking = after.rough !== undefined;
+  const isFound = isLooking && page.results.progress.value?.best != null;
+  const telling = { units, buildings, isLooking, isFound };
   const words = team ? teamHeadline(after.plan, closed, telling) : headline(after.plan, telling);
   const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const figures = words.figures ? figureTexts(words.figures, units) : [];

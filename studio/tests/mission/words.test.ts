@@ -90,6 +90,8 @@ describe("headline", () => {
       "So far, no removal was found that gets the ground robot there sooner",
     );
     expect(looking({ after: null, status: "limit_reached" })).toMatchObject({ tone: "plain", title: "So far, no way was found", remedies: [] });
+    const isFound = { ...told, isLooking: true, isFound: true };
+    expect(headline(planOf({ after: null, status: "limit_reached" }), isFound).title).toBe("So far, a way was found that is not shown yet");
     expect(looking({ removed: [4], before: 100, after: 100 }).title).toBe("So far, removing nothing is as good");
   });
 
