@@ -31,10 +31,7 @@ export function SearchLine({ studio }: { studio: Studio }) {
       {text && (
         <div class="working">
           {state.stage !== "stopped" && <progress aria-label="Planning" />}
-          <span>
-            {text}
-            {known && <span class="known">{known}</span>}
-          </span>
+          <span>{text}</span>
           {state.stage !== "stopped" ? (
             <button type="button" class="button" onClick={() => studio.planner.stop()}>
               <Icon name="stop" /> Stop
@@ -48,6 +45,7 @@ export function SearchLine({ studio }: { studio: Studio }) {
           )}
         </div>
       )}
+      {known && <p class="known">{known}</p>}
     </div>
   );
 }

@@ -41,9 +41,9 @@ export function drawEvents(frame: Frame, scene: Scene, markers: readonly Spot[],
 
 // Where names can be written so that no marker and no number of a breach covers them.
 export function roomBesideEvents(frame: Frame, scene: Scene, markers: readonly Spot[]): (box: Box) => boolean {
-  if (scene.agents.length > mostKeptClear) return () => true;
   const taken = new Boxes();
-  const clear = keptClear(markers);
+  if (scene.agents.length > mostBesideNames) return () => true;
+  const clear = scene.agents.length <= mostKeptClear ? keptClear(markers) : [];
   for (const box of [...markers.map((marker) => marker.box), ...tagBoxes(scene.agents, markers)]) taken.add(box);
   for (const layer of scene.layers) {
     for (const { at } of breachBadges(frame, scene, layer, clear)) taken.add(boxAround(at, 26, 26));
@@ -51,6 +51,7 @@ export function roomBesideEvents(frame: Frame, scene: Scene, markers: readonly S
   return (box) => taken.isFree(box);
 }
 
+const mostBesideNames = 100; // agents: with more there would be no names left
 const mostKeptClear = 20; // agents whose markers badges are kept off
 
 function drawPairEvents(frame: Frame, scene: Scene, layer: Layer, taken: Boxes | null): void {
