@@ -48,7 +48,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
   const told = words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title;
   const spoken = [told, words.note, who].filter((part) => part).join(" ");
   return (
-    <section class={`headline ${words.tone}`} aria-label="Result" aria-busy={page.outdated.value}>
+    <section class={`headline ${words.tone}`} aria-label="Result" aria-busy={page.outdated.value || isLooking}>
       <h2>
         {words.title}
         {words.figures && ":"}
