@@ -71,6 +71,7 @@ export function city(): Scene {
     time: null,
     old: false,
     tool: "move",
+    followed: null,
     editable: true,
     formatTime: (time) => `${time.toFixed(0)} s`,
   };

@@ -77,7 +77,7 @@ export class StudioPage {
     return this.page.getByRole("region", { name: "Result" });
   }
 
-  // Once the plan of the mission as it is stands, and its independent check is in.
+  // Once the search for the plan of the mission as it is has ended, and its independent check is in.
   async settled(): Promise<void> {
     await this.page.locator('[aria-label="Result"][aria-busy="false"]').getByText("Checked independently").waitFor();
   }

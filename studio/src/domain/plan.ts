@@ -75,6 +75,7 @@ export interface FrontPoint {
   bound: Bound | null;
   removed: number[];
   area_m2?: number; // that these cover
+  cut?: boolean; // whether time was too short to say that there is no way
 }
 
 export type TimedPoint = [x: number, y: number, t: number];

@@ -2,7 +2,7 @@
 // panel.
 import type { Agents, Handle, AgentLook } from "./agents";
 import type { CellMap } from "./cell_map";
-import type { Cell, Run } from "./geometry";
+import type { Cell, Point, Run } from "./geometry";
 import type { Ruled } from "./looks";
 import type { Background, MapDescription } from "./map";
 import type { LayerName, Mark } from "./mission";
@@ -29,6 +29,7 @@ export interface Scene {
   selected: number | null; // obstacle whose card is open
   old: boolean; // whether the layers answer another mission than the markers show
   time: number | null; // of playback; null shows whole paths
+  followed: Point | null; // what of the map is to stay in sight while it moves
   tool: Tool;
   editable: boolean; // whether markers can be dragged
   formatTime?: (time: number) => string; // formats the duration of waits; without it they are shown without a label

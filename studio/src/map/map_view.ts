@@ -1,6 +1,7 @@
 // The map on a canvas: shows scenes, and reports user actions. Draws only when something has changed.
 import { cellOf, type Handle, handlesOf, isSameHandle } from "../domain/agents";
-import type { Cell, Point, Size } from "../domain/geometry";
+import { type Box, type Cell, mapBox, type Point, type Size } from "../domain/geometry";
+import type { Obstacle } from "../domain/map";
 import type { Scene, SceneEvents } from "../domain/scene";
 import { duration, positionAt } from "../play/motion";
 import { Gestures, type GestureTarget } from "./interaction/gestures";
@@ -8,7 +9,7 @@ import { Sketch } from "./interaction/sketch";
 import { cellAt, nearestFree, onMap } from "./interaction/snap";
 import { LabelLayer } from "./labels/label_layer";
 import { drawCross, drawGrid, drawGround } from "./layers/base_layer";
-import { drawEvents } from "./layers/event_layer";
+import { drawEvents, roomBesideEvents } from "./layers/event_layer";
 import { drawMarkers } from "./layers/marker_layer";
 import { type Spot, spotAt, spots } from "./layers/marker_spots";
 import { widthOfName } from "./layers/team_markers";
@@ -18,12 +19,27 @@ import { drawScaleBar } from "./layers/scale_bar";
 import { FeatureIndex } from "./tiles/ground_features";
 import { TileCache } from "./tiles/tile_cache";
 import { TilePainter } from "./tiles/tile_painter";
-import { type Camera, evenly, fitted, limited, panned, toMap, toScreen, wholeMap, zoomed } from "./viewport/camera";
+import {
+  type Camera,
+  evenly,
+  fitted,
+  isSeen,
+  limited,
+  maxScale,
+  panned,
+  toMap,
+  toScreen,
+  visibleBox,
+  wholeMap,
+  zoomed,
+} from "./viewport/camera";
 import type { Frame } from "./viewport/frame";
 import { Glide } from "./viewport/glide";
 import { Surface } from "./viewport/surface";
 
 const fadeShare = 0.05; // of the mission: how long an obstacle takes to vanish
+const closer = 2.5; // than all of the map: from where one follows
+const margin = 24; // pixels at the edge of the map: what is there is hardly seen
 const frameTime = 8; // milliseconds to draw in, tiles that are missing included
 
 export interface Marked {
@@ -78,6 +94,7 @@ export class MapView implements GestureTarget {
       this.#newTiles(true);
     }
     if (scene.agents !== before?.agents) this.#keepFocusInView();
+    if (scene.followed) this.#follow(scene.followed, before?.followed == null);
     this.#surface.ask();
   }
 
@@ -104,11 +121,23 @@ export class MapView implements GestureTarget {
     }
     const bounds = scene.cells.obstacle(what)?.bounds;
     if (!bounds) return;
-    const [left, top, right, bottom] = bounds;
-    const box = { left: left - 0.5, top: top - 0.5, right: right + 0.5, bottom: bottom + 0.5 };
     const { view } = this.#surface;
-    const whole = fitted(box, view, evenly(Math.min(view.width, view.height) / 4));
+    const whole = fitted(boxOf(bounds), view, evenly(Math.min(view.width, view.height) / 4));
     this.#glideTo({ ...whole, scale: Math.min(whole.scale, Math.max(this.#camera.scale, 3)) });
+  }
+
+  // Moves the map to an obstacle (its number), or so that all points are seen, unless it is seen already.
+  bringIntoView(what: number | readonly Point[]): void {
+    const scene = this.#scene;
+    const { view } = this.#surface;
+    const bounds = typeof what === "number" ? scene?.cells.obstacle(what)?.bounds : undefined;
+    const box = typeof what === "number" ? bounds && boxOf(bounds) : boxAround(what);
+    if (!scene || !box || view.width === 0) return;
+    const camera = this.#glide?.to ?? this.#camera;
+    if (isSeen(box, visibleBox(camera, view), margin / camera.scale)) return;
+    if (typeof what === "number") return this.centerOn(what);
+    const whole = fitted(box, view, evenly(Math.min(view.width, view.height) / 6));
+    this.#glideTo({ ...whole, scale: Math.min(whole.scale, camera.scale) });
   }
 
   // The marker that has the keyboard's focus.
@@ -231,6 +260,19 @@ export class MapView implements GestureTarget {
     this.events.select(null, null);
   }
 
+  // Near enough to see where it drives when it begins, and then as little as keeps it away from the edge.
+  #follow(at: Point, begins: boolean): void {
+    const { view } = this.#surface;
+    if (view.width === 0 || (this.#glide && !begins)) return;
+    if (begins) {
+      const near = closer * fitted(mapBox(this.#scene!.map), view, evenly(0)).scale;
+      return this.#glideTo({ x: at[0], y: at[1], scale: Math.max(this.#camera.scale, Math.min(near, maxScale)) });
+    }
+    const [x, y] = toScreen(this.#camera, view, at);
+    const off = (place: number, size: number) => Math.min(0, place - size / 3) + Math.max(0, place - (2 * size) / 3);
+    this.#move((camera) => panned(camera, -off(x, view.width), -off(y, view.height)));
+  }
+
   #keepFocusInView(): void {
     const spot = this.#scene && this.#focused && this.#spots().find(({ handle }) => isSameHandle(handle, this.#focused));
     if (!spot) return;
@@ -301,8 +343,8 @@ export class MapView implements GestureTarget {
     drawGround(frame, scene, this.#tiles);
     drawGrid(frame, scene);
     this.#obstacles.draw(frame, scene, fadeSpan);
-    const moreLabels = this.#labels.draw(frame, scene);
     this.#paths.draw(frame, scene);
+    const moreLabels = this.#labels.draw(frame, scene, roomBesideEvents(frame, scene, this.#spots()));
     frame.context.globalAlpha = scene.old ? faint : 1;
     drawEvents(frame, scene, this.#spots(), fadeSpan);
     frame.context.globalAlpha = 1;
@@ -313,6 +355,15 @@ export class MapView implements GestureTarget {
     const moreTiles = this.#tiles.paintMissing(begin + frameTime);
     if (moreTiles || moreLabels || this.#glide || (!still && pulses(scene))) this.#surface.ask();
   }
+}
+
+function boxOf([left, top, right, bottom]: Obstacle["bounds"]): Box {
+  return { left: left - 0.5, top: top - 0.5, right: right + 0.5, bottom: bottom + 0.5 };
+}
+
+function boxAround(points: readonly Point[]): Box {
+  const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
+  return boxOf([Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)]);
 }
 
 // Whether one map is an edit of the other: then the view stays where it is.

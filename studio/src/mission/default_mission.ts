@@ -5,8 +5,18 @@ import type { Cell } from "../domain/geometry";
 import type { MapDescription } from "../domain/map";
 import { freshMission, type Ends, type Mission } from "../domain/mission";
 
-// The first map is shown with a mission that removals help.
-const ready: Record<string, Ends> = { "berlin-adlershof.tif": { start: [130, 104], goal: [466, 105] } };
+// The maps of data/ are shown with missions that two removals shorten, through what people know there.
+const ready: Record<string, Ends> = {
+  "andorra.tif": { start: [251, 185], goal: [395, 395] },
+  "berlin-adlershof.tif": { start: [130, 104], goal: [466, 105] },
+  "berlin-mitte.tif": { start: [111, 111], goal: [332, 120] },
+  "honolulu.tif": { start: [430, 405], goal: [360, 177] },
+  "krems.tif": { start: [185, 220], goal: [251, 427] },
+  "kyoto.tif": { start: [370, 167], goal: [359, 344] },
+  "manhattan.tif": { start: [75, 249], goal: [315, 344] },
+  "monaco.tif": { start: [377, 373], goal: [262, 229] },
+  "turin.tif": { start: [166, 426], goal: [132, 168] },
+};
 
 export function defaultMission(map: MapDescription, cells: CellMap): Mission {
   const said = map.start && map.goal ? { start: map.start, goal: map.goal } : null;

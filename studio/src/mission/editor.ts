@@ -118,7 +118,7 @@ export abstract class Editor extends PageState {
     this.change((mission) => ({ ...mission, agents: joined(mission.agents, one) }));
     const { agents } = this.mission.value!;
     const isNew = ({ id, kind }: MissionAgent) => kind === one.kind && !before.has(id);
-    this.chosenAgent.value = isPair(agents) ? null : agents.findLastIndex(isNew);
+    this.chooseAgent(isPair(agents) ? null : agents.findLastIndex(isNew));
   }
 
   draw(tool: "wall" | "erase", runs: readonly Run[]): void {

@@ -1,7 +1,8 @@
 // What the page shows: a mission, its map and its plans. Enough for the viewer of a plan; the studio adds what can be
 // done about it.
 import { computed, effect, signal, type Signal } from "@preact/signals";
-import { looksOf } from "../domain/agents";
+import { cellOf, looksOf } from "../domain/agents";
+import type { Point } from "../domain/geometry";
 import { asksTheSame, defaults, type LayerName, type Mark, type Mission } from "../domain/mission";
 import { ruledObstacles, type TagFilter } from "../domain/tag_filter";
 import { type Pace, type Units, unitsOf } from "../domain/units";
@@ -16,6 +17,9 @@ export interface Notice {
   text: string;
   actions: readonly { label: string; act: () => void }[];
 }
+
+// What is to be seen: an obstacle, or points of the map.
+export type Sight = number | readonly Point[];
 
 const moment = 300; // ms
 
@@ -42,6 +46,8 @@ export class PageState {
   readonly selected = signal<number | null>(null);
   readonly highlighted = signal<number | null>(null);
   readonly chosenAgent = signal<number | null>(null); // its place in the mission's list
+  // What was last asked to be shown; the map moves there if it is off the picture. Each time another object.
+  readonly sight = signal<{ what: Sight } | null>(null);
   readonly notice = signal<Notice | null>(null);
   readonly looks = computed(() => looksOf(this.mission.value?.agents ?? []));
   readonly clock = new Clock();
@@ -95,6 +101,20 @@ export class PageState {
     if (!ids) return 0;
     const keys = [...(this.mission.value?.marks.keys() ?? [])];
     return keys.find((key) => ids.toShown(key) === id) ?? ids.toBase(id);
+  }
+
+  // Chosen by name, somewhere else than on the map.
+  showObstacle(id: number): void {
+    this.selected.value = id;
+    this.sight.value = { what: id };
+  }
+
+  chooseAgent(agent: number | null): void {
+    this.chosenAgent.value = agent;
+    const chosen = agent === null ? undefined : this.mission.value?.agents[agent];
+    if (!chosen || !this.mission.value) return;
+    const ends = (["start", "goal"] as const).map((end) => cellOf(this.mission.value!.agents, { agent: agent!, end }));
+    this.sight.value = { what: ends };
   }
 
   notify(tone: Notice["tone"], text: string, actions: Notice["actions"] = []): void {

@@ -1,7 +1,9 @@
 // What the map is given to draw.
+import type { Point } from "../domain/geometry";
 import type { Mark } from "../domain/mission";
 import type { Layer, Scene } from "../domain/scene";
 import { duration } from "../domain/units";
+import { positionAt } from "../play/motion";
 import type { PageState } from "./page_state";
 import type { Studio } from "./studio";
 
@@ -38,8 +40,19 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     selected: page.selected.value,
     old: page.old.value,
     time: page.clock.time.value,
+    followed: followed(page),
     tool: studio?.tool.value ?? "move",
     editable: studio !== null,
     formatTime: (time) => duration(time, units, true),
   };
+}
+
+// In playback the chosen agent, or the first that drives.
+function followed(page: PageState): Point | null {
+  const [plan, time] = [page.results.plans.value.after?.plan, page.clock.time.value];
+  if (!plan || time === null || !page.clock.follows.value) return null;
+  const chosen = page.mission.value?.agents[page.chosenAgent.value ?? -1]?.id;
+  const agent = plan.agents.find(({ id }) => id === chosen) ?? plan.agents.find(({ kind }) => kind === "ground");
+  const at = agent && positionAt(agent, time);
+  return at ? [at.x, at.y] : null;
 }

@@ -2,26 +2,31 @@
 import { type Agent, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { duration, durations, percent, type Units } from "../domain/units";
 import { arrival } from "../play/motion";
-import { counted, type Headline, isProven, unasked } from "./words";
+import { isNegligible } from "./gain";
+import { asGood, counted, type Headline, isProven, soFar, type Telling, unasked } from "./words";
 
 // `closed`: the plan with nothing removed, where it is known; what a team gains is said against it.
-export function teamHeadline(plan: Plan, closed: Plan | null, buildings: boolean): Headline {
+export function teamHeadline(plan: Plan, closed: Plan | null, telling: Telling): Headline {
+  return telling.isLooking ? soFar(teamHeadlineOf(plan, closed, telling)) : teamHeadlineOf(plan, closed, telling);
+}
+
+function teamHeadlineOf(plan: Plan, closed: Plan | null, telling: Telling): Headline {
   const after = valueOf(plan.after, objectiveOf(plan));
-  if (after === null || plan.agents.length === 0) return noPlan(plan);
+  if (after === null || plan.agents.length === 0) return noPlan(plan, telling);
   const vehicles = countOf(plan, "ground");
   const say = (tone: Headline["tone"], title: string, before: number | null = null): Headline => {
     return { tone, title, figures: { after, before }, remedies: [] };
   };
-  if (plan.removed.length === 0) return say("plain", unhelped(plan, vehicles));
-  const removing = `Removing ${counted(plan.removed.length, buildings)}`;
+  if (plan.removed.length === 0) return say("plain", unhelped(plan, vehicles, telling));
+  const removing = `Removing ${counted(plan.removed.length, telling.buildings)}`;
   if (!closed) return say("plain", `${removing} for ${vehicleCount(vehicles)}`);
   const before = closed.agents.length > 0 ? valueOf(closed.after, objectiveOf(plan)) : null;
   if (before === null) {
     const none = closed.status === "no_plan" ? "there are not" : "were not found";
     return say("good", `${removing} opens ways that ${none} without`);
   }
+  if (isNegligible({ before, after }, telling.units)) return asGood(plan, before, closed.after, telling);
   const share = (before - after) / before;
-  if (Math.abs(share) < 1e-9) return say("plain", `${removing} gains nothing here`, before);
   return say(share > 0 ? "good" : "bad", `${removing} ${gain(plan, share)}`, before);
 }
 
@@ -33,11 +38,11 @@ function gain(plan: Plan, share: number): string {
   return `ends the mission ${when}`;
 }
 
-function unhelped(plan: Plan, vehicles: number): string {
+function unhelped(plan: Plan, vehicles: number, { isLooking }: Telling): string {
   if (String(plan.options.select) === "none") return unasked;
   const mayRemove = countOf(plan, "air") > 0 && plan.options.removals !== 0;
   if (!mayRemove) return vehicles === 1 ? "The vehicle arrives" : `All ${vehicles} vehicles arrive, and none touches another`;
-  const none = isProven(plan) ? "No removal" : "No removal was found that";
+  const none = isProven(plan) && !isLooking ? "No removal" : "No removal was found that";
   const gains = {
     flowtime: "saves any of the agents’ time on the way",
     "ground-makespan": "gets the last vehicle there sooner",
@@ -46,14 +51,15 @@ function unhelped(plan: Plan, vehicles: number): string {
   return `${none} ${gains[objectiveOf(plan)]}`;
 }
 
-function noPlan(plan: Plan): Headline {
+function noPlan(plan: Plan, { isLooking, isFound = false }: Telling): Headline {
   if (plan.status === "no_plan") {
     const remedies = ["Move its start or its goal, or remove it.", "Try smaller vehicles."];
     if (plan.options.removals !== 0) remedies.unshift("Allow more removals, or add aircraft.");
     return { tone: "bad", title: "A vehicle cannot get to its goal", figures: null, remedies };
   }
   const remedies = ["Put starts and goals farther apart from each other.", "Take fewer or smaller vehicles."];
-  return { tone: "bad", title: "No plan was found in the time there was", figures: null, remedies };
+  const title = isFound ? "A plan was found that is not shown yet" : isLooking ? "No plan was found" : "No plan was found in the time there was";
+  return { tone: "bad", title, figures: null, remedies: isLooking ? [] : remedies };
 }
 
 // Who arrives last, and what it would be if each were alone, with nothing removed.

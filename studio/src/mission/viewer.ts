@@ -31,6 +31,7 @@ export function viewerOf(document: PlanDocument): PageState {
     plans: signal(plans),
     front: signal(front.length > 0 ? { points: front, from: plan?.options.force?.length ?? 0, key: "", isDone: true } : null),
     answered: signal(null),
+    working: signal(false),
     progress: signal(null),
     failure: signal(null),
   };

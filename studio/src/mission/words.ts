@@ -2,13 +2,23 @@
 import { isTeam, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { difference, durations, percent, percentUp, type Units } from "../domain/units";
 import { agentOf, arrival } from "../play/motion";
+import { gainWords, isNegligible } from "./gain";
 
 export interface Headline {
   tone: "good" | "plain" | "bad";
   title: string;
   // The result, and the result without removals: shown large, as figures.
   figures: { after: number; before: number | null } | null;
+  note?: string; // what else is to be said of the removals
   remedies: string[]; // what can be done where there is no plan
+}
+
+// How a plan is told.
+export interface Telling {
+  units: Units;
+  buildings: boolean; // whether all that is removed is sure to be buildings
+  isLooking: boolean; // whether a better plan may follow: then nothing is said that only the end of the search can say
+  isFound?: boolean; // whether there is one already that is not shown yet
 }
 
 export interface Proof {
@@ -35,21 +45,34 @@ export function savedBy(plan: Plan, units: Units): string | null {
   return before === null || after === null || before <= after ? null : difference(after, before, units);
 }
 
-export function headline(plan: Plan, buildings: boolean): Headline {
+export function headline(plan: Plan, telling: Telling): Headline {
+  return telling.isLooking ? soFar(headlineOf(plan, telling)) : headlineOf(plan, telling);
+}
+
+// As long as a better plan may follow.
+export function soFar(words: Headline): Headline {
+  const { tone, title } = words;
+  return { ...words, tone: tone === "bad" ? "plain" : tone, title: `So far, ${title.charAt(0).toLowerCase()}${title.slice(1)}` };
+}
+
+function headlineOf(plan: Plan, telling: Telling): Headline {
+  const { buildings, units } = telling;
   const objective = objectiveOf(plan);
   const before = valueOf(plan.before, objective);
   const after = valueOf(plan.after, objective);
   const count = plan.removed.length;
-  if (after === null || plan.agents.length === 0) return without(plan, buildings);
+  if (after === null || plan.agents.length === 0) return without(plan, telling);
   const figures = { after, before };
   const removing = `Removing ${counted(count, buildings)}`;
-  if (count === 0) return { tone: "plain", title: unhelped(plan), figures: { after, before: null }, remedies: [] };
+  if (count === 0) return { tone: "plain", title: unhelped(plan, telling), figures: { after, before: null }, remedies: [] };
   if (before === null) {
-    const title = `${removing} opens a way that there is not without`;
-    return { tone: "good", title, figures, remedies: [] };
+    const none = plan.limit_reached ? "was not found" : "there is not";
+    return { tone: "good", title: `${removing} opens a way that ${none} without`, figures, remedies: [] };
+  }
+  if (isNegligible({ before, after }, units)) {
+    return asGood(plan, before, { flowtime: plan.before.flowtime }, telling);
   }
   const share = (before - after) / before;
-  if (Math.abs(share) < 1e-9) return { tone: "plain", title: `${removing} gains nothing here`, figures, remedies: [] };
   const change = `${percent(Math.abs(share))} ${share > 0 ? "sooner" : "later"}`;
   const tone = share > 0 ? "good" : "bad";
   if (objective === "flowtime") {
@@ -58,6 +81,20 @@ export function headline(plan: Plan, buildings: boolean): Headline {
   }
   const what = isAirsArrival(plan) ? "ends the mission" : "gets the ground robot there";
   return { tone, title: `${removing} ${what} ${change}`, figures, remedies: [] };
+}
+
+// Nothing is worth a building that nobody notices. `before` is the objective with nothing removed, and the sum of all times.
+export function asGood(plan: Plan, before: number, { flowtime }: { flowtime: number | null }, telling: Telling): Headline {
+  const after = valueOf(plan.after, objectiveOf(plan))!;
+  const said = gainWords({ before, after }, { before: flowtime, after: plan.after.flowtime }, telling.units);
+  const count = counted(plan.removed.length, telling.buildings);
+  return {
+    tone: "plain",
+    title: "Removing nothing is as good",
+    figures: { after: before, before: null },
+    note: `Removing ${count}, as shown, ${said}.`,
+    remedies: [],
+  };
 }
 
 // The result, and that without removals if it is known.
@@ -72,10 +109,10 @@ export function figuresText(figures: NonNullable<Headline["figures"]>, units: Un
 
 export const unasked = "No removals were asked for";
 
-function unhelped(plan: Plan): string {
+function unhelped(plan: Plan, { isLooking }: Telling): string {
   if (String(plan.options.select) === "none") return unasked;
   if (plan.options.removals === 0) return "With nothing removed, the ground robot takes the way round";
-  const none = isProven(plan) ? "No removal" : "No removal was found that";
+  const none = isProven(plan) && !isLooking ? "No removal" : "No removal was found that";
   if (objectiveOf(plan) === "flowtime") return `${none} saves any of the agents’ time on the way`;
   return isAirsArrival(plan) ? `${none} ends the mission sooner` : `${none} gets the ground robot there sooner`;
 }
@@ -108,15 +145,12 @@ function lastOf(plan: Plan): "ground" | "air" | "both" {
   return ground! > air! ? "ground" : "air";
 }
 
-function without(plan: Plan, buildings: boolean): Headline {
+function without(plan: Plan, { buildings, isLooking, isFound = false }: Telling): Headline {
   const allowed = plan.options.removals ?? 0;
   if (plan.status === "limit_reached" || plan.status === "stopped") {
-    return {
-      tone: "bad",
-      title: "No way was found in the time there was",
-      figures: null,
-      remedies: ["Ask for fewer removals.", "Move start and goal nearer to each other."],
-    };
+    const tried = ["Ask for fewer removals.", "Move start and goal nearer to each other."];
+    const title = isFound ? "A way was found that is not shown yet" : isLooking ? "No way was found" : "No way was found in the time there was";
+    return { tone: "bad", title, figures: null, remedies: isLooking ? [] : tried };
   }
   const remedies = ["Move the start or the goal."];
   if (allowed < 8) remedies.unshift("Allow more removals.");
@@ -133,6 +167,11 @@ export function isProven({ bound }: Plan): boolean {
   return (bound?.gap ?? 1) < proven;
 }
 
+// Whether what is proven leaves next to nothing to gain.
+export function isSure(plan: Plan): boolean {
+  return proof(plan)?.tone === "sure";
+}
+
 // How good the choice is known to be. The gap is what is proven; the choice may be better than that.
 export function proof(plan: Plan): Proof | null {
   if (plan.agents.length === 0) return null;
@@ -143,6 +182,11 @@ export function proof(plan: Plan): Proof | null {
   if (gap < proven) return { tone: "sure", text: "Proven best possible" };
   if (gap > wide) return { tone: "plain", text: `May be up to ${percentUp(gap)} from the best possible` };
   return { tone: "sure", text: `Proven within ${percentUp(gap)} of the best possible` };
+}
+
+// What is said of a value that is not known, of a plan or of what it compares with.
+export function noWay(plan: Plan): string {
+  return plan.limit_reached || plan.status === "limit_reached" || plan.status === "stopped" ? "none found" : "no way";
 }
 
 // What the paper's rules permit and the world does not: driving through what still stands.

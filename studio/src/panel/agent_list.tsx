@@ -96,7 +96,7 @@ function AgentRow({ page, plan, agent, index }: RowProps) {
           type="button"
           class="agent-name"
           aria-expanded={isChosen}
-          onClick={() => (page.chosenAgent.value = isChosen ? null : index)}
+          onClick={() => page.chooseAgent(isChosen ? null : index)}
         >
           <AgentDot look={page.looks.value.get(agent.id)} />
           {agent.id}

@@ -99,6 +99,9 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
   );
   const view = useRef<MapView | null>(null);
   const take = (made: MapView | null) => onView((view.current = made));
+  useSignalEffect(() => {
+    if (page.sight.value) view.current?.bringIntoView(page.sight.value.what);
+  });
   const plan = page.results.plans.value.after?.plan;
   const title = page.shown.value?.base.description.title;
   const cells = page.shown.value?.map.cells;

@@ -57,6 +57,7 @@ export function Choices({ studio }: { studio: Studio }) {
               text={`${words[mark]}: ${name}`}
               onUndo={() => studio.markKey(key, null)}
               onPoint={(on) => (studio.highlighted.value = on && id !== 0 ? id : null)}
+              onShow={id === 0 ? undefined : () => studio.showObstacle(id)}
             />
           );
         })}
@@ -97,13 +98,20 @@ interface ChoiceProps {
   text: string;
   onUndo: () => void;
   onPoint?: (on: boolean) => void;
+  onShow?: (() => void) | undefined; // on the map
 }
 
-function Choice({ icon, text, onUndo, onPoint }: ChoiceProps) {
+function Choice({ icon, text, onUndo, onPoint, onShow }: ChoiceProps) {
   return (
     <li class="choice" onPointerEnter={() => onPoint?.(true)} onPointerLeave={() => onPoint?.(false)}>
       <Icon name={icon} />
-      <span>{text}</span>
+      {onShow ? (
+        <button type="button" class="obstacle-name" onClick={onShow}>
+          {text}
+        </button>
+      ) : (
+        <span>{text}</span>
+      )}
       <button
         type="button"
         class="icon-button small"

@@ -19,6 +19,7 @@ interface Column {
   area: number | null; // square metres that are demolished, where they are known
   further: boolean; // beyond where removals gain
   pending: boolean; // still being worked out
+  none: string; // what is said where there is no value
 }
 
 // Where the curve ends before the slider does, nothing further gains.
@@ -36,6 +37,7 @@ function columnsOf({ points, from, isDone }: Front, objective: Objective): Colum
       area: point?.area_m2 ?? null,
       further: isDone && gains >= 0 && i > gains,
       pending,
+      none: point?.cut ? "none found" : "no way",
     };
   });
 }
@@ -137,7 +139,7 @@ function Figure({ column, at, place, units }: FigureProps) {
       aria-hidden="true"
       style={{ left: `calc(50% + ${x - place.x(column.n)}px)`, top: `${y - 8}px` }}
     >
-      {column.pending ? "…" : column.value === null ? "no way" : clockTime(column.value, units)}
+      {column.pending ? "…" : column.value === null ? column.none : clockTime(column.value, units)}
     </span>
   );
 }
@@ -156,11 +158,11 @@ function figuresOf(columns: Column[], count: number, place: Placer, width: numbe
   return new Map(told.map(({ n }, i) => [n, places[i]!]));
 }
 
-function columnLabel({ n, value, area, pending }: Column, units: Units): string {
+function columnLabel({ n, value, area, pending, none }: Column, units: Units): string {
   const what = n === 1 ? "1 removal" : `${n} removals`;
   if (pending) return `${what}: being worked out`;
   const demolished = area ? `, ${squareMetres(area)} demolished` : "";
-  return value === null ? `${what}: no way` : `${what}: ${duration(value, units)}${demolished}`;
+  return value === null ? `${what}: ${none}` : `${what}: ${duration(value, units)}${demolished}`;
 }
 
 interface Placer {

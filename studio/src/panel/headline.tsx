@@ -1,8 +1,6 @@
 // What the plan achieves, in one sentence, and how sure that is.
 import { useEffect, useRef, useState } from "preact/hooks";
-import type { Progress } from "../api/client";
 import { isTeam } from "../domain/plan";
-import { duration, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { teamArrivals, teamHeadline } from "../mission/team_words";
@@ -11,6 +9,7 @@ import type { Judged } from "../planning/results";
 import { askedRules } from "./asked_rules";
 import { Icon, type IconName } from "./icons";
 import { areBuildings } from "./obstacle_words";
+import { SearchLine } from "./search_line";
 
 export function HeadlineSection({ page }: { page: PageState }) {
   const after = page.results.plans.value.after;
@@ -28,7 +27,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
     return (
       <section class="headline waiting" aria-label="Result">
         <h2>{waiting(page)}</h2>
-        <Working page={page} />
+        {page instanceof Studio && page.shown.value && <SearchLine studio={page} />}
       </section>
     );
   }
@@ -39,13 +38,17 @@ export function HeadlineSection({ page }: { page: PageState }) {
   );
   const team = isTeam(after.plan);
   const closed = page.results.plans.value.before?.plan ?? null;
-  const words = team ? teamHeadline(after.plan, closed, buildings) : headline(after.plan, buildings);
+  const isLooking = after.rough !== undefined;
+  const isFound = isLooking && page.results.progress.value?.best != null;
+  const telling = { units, buildings, isLooking, isFound };
+  const words = team ? teamHeadline(after.plan, closed, telling) : headline(after.plan, telling);
   const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const figures = words.figures ? figureTexts(words.figures, units) : [];
   const asked = page instanceof Studio ? null : askedRules(after.plan); // there the choices are listed
-  const spoken = [words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title, who].join(" ");
+  const told = words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title;
+  const spoken = [told, words.note, who].filter((part) => part).join(" ");
   return (
-    <section class={`headline ${words.tone}`} aria-label="Result" aria-busy={page.outdated.value}>
+    <section class={`headline ${words.tone}`} aria-label="Result" aria-busy={page.outdated.value || isLooking}>
       <h2>
         {words.title}
         {words.figures && ":"}
@@ -63,6 +66,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
           )}
         </p>
       )}
+      {words.note && <p class="arrivals">{words.note}</p>}
       {who && <p class="arrivals">{who}</p>}
       {asked && <p class="arrivals">Asked for: {asked}.</p>}
       {words.remedies.length > 0 && (
@@ -72,20 +76,20 @@ export function HeadlineSection({ page }: { page: PageState }) {
           ))}
         </ul>
       )}
-      {page.old.value ? (
+      {page.old.value && (
         <p class="old-note">
           <Icon name="warning" />
           This is the plan from before your last change.
         </p>
-      ) : (
-        <Sureness judged={after} buildings={buildings} checks={page instanceof Studio} />
       )}
-      <Working page={page} />
+      {page instanceof Studio && <SearchLine studio={page} />}
+      {!page.old.value && (
+        <Sureness judged={after} buildings={buildings} checking={checkOf(page)} />
+      )}
       <Spoken text={page.old.value ? `Out of date: ${spoken}` : spoken} />
     </section>
   );
 }
-
 
 function waiting(page: PageState): string {
   if (page.loading.value) return "Loading the map…";
@@ -95,30 +99,34 @@ function waiting(page: PageState): string {
 
 const signs: Record<Proof["tone"], IconName> = { sure: "check", plain: "about", unsure: "warning" };
 
+// Whether there is somebody to check the plan, and does.
+type Checking = "now" | "no" | "nobody";
+
+function checkOf(page: PageState): Checking {
+  if (!(page instanceof Studio)) return "nobody";
+  return page.results.working.value ? "now" : "no";
+}
+
 interface SurenessProps {
   judged: Judged;
   buildings: boolean;
-  checks: boolean; // whether there is somebody to check the plan
+  checking: Checking;
 }
 
-function Sureness({ judged, buildings, checks }: SurenessProps) {
+// What is proven before the search has ended stands beside its progress.
+function Sureness({ judged, buildings, checking }: SurenessProps) {
   const sure = proof(judged.plan);
-  if (!sure) return null;
-  if (judged.draft) {
-    return (
-      <div class="sureness">
-        <p class="pending">A draft: the exact plan follows</p>
-      </div>
-    );
-  }
+  if (!sure || judged.rough === "draft") return null;
   const early = tooEarly(judged.plan);
   const { verdict } = judged;
   return (
     <div class="sureness">
-      <p class={sure.tone}>
-        <Icon name={signs[sure.tone]} />
-        {sure.text}
-      </p>
+      {!judged.rough && (
+        <p class={sure.tone}>
+          <Icon name={signs[sure.tone]} />
+          {sure.text}
+        </p>
+      )}
       {early > 0 && (
         <p class="unsure">
           <Icon name="warning" />
@@ -134,64 +142,15 @@ function Sureness({ judged, buildings, checks }: SurenessProps) {
           </span>
         </p>
       ) : (
-        (checks || verdict) && (
+        (checking !== "nobody" || verdict) && (
           <p class={verdict ? "sure" : "pending"}>
             <Icon name="check" />
-            {verdict ? "Checked independently" : "Being checked…"}
+            {verdict ? "Checked independently" : checking === "now" ? "Being checked…" : "Not checked"}
           </p>
         )
       )}
     </div>
   );
-}
-
-// Only for plans one has to wait for.
-function Working({ page }: { page: PageState }) {
-  if (page instanceof Studio && page.results.failure.value?.trouble === "stopped") {
-    return (
-      <div class="working">
-        <span>Stopped: what is shown may be older than what is asked.</span>
-        <button type="button" class="button" onClick={() => page.planAgain()}>
-          Plan again
-        </button>
-      </div>
-    );
-  }
-  const progress = page.results.progress.value;
-  if (!progress || progress.seconds < 0.4) return null;
-  return (
-    <div class="working">
-      <progress aria-label="Planning" />
-      <span>
-        {doing(page, progress)}: {Math.round(progress.seconds)} s
-        {progress.seconds >= 1 && <Known progress={progress} units={page.units.value} />}
-      </span>
-      {page instanceof Studio && (
-        <button type="button" class="button" onClick={() => page.planner.stop()}>
-          <Icon name="stop" /> Stop
-        </button>
-      )}
-    </div>
-  );
-}
-
-// How good the best plan so far is, and what none can be better than.
-function Known({ progress: { best, bound }, units }: { progress: Progress; units: Units }) {
-  if (best == null && bound == null) return null;
-  const parts = [];
-  if (best != null) parts.push(`best so far ${duration(best, units)}`);
-  if (bound != null) parts.push(`none is below ${duration(bound, units)}`);
-  return <span class="known">{parts.join("; ")}</span>;
-}
-
-function doing(page: PageState, progress: Progress): string {
-  if (progress.state === "queued") return "Waiting for the planner";
-  return isAnswered(page) ? "Looking for a better plan" : "Planning";
-}
-
-// Whether the plan shown is of the mission as it is.
-function isAnswered(page: PageState): boolean {
-  return page instanceof Studio && page.planner.isUpToDate();
 }
 
 // Screen readers hear the result when it has settled, not at every step of a drag.

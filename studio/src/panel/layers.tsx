@@ -3,7 +3,7 @@ import type { LayerName } from "../domain/mission";
 import { valueOf } from "../domain/plan";
 import { durations } from "../domain/units";
 import type { PageState } from "../mission/page_state";
-import { counted, tooEarly } from "../mission/words";
+import { counted, noWay, tooEarly } from "../mission/words";
 import { Section } from "./controls";
 import { areBuildings } from "./obstacle_words";
 
@@ -25,7 +25,7 @@ export function Layers({ page }: { page: PageState }) {
     if (name === "before") return "nothing removed";
     if (!plan) return "…";
     const early = tooEarly(plan) > 0 ? ", entered too early" : "";
-    if (plan.agents.length === 0) return "no way";
+    if (plan.agents.length === 0) return noWay(plan);
     const ids = plan.removed.map((one) => one.obstacle);
     return `${counted(ids.length, areBuildings(shown, ids))} removed${early}`;
   };
@@ -34,6 +34,7 @@ export function Layers({ page }: { page: PageState }) {
     const outcome = plans[name]?.plan.after ?? (name === "before" && !team ? plans.after?.plan.before : undefined);
     return outcome ? valueOf(outcome, mission.objective) : undefined;
   };
+  const none = (name: LayerName) => noWay((plans[name] ?? plans.after!).plan);
   const times = layers.map(({ name }) => value(name) ?? null).filter((time) => time !== null);
   const texts = new Map(durations(times, units).map((text, i) => [times[i]!, text]));
   return (
@@ -55,7 +56,7 @@ export function Layers({ page }: { page: PageState }) {
                   <span class="layer-what">{what(name)}</span>
                 </span>
                 {reached === undefined ? null : reached === null ? (
-                  <span class="layer-value">no way</span>
+                  <span class="layer-value">{none(name)}</span>
                 ) : (
                   <data class="layer-value" value={reached}>
                     {texts.get(reached)}

@@ -92,7 +92,7 @@ function Row({ page, removed, order, users }: RowProps) {
         <span class="badge">{order}</span>
       </td>
       <th scope="row">
-        <button type="button" class="obstacle-name" onClick={() => (page.selected.value = id)}>
+        <button type="button" class="obstacle-name" onClick={() => page.showObstacle(id)}>
           {name.text}
         </button>
         <span class="obstacle-facts">
@@ -202,7 +202,7 @@ function Next({ page }: { page: PageState }) {
           <button
             type="button"
             class="obstacle-name inline"
-            onClick={() => (page.selected.value = obstacle)}
+            onClick={() => page.showObstacle(obstacle)}
             onPointerEnter={() => (page.highlighted.value = obstacle)}
             onPointerLeave={() => (page.highlighted.value = null)}
           >

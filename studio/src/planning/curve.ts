@@ -42,8 +42,8 @@ export class Curve {
   }
 
   front(objective: Objective): Front {
-    const points = this.plans.map(({ after, bound, removed }): FrontPoint => {
-      return { ...after, bound, removed: removed.map((one) => one.obstacle) };
+    const points = this.plans.map(({ after, bound, removed, limit_reached }): FrontPoint => {
+      return { ...after, bound, removed: removed.map((one) => one.obstacle), ...(limit_reached && { cut: true }) };
     });
     return { points: consistent(points, objective), from: this.from, key: this.key, isDone: this.isDone };
   }

@@ -10,7 +10,10 @@ import {
   canRemove,
   draftBeforeRequest,
   draftRequest,
+  explainRequest,
+  furtherLimits,
   hasDraft,
+  isCut,
   isHasty,
   isOfTeam,
   keyOf,
@@ -18,9 +21,8 @@ import {
   planRequest,
   type Question,
   stepRequest,
-  thoroughRequest,
 } from "./request";
-import { type KnownResults, type Verdict, verdictOf } from "./results";
+import { type Judged, type KnownResults, verdictOf } from "./results";
 
 export interface PlanService {
   plan(
@@ -36,6 +38,7 @@ export class PlanFetcher {
   #curve: Curve | null = null;
   #kept: { key: string; plan: Plan } | null = null; // what stood in for a draft
   #took = 0; // ms, the last plan that was no draft
+  #began = 0; // when the search did
 
   // Where plans take longer than `fluent` ms, a draft comes first.
   constructor(
@@ -52,63 +55,107 @@ export class PlanFetcher {
 
   // What has to follow the mouse: the plan, or a draft of it.
   async fetchFirst(question: Question, stop: AbortSignal): Promise<void> {
+    this.#began = performance.now();
     const isSlow = this.#took > this.fluent && hasDraft(question) && !this.#isKnown(question);
     if (!isSlow || !(await this.#draft(question, stop))) await this.#plan(question, stop);
   }
 
-  // The checks of the plans, the curve, what each removal saves, the paper's plan.
+  // The check of the plan that is shown, a longer search where the first was short, the way without removals, the curve,
+  // what each removal saves, the paper's plan.
   async fetchRest(question: Question, stop: AbortSignal): Promise<void> {
     const { plans } = this.results;
-    if (plans.value.after?.draft) await this.#plan(question, stop);
+    if (plans.value.after?.rough === "draft") await this.#plan(question, stop);
     await this.#judge("after", question, stop);
     if (!plans.value.before) {
-      this.#show("before", await this.service.plan(question.map, beforeRequest(question), stop), stop);
+      this.#show("before", { plan: await this.service.plan(question.map, beforeRequest(question), stop), verdict: null }, stop);
     }
+    await this.#search(question, stop);
     await this.#judge("before", question, stop);
     if (canRemove(question)) await this.#trace(question, stop);
-    if (!plans.value.after?.verdict) await this.#judge("after", question, stop); // it has improved on the way
     await this.#explain(question, stop); // late: on large maps it takes longest
     await this.#paper(question, stop);
   }
 
   async #plan(question: Question, stop: AbortSignal): Promise<void> {
-    const onProgress = (progress: Progress) => (this.results.progress.value = progress);
     const kept = this.results.beforeFor(question);
     const isKnown = this.#isKnown(question);
     const { removals } = question;
     const began = performance.now();
     const [after, before] = await Promise.all([
       removals === "auto"
-        ? this.#trace(question, stop, onProgress).then((plans) => bestAtPrice(plans, question.price))
+        ? this.#trace(question, stop, this.#onProgress(stop)).then((plans) => bestAtPrice(plans, question.price))
         : (this.#traced(question, removals) ??
-          this.service.plan(question.map, planRequest(question, removals), stop, onProgress)),
+          this.service.plan(question.map, planRequest(question, removals), stop, this.#onProgress(stop))),
       kept || !question.withBefore ? null : this.service.plan(question.map, beforeRequest(question), stop),
     ]);
     if (stop.aborted) throw stopped();
     if (!isKnown) this.#took = performance.now() - began;
     const beside = before ? { plan: before, verdict: null } : kept;
-    const plan = removals === "auto" ? after : this.#orKnown(question, after);
-    this.results.answer(question, { after: { plan, verdict: null }, ...(beside && { before: beside }) });
+    const isQuick = !isKnown && isHasty(after, question);
+    const others = [beside?.plan, isQuick ? this.#draftOf(question) : undefined];
+    const plan = removals === "auto" ? after : this.#orKnown(question, after, others);
+    const rough = isQuick ? { rough: "quick" as const } : {};
+    this.results.answer(question, { after: { plan, verdict: null, ...rough }, ...(beside && { before: beside }) });
+    if (!isQuick) this.results.progress.value = null;
+  }
+
+  // Seconds count from where the search began, whatever it is made of.
+  #onProgress(stop: AbortSignal): (progress: Progress) => void {
+    return (progress) => {
+      const seconds = (performance.now() - this.#began) / 1000;
+      if (!stop.aborted) this.results.progress.value = { ...progress, seconds };
+    };
+  }
+
+  // Where the first answer came before the search had ended: the search again, for longer.
+  async #search(question: Question, stop: AbortSignal): Promise<void> {
+    const { plans } = this.results;
+    for (const limit of furtherLimits(question)) {
+      const { after: shown, before } = plans.value;
+      if (shown?.rough !== "quick") return;
+      const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
+      const isBeforeCut = before !== undefined && isCut(before.plan, null);
+      const [plan, other] = await Promise.all([
+        this.service.plan(question.map, planRequest(question, removals, limit), stop, this.#onProgress(stop)),
+        isBeforeCut ? this.service.plan(question.map, beforeRequest(question, limit), stop) : null,
+      ]);
+      if (stop.aborted) throw stopped();
+      if (other && isAsGood(other, before!.plan)) this.#show("before", { plan: other, verdict: null }, stop);
+      const better = this.#orKnown(question, plan, [plans.value.before?.plan]);
+      const same = hasSamePaths(better, shown.plan);
+      const rough = limit !== null && isCut(plan, limit) ? { rough: "quick" as const } : {};
+      this.#show("after", { plan: better, verdict: same ? shown.verdict : null, ...rough }, stop);
+      this.#improveCurve(question, removals, better, stop);
+      await this.#judge("after", question, stop);
+    }
     this.results.progress.value = null;
   }
 
-  // The best plan of as many removals or fewer, where the question was the same but for their number.
-  #known(question: Question): Plan | null {
+  #draftOf(question: Question): Plan | undefined {
+    const { answered, plans } = this.results;
+    const { after } = plans.value;
+    const isOfIt = answered.value !== null && keyOf.plan(answered.value) === keyOf.plan(question);
+    return isOfIt && after?.rough === "draft" ? after.plan : undefined;
+  }
+
+  // The best plan of as many removals or fewer, where the question was the same but for their number, or of `others`.
+  #known(question: Question, others: readonly (Plan | undefined)[] = []): Plan | null {
     const { removals } = question;
     const most = removals === "auto" ? Infinity : removals;
     const key = keyOf.front(question);
     const { answered, plans } = this.results;
     const shown = answered.value && keyOf.front(answered.value) === key ? plans.value.after : undefined;
     const all = this.#curve?.key === key ? [...this.#curve.plans] : [];
-    if (shown && !shown.draft) all.push(shown.plan);
+    if (shown && shown.rough !== "draft") all.push(shown.plan);
     if (this.#kept?.key === key) all.push(this.#kept.plan);
-    const fitting = all.filter((plan) => plan.removed.length <= most);
+    if (!question.options.force) all.push(...others.filter((plan) => plan !== undefined)); // which force nothing
+    const fitting = all.filter((plan) => plan.removed.length <= most && plan.agents.length > 0);
     return fitting.reduce<Plan | null>((best, plan) => (best && reached(best) <= reached(plan) ? best : plan), null);
   }
 
   // Unless a better one is known.
-  #orKnown(question: Question, plan: Plan): Plan {
-    const known = this.#known(question);
+  #orKnown(question: Question, plan: Plan, others: readonly (Plan | undefined)[] = []): Plan {
+    const known = this.#known(question, others);
     return known && !isAsGood(plan, known) ? instead(plan, known) : plan;
   }
 
@@ -127,8 +174,9 @@ export class PlanFetcher {
     const plan = isAuto ? rough : this.#orKnown(question, rough);
     if (plan.agents.length === 0) return false;
     if (known) this.#kept = { key: keyOf.front(question), plan: known };
-    const beside = before ? { plan: before, verdict: null, draft: true } : kept;
-    this.results.answer(question, { after: { plan, verdict: null, draft: true }, ...(beside && { before: beside }) });
+    const draft = (made: Plan): Judged => ({ plan: made, verdict: null, rough: "draft" });
+    const beside = before ? draft(before) : kept;
+    this.results.answer(question, { after: draft(plan), ...(beside && { before: beside }) });
     return true;
   }
 
@@ -142,9 +190,8 @@ export class PlanFetcher {
     const key = keyOf.front(question);
     if (this.#curve?.key !== key) this.#curve = new Curve(key, question.options.force?.length ?? 0);
     const curve = this.#curve;
-    const began = performance.now();
     // The best and the bound of a step are not those of the answer.
-    const onStepProgress = ({ state }: Progress) => onProgress?.({ state, seconds: (performance.now() - began) / 1000 });
+    const onStepProgress = ({ state, seconds }: Progress) => onProgress?.({ state, seconds });
     while (!curve.isDone) {
       const plan =
         this.results.planFor(question, curve.next) ??
@@ -154,6 +201,7 @@ export class PlanFetcher {
       curve.add(isWanted ? this.#better(plan, stop) : this.#orKnown({ ...question, removals: curve.next }, plan));
       if (isWanted) this.#better(curve.plans.at(-1)!, stop); // with fewer removals time may have done for a better one
       this.results.front.value = curve.front(question.of.objective);
+      if (isWanted) await this.#judge("after", question, stop);
     }
     return curve.plans;
   }
@@ -173,29 +221,20 @@ export class PlanFetcher {
   // The plan or the one that is shown: the better of them is shown, so that curve and headline agree.
   #better(plan: Plan, stop: AbortSignal): Plan {
     const { after } = this.results.plans.value;
-    if (after && !after.draft && isAsGood(after.plan, plan)) return after.plan;
-    this.#show("after", plan, stop);
+    if (after && after.rough !== "draft" && isAsGood(after.plan, plan)) return after.plan;
+    this.#show("after", { plan, verdict: null }, stop);
     return plan;
   }
 
-  // The plan again with what each removal saves; where time was short, perhaps a better one.
+  // The plan again with what each removal saves.
   async #explain(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after;
-    const short = shown !== undefined && isHasty(shown.plan);
-    const isExplained = shown?.plan.removed.length === 0; // as far as it can be
-    if (!shown || (isExplained && !short)) return;
+    if (!shown || shown.plan.removed.length === 0) return;
     const removals = question.removals === "auto" ? shown.plan.removed.length : question.removals;
-    const onProgress = (progress: Progress) => {
-      if (short && !stop.aborted) this.results.progress.value = progress;
-    };
-    try {
-      const plan = await this.service.plan(question.map, thoroughRequest(question, removals), stop, onProgress);
-      if (!isAsGood(plan, shown.plan)) return;
-      this.#show("after", plan, stop, hasSamePaths(plan, shown.plan) ? shown.verdict : null);
-      this.#improveCurve(question, removals, plan, stop);
-    } finally {
-      if (short && !stop.aborted) this.results.progress.value = null;
-    }
+    const plan = await this.service.plan(question.map, explainRequest(question, removals), stop);
+    if (!isAsGood(plan, shown.plan)) return;
+    this.#show("after", { plan, verdict: hasSamePaths(plan, shown.plan) ? shown.verdict : null }, stop);
+    this.#improveCurve(question, removals, plan, stop);
     await this.#judge("after", question, stop);
   }
 
@@ -213,20 +252,22 @@ export class PlanFetcher {
       question.method === "paper"
         ? shown
         : await this.service.plan(question.map, paperRequest(question, removals), stop);
-    this.#show("paper", paper, stop);
+    this.#show("paper", { plan: paper, verdict: null }, stop);
     await this.#judge("paper", question, stop);
   }
 
+  // The independent check of what is shown, unless that has been done.
   async #judge(layer: LayerName, question: Question, stop: AbortSignal): Promise<void> {
     const { plans } = this.results;
     const judged = plans.value[layer];
-    if (!judged) return;
+    if (!judged || judged.verdict || judged.plan.agents.length === 0) return;
     const report = await this.service.check(question.map, judged.plan, stop);
-    if (plans.value[layer]?.plan === judged.plan) this.#show(layer, judged.plan, stop, verdictOf(report));
+    const now = plans.value[layer];
+    if (now?.plan === judged.plan) this.#show(layer, { ...now, verdict: verdictOf(report) }, stop);
   }
 
-  #show(layer: LayerName, plan: Plan, stop: AbortSignal, verdict: Verdict = null): void {
-    if (!stop.aborted) this.results.show(layer, { plan, verdict });
+  #show(layer: LayerName, judged: Judged, stop: AbortSignal): void {
+    if (!stop.aborted) this.results.show(layer, judged);
   }
 }
 

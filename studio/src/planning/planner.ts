@@ -2,7 +2,7 @@
 // are dropped. When nothing changes for a moment, the rest is requested.
 import { pause, ServiceError, stopped } from "../api/client";
 import { PlanFetcher, type PlanService } from "./plan_fetcher";
-import type { Question } from "./request";
+import { keyOf, type Question } from "./request";
 import { KnownResults } from "./results";
 
 export interface Pace {
@@ -22,7 +22,7 @@ export class Planner {
   readonly #fetcher: PlanFetcher;
   #wanted: Question | null = null;
   #working: Work | null = null;
-  #resting: AbortController | null = null;
+  #resting: { control: AbortController; question: Question } | null = null;
 
   constructor(
     service: PlanService,
@@ -33,24 +33,29 @@ export class Planner {
 
   ask(question: Question): void {
     this.#wanted = question;
-    this.#resting?.abort();
+    const isAnswered = !this.#working && this.results.isAnswered(question);
+    const goesOn = isAnswered && this.#resting !== null && keyOf.plan(this.#resting.question) === keyOf.plan(question);
+    if (!goesOn) this.#resting?.control.abort();
+    this.results.working.value = true;
     if (this.#working) return this.#hurry(this.#working);
-    if (this.results.isAnswered(question)) {
+    if (isAnswered) {
       this.#wanted = null;
       this.results.answered.value = question;
-      void this.#rest(question);
+      if (!goesOn) void this.#rest(question);
     } else {
       void this.#work();
     }
   }
 
-  // Cancels the plan in progress; what was shown before stays.
+  // Cancels what is asked for; what was shown before stays.
   stop(): void {
     this.#wanted = null;
-    this.#resting?.abort();
+    this.#resting?.control.abort();
+    this.#resting = null;
     this.#working?.control.abort();
     this.results.progress.value = null;
-    if (this.results.plans.value.after?.draft) this.results.failure.value = stopped();
+    this.results.working.value = false;
+    if (this.results.plans.value.after?.rough === "draft") this.results.failure.value = stopped();
   }
 
   // Whether what is shown answers the latest question.
@@ -92,12 +97,14 @@ export class Planner {
       }
     }
     this.#working = null;
+    if (done) return void this.#rest(done);
     this.results.progress.value = null;
-    if (done) void this.#rest(done);
+    this.results.working.value = false;
   }
 
   async #rest(question: Question): Promise<void> {
-    const control = (this.#resting = new AbortController());
+    const control = new AbortController();
+    const resting = (this.#resting = { control, question });
     const stop = control.signal;
     try {
       await pause(this.pace.calm, stop);
@@ -106,8 +113,13 @@ export class Planner {
       // Other results may be missing, but a service that does not respond has to be reported.
       const trouble = asServiceError(error);
       const said = trouble.trouble === "gone" || trouble.trouble === "missing";
-      if (said || (this.results.plans.value.after?.draft && !stop.aborted)) this.results.failure.value = trouble;
+      if (said || (this.results.plans.value.after?.rough === "draft" && !stop.aborted)) this.results.failure.value = trouble;
     }
+    if (this.#resting !== resting) return; // a later one goes on
+    this.#resting = null;
+    if (this.#working) return;
+    this.results.progress.value = null;
+    this.results.working.value = false;
   }
 }
 

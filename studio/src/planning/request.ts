@@ -104,16 +104,31 @@ function request(question: Question, method: Method | "draft", options: RequestO
   return { mission: question.mission, options: { ...how[method], ...question.options, ...options } };
 }
 
-// Seconds. The first plan has to come soon, and is asked for again, with more time, when nothing changes for a moment.
+// Seconds. The first plan has to come soon; then the search goes on, for longer and at last for as long as the service gives it.
 const quick = 2;
 const patient = 10;
 
-export function isHasty(plan: Plan): boolean {
-  return plan.limit_reached === true || (plan.seconds?.total ?? 0) >= quick;
+// The limits of the searches that follow the first; null: the service's own.
+export function furtherLimits({ removals }: Question): readonly (number | null)[] {
+  return removals === "auto" ? [null] : [patient, null]; // steps of the curve were patient
 }
 
-export function planRequest(question: Question, removals: number): PlanRequest {
-  return request(question, question.method, { removals, time_limit: quick });
+// Whether more time might have brought a better plan.
+export function isCut(plan: Plan, limit: number | null): boolean {
+  return plan.limit_reached === true || (limit !== null && (plan.seconds?.total ?? 0) >= limit);
+}
+
+// Whether the first answer to a question was.
+export function isHasty(plan: Plan, question: Question): boolean {
+  return isCut(plan, question.removals === "auto" ? stepLimit(question) : quick);
+}
+
+function limited(seconds: number | null): RequestOptions {
+  return seconds === null ? {} : { time_limit: seconds };
+}
+
+export function planRequest(question: Question, removals: number, limit: number | null = quick): PlanRequest {
+  return request(question, question.method, { removals, ...limited(limit) });
 }
 
 export function draftRequest(question: Question, removals: number): PlanRequest {
@@ -125,20 +140,24 @@ export function draftBeforeRequest(question: Question): PlanRequest {
   return request({ ...question, options }, "draft", { removals: 0 });
 }
 
-// With all the time that the service gives, and what the mission would lose without each removal.
-export function thoroughRequest(question: Question, removals: number): PlanRequest {
+// With what the mission would lose without each removal.
+export function explainRequest(question: Question, removals: number): PlanRequest {
   return request(question, question.method, { removals, explain: true });
 }
 
 // A step of the curve: there are many, and the next waits.
 export function stepRequest(question: Question, removals: number): PlanRequest {
-  return request(question, question.method, { removals, time_limit: isOfTeam(question) ? quick : patient });
+  return planRequest(question, removals, stepLimit(question));
+}
+
+function stepLimit(question: Question): number {
+  return isOfTeam(question) ? quick : patient;
 }
 
 // The way with nothing removed; what has to go or stay is no matter then.
-export function beforeRequest(question: Question): PlanRequest {
+export function beforeRequest(question: Question, limit: number | null = quick): PlanRequest {
   const { protect, force, ...options } = question.options;
-  return { mission: question.mission, options: { select: "exact", ...options, removals: 0, time_limit: quick } };
+  return { mission: question.mission, options: { select: "exact", ...options, removals: 0, ...limited(limit) } };
 }
 
 // Of what is asked besides only limits are for the paper's method as well.

@@ -4,7 +4,7 @@ import type { CheckReport, Progress, ServiceError } from "../api/client";
 import type { LayerName } from "../domain/mission";
 import type { Plan } from "../domain/plan";
 import type { Front } from "./curve";
-import { isHasty, keyOf, type Question } from "./request";
+import { keyOf, type Question } from "./request";
 
 // The verdict of the independent check on a plan: null while unknown.
 export type Verdict = { valid: true } | { valid: false; reason: string } | null;
@@ -12,7 +12,8 @@ export type Verdict = { valid: true } | { valid: false; reason: string } | null;
 export interface Judged {
   plan: Plan;
   verdict: Verdict;
-  draft?: boolean; // a quick draft: the plan itself follows
+  // Until the search has ended: a draft that follows the mouse, or the best of the first seconds.
+  rough?: "draft" | "quick";
 }
 
 export type Plans = Readonly<Partial<Record<LayerName, Judged>>>;
@@ -21,7 +22,8 @@ export interface Results {
   plans: Signal<Plans>;
   front: Signal<Front | null>;
   answered: Signal<Question | null>; // what the plans answer
-  progress: Signal<Progress | null>;
+  working: Signal<boolean>; // whether anything is asked for
+  progress: Signal<Progress | null>; // of the search for the plan that is shown; seconds since it was asked for
   failure: Signal<ServiceError | null>;
 }
 
@@ -29,6 +31,7 @@ export class KnownResults implements Results {
   readonly plans = signal<Plans>({});
   readonly front = signal<Front | null>(null);
   readonly answered = signal<Question | null>(null);
+  readonly working = signal(false);
   readonly progress = signal<Progress | null>(null);
   readonly failure = signal<ServiceError | null>(null);
 
@@ -57,15 +60,15 @@ export class KnownResults implements Results {
   beforeFor(question: Question): Judged | undefined {
     const last = this.answered.value;
     const { before } = this.plans.value;
-    return last && !before?.draft && keyOf.before(last) === keyOf.before(question) ? before : undefined;
+    return last && before?.rough !== "draft" && keyOf.before(last) === keyOf.before(question) ? before : undefined;
   }
 
-  // The plan that is shown anyway, unless it is a draft.
+  // The plan that is shown anyway, unless a better one may follow.
   planFor(question: Question, removals: number): Plan | null {
     const last = this.answered.value;
     const { after } = this.plans.value;
     const fits = last && keyOf.front(last) === keyOf.front(question) && last.removals === removals;
-    return fits && after && !after.draft && !isHasty(after.plan) ? after.plan : null;
+    return fits && after && !after.rough ? after.plan : null;
   }
 }
 

@@ -22,6 +22,7 @@ export class Clock {
   readonly playing = signal(false);
   readonly speed = signal(1);
   readonly duration = signal(0);
+  readonly follows = signal(false); // whether the map goes along with the agent
 
   #frame: number | null = null;
   #last: number | null = null;

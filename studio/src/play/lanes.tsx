@@ -1,9 +1,10 @@
 // A lane for each agent: a bar while it moves, stripes while it waits, a number where an obstacle is breached. A click goes
 // to that time; the slider below them does so for the keyboard.
-import { useId, useMemo, useRef } from "preact/hooks";
+import { useEffect, useId, useMemo, useRef, useState } from "preact/hooks";
 import { type AgentLook, looksOf } from "../domain/agents";
 import { type Lane, lanes } from "./activity";
 import type { Clock } from "./clock";
+import { spread } from "./spread";
 import type { Story } from "./story";
 
 interface LanesProps {
@@ -20,6 +21,12 @@ export function Lanes({ story, duration, clock, formatTime, onPoint }: LanesProp
   const { plan } = story;
   const share = (at: number): string => `${(100 * at) / duration}%`;
   const times = useRef<HTMLDivElement>(null);
+  const [width, setWidth] = useState(0); // pixels of the lanes
+  useEffect(() => {
+    const watch = new ResizeObserver(([entry]) => entry && setWidth(entry.contentRect.width));
+    watch.observe(times.current!);
+    return () => watch.disconnect();
+  }, []);
   const go = (event: PointerEvent): void => {
     const box = times.current!.getBoundingClientRect();
     if (event.clientX >= box.left - 4) clock.seek(((event.clientX - box.left) / box.width) * duration);
@@ -35,11 +42,12 @@ export function Lanes({ story, duration, clock, formatTime, onPoint }: LanesProp
         lane={lane}
         look={looks.get(lane.id)}
         share={share}
+        pixels={(at) => (at / duration) * width}
         formatTime={formatTime}
         onWait={(from, until) => onPoint(from === null ? null : told(lane, from, until))}
       />
     ));
-  }, [story, duration]);
+  }, [story, duration, width]);
   return (
     <div class="lanes" aria-hidden="true">
       <div
@@ -73,6 +81,7 @@ interface LaneProps {
   lane: Lane;
   look: AgentLook | undefined; // of a team
   share: (at: number) => string;
+  pixels: (at: number) => number;
   formatTime: (time: number) => string;
   onWait: (...wait: [from: number, until: number] | [null, null]) => void;
 }
@@ -92,9 +101,12 @@ function AgentLane({ lane, look, ...bars }: LaneProps) {
 }
 
 // Attributes of SVG, no style: the page's security policy forbids styles in elements.
-function LaneBars({ lane, share, formatTime, onWait }: Omit<LaneProps, "look">) {
+function LaneBars({ lane, share, pixels, formatTime, onWait }: Omit<LaneProps, "look">) {
   const stripes = useId();
   const verb = lane.kind === "air" ? "breached" : "entered";
+  const radius = lane.kind === "air" ? 8 : 4;
+  // What happens at nearly the same time stands side by side.
+  const places = spread(lane.moments.map(({ time }) => pixels(time)), 2 * radius + 1);
   return (
     <svg class="lane-bars">
       <pattern id={stripes} width="6" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
@@ -118,12 +130,12 @@ function LaneBars({ lane, share, formatTime, onWait }: Omit<LaneProps, "look">) 
           {kind === "move" && <title>{`moves ${formatTime(until - from)}`}</title>}
         </rect>
       ))}
-      {lane.moments.map(({ number, time }) => (
+      {lane.moments.map(({ number, time }, i) => (
         <g key={number} class="lane-moment">
           <title>{`${number} ${verb} at ${formatTime(time)}`}</title>
-          <circle cx={share(time)} cy="50%" r={lane.kind === "air" ? 8 : 4} />
+          <circle cx={places[i]} cy="50%" r={radius} />
           {lane.kind === "air" && (
-            <text x={share(time)} y="50%" dy="0.36em">
+            <text x={places[i]} y="50%" dy="0.36em">
               {number}
             </text>
           )}

@@ -77,6 +77,15 @@ export function Timeline({ plan, cells, clock, formatTime }: TimelineProps) {
             ))}
           </select>
         </label>
+        <button
+          type="button"
+          class="timeline-follow"
+          title="The map goes along with the agent"
+          aria-pressed={clock.follows.value}
+          onClick={() => (clock.follows.value = !clock.follows.value)}
+        >
+          Follow
+        </button>
         <button type="button" class="timeline-stop" disabled={clock.time.value === null} onClick={() => clock.stop()}>
           Whole plan
         </button>

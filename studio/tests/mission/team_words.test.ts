@@ -36,17 +36,39 @@ it("says what each agent gains", () => {
   expect(gainOf(plan, teamOf([1, 1], { after: null }), "1")).toBeNull();
 });
 
-const title = (plan: Plan, other: Plan | null = closed) => plain(teamHeadline(plan, other, true).title);
+const told = { units: city, buildings: true, isLooking: false };
+const title = (plan: Plan, other: Plan | null = closed) => plain(teamHeadline(plan, other, told).title);
 
 describe("headline of a team", () => {
   it("says what removals gain against the plan without them", () => {
     expect(title(teamOf([90, 70], { removed: [4] }))).toBe("Removing one building ends the mission 10 % sooner");
-    expect(teamHeadline(teamOf([90, 70], { removed: [4] }), closed, true).figures).toEqual({ after: 90, before: 100 });
+    expect(teamHeadline(teamOf([90, 70], { removed: [4] }), closed, told).figures).toEqual({ after: 90, before: 100 });
     expect(title(teamOf([110, 70], { removed: [4] }))).toContain("10 % later");
-    expect(title(teamOf([100, 70], { removed: [4] }))).toContain("gains nothing");
-    const sum = teamOf([90, 63], { removed: [4, 5], options: { objective: "flowtime" } });
+      const sum = teamOf([90, 63], { removed: [4, 5], options: { objective: "flowtime" } });
     expect(title(sum)).toBe("Removing 2 buildings saves 10 % of the agents’ time on the way");
     expect(title(teamOf([90, 70], { removed: [4], options: { objective: "ground-makespan" } }))).toContain("gets the last vehicle there 10 % sooner");
+  });
+
+  it("leads with removing nothing where the last gains nothing, and says what the others do", () => {
+    const words = (arrivals: [number, number]) => teamHeadline(teamOf(arrivals, { removed: [4, 5] }), closed, told);
+    expect(words([100, 40])).toMatchObject({ tone: "plain", title: "Removing nothing is as good", figures: { after: 100, before: null } });
+    expect(plain(words([100, 40]).note!)).toBe(
+      "Removing 2 buildings, as shown, gains nothing, and takes 30 s off the sum of all times, 2 min 50 s.",
+    );
+    expect(plain(words([99.95, 80]).note!)).toBe(
+      "Removing 2 buildings, as shown, gains 0.05 %, and adds 10 s to the sum of all times, 2 min 50 s.",
+    );
+  });
+
+  it("claims nothing that only the end of the search can say", () => {
+    const looking = (plan: Plan) => teamHeadline(plan, closed, { ...told, isLooking: true });
+    expect(plain(looking(teamOf([90, 70], { removed: [4] })).title)).toBe("So far, removing one building ends the mission 10 % sooner");
+    expect(looking(teamOf([100, 70], { gap: 0, options: { removals: 3 } })).title).toBe("So far, no removal was found that ends the mission sooner");
+    expect(looking(teamOf([100, 70], { after: null, status: "limit_reached" }))).toMatchObject({
+      tone: "plain",
+      title: "So far, no plan was found",
+      remedies: [],
+    });
   });
 
   it("claims no gain before that plan is known, and no way that may be there", () => {

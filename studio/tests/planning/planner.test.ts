@@ -103,9 +103,7 @@ it("asks for the rest when it is calm, and not before", async () => {
   explained.removed[0]!.saves = 10;
   service.last().answer(explained);
   await settle();
-  expect(planner.results.plans.value.after?.plan).toBe(explained);
-  service.last().report({ valid: true, violations: [] });
-  await settle();
+  expect(planner.results.plans.value.after).toEqual({ plan: explained, verdict: { valid: true } }); // the same way
 
   expect(service.last().request?.options?.paper).toBe(true);
   service.last().answer(planOf({ removed: [4] }));
@@ -113,6 +111,18 @@ it("asks for the rest when it is calm, and not before", async () => {
   service.last().report({ valid: false, violations: [{ rule: "x", message: "too early" }] });
   await settle();
   expect(planner.results.plans.value.paper?.verdict).toEqual({ valid: false, reason: "too early" });
+  expect(planner.results.working.value).toBe(false);
+});
+
+it("goes on with the rest where the same is asked again", async () => {
+  planner.ask(question(1));
+  service.last().answer(planOf({}));
+  await vi.advanceTimersByTimeAsync(pace.calm + 1);
+  const check = service.last();
+  planner.ask(question(1, { withBefore: true }));
+  await settle();
+  expect(service.last()).toBe(check);
+  expect(check.signal?.aborted).toBe(false);
 });
 
 // Answers all that is asked before what each removal saves.
@@ -153,7 +163,7 @@ it("keeps the plan it has where another is worse", async () => {
 
 it("shows a better plan that is found on the way along the curve, and has it checked", async () => {
   planner.ask(question(1));
-  service.last().answer({ ...planOf({ removed: [4], after: 90 }), seconds: { total: 2.1 } });
+  service.last().answer(planOf({ removed: [4], after: 90 }));
   await vi.advanceTimersByTimeAsync(pace.calm + 1);
   service.last().report({ valid: true, violations: [] });
   await settle();
@@ -161,26 +171,6 @@ it("shows a better plan that is found on the way along the curve, and has it che
   expect(planner.results.plans.value.after?.plan.after.makespan).toBe(85);
   expect(planner.results.plans.value.after?.verdict).toEqual({ valid: true });
   expect(planner.results.front.value?.points[2]?.makespan).toBe(85);
-});
-
-it("takes the time for a better plan once there is one", async () => {
-  planner.ask(question(1));
-  expect(service.last().request?.options?.time_limit).toBeGreaterThan(0);
-  service.last().answer({ ...planOf({ removed: [4], after: 90 }), seconds: { total: 2.1 } });
-  await vi.advanceTimersByTimeAsync(pace.calm + 1);
-  service.last().report({ valid: true, violations: [] });
-  await settle();
-  await answerUntilExplained();
-  expect(service.last().request?.options?.time_limit).toBeUndefined();
-  service.last().onProgress({ state: "planning", seconds: 5 });
-  expect(planner.results.progress.value?.seconds).toBe(5);
-  expect(planner.results.front.value?.points[2]?.makespan).toBe(90); // as the headline says
-  const better = planOf({ removed: [5], after: 80 });
-  service.last().answer(better);
-  await settle();
-  expect(planner.results.plans.value.after).toEqual({ plan: better, verdict: null });
-  expect(planner.results.progress.value).toBeNull();
-  expect(service.last().what).toBe("check");
 });
 
 it("fetches the way without removals at once where it is shown, and keeps it while it holds", async () => {
@@ -284,7 +274,7 @@ describe("where plans take long", () => {
       expect(service.last().request?.options).toMatchObject({ ...draft, removals: 2 });
       service.last().answer(planOf({ removed: [4], after: 95 }));
       await settle();
-      expect(planner.results.plans.value.after).toMatchObject({ verdict: null, draft: true });
+      expect(planner.results.plans.value.after).toMatchObject({ verdict: null, rough: "draft" });
       expect(startIn(planner.results.answered.value)).toEqual([x, 0]);
     }
     const drafts = service.asked.length;
@@ -305,7 +295,7 @@ describe("where plans take long", () => {
     service.last().answer(planOf({ removed: [4], after: 95, options: { removals: 3 } }));
     await settle();
     expect(shown().plan).toMatchObject({ after: { makespan: 90 }, options: { removals: 3 }, bound: null });
-    expect(shown().draft).toBe(true);
+    expect(shown().rough).toBe("draft");
     await vi.advanceTimersByTimeAsync(pace.calm + 1);
     await vi.advanceTimersByTimeAsync(pace.fluent + 50);
     service.last().answer(planOf({ removed: [5], after: 80, options: { removals: 3 } }));
@@ -314,7 +304,7 @@ describe("where plans take long", () => {
 
     planner.ask(question(1, { removals: "auto" })); // at once: the curve is not known yet
     await settle();
-    expect(shown()).toMatchObject({ plan: { after: { makespan: 80 } }, draft: true });
+    expect(shown()).toMatchObject({ plan: { after: { makespan: 80 } }, rough: "draft" });
     expect(service.asked.filter((one) => one.request?.options?.select === "hits")).toHaveLength(1);
     await vi.advanceTimersByTimeAsync(pace.calm + 1);
     service.last().onProgress({ state: "planning", seconds: 1, best: 100, bound: 100 });
@@ -329,7 +319,7 @@ describe("where plans take long", () => {
     await settle();
     const { after } = planner.results.plans.value;
     expect(after?.plan).toMatchObject({ after: { makespan: 90 }, bound: { makespan: 80, gap: 0.125 } });
-    expect(after?.draft).toBeUndefined();
+    expect(after?.rough).toBeUndefined();
   });
 
   it("the plan is given up at once when the mouse moves again", async () => {

@@ -1,10 +1,10 @@
 // Writes names on the map. Texts are drawn once each and then copied, since writing with a halo is slow.
-import { grown, intersection, mapBox } from "../../domain/geometry";
+import { type Box, grown, intersection, mapBox } from "../../domain/geometry";
 import type { Scene } from "../../domain/scene";
 import { visibleBox } from "../viewport/camera";
 import { type Frame, place, typeface } from "../viewport/frame";
 import type { Theme } from "../viewport/theme";
-import { type Label, placed, type TextSize } from "./labels";
+import { boxesAlong, type Label, placed, type TextSize } from "./labels";
 import { type Name, namesOf } from "./names";
 
 interface Lettering {
@@ -43,8 +43,9 @@ export class LabelLayer {
   readonly #sizes = new Map<Name, TextSize>();
   readonly #sprites = new Map<string, Sprite>();
 
-  // Whether there are more to come: in each frame, names of one part of the map at most are given their places.
-  draw(frame: Frame, scene: Scene): boolean {
+  // Names where nothing else is to stand (`isFree`, in pixels). Whether there are more to come: in each frame, those of one
+  // part of the map at most are given their places.
+  draw(frame: Frame, scene: Scene, isFree: (box: Box) => boolean): boolean {
     if (scene.background !== this.#background || scene.cells !== this.#cells) {
       this.#background = scene.background;
       this.#cells = scene.cells;
@@ -61,6 +62,7 @@ export class LabelLayer {
       if (at[0] < seen.left || at[0] > seen.right || at[1] < seen.top || at[1] > seen.bottom) continue;
       const sprite = this.#sprite(frame, name);
       const [x, y] = place(frame, at);
+      if (!boxesAlong([x, y], angle, sprite).every(isFree)) continue;
       context.save();
       context.translate(x, y);
       context.rotate(angle);

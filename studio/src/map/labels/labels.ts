@@ -45,6 +45,20 @@ export function placed(
   return labels;
 }
 
+// Upright boxes that cover a label: of one that lies aslant, the box around all of it would hold much else.
+export function boxesAlong([x, y]: Point, angle: number, { width, height }: TextSize): Box[] {
+  const count = Math.max(1, Math.ceil(width / height));
+  const [dx, dy] = [Math.cos(angle), Math.sin(angle)];
+  const length = width / count;
+  const halfWidth = (Math.abs(dx) * length + Math.abs(dy) * height) / 2;
+  const halfHeight = (Math.abs(dy) * length + Math.abs(dx) * height) / 2;
+  return Array.from({ length: count }, (_, i) => {
+    const along = (i + 0.5) * length - width / 2;
+    const [cx, cy] = [x + along * dx, y + along * dy];
+    return { left: cx - halfWidth, right: cx + halfWidth, top: cy - halfHeight, bottom: cy + halfHeight };
+  });
+}
+
 // Where a name fits along a line that is straight for its length.
 function spotsAlong(
   line: readonly Point[],

@@ -1,7 +1,7 @@
 // What happens where: breaches with their numbers, places where the ground agent enters, waits; and in playback the
 // agents themselves.
 import { aircraftOf } from "../../domain/agents";
-import type { Point } from "../../domain/geometry";
+import type { Box, Point } from "../../domain/geometry";
 import type { Agent, Plan, Removed } from "../../domain/plan";
 import type { Layer, Scene } from "../../domain/scene";
 import { agentOf, breachOrder, positionAt, waits } from "../../play/motion";
@@ -10,7 +10,7 @@ import { colourOf } from "../viewport/theme";
 import { spread } from "./badges";
 import { beside, boxAround, Boxes, middleOf, sideways } from "./free_places";
 import { drawLeader } from "./leader";
-import { disc } from "./marker_layer";
+import { disc, tagBoxes } from "./marker_layer";
 import { keptClear, type Spot } from "./marker_spots";
 import { drawFadingRing, drawGhost, drawPair, drawTeam } from "./playing_agents";
 import { drawText } from "./text";
@@ -39,6 +39,19 @@ export function drawEvents(frame: Frame, scene: Scene, markers: readonly Spot[],
   });
 }
 
+// Where names can be written so that no marker and no number of a breach covers them.
+export function roomBesideEvents(frame: Frame, scene: Scene, markers: readonly Spot[]): (box: Box) => boolean {
+  const taken = new Boxes();
+  if (scene.agents.length > mostBesideNames) return () => true;
+  const clear = scene.agents.length <= mostKeptClear ? keptClear(markers) : [];
+  for (const box of [...markers.map((marker) => marker.box), ...tagBoxes(scene.agents, markers)]) taken.add(box);
+  for (const layer of scene.layers) {
+    for (const { at } of breachBadges(frame, scene, layer, clear)) taken.add(boxAround(at, 26, 26));
+  }
+  return (box) => taken.isFree(box);
+}
+
+const mostBesideNames = 100; // agents: with more there would be no names left
 const mostKeptClear = 20; // agents whose markers badges are kept off
 
 function drawPairEvents(frame: Frame, scene: Scene, layer: Layer, taken: Boxes | null): void {

@@ -1,8 +1,9 @@
 // Draws the markers.
 import { type Agents, cellOf, type Handle, isPair, isSameHandle } from "../../domain/agents";
-import type { Point } from "../../domain/geometry";
+import type { Box, Point } from "../../domain/geometry";
 import type { Scene } from "../../domain/scene";
 import type { Frame } from "../viewport/frame";
+import { boxAround } from "./free_places";
 import { glyphs } from "./glyphs";
 import { drawLeader } from "./leader";
 import { markerRadius as radius, smallRadius, type Spot } from "./marker_spots";
@@ -68,8 +69,18 @@ function drawMarker(frame: Frame, { handle, agent, at, attached }: Spot, active:
 }
 
 function drawTag(frame: Frame, text: string, at: Point, above: boolean): void {
-  const [x, y] = above ? [at[0] - 12, at[1] - radius - 11] : [at[0], at[1] + radius + 12]; // past an attached handle
-  drawText(frame, text, [x, y], { font: "600 12px", align: "center", colour: frame.theme.ink });
+  drawText(frame, text, tagPlace(at, above), { font: "600 12px", align: "center", colour: frame.theme.ink });
+}
+
+function tagPlace([x, y]: Point, above: boolean): Point {
+  return above ? [x - 12, y - radius - 11] : [x, y + radius + 12]; // past an attached handle
+}
+
+// What the names of a pair's markers cover.
+export function tagBoxes(agents: Agents, all: readonly Spot[]): Box[] {
+  if (!isPair(agents)) return [];
+  const named = all.filter(({ attached }) => !attached);
+  return named.map(({ at, agent, handle }) => boxAround(tagPlace(at, isAbove(agents, handle)), agent.kind === "air" ? 60 : 40, 16));
 }
 
 export function disc(context: CanvasRenderingContext2D, size: number): void {

@@ -24,6 +24,13 @@ export function visibleBox(camera: Camera, view: Size): Box {
   return { left, top, right, bottom };
 }
 
+// Whether what lies in a box is to be seen, clear of the edge: all of it, or what fills all of the view.
+export function isSeen(box: Box, seen: Box, margin: number): boolean {
+  const within = (from: number, until: number, low: number, high: number) =>
+    (from >= low + margin && until <= high - margin) || (from <= low && until >= high);
+  return within(box.left, box.right, seen.left, seen.right) && within(box.top, box.bottom, seen.top, seen.bottom);
+}
+
 // Pixels at the sides of a view that are to stay free: something else is there.
 export type Insets = Box;
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../../src/domain/geometry";
 import type { Feature } from "../../../src/domain/map";
-import { type Label, placed } from "../../../src/map/labels/labels";
+import { boxesAlong, type Label, placed } from "../../../src/map/labels/labels";
 import { joined, type Name, namesOf, widest, wrapped } from "../../../src/map/labels/names";
 import { draws, mapOf } from "../../domain/picture";
 
@@ -121,4 +121,22 @@ describe("names", () => {
     const [building] = namesOf({ features: [] }, Object.assign(cells, { obstacles: [{ ...cells.obstacle(1)!, name: "Hall" }] }));
     expect(building).toMatchObject({ at: [2.5, 1], room: 6 });
   });
+});
+
+it("boxes along a name cover it, and little else", () => {
+  const size = { width: 90, height: 12 };
+  for (const angle of [0, 0.4, Math.PI / 4, 1.2, Math.PI / 2]) {
+    const boxes = boxesAlong([50, 40], angle, size);
+    const holds = (x: number, y: number) =>
+      boxes.some(({ left, right, top, bottom }) => x >= left - 1e-9 && x <= right + 1e-9 && y >= top - 1e-9 && y <= bottom + 1e-9);
+    for (let along = -45; along <= 45; along += 5) {
+      for (const across of [-6, 0, 6]) {
+        const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+        expect(holds(50 + along * cos - across * sin, 40 + along * sin + across * cos)).toBe(true);
+      }
+    }
+    for (const { left, right, top, bottom } of boxes) {
+      expect(Math.max(right - left, bottom - top)).toBeLessThanOrEqual(12 * Math.SQRT2 + 1e-9);
+    }
+  }
 });

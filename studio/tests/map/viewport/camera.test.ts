@@ -3,6 +3,7 @@ import { mapBox } from "../../../src/domain/geometry";
 import {
   evenly,
   fitted,
+  isSeen,
   limited,
   maxScale,
   panned,
@@ -93,4 +94,11 @@ describe("the camera", () => {
     expect(glide.at(5000)).toEqual(to);
     expect(new Glide(from, { ...from, x: 350 }, 0).at(110).x).toBeGreaterThan(250);
   });
+});
+
+it("what lies within the view, clear of its edge, is seen, and what fills it", () => {
+  const seen = { left: 0, top: 0, right: 100, bottom: 100 };
+  const box = (left: number, top: number, right: number, bottom: number) => isSeen({ left, top, right, bottom }, seen, 5);
+  expect([box(10, 10, 20, 20), box(10, 10, 97, 20), box(-20, 10, 20, 20), box(120, 10, 130, 20)]).toEqual([true, false, false, false]);
+  expect([box(-10, 10, 110, 20), box(-10, -10, 110, 110), box(-10, 98, 110, 120)]).toEqual([true, true, false]);
 });
