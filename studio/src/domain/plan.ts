@@ -91,7 +91,7 @@ export interface Agent {
 
 export interface Plan {
   format: "waybreaker-plan/1";
-  status: "solved" | "no_plan" | "limit_reached" | "stopped";
+  status: "solved" | "no_plan" | "not_found" | "limit_reached" | "stopped";
   map: { source: string; width: number; height: number; cell_size: number; digest: string };
   options: PlanOptions & Record<string, unknown>;
   mission?: { agents: unknown[]; rules?: Record<string, unknown> } & Record<string, unknown>; // a mission file

@@ -58,7 +58,8 @@ function noPlan(plan: Plan, { isLooking, isFound = false }: Telling): Headline {
     return { tone: "bad", title: "A vehicle cannot get to its goal", figures: null, remedies };
   }
   const remedies = ["Put starts and goals farther apart from each other.", "Take fewer or smaller vehicles."];
-  const title = isFound ? "A plan was found that is not shown yet" : isLooking ? "No plan was found" : "No plan was found in the time there was";
+  const ended = isLooking || plan.status === "not_found";
+  const title = isFound ? "A plan was found that is not shown yet" : ended ? "No plan was found" : "No plan was found in the time there was";
   return { tone: "bad", title, figures: null, remedies: isLooking ? [] : remedies };
 }
 

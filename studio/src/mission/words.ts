@@ -147,9 +147,10 @@ function lastOf(plan: Plan): "ground" | "air" | "both" {
 
 function without(plan: Plan, { buildings, isLooking, isFound = false }: Telling): Headline {
   const allowed = plan.options.removals ?? 0;
-  if (plan.status === "limit_reached" || plan.status === "stopped") {
+  if (plan.status !== "no_plan") {
     const tried = ["Ask for fewer removals.", "Move start and goal nearer to each other."];
-    const title = isFound ? "A way was found that is not shown yet" : isLooking ? "No way was found" : "No way was found in the time there was";
+    const ended = isLooking || plan.status === "not_found";
+    const title = isFound ? "A way was found that is not shown yet" : ended ? "No way was found" : "No way was found in the time there was";
     return { tone: "bad", title, figures: null, remedies: isLooking ? [] : tried };
   }
   const remedies = ["Move the start or the goal."];
@@ -186,7 +187,8 @@ export function proof(plan: Plan): Proof | null {
 
 // What is said of a value that is not known, of a plan or of what it compares with.
 export function noWay(plan: Plan): string {
-  return plan.limit_reached || plan.status === "limit_reached" || plan.status === "stopped" ? "none found" : "no way";
+  const isOpen = plan.status === "not_found" || plan.status === "limit_reached" || plan.status === "stopped";
+  return plan.limit_reached || isOpen ? "none found" : "no way";
 }
 
 // What the paper's rules permit and the world does not: driving through what still stands.

@@ -76,6 +76,7 @@ describe("headline of a team", () => {
     const none = (status: Plan["status"]) => title(teamOf([90, 70], { removed: [4] }), planOf({ after: null, status }));
     expect(none("no_plan")).toContain("opens ways that there are not without");
     expect(none("limit_reached")).toContain("opens ways that were not found without");
+    expect(none("not_found")).toContain("opens ways that were not found without");
   });
 
   it("says that nothing helps only where that is proven", () => {
@@ -88,6 +89,7 @@ describe("headline of a team", () => {
   it("says what can be done where there is no plan", () => {
     expect(title(teamOf([100, 70], { after: null }))).toBe("A vehicle cannot get to its goal");
     expect(title(teamOf([100, 70], { after: null, status: "limit_reached" }))).toBe("No plan was found in the time there was");
+    expect(title(teamOf([100, 70], { after: null, status: "not_found" }))).toBe("No plan was found");
   });
 });
 
