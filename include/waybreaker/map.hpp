@@ -43,7 +43,7 @@ struct ObstacleAttributes {
 class Map {
   public:
     // Obstacles are the maximal connected sets of blocked cells (contract: 4-connected by default).
-    // Time O(cells / 64 + runs); memory 4.3 bytes a cell.
+    // Time O(cells / 64 + runs); memory 4.3 bytes a cell and 56 an obstacle.
     explicit Map(Grid grid, Connectivity connectivity = Connectivity::four);
 
     // Obstacles are what the label layer says: width * height labels, row by row, 0 = free. Labels may be any numbers;
