@@ -57,8 +57,10 @@ void parse_and_run(int argc, const char* const* argv) {
     try {
         root.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
+        refuse_unknown_command(root);
         return io::write_whole("-", root.help());
     } catch (const CLI::CallForVersion& version) {
+        refuse_unknown_command(root);
         return io::write_whole("-", std::string(version.what()) + "\n");
     } catch (const CLI::ParseError& error) {
         throw InputError(usage_error(root, error));
