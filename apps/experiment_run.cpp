@@ -12,6 +12,7 @@
 #include "io/output_file.hpp"
 #include "option.hpp"
 #include "progress.hpp"
+#include "version.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
@@ -72,7 +73,7 @@ experiment::Experiment read(const std::string& spec) {
 
 void run(const ExperimentRunOptions& options) {
     const experiment::Experiment experiment = read(options.spec);
-    experiment::Store store(options.output, experiment, options.shard, WAYBREAKER_VERSION);
+    experiment::Store store(options.output, experiment, options.shard, version());
     heed_requests_to_end();
     StopSource stop;
     const bool watched = isatty(STDERR_FILENO) == 1;

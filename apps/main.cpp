@@ -12,6 +12,7 @@
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "usage_error.hpp"
+#include "version.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
@@ -31,7 +32,7 @@ int complain(ExitStatus status, std::string message) {
 void setup(CLI::App& root, Run& run) {
     root.name("waybreaker");
     root.formatter(std::make_shared<HelpFormatter>());
-    root.set_version_flag("-V,--version", "waybreaker " WAYBREAKER_VERSION, "Print the version and exit");
+    root.set_version_flag("-V,--version", "waybreaker " + version(), "Print the version and exit");
     root.set_help_flag("-h,--help", "Print this help and exit");
     root.require_subcommand(1);
     setup_plan(root, run);
@@ -56,8 +57,10 @@ void parse_and_run(int argc, const char* const* argv) {
     try {
         root.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
+        refuse_unknown_command(root);
         return io::write_whole("-", root.help());
     } catch (const CLI::CallForVersion& version) {
+        refuse_unknown_command(root);
         return io::write_whole("-", std::string(version.what()) + "\n");
     } catch (const CLI::ParseError& error) {
         throw InputError(usage_error(root, error));

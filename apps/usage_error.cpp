@@ -7,6 +7,7 @@
 
 #include "help.hpp"
 #include "option.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -34,6 +35,16 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
     return fmt::format("; did you mean {}?", *closest);
 }
 
+// The command that the arguments belong to.
+NamedCommand chosen(const CLI::App& root) {
+    NamedCommand command{root.get_name(), &root};
+    while (!command.app->get_subcommands().empty()) {
+        command.app = command.app->get_subcommands().back();
+        command.name += " " + command.app->get_name();
+    }
+    return command;
+}
+
 }  // namespace
 
 std::string unexpected(const CLI::App& command, std::string given) {
@@ -50,13 +61,7 @@ std::string unexpected(const CLI::App& command, std::string given) {
 }
 
 std::string usage_error(const CLI::App& root, const CLI::ParseError& error) {
-    // The command that the arguments belong to.
-    const CLI::App* command = &root;
-    std::string name = root.get_name();
-    while (!command->get_subcommands().empty()) {
-        command = command->get_subcommands().back();
-        name += " " + command->get_name();
-    }
+    const auto [name, command] = chosen(root);
     if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return error.what();
     const std::vector<std::string> rest = root.remaining(true);
     std::string message = error.what();
@@ -66,6 +71,15 @@ std::string usage_error(const CLI::App& root, const CLI::ParseError& error) {
         message = "a command is missing";
     }
     return fmt::format("{} (see {} --help)", message, name);
+}
+
+void refuse_unknown_command(const CLI::App& root) {
+    const auto [name, command] = chosen(root);
+    if (command->get_subcommands({}).empty()) return;
+    for (const std::string& word : root.remaining(true)) {
+        if (word.starts_with("-")) continue;
+        throw InputError(fmt::format("{} (see {} --help)", unexpected(*command, word), name));
+    }
 }
 
 }  // namespace waybreaker::apps

@@ -43,7 +43,7 @@ enum class Rule {
     flowtime,
     ground_makespan,
     before,  // the figures without removal fit together
-    bound,   // not above what the plan reaches, nor what is reached without removals
+    bound,   // not below 0, nor above what the plan reaches, nor what is reached without removals
     gap,
     separation,  // no two ground agents overlap, at any time
     capacity,    // no air agent breaches more obstacles than it may
@@ -68,10 +68,10 @@ struct Violation {
 // of time, what has no time last; nothing if it is valid. Whether there is a better plan, or a plan at all, is not
 // asked. Numbers may be off by `tolerance`, a share of themselves, of 1 if they are smaller, of 1000 if they are
 // larger; places where the air agent breaches by `tolerance` cells, however fast it is. A ground agent of radius 0 may
-// bend at cell corners. Throws InputError if the mission's body or breach times, or the tolerance, are out of range;
-// ids of obstacles that the map has not are judged. Time O(length of the ground paths * radius) plus O(obstacles), and
-// for a team O(points of the paths) for each pair of agents whose ways come near each other; any plan can be judged,
-// however broken.
+// bend at cell corners. Where numbers of the plan are infinite or none, nothing else is judged. Throws InputError if
+// the mission's bodies, times or budget, or the tolerance, are out of range; ids of obstacles that the map has not are
+// judged. Time O(length of the ground paths * radius) plus O(obstacles), and for a team O(points of the paths) for each
+// pair of agents whose ways come near each other; any plan can be judged, however broken.
 std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan, double tolerance = 1e-6);
 
 }  // namespace waybreaker

@@ -1,7 +1,7 @@
 // Flight: the air agent's way from start to goal that breaches every chosen obstacle.
 //
 // An obstacle is breached by visiting a cell of its boundary (Map::boundary). The air agent flies straight, over
-// anything.
+// anything. Precondition of all functions: the ids name obstacles of the map.
 #pragma once
 
 #include <span>

@@ -43,7 +43,7 @@ struct ObstacleAttributes {
 class Map {
   public:
     // Obstacles are the maximal connected sets of blocked cells (contract: 4-connected by default).
-    // Time O(cells / 64 + runs); memory 4.3 bytes a cell.
+    // Time O(cells / 64 + runs); memory 4.3 bytes a cell and 56 an obstacle.
     explicit Map(Grid grid, Connectivity connectivity = Connectivity::four);
 
     // Obstacles are what the label layer says: width * height labels, row by row, 0 = free. Labels may be any numbers;
@@ -59,7 +59,7 @@ class Map {
 
     // All obstacles, in id order: obstacles()[0] has id 1.
     std::span<const Obstacle> obstacles() const { return obstacles_; }
-    // Precondition: 1 <= id.value <= obstacles().size().
+    // Precondition: 1 <= id.value <= obstacles().size(), which builds with assertions check.
     const Obstacle& obstacle(ObstacleId id) const {
         assert(id.value >= 1 && id.value <= obstacles_.size());
         return obstacles_[id.value - 1];
@@ -84,7 +84,7 @@ class Map {
     Map with_weights(std::span<const double> weights) const;
 
     // Cells of the map outside the obstacle and 8-adjacent to one of its cells, in scan order. They may be free or
-    // belong to other obstacles. Time O(bounding box).
+    // belong to other obstacles. Precondition: as of obstacle(id). Time O(bounding box).
     std::vector<Cell> boundary(ObstacleId id) const;
 
   private:
@@ -104,6 +104,8 @@ class OpenedMap {
   public:
     // Precondition: every id names an obstacle of the map; repetitions are allowed.
     explicit OpenedMap(const Map& map, std::span<const ObstacleId> removed = {});
+    // It would look at a map that is gone.
+    explicit OpenedMap(const Map&& map, std::span<const ObstacleId> removed = {}) = delete;
 
     const Map& map() const { return *map_; }
     int width() const { return map_->width(); }

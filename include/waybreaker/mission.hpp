@@ -29,7 +29,7 @@ enum class AtGoal { stay, leave };
 inline constexpr double least_speed = 1e-6;
 inline constexpr double most_speed = 1e6;
 // Of obstacles that an air agent may breach: as many as the rules allow to all of them.
-inline constexpr int any_number = std::numeric_limits<int>::max();
+inline constexpr int any_number = (std::numeric_limits<int>::max)();  // windows.h has a macro max
 
 struct Agent {
     std::string id = {};  // as plans name it

@@ -16,7 +16,7 @@
 
 namespace waybreaker {
 
-// A ground path, the obstacles that it needs open, and who drives and flies.
+// A ground path, the obstacles that it needs open, and who drives and flies: views of what has to outlive the task.
 struct ScheduleTask {
     std::span<const Point> ground_path;  // turning points, at least one; waits happen there
     const Agent& driver;
@@ -40,10 +40,11 @@ struct Schedule {
 
 // The best flight for this ground path: order and breach points minimise the objective, waits included, and of equally
 // good flights the other objective; proven for up to exact_flight_limit obstacles. Breaches all of task.removed, needed
-// or not. Throws InputError for an obstacle that fills the whole map, and for speeds or times out of range.
+// or not. Throws InputError for an obstacle that fills the whole map, for a path without points, and for speeds or
+// times out of range. Precondition, here and below: all ids name obstacles of the map.
 Schedule best_schedule(const Map& map, const ScheduleTask& task);
 
-// The waits and stays that a given flight makes necessary.
+// The waits and stays that a given flight makes necessary. Throws InputError as best_schedule does.
 Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& flight);
 
 }  // namespace waybreaker

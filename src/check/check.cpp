@@ -50,8 +50,13 @@ const Itinerary* only_agent(const Plan& plan, AgentKind kind, Violations& violat
 }
 
 void validate(const Mission& mission, const Terms& terms) {
+    if (!(mission.rules.budget >= 0)) throw InputError("the budget cannot be " + text(mission.rules.budget));
     for (const Agent& agent : mission.agents) {
-        if (agent.kind == AgentKind::ground) validate({terms.rules, agent.body, terms.tolerance});
+        if (agent.kind == AgentKind::air) continue;
+        validate({terms.rules, agent.body, terms.tolerance});
+        if (!(agent.ready_at >= 0 && agent.ready_at <= most_breach_time)) {
+            throw InputError("the " + agent.id + " agent cannot be ready at " + text(agent.ready_at));
+        }
     }
 }
 
@@ -66,12 +71,14 @@ Violations judge_explained(const Mission& mission, const Plan& plan, const Itine
 }
 
 Violations judge(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms) {
+    Violations all = judge_numbers(plan);
+    if (!all.empty()) return all;
     if (mission.is_team()) {
-        Violations all = judge_agents(mission, plan);
+        all = judge_agents(mission, plan);
         if (all.empty()) append(all, judge_team(map, mission, plan, terms));
         return all;
     }
-    Violations all = judge_removals(map, plan, terms);
+    all = judge_removals(map, plan, terms);
     append(all, judge_agents(mission, plan));
     for (const Outcome* outcome : {&plan.before, &plan.after}) {
         for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {

@@ -130,6 +130,9 @@ void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
     const auto objective = [&](const Outcome& outcome) { return value(outcome, terms.rules.objective); };
     const std::optional<double> reached = objective(plan.after);
     judge_bound_below(plan, reached, "what the plan reaches", terms, found);
+    if (plan.bound && *plan.bound < -slack(terms, 0)) {
+        found.push_back({Rule::bound, "the bound, " + text(*plan.bound) + ", is below 0, as no plan is"});
+    }
     judge_least_demolition(plan, found);
     judge_saves(plan, reached, terms, found);
     // To remove nothing is one of the plans that the bound speaks of, unless something must go.
@@ -139,6 +142,11 @@ void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
     if (!plan.gap) return;
     if (!plan.bound || !reached) {
         found.push_back({Rule::gap, "a gap is stated without a bound or a plan"});
+        return;
+    }
+    // Above a bound of 0, only what ends at once has a gap.
+    if (*plan.bound <= 0 && *reached > slack(terms, 0)) {
+        found.push_back({Rule::gap, "a gap is stated to a bound of " + text(*plan.bound) + ", where there is none"});
         return;
     }
     const double gap = *plan.bound > 0 ? *reached / *plan.bound - 1 : 0;

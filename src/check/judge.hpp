@@ -36,8 +36,9 @@ inline double slack(const Terms& terms, double value) {
     constexpr double rounding = 1e-12;
     return terms.tolerance * std::clamp(std::abs(value), 1.0, 1000.0) + rounding * std::abs(value);
 }
+// A sum that overflows agrees with nothing.
 inline bool agree(const Terms& terms, double a, double b) {
-    return std::abs(a - b) <= slack(terms, std::max(std::abs(a), std::abs(b)));
+    return std::isfinite(a) && std::isfinite(b) && std::abs(a - b) <= slack(terms, std::max(std::abs(a), std::abs(b)));
 }
 
 // "12.5", "12.5,3", "obstacle 17"
@@ -52,6 +53,9 @@ inline bool names_obstacle(const Map& map, ObstacleId obstacle) {
 
 // Until when each obstacle stands, by id: for ever, unless it is removed. [0] is the outside of the map.
 std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms& terms);
+
+// That all numbers of the plan are finite. What follows has this as its precondition.
+Violations judge_numbers(const Plan& plan);
 
 // A path from start to goal, in time and at the agent's speed.
 Violations judge_timetable(const Itinerary& agent, const Terms& terms);
@@ -87,7 +91,7 @@ Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itiner
 Violations judge_waits(const Plan& plan, const Itinerary& agent, double ready_at, const Terms& terms);
 Violations judge_gain(const Itinerary& agent, double ready_at, const std::optional<double>& alone, const Terms& terms);
 
-// That the bound is below what is reached, and the gap fits both.
+// That the bound is neither above what is reached nor below 0, and the gap fits both.
 void judge_bound(const Plan& plan, const Terms& terms, Violations& found);
 
 // A ground agent of several. Precondition: its timetable is in order.

@@ -59,7 +59,7 @@ class TeamJudge {
             const auto agent = agents_.find(breach.by);
             if (agent == agents_.end() || agent->second->kind != AgentKind::air) {
                 fault(Rule::breach, what + " is breached by '" + breach.by + "', which is no air agent of the mission");
-            } else if (++count[breach.by] == agent->second->breaches + 1LL) {
+            } else if (++count[breach.by] == std::max(agent->second->breaches, 0) + 1LL) {
                 fault(Rule::capacity, "the " + breach.by + " agent breaches more than " +
                                           std::to_string(agent->second->breaches) + " obstacles");
             }

@@ -159,6 +159,14 @@ TEST(Layout, NoPathOfAnybodysMachine) {
                   });
 }
 
+TEST(Layout, TheCitationIsOfThisVersion) {
+    static const std::regex cited(R"(\nversion: (\S+)\n)");
+    static const std::regex built(R"(\bproject\(waybreaker VERSION (\S+) )");
+    const std::vector<std::string> version = matches(read(project / "CITATION.cff"), cited);
+    ASSERT_EQ(version.size(), 1U);
+    EXPECT_EQ(version, matches(read(project / "CMakeLists.txt"), built));
+}
+
 // The checks above find what they are for.
 class ForbiddenUses : public testing::Test {
   protected:

@@ -2,12 +2,20 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <concepts>
 
 #include "ascii_map.hpp"
 #include "random_map.hpp"
 
 namespace waybreaker {
 namespace {
+
+// A map that is gone when the line ends cannot be looked at.
+static_assert(std::constructible_from<OpenedMap, const Map&>);
+static_assert(std::constructible_from<OpenedMap, Map&, std::vector<ObstacleId>>);
+static_assert(!std::constructible_from<OpenedMap, Map>);
+static_assert(!std::constructible_from<OpenedMap, const Map>);
+static_assert(!std::constructible_from<OpenedMap, Map, std::vector<ObstacleId>>);
 
 bool bit(const std::uint64_t* line, int position) {
     return ((line[(position + 1) / 64] >> ((position + 1) % 64)) & 1U) != 0;

@@ -56,6 +56,12 @@ TEST(Waits, NeedSpeedsAndTimesInRange) {
     EXPECT_THROW(best_schedule(two_walls(), task(wrong)), InputError);
 }
 
+TEST(Waits, NeedAPath) {
+    const std::vector<Point> nowhere;
+    EXPECT_THROW(best_schedule(two_walls(), task(mission, nowhere)), InputError);
+    EXPECT_THROW(schedule_of(two_walls(), task(mission, nowhere), in_order), InputError);
+}
+
 TEST(Waits, AreAtTheLastTurnBeforeTheObstacle) {
     Mission slow = mission;
     slow.agents[1].speed = 0.5;
