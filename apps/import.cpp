@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -14,6 +13,7 @@
 #include "io/output_file.hpp"
 #include "mapfile/map_info.hpp"
 #include "named_files.hpp"
+#include "note.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 #include "site/obstacle_kinds.hpp"
@@ -91,15 +91,10 @@ const char* things_of(const ImportOptions& options) {
 
 // Warns that cells outside the source's data count as free, and of what the import noticed.
 void warn_of_gaps(const ImportOptions& options, double covered, const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) {
-        std::fputs(fmt::format("waybreaker: note: {}: {}\n", options.source, note).c_str(), stderr);
-    }
+    for (const std::string& noticed : notes) note(options.source, noticed);
     const double percent = 100 * covered;
     if (percent >= 99.5) return;
-    std::fputs(fmt::format("waybreaker: warning: {} covers only {:.2g} % of the window; the rest is free on the map\n",
-                           options.source, percent)
-                   .c_str(),
-               stderr);
+    warn(fmt::format("{} covers only {:.2g} % of the window; the rest is free on the map", options.source, percent));
 }
 
 void import_one(const ImportOptions& options) {

@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "experiment/terrain.hpp"
+#include "format_losses.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_info.hpp"
@@ -30,9 +31,7 @@ void run(const MapGenerateOptions& options) {
     const io::MapFile file{.map = make_terrain(options.terrain, options.terrain_options)};
     const mapfile::WrittenMap written = mapfile::write_map(file, options.output);
     for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
-    for (const std::string& loss : written.losses) {
-        std::fputs(fmt::format("waybreaker: note: {}: {}\n", options.output, loss).c_str(), stderr);
-    }
+    report_losses(options.output, written.losses);
     if (options.output == "-") return;
     io::write_whole(
         "-", fmt::format("{}: {} x {} cells, {} obstacles, {:.1f} % blocked\n", options.output, file.map.width(),

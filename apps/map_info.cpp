@@ -113,6 +113,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
         text += line("start", fmt::format("{},{}", file.task->start->x, file.task->start->y));
     if (file.task && file.task->goal)
         text += line("goal", fmt::format("{},{}", file.task->goal->x, file.task->goal->y));
+    if (file.task && !file.task->agents.empty()) text += line("agents", fmt::format("{}", file.task->agents.size()));
     for (const std::string& note : file.notes) text += line("note", note);
     return text + line("source", file.attribution) + line("digest", file.digest);
 }

@@ -9,6 +9,7 @@
 
 #include "core/range.hpp"
 #include "io/excerpt.hpp"
+#include "io/option_words.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -224,6 +225,9 @@ void add_image_reading(CLI::App& app, io::ImageReading& value) {
         "Of maps that are images: cells at least so dark, or of a ROS map so occupied, are blocked (default: 0.5 of "
         "images, 1 of ROS maps)");
     app.add_flag("--unknown-free", value.unknown_free, "Of ROS maps: cells of unknown occupancy are free");
+    add_choice(app, "--nav2", io::nav2_words, value.nav2,
+               "Of ROS maps: read the image as nav2 does since May 2025 (Jazzy and later), or as it did before "
+               "(default: jazzy)");
 }
 
 std::vector<std::string> words_of(const CLI::Option& option) {

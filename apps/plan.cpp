@@ -16,6 +16,7 @@
 #include "io/plan_json.hpp"
 #include "io/search_trace.hpp"
 #include "mapfile/map_reader.hpp"
+#include "places.hpp"
 #include "plan_html.hpp"
 #include "plan_options.hpp"
 #include "plan_table.hpp"
@@ -165,12 +166,13 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
                                   out_of_time ? " or more time" : ""));
 }
 
-void require_plan(const Plan& plan, const Mission& mission, const Limits& limits) {
+void require_plan(const Plan& plan, const Mission& mission, const Limits& limits, const PlanOptions& options,
+                  const io::MapFile& map) {
     if (plan.status == PlanStatus::solved) return;
     if (mission.is_team()) report_no_team_plan(plan, mission);
     const Agent& driver = mission.first(AgentKind::ground);
     const std::string way =
-        fmt::format("from {},{} to {},{}", driver.start.x, driver.start.y, driver.goal.x, driver.goal.y);
+        fmt::format("from {} to {}", place_text(driver.start, options, map), place_text(driver.goal, options, map));
     if (plan.status == PlanStatus::limit_reached) {
         if (limits.expansions == UINT64_MAX) {
             throw NoPlanFound(fmt::format("no plan {} was found in time; raise --time-limit", way));
@@ -221,11 +223,13 @@ void run(const PlanOptions& options) {
     if (!options.save_mission.empty()) outputs.emplace_back(options.save_mission, io::mission_text(asked));
     const Deadline deadline(asked.limits.seconds - since_start.seconds());
     validate(search_options(asked.method, asked.mission.ground_body()));
+    const std::string file_at_fault = io::input_name(options.mission.empty() ? options.map : options.mission);
     try {
         validate(file.map, asked.mission, asked.method, asked.limits);
+    } catch (const PlaceError& error) {
+        throw InputError(file_at_fault, 0, why_misplaced(error.misplaced, options, file));
     } catch (const InputError& error) {
-        const std::string& file_at_fault = options.mission.empty() ? options.map : options.mission;
-        throw InputError(io::input_name(file_at_fault), 0, error.what());
+        throw InputError(file_at_fault, 0, error.what());
     }
     asked.limits.seconds = time_left(deadline);
     if (!options.html.empty() && asked.mission.is_team()) asked.limits.seconds *= share_of_team;
@@ -245,7 +249,7 @@ void run(const PlanOptions& options) {
                                   .area_budget = asked.area_budget,
                                   .in_seconds = asked.in_seconds};
     write_outputs(std::move(outputs), options, context, plan, asked.limits, deadline);
-    require_plan(plan, asked.mission, asked.limits);
+    require_plan(plan, asked.mission, asked.limits, options, file);
 }
 
 }  // namespace

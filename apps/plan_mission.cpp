@@ -9,6 +9,7 @@
 #include "core/range.hpp"
 #include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
+#include "note.hpp"
 #include "plan_options.hpp"
 #include "team_options.hpp"
 #include "waybreaker/error.hpp"
@@ -55,8 +56,8 @@ double radius_of(const Measure& radius, const io::MapFile& map) {
 
 void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mission) {
     const Places places = places_of(options, map);
-    validate_sources_of_agents(options);
-    if (!options.agents.empty()) mission.agents = team_of(options, map.map, {places.air_start, places.air_goal});
+    validate_sources_of_agents(options, map);
+    if (lists_agents(options, map)) mission.agents = team_of(options, map, {places.air_start, places.air_goal});
     const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
                               const char* option) {
         if (given) return *given;
@@ -69,7 +70,7 @@ void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mis
         if (map.task) mission.agents.front().body = map.task->search.body;
         share_out_flight(options, mission);
     }
-    validate_team_options(options, mission);
+    validate_team_options(options, map, mission);
     for (Agent& agent : mission.agents) {
         const bool flies = agent.kind == AgentKind::air;
         agent.start = places.start.value_or(agent.start);
@@ -168,7 +169,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     result.map.clear();  // it is for the map given
     Mission& mission = result.mission;
     Method& method = result.method;
-    const bool from_map = map.task && options.mission.empty() && options.agents.empty();
+    const bool from_map = map.task && options.mission.empty() && !lists_agents(options, map);
     set_agents(options, map, mission);
     set_clock(options, map, result);
     set_rules(options, map, mission.rules);
@@ -198,6 +199,11 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
             "drop it, or the option that contradicts it");
     }
     method.planner = planner;
+    const bool by_steps =
+        planner == Planner::astar || planner == Planner::jps || planner == Planner::dijkstra || planner == Planner::bfs;
+    if (from_map && map.task->smoothing && by_steps) {
+        note(map.source, "its <postsmoothing> is not heeded; --planner theta or optimal makes straight paths");
+    }
     return result;
 }
 

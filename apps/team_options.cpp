@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "authors/agents_xml.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
 #include "measure.hpp"
+#include "note.hpp"
 #include "option.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
@@ -14,36 +16,72 @@
 namespace waybreaker::apps {
 namespace {
 
-constexpr std::size_t max_scenario_bytes = std::size_t{1} << 26U;
+constexpr std::size_t max_agents_bytes = std::size_t{1} << 26U;
+
+// How many of those that a file holds are asked for.
+std::size_t count_of(const PlanOptions& options, std::size_t held, const std::string& name, const char* what) {
+    const std::size_t count = std::size_t(options.count.value_or(int(std::min(held, most_agents))));
+    if (held == 0) throw InputError(name, 0, fmt::format("holds no {}", what));
+    if (count > held) throw InputError(name, 0, fmt::format("has {} {}; give a smaller --count", held, what));
+    return count;
+}
+
+// The name of a map without folders and without what says its format: maps are converted.
+std::string stem_of(const std::string& map) {
+    const std::string name = map.substr(map.find_last_of("/\\") + 1);
+    return name.substr(0, name.rfind('.'));
+}
 
 // The first lines of a scenario file, named by their numbers.
-std::vector<Agent> scenario_agents(const PlanOptions& options, const Map& map) {
-    const std::string text = io::read_whole(options.agents, max_scenario_bytes);
-    std::vector<Scenario> scenarios = read_movingai_scenarios(text, io::input_name(options.agents));
-    const std::size_t count = std::size_t(options.count.value_or(int(std::min(scenarios.size(), most_agents))));
-    if (scenarios.empty()) throw InputError(io::input_name(options.agents), 0, "holds no scenarios");
-    if (count > scenarios.size()) {
-        throw InputError(io::input_name(options.agents), 0,
-                         fmt::format("has {} scenarios; give a smaller --count", scenarios.size()));
-    }
-    std::vector<Agent> agents(count);
-    for (std::size_t i = 0; i < count; ++i) {
+std::vector<Agent> scenario_agents(const PlanOptions& options, const std::string& text, const io::MapFile& file) {
+    const Map& map = file.map;
+    const std::string name = io::input_name(options.agents);
+    const std::vector<Scenario> scenarios = read_movingai_scenarios(text, name);
+    std::vector<Agent> agents(count_of(options, scenarios.size(), name, "scenarios"));
+    std::optional<std::string> other;  // map that one of them is for
+    for (std::size_t i = 0; i < agents.size(); ++i) {
         if (scenarios[i].width != map.width() || scenarios[i].height != map.height()) {
-            throw InputError(io::input_name(options.agents), 0,
+            throw InputError(name, 0,
                              fmt::format("is for a map of {} x {} cells, not {} x {}", scenarios[i].width,
                                          scenarios[i].height, map.width(), map.height()));
         }
+        if (stem_of(scenarios[i].map) != stem_of(file.source)) other = other.value_or(scenarios[i].map);
         agents[i].id = std::to_string(i + 1);
         agents[i].start = scenarios[i].start;
         agents[i].goal = scenarios[i].goal;
     }
+    if (other && !io::is_standard_input(options.map)) {
+        warn(fmt::format("{} is for {}, and the map is {}", name, shown(*other), file.source));
+    }
     return agents;
+}
+
+// The first of those that an XML task lists: the map's own, or one beside it.
+std::vector<Agent> xml_agents(const PlanOptions& options, authors::XmlAgents listed, const std::string& name) {
+    if (listed.turn) note(name, "headings and speeds of rotation are not heeded: agents turn at once");
+    listed.agents.resize(count_of(options, listed.agents.size(), name, "agents"));
+    return std::move(listed.agents);
+}
+
+std::vector<Agent> ground_agents(const PlanOptions& options, const io::MapFile& map) {
+    if (options.agents.empty()) {
+        return xml_agents(options, {map.task->agents, map.task->agents_turn}, io::input_name(options.map));
+    }
+    const std::string text = io::read_whole(options.agents, max_agents_bytes);
+    if (!authors::is_xml(text)) return scenario_agents(options, text, map);
+    const std::string name = io::input_name(options.agents);
+    return xml_agents(options, authors::parse_agents_xml(text, name), name);
 }
 
 }  // namespace
 
-std::vector<Agent> team_of(const PlanOptions& options, const Map& map, const Base& base) {
-    std::vector<Agent> agents = scenario_agents(options, map);
+bool lists_agents(const PlanOptions& options, const io::MapFile& map) {
+    const bool places = options.start || options.goal || !options.mission.empty();
+    return !options.agents.empty() || (!places && map.task && !map.task->agents.empty());
+}
+
+std::vector<Agent> team_of(const PlanOptions& options, const io::MapFile& map, const Base& base) {
+    std::vector<Agent> agents = ground_agents(options, map);
     // One base for all aircraft.
     const Cell start = base.start.value_or(agents.front().start);
     for (int i = 0; i < options.aircraft.value_or(0); ++i) {
@@ -69,9 +107,9 @@ void share_out_flight(const PlanOptions& options, Mission& mission) {
     }
 }
 
-void validate_sources_of_agents(const PlanOptions& options) {
+void validate_sources_of_agents(const PlanOptions& options, const io::MapFile& map) {
     if (options.agents.empty()) {
-        if (options.count) throw InputError("--count is for --agents FILE");
+        if (options.count && !lists_agents(options, map)) throw InputError("--count is for --agents FILE");
         if (options.aircraft && !options.mission.empty()) {
             throw InputError("--aircraft and --mission both say who flies; list the aircraft in the mission file");
         }
@@ -81,7 +119,7 @@ void validate_sources_of_agents(const PlanOptions& options) {
     if (options.breaches && !options.aircraft) throw InputError("--breaches is for --aircraft N");
 }
 
-void validate_team_options(const PlanOptions& options, const Mission& mission) {
+void validate_team_options(const PlanOptions& options, const io::MapFile& map, const Mission& mission) {
     if (!mission.is_team()) return;
     const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
     if (ways) {
@@ -96,7 +134,7 @@ void validate_team_options(const PlanOptions& options, const Mission& mission) {
             "-n, --budget and --weights need somebody who removes: add --aircraft N, or in a mission file an agent of "
             "kind air, or drop them");
     }
-    const bool have_places = !options.agents.empty() || !options.mission.empty();
+    const bool have_places = lists_agents(options, map) || !options.mission.empty();
     const bool elsewhere = (options.air_start || options.air_goal) && !options.aircraft;
     if (have_places && (options.start || options.goal || elsewhere)) {
         throw InputError(
@@ -106,7 +144,8 @@ void validate_team_options(const PlanOptions& options, const Mission& mission) {
 
 void add_team_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--agents", options.agents,
-             "Plan for several ground agents: the lines of a MovingAI scenario file");
+             "Plan for several ground agents: the lines of a MovingAI scenario file, or the agents of an XML task of "
+             "AA-SIPP(m) or CCBS (default: those of the map's own file, if it lists any)");
     add_count(
         command, "--count", [&options](std::int64_t n) { options.count = int(n); }, 1, most_agents,
         "Only so many of them, the first ones (default: all)");

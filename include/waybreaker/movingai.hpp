@@ -3,8 +3,10 @@
 //     std::ifstream in("Berlin_0_512.map");
 //     Map map(read_movingai_map(in, "Berlin_0_512.map"));
 //
-// Terrain: `.` and `G` (ground) and `S` (swamp) are passable, everything else is blocked. Lines end in LF or CRLF.
-// A scenario file may lack its `version` line; columns are separated by tabs or spaces.
+// Terrain: `.` and `G` (ground), `S` (swamp; in warehouses of the League of Robot Runners a service point) and `E`
+// (there an emitter point) are passable, everything else is blocked. Lines end in LF or CRLF, perhaps after blanks. A
+// scenario file may lack its `version` line; columns are separated by tabs or spaces, and between tabs the map's name
+// may hold blanks.
 #pragma once
 
 #include <istream>

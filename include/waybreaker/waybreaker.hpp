@@ -13,6 +13,7 @@
 #include "waybreaker/method.hpp"         // IWYU pragma: export
 #include "waybreaker/mission.hpp"        // IWYU pragma: export
 #include "waybreaker/movingai.hpp"       // IWYU pragma: export
+#include "waybreaker/place_error.hpp"    // IWYU pragma: export
 #include "waybreaker/plan.hpp"           // IWYU pragma: export
 #include "waybreaker/planner.hpp"        // IWYU pragma: export
 #include "waybreaker/safe_interval.hpp"  // IWYU pragma: export

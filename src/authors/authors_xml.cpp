@@ -6,28 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "authors/agents_xml.hpp"
 #include "authors/authors_xml_words.hpp"
-#include "authors/xml_element.hpp"
-#include "core/in_quotes.hpp"
-#include "core/number.hpp"
+#include "authors/xml_values.hpp"
 
 namespace waybreaker::authors {
 namespace {
 
 using Element = XmlFile::Element;
-
-std::string described(const Element& element) {
-    return std::string(element.tag()).append(" is ").append(in_quotes(element.trimmed_text()));
-}
-
-int whole_number_of(const Element& element, int least, int most) {
-    const std::optional<int> value = number<int>(element.trimmed_text());
-    if (!value || *value < least || *value > most) {
-        throw element.error(described(element) + ", but must be a number from " + std::to_string(least) + " to " +
-                            std::to_string(most));
-    }
-    return *value;
-}
 
 double positive_number_of(const Element& element) {
     const std::optional<double> value = number<double>(element.trimmed_text());
@@ -67,6 +53,15 @@ std::vector<Element> checked_rows(const Element& grid, int width, int height) {
         }
     }
     return rows;
+}
+
+// A side of the map: an element of <map>, or as AA-SIPP(m) has it an attribute of <grid>.
+int side_of(const Element& map, const char* name) {
+    if (!map.find(name)) {
+        const auto attribute = map.get("grid").attribute(name);
+        if (attribute) return whole_number_of(*attribute, 1, max_side);
+    }
+    return whole_number_of(map.get(name), 1, max_side);
 }
 
 Grid read_grid(const Element& map, int width, int height) {
@@ -132,16 +127,27 @@ SearchOptions read_algorithm(const Element& algorithm) {
 
 AuthorsXml parse_authors_xml(std::string_view bytes, const std::string& name) {
     const XmlFile file(bytes, name);
-    const Element map = file.root().get("map");
-    const int width = whole_number_of(map.get("width"), 1, max_side);
-    const int height = whole_number_of(map.get("height"), 1, max_side);
+    const std::optional<Element> found = file.root().find("map");
+    if (!found) throw no_map(file.root());
+    const Element& map = *found;
+    const int width = side_of(map, "width");
+    const int height = side_of(map, "height");
     AuthorsXml result{read_grid(map, width, height), {}};
     io::MapTask& task = result.task;
     if (const auto title = map.find("title")) task.title = title->trimmed_text();
     if (const auto cell_size = map.find("cellsize")) task.cell_size = positive_number_of(*cell_size);
-    task.start = read_cell(map, "startx", "starty", result.grid);
-    task.goal = read_cell(map, "finishx", "finishy", result.grid);
-    if (const auto algorithm = file.root().find("algorithm")) task.search = read_algorithm(*algorithm);
+    XmlAgents agents = agents_of(file.root());
+    if (agents.agents.empty()) {
+        task.start = read_cell(map, "startx", "starty", result.grid);
+        task.goal = read_cell(map, "finishx", "finishy", result.grid);
+    }
+    task.agents = std::move(agents.agents);
+    task.agents_turn = agents.turn;
+    if (const auto algorithm = file.root().find("algorithm")) {
+        task.search = read_algorithm(*algorithm);
+        // The authors' program smooths no path of Theta*.
+        task.smoothing = flag(*algorithm, "postsmoothing", false) && task.search.planner != Planner::theta;
+    }
     return result;
 }
 

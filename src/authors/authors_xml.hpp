@@ -7,9 +7,11 @@
 //       <algorithm> <searchtype>theta</searchtype> <hweight>1</hweight> </algorithm>
 //     </root>
 //
-// 1 is a blocked cell. Only width, height and grid must be there. As in the authors' program, tags may be written in
-// any case, unknown tags are passed over, and search options that are missing or unknown get their defaults: a
-// searchtype that waybreaker does not have (`lian`, say) means theta, a breakingties other than g-min means g-max.
+// 1 is a blocked cell. Only width, height and grid must be there; tasks of AA-SIPP(m) have width and height as
+// attributes of <grid>, and agents in place of the start and the goal (agents_xml.hpp). As in the authors' program,
+// tags may be written in any case, unknown tags are passed over, and search options that are missing or unknown get
+// their defaults: a searchtype that waybreaker does not have (`lian`, say) means theta, a breakingties other than g-min
+// means g-max.
 #pragma once
 
 #include <string>

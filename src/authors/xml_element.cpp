@@ -47,10 +47,19 @@ std::string_view XmlFile::Element::trimmed_text() const {
     return all.substr(first, all.find_last_not_of(white_space) - first + 1);
 }
 
+bool XmlFile::Element::is(std::string_view tag) const {
+    return same_tag(node_.name(), tag);
+}
+
+std::optional<XmlFile::Attribute> XmlFile::Element::attribute(const char* name) const {
+    const pugi::xml_attribute found = node_.attribute(name);
+    return found ? std::optional(Attribute{*this, found.name(), found.value()}) : std::nullopt;
+}
+
 std::optional<XmlFile::Element> XmlFile::Element::find(std::string_view tag) const {
     std::optional<Element> found;
     for_each_child([&](Element child) {
-        if (!same_tag(child.tag(), tag)) return;
+        if (!child.is(tag)) return;
         if (found) throw child.error("<" + std::string(tag) + "> is given twice");
         found = child;
     });
@@ -61,6 +70,13 @@ XmlFile::Element XmlFile::Element::get(std::string_view tag) const {
     const std::optional<Element> found = find(tag);
     if (!found) throw error("<" + std::string(tag) + "> is missing in " + in_quotes(node_.name()));
     return *found;
+}
+
+bool is_xml(std::string_view bytes) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '<';
 }
 
 }  // namespace waybreaker::authors

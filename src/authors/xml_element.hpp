@@ -17,6 +17,7 @@ class XmlFile {
     XmlFile(std::string_view bytes, const std::string& name);
 
     class Element;
+    struct Attribute;
     Element root() const;
 
   private:
@@ -40,6 +41,9 @@ class XmlFile::Element {
     std::optional<Element> find(std::string_view tag) const;
     // The same; throws if there is none.
     Element get(std::string_view tag) const;
+    // Whether that is its tag (lower case).
+    bool is(std::string_view tag) const;
+    std::optional<Attribute> attribute(const char* name) const;
     // All elements within, whatever their tags.
     template <class Visit>
     void for_each_child(Visit visit) const {
@@ -55,5 +59,19 @@ class XmlFile::Element {
     const XmlFile* file_;
     pugi::xml_node node_;
 };
+
+struct XmlFile::Attribute {
+    Element of;
+    const char* name;
+    std::string_view value;
+
+    const char* tag() const { return name; }
+    std::string_view trimmed_text() const { return value; }
+    // That names the line of the element.
+    InputError error(const std::string& message) const { return of.error(message); }
+};
+
+// Whether bytes begin as XML does.
+bool is_xml(std::string_view bytes);
 
 }  // namespace waybreaker::authors

@@ -5,27 +5,27 @@
 
 namespace waybreaker::experiment {
 
-void Estimator::add(std::size_t map, double value) {
-    maps_[map].sum += value;
-    ++maps_[map].count;
+void Estimator::add(std::size_t place, double value) {
+    places_[place].sum += value;
+    ++places_[place].count;
 }
 
 Estimate Estimator::estimate() const {
     Estimate result;
     double sum = 0;
     std::size_t clusters = 0;
-    for (const OfMap& map : maps_) {
-        sum += map.sum;
-        result.count += map.count;
-        clusters += map.count > 0 ? 1 : 0;
+    for (const OfPlace& place : places_) {
+        sum += place.sum;
+        result.count += place.count;
+        clusters += place.count > 0 ? 1 : 0;
     }
     if (result.count == 0) return result;
     const double n = double(result.count);
     result.mean = result.low = result.high = sum / n;
     if (clusters < 2) return result;
     double squares = 0;
-    for (const OfMap& map : maps_) {
-        const double residual = map.sum - double(map.count) * result.mean;
+    for (const OfPlace& place : places_) {
+        const double residual = place.sum - double(place.count) * result.mean;
         squares += residual * residual;
     }
     const double g = double(clusters);

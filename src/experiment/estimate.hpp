@@ -8,25 +8,26 @@ namespace waybreaker::experiment {
 
 struct Estimate {
     double mean = 0;
-    double low = 0;  // low = high = mean where the interval is unknown: fewer than two maps
+    double low = 0;  // low = high = mean where the interval is unknown: fewer than two places
     double high = 0;
     std::size_t count = 0;  // of missions
 };
 
-// Missions on one map are correlated, maps are independent: the variance is that of the maps' sums (the cluster-robust
-// variance of a mean), the interval Student's with one degree of freedom fewer than there are maps.
+// Missions in one place (places.hpp) are correlated, places are independent: the variance is that of the places' sums
+// (the cluster-robust variance of a mean), the interval Student's with one degree of freedom fewer than there are
+// places.
 class Estimator {
   public:
-    explicit Estimator(std::size_t maps) : maps_(maps) {}
-    void add(std::size_t map, double value);
+    explicit Estimator(std::size_t places) : places_(places) {}
+    void add(std::size_t place, double value);
     Estimate estimate() const;
 
   private:
-    struct OfMap {
+    struct OfPlace {
         double sum = 0;
         std::size_t count = 0;
     };
-    std::vector<OfMap> maps_;
+    std::vector<OfPlace> places_;
 };
 
 // Half the width of a 95 % interval in standard errors. Precondition: degrees > 0.

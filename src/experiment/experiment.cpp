@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "experiment/document.hpp"
+#include "experiment/places.hpp"
 #include "experiment/spec.hpp"
 #include "io/map_file.hpp"
 #include "io/mission_json.hpp"
@@ -138,11 +139,13 @@ Experiment read_experiment(const std::string& spec_path) {
     Spec spec = parse_spec(experiment.spec, spec_path);
     experiment.name = std::move(spec.name);
     experiment.time_limit = spec.time_limit;
+    experiment.places = std::move(spec.places);
     experiment.configurations = std::move(spec.configurations);
     MissionReader missions(experiment);
     for (const std::string& file : spec.missions) missions.add((fs::path(spec_path).parent_path() / file).string());
     if (experiment.missions.empty()) throw InputError(spec_path, 0, "its files hold no mission");
     require_plannable(experiment, spec_path);
+    places_of(experiment, spec_path);
     experiment.digest = mapfile::sha256_digest(canonical(experiment));
     return experiment;
 }

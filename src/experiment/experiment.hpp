@@ -3,6 +3,7 @@
 //     name = "The paper's section 4"
 //     missions = ["cities.scen"]     # MovingAI scenario files, or lines of mission documents; they name their maps
 //     time_limit = 60                # seconds for one mission; this is the default
+//     places = ["berlin-*"]          # maps that show one place; * stands for any text
 //
 //     [[run]]                        # as often as one likes; lists are multiplied
 //     methods = ["paper"]            # paper, exact, greedy, none
@@ -60,6 +61,7 @@ struct Experiment {
     std::string name;
     std::string spec;  // its text
     double time_limit = 60;
+    std::vector<std::string> places;  // patterns of map names: maps that one fits are of one place (places.hpp)
     std::vector<std::string> sets;
     std::vector<ExperimentMap> maps;
     std::vector<ExperimentMission> missions;

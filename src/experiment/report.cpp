@@ -74,9 +74,13 @@ std::string opening(const Summary& summary) {
     html += "<p>";
     if (all.missions > 0) {
         html += fmt::format(
-            "{} missions{}; every mean is over the {} of them, on {} maps, that all methods solved and that have a way "
+            "{} missions{}; every mean is over the {} of them, on {} maps{}, that all methods solved and that have a "
+            "way "
             "without removal. ",
-            all.missions, summary.teams.missions > 0 ? " of one vehicle and one aircraft" : "", all.compared, all.maps);
+            all.missions, summary.teams.missions > 0 ? " of one vehicle and one aircraft" : "", all.compared, all.maps,
+            all.places == all.maps ? ""
+            : all.places == 1      ? " of one place"
+                                   : fmt::format(" of {} places", all.places));
     }
     if (const TeamSummary& teams = summary.teams; teams.missions > 0) {
         html += fmt::format(
@@ -84,7 +88,8 @@ std::string opening(const Summary& summary) {
             teams.missions, teams.compared);
     }
     html +=
-        "&#177; is half of a 95 % confidence interval, which allows for missions of one map being alike.</p>\n"
+        "&#177; is half of a 95 % confidence interval, which allows for missions of one map, or of one place that the "
+        "spec names, being alike.</p>\n"
         "<p>Results:";
     for (const auto& [status, count] : summary.statuses) html += fmt::format(" {} {};", count, escaped(status));
     html += fmt::format(" {} missing. waybreaker {}, experiment <code>{}</code>.</p>\n", summary.missing,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "experiment/spec.hpp"
 #include "experiment/words.hpp"
 #include "io/mission_json.hpp"
 #include "waybreaker/error.hpp"
@@ -86,6 +87,7 @@ void Results::read() {
     SQLite::Database& sql = database_.sql();
     experiment_.name = property("name");
     experiment_.spec = property("spec");
+    experiment_.places = parse_spec(experiment_.spec, path() + ", its spec").places;
     experiment_.digest = property("digest");
     version_ = property("version");
     shard_ = {std::uint32_t(number("shard")), std::uint32_t(number("shards"))};

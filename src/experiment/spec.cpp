@@ -155,7 +155,7 @@ toml::table parse(std::string_view text, const std::string& name) {
 Spec parse_spec(std::string_view text, const std::string& name) {
     const toml::table file = parse(text, name);
     const Reader reader(name);
-    reader.allow_only(file, {"name", "missions", "time_limit", "run"});
+    reader.allow_only(file, {"name", "missions", "time_limit", "places", "run"});
     Spec spec;
     if (const toml::node* node = file.get("name")) spec.name = reader.text(*node, "'name'");
     for (const toml::node* node : reader.items(file, "missions")) {
@@ -165,6 +165,9 @@ Spec parse_spec(std::string_view text, const std::string& name) {
         throw InputError(name, 0, "'missions' is missing: a list of scenario files or files of mission documents");
     if (const toml::node* node = file.get("time_limit")) {
         spec.time_limit = reader.number(*node, "'time_limit'", 0.001, longest_time);
+    }
+    for (const toml::node* node : reader.items(file, "places")) {
+        spec.places.push_back(reader.text(*node, "a place, a pattern of the names of its maps,"));
     }
     const auto runs = reader.items(file, "run");
     if (runs.empty()) throw InputError(name, 0, "it has no [[run]]: say which methods with how many removals");

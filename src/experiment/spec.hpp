@@ -13,6 +13,7 @@ struct Spec {
     std::string name;
     std::vector<std::string> missions;  // files as written
     double time_limit = 60;
+    std::vector<std::string> places;            // patterns of map names
     std::vector<Configuration> configurations;  // in the order of the file, each once
 };
 

@@ -89,7 +89,11 @@ void insert_mission(SQLite::Statement& statement, std::size_t number, const Expe
 
 Store::Store(const std::string& path, const Experiment& experiment, Shard shard, const std::string& version)
     : experiment_(experiment), shard_(shard), database_(path, Access::create) {
-    database_.guarded([&] { database_.is_new() ? begin(version) : require_same(version); });
+    database_.guarded([&] {
+        if (database_.is_new()) return begin(version);
+        require_same(version);
+        keep_spec();
+    });
 }
 
 void Store::begin(const std::string& version) {
@@ -145,6 +149,19 @@ void Store::require_same(const std::string& version) {
     if (held != wanted) {
         throw InputError(path(), 0, fmt::format("holds shard {}, not {}: give each shard its own file", held, wanted));
     }
+}
+
+// The report's part of the spec (name, places) may have changed.
+void Store::keep_spec() {
+    SQLite::Statement update(database_.sql(), "UPDATE experiment SET value = ? WHERE key = ? AND value != ?1");
+    const auto keep = [&update](const char* key, const std::string& value) {
+        update.bind(1, value);
+        update.bind(2, key);
+        update.exec();
+        update.reset();
+    };
+    keep("name", experiment_.name);
+    keep("spec", experiment_.spec);
 }
 
 std::string Store::property(const char* key) {

@@ -40,6 +40,7 @@ class Store {
   private:
     void begin(const std::string& version);
     void require_same(const std::string& version);
+    void keep_spec();
     std::string property(const char* key);
 
     const Experiment& experiment_;

@@ -11,7 +11,7 @@ namespace {
 using MissionResults = std::span<const std::optional<Result>>;
 using Values = std::array<std::optional<double>, measure_count>;
 
-std::optional<double> percent(const std::optional<double>& value, double of) {
+std::optional<double> percent_of(const std::optional<double>& value, double of) {
     return value ? std::optional(100 * *value / of) : std::nullopt;
 }
 
@@ -22,14 +22,14 @@ Values values(const Stage& stage, double straight) {
     values[std::size_t(Measure::path_a)] = stage.ground;
     values[std::size_t(Measure::path_b)] = stage.air;
     values[std::size_t(Measure::flowtime)] = stage.flowtime;
-    values[std::size_t(Measure::makespan)] = percent(stage.makespan, straight);
+    values[std::size_t(Measure::makespan)] = percent_of(stage.makespan, straight);
     return values;
 }
 
 Values values(const Result& result, double straight) {
     Values values = experiment::values(result.after, straight);
     values[std::size_t(Measure::total_ms)] = 1000 * result.seconds;
-    values[std::size_t(Measure::bound)] = percent(result.bound, straight);
+    values[std::size_t(Measure::bound)] = percent_of(result.bound, straight);
     return values;
 }
 
@@ -50,27 +50,25 @@ std::string name_of(const Configuration& one, bool weights_differ) {
 // Adds up the missions of one set, or of all.
 class Collector {
   public:
-    Collector(const Experiment& experiment, std::string name) : experiment_(experiment), name_(std::move(name)) {
+    Collector(const Experiment& experiment, const Places& places, std::string name)
+        : experiment_(experiment), places_(places), name_(std::move(name)) {
         std::set<double> weights;
         for (const Configuration& one : experiment.configurations) {
             weights.insert(one.weight);
             most_ = std::max(most_, std::size_t(one.removals));
         }
         for (const Configuration& one : experiment.configurations) {
-            const std::size_t place = std::size_t(std::ranges::find_if(series_,
-                                                                       [&](const Configuration& other) {
-                                                                           return other.method == one.method &&
-                                                                                  other.planner == one.planner &&
-                                                                                  other.weight == one.weight;
-                                                                       }) -
-                                                  series_.begin());
-            if (place == series_.size()) {
+            const auto same = [&](const Configuration& other) {
+                return other.method == one.method && other.planner == one.planner && other.weight == one.weight;
+            };
+            const std::size_t series = std::size_t(std::ranges::find_if(series_, same) - series_.begin());
+            if (series == series_.size()) {
                 series_.push_back(one);
                 names_.push_back(name_of(one, weights.size() > 1));
             }
-            place_.push_back(place);
+            series_of_.push_back(series);
         }
-        const Estimators none(measure_count, Estimator(experiment.maps.size()));
+        const Estimators none(measure_count, Estimator(places.count));
         estimators_.assign(series_.size(), std::vector<Estimators>(most_ + 1, none));
     }
 
@@ -80,29 +78,31 @@ class Collector {
         if (!comparable(row) || straight == 0) return;
         ++compared_;
         maps_.insert(mission.map);
+        const std::size_t place = places_.of_map[mission.map];
+        seen_places_.insert(place);
         std::vector<bool> has_before(series_.size(), false);
         for (std::size_t i = 0; i < row.size(); ++i) {
             const auto& result = row[i];
             if (!result) continue;  // not in a comparable row
             const std::size_t removals = std::size_t(experiment_.configurations[i].removals);
-            if (!has_before[place_[i]]) {
-                has_before[place_[i]] = true;
-                add_values(place_[i], 0, mission.map, values(result->before, straight));
+            if (!has_before[series_of_[i]]) {
+                has_before[series_of_[i]] = true;
+                add_values(series_of_[i], 0, place, values(result->before, straight));
             }
             if (removals == 0) {  // what there is to know without removal, a configuration of its own knows
                 Values more;
                 more[std::size_t(Measure::total_ms)] = 1000 * result->seconds;
-                more[std::size_t(Measure::bound)] = percent(result->bound, straight);
-                add_values(place_[i], 0, mission.map, more);
+                more[std::size_t(Measure::bound)] = percent_of(result->bound, straight);
+                add_values(series_of_[i], 0, place, more);
             }
-            if (removals > 0) add_values(place_[i], removals, mission.map, values(*result, straight));
+            if (removals > 0) add_values(series_of_[i], removals, place, values(*result, straight));
         }
     }
 
     std::size_t most_removals() const { return most_; }
 
     SetSummary summary() const {
-        SetSummary summary{name_, missions_, compared_, maps_.size(), {}};
+        SetSummary summary{name_, missions_, compared_, maps_.size(), seen_places_.size(), {}};
         for (std::size_t i = 0; i < series_.size(); ++i) {
             Series series{series_[i], names_[i], {}};
             for (const Estimators& measures : estimators_[i]) {
@@ -120,32 +120,35 @@ class Collector {
   private:
     using Estimators = std::vector<Estimator>;  // by measure
 
-    void add_values(std::size_t series, std::size_t removals, std::uint32_t map, const Values& given) {
+    void add_values(std::size_t series, std::size_t removals, std::size_t place, const Values& given) {
         for (std::size_t m = 0; m < measure_count; ++m) {
-            if (const auto& value = given[m]) estimators_[series][removals][m].add(map, *value);
+            if (const auto& value = given[m]) estimators_[series][removals][m].add(place, *value);
         }
     }
 
     const Experiment& experiment_;
+    const Places& places_;
     std::string name_;
     std::vector<Configuration> series_;
     std::vector<std::string> names_;
-    std::vector<std::size_t> place_;  // by configuration: its series
+    std::vector<std::size_t> series_of_;  // by configuration
     std::size_t most_ = 0;
     std::vector<std::vector<Estimators>> estimators_;  // by series and removals
     std::size_t missions_ = 0;
     std::size_t compared_ = 0;
     std::set<std::uint32_t> maps_;
+    std::set<std::size_t> seen_places_;
 };
 
 }  // namespace
 
 Summary summarise(Results& results) {
     const Experiment& experiment = results.experiment();
-    Collector all(experiment, experiment.name);
+    const Places places = places_of(experiment, results.path());
+    Collector all(experiment, places, experiment.name);
     std::vector<Collector> sets;
-    for (const std::string& set : experiment.sets) sets.emplace_back(experiment, set);
-    TeamCollector teams(experiment);
+    for (const std::string& set : experiment.sets) sets.emplace_back(experiment, places, set);
+    TeamCollector teams(experiment, places);
     results.for_each_mission([&](const ExperimentMission& mission, MissionResults row) {
         teams.add(mission, row);
         if (mission.mission.is_team()) return;

@@ -36,6 +36,7 @@ struct SetSummary {
     std::size_t missions = 0;
     std::size_t compared = 0;  // of them, those the means are over
     std::size_t maps = 0;      // those of the compared missions
+    std::size_t places = 0;    // that these maps show
     std::vector<Series> series;
 };
 

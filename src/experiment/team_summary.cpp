@@ -24,7 +24,7 @@ void TeamCollector::add(const ExperimentMission& mission, std::span<const std::o
     has_team_ = has_team_ || mission.mission.is_team();
     ++missions_;
     const Size size{mission.count(AgentKind::ground), mission.count(AgentKind::air)};
-    const Measures none(team_measure_count, Estimator(experiment_.maps.size()));
+    const Measures none(team_measure_count, Estimator(places_.count));
     std::vector<Measures>& measures = sizes_.try_emplace(size, row.size(), none).first->second;
     const bool compared = std::ranges::all_of(row, is_solved);
     compared_ += compared ? 1 : 0;
@@ -32,7 +32,7 @@ void TeamCollector::add(const ExperimentMission& mission, std::span<const std::o
         const std::optional<Result>& result = row[i];
         if (!result) continue;
         const auto add = [&](TeamMeasure measure, double value) {
-            measures[i][std::size_t(measure)].add(mission.map, value);
+            measures[i][std::size_t(measure)].add(places_.of_map[mission.map], value);
         };
         add(TeamMeasure::solved, is_solved(result) ? percent : 0);
         if (!compared) continue;

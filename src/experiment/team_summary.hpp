@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "experiment/estimate.hpp"
+#include "experiment/places.hpp"
 #include "experiment/results.hpp"
 
 namespace waybreaker::experiment {
@@ -40,7 +41,7 @@ struct TeamSummary {
 // Adds up missions, teams and pairs.
 class TeamCollector {
   public:
-    explicit TeamCollector(const Experiment& experiment) : experiment_(experiment) {}
+    TeamCollector(const Experiment& experiment, const Places& places) : experiment_(experiment), places_(places) {}
 
     void add(const ExperimentMission& mission, std::span<const std::optional<Result>> row);
     // Empty if there was no team.
@@ -51,6 +52,7 @@ class TeamCollector {
     using Measures = std::vector<Estimator>;           // by measure
 
     const Experiment& experiment_;
+    const Places& places_;
     std::map<Size, std::vector<Measures>> sizes_;  // by configuration
     std::size_t missions_ = 0;
     std::size_t compared_ = 0;

@@ -17,6 +17,7 @@
 #include "site/obstacle_tags.hpp"
 #include "site/sections.hpp"
 #include "waybreaker/map.hpp"
+#include "waybreaker/mission.hpp"
 #include "waybreaker/search.hpp"
 
 namespace waybreaker::io {
@@ -38,6 +39,7 @@ struct ImageReading {
     // Cells are blocked from that on: darkness of a plain image (empty: 0.5), occupancy of a ROS map (empty: 1).
     std::optional<double> threshold = {};
     bool unknown_free = false;  // cells of unknown occupancy are free
+    Nav2 nav2 = Nav2::jazzy;    // what makes a cell of a ROS map occupied, free or unknown
     friend bool operator==(const ImageReading&, const ImageReading&) = default;
 };
 
@@ -47,7 +49,10 @@ struct MapTask {
     double cell_size = 1;
     std::optional<Cell> start;
     std::optional<Cell> goal;
-    SearchOptions search;  // what the file leaves out has our defaults
+    SearchOptions search = {};       // what the file leaves out has our defaults
+    bool smoothing = false;          // it asks for paths to be smoothed, which nothing does
+    std::vector<Agent> agents = {};  // of a task for many, in place of start and goal
+    bool agents_turn = false;        // it says how they turn, which nothing heeds
 };
 
 struct MapFile {

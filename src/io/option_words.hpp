@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/ros_yaml.hpp"
 #include "waybreaker/method.hpp"
 #include "waybreaker/plan.hpp"
 
@@ -38,6 +39,7 @@ inline const Words<TieBreak> tie_break_words{{"g-max", TieBreak::g_max}, {"g-min
 inline const Words<Corners> corner_words{{"none", Corners::none}, {"cut", Corners::cut}, {"squeeze", Corners::squeeze}};
 inline const Words<AgentKind> agent_words{{"ground", AgentKind::ground}, {"air", AgentKind::air}};
 inline const Words<AtGoal> at_goal_words{{"stay", AtGoal::stay}, {"leave", AtGoal::leave}};
+inline const Words<Nav2> nav2_words{{"jazzy", Nav2::jazzy}, {"humble", Nav2::humble}};
 inline const Words<PlanStatus> status_words{{"solved", PlanStatus::solved},
                                             {"no_plan", PlanStatus::no_plan},
                                             {"not_found", PlanStatus::not_found},

@@ -182,6 +182,7 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     if (const auto unknown = root["map"].find("unknown")) {
         file.image.unknown_free = unknown->one_of<bool>({{"free", true}, {"blocked", false}});
     }
+    if (const auto nav2 = root["map"].find("nav2")) file.image.nav2 = nav2->one_of(nav2_words);
     const JsonField connectivity = root["options"]["connectivity"];
     const std::int64_t neighbours = connectivity.whole_number(4, 8);
     if (neighbours != 4 && neighbours != 8) connectivity.fail("is neither 4 nor 8");

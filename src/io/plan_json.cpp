@@ -30,6 +30,7 @@ Json map_json(const MapFile& map, const ImageReading& image) {
               {"digest", map.digest}};
     if (image.threshold) json["threshold"] = number(image.threshold);
     if (image.unknown_free) json["unknown"] = "free";
+    if (image.nav2 != Nav2::jazzy) json["nav2"] = word_of(nav2_words, image.nav2);
     return json;
 }
 

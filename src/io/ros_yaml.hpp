@@ -8,6 +8,9 @@ namespace waybreaker::io {
 
 enum class RosMode { trinary, scale, raw };
 
+// The releases of nav2 that read maps alike. `jazzy`: Jazzy since May 2025, and all later ones; `humble`: those before.
+enum class Nav2 { jazzy, humble };
+
 struct RosYaml {
     std::string image = {};
     RosMode mode = RosMode::trinary;
@@ -21,8 +24,9 @@ struct RosYaml {
 // The files of a ROS map.
 struct RosFiles {
     RosYaml yaml;
-    std::string text;   // of the YAML
-    std::string image;  // bytes
+    std::string text;         // of the YAML
+    std::string image;        // bytes
+    Nav2 nav2 = Nav2::jazzy;  // how they were read
 };
 
 }  // namespace waybreaker::io

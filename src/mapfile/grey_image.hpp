@@ -11,10 +11,13 @@
 namespace waybreaker::mapfile {
 
 struct GreyImage {
-    // A pixel: the sum of its red, green and blue, which keeps the thirds of their mean, and how opaque it is.
     struct Pixel {
-        std::uint16_t sum = 0;  // 0 (black) to 765 (white)
-        std::uint8_t alpha = 255;
+        static Pixel of_grey(int grey, int alpha = 255);
+        static Pixel of_colour(int red, int green, int blue, int alpha = 255);
+
+        std::uint16_t sum = 0;     // of red, green and blue, which keeps the thirds of their mean: 0 to 765 (white)
+        std::uint8_t luma = 0;     // how light they look, 0 to 255: GraphicsMagick's grey of a colour
+        std::uint8_t alpha = 255;  // how opaque it is
         double brightness() const { return sum / 765.0; }
     };
 

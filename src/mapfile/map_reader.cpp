@@ -8,11 +8,13 @@
 #include <utility>
 
 #include "authors/authors_xml.hpp"
+#include "authors/xml_element.hpp"
 #include "core/range.hpp"
 #include "geo/label_tiff.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/digest.hpp"
 #include "mapfile/grey_image.hpp"
+#include "mapfile/occupancy.hpp"
 #include "mapfile/ros_map.hpp"
 #include "mapfile/unknown_cells.hpp"
 #include "waybreaker/error.hpp"
@@ -22,6 +24,7 @@ namespace waybreaker::mapfile {
 namespace {
 
 using namespace std::string_view_literals;
+using authors::is_xml;
 
 constexpr std::size_t most_map_bytes = std::size_t{1} << 31;
 constexpr std::string_view movingai_start = "type";
@@ -30,13 +33,6 @@ constexpr std::string_view movingai_start = "type";
 bool is_tiff(std::string_view bytes) {
     return bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
            bytes.starts_with("MM\0+"sv);
-}
-
-bool is_xml(std::string_view bytes) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
-    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && bytes[first] == '<';
 }
 
 // The map that `make` makes, with the time that takes.
@@ -95,6 +91,9 @@ io::MapFile read_xml(std::string& bytes, const std::string& path, Connectivity c
     io::MapFile file = labelled(std::move(xml.grid), connectivity, "authors' XML", limits);
     file.cell_size = xml.task.cell_size;
     file.title = xml.task.title;
+    if (xml.task.smoothing) {
+        file.notes.emplace_back("its <postsmoothing> is not heeded: paths stay as its planner finds them");
+    }
     file.task = std::move(xml.task);
     return file;
 }
@@ -134,33 +133,34 @@ io::MapFile read_plain_image(std::string& bytes, const std::string& path, Connec
     return file;
 }
 
-// That the grey of 205 is free, and what makes it unknown: in mode scale no grey is, and transparency makes all of a
-// trinary image lighter.
-std::string note_of_free_unknown(io::RosYaml yaml, bool transparency) {
+// That the grey of 205 is free, and what makes it unknown: in mode scale no grey is, and to nav2 Humble transparency
+// makes all of a trinary image lighter.
+std::string note_of_free_unknown(io::RosYaml yaml, bool transparency, io::Nav2 nav2) {
     const bool scale = yaml.mode == io::RosMode::scale;
     std::string note = std::string("its ") + (scale ? "mode, scale, takes" : "free_thresh takes") +
                        " the grey of 205, which map savers write for unknown, for free";
     yaml.mode = io::RosMode::trinary;
     yaml.free_thresh = 0.196;
-    if (occupancy({.sum = 3 * 205, .alpha = 255}, false, yaml)) return note;
-    return note + "; with " + (scale ? "mode trinary and " : "") + (transparency ? "no transparency and " : "") +
+    if (occupancy(GreyImage::Pixel::of_grey(205), false, yaml, nav2)) return note;
+    const bool lighter = transparency && nav2 == io::Nav2::humble;
+    return note + "; with " + (scale ? "mode trinary and " : "") + (lighter ? "no transparency and " : "") +
            "0.196 it is unknown";
 }
 
 io::MapFile read_ros_pieces(RosPieces pieces, const std::string& path, const std::string& image_path,
                             Connectivity connectivity, const io::ImageReading& reading, const MapLimits& limits) {
     io::RosYaml yaml = parse_ros_yaml(pieces.text, path);
-    const RosCells cells =
-        ros_cells(read_image(pieces.image, image_path, limits.cells), yaml, reading.threshold.value_or(1));
+    const RosCells cells = ros_cells(read_image(pieces.image, image_path, limits.cells), yaml,
+                                     reading.threshold.value_or(1), reading.nav2);
     io::MapFile file = timed([&] { return ros_map(cells, connectivity, reading.unknown_free); }, "ROS map");
     file.digest = sha256_digest(pieces.text + pieces.image);
     file.cell_size = yaml.resolution;
     file.origin = yaml.origin;
     file.unknown = cells.unknown_count;
     if (cells.frees_unknown) {
-        file.notes.push_back(note_of_free_unknown(yaml, cells.transparency));
+        file.notes.push_back(note_of_free_unknown(yaml, cells.transparency, reading.nav2));
     }
-    file.ros = io::RosFiles{std::move(yaml), std::move(pieces.text), std::move(pieces.image)};
+    file.ros = io::RosFiles{std::move(yaml), std::move(pieces.text), std::move(pieces.image), reading.nav2};
     return file;
 }
 

@@ -119,6 +119,7 @@ std::vector<std::string> losses_of(const io::MapFile& map, const Format& format)
     lose(as_ros || map.unknown == 0 || (knows_unknown && apart),
          "that cells are unknown: they are written as they were taken, blocked or free");
     lose(format.mission || !map.task || !map.task->start, "start, goal and search options");
+    lose(!map.task || map.task->agents.empty(), "the agents of a task for many");
     lose(format.background || map.background.features.empty(),
          "streets, water and what else lies around the obstacles");
     lose(format.title || map.title.empty(), "the title");

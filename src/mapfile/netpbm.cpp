@@ -81,7 +81,7 @@ void read_bits(std::string_view bytes, GreyImage& image, const std::string& name
         for (int x = 0; x < image.width; ++x) {
             const auto byte = static_cast<unsigned char>(bytes[std::size_t(y) * row + std::size_t(x) / 8]);
             const bool black = (byte >> (7 - x % 8) & 1) != 0;
-            image.pixels.push_back({.sum = std::uint16_t(black ? 0 : 765)});
+            image.pixels.push_back(GreyImage::Pixel::of_grey(black ? 0 : 255));
         }
     }
 }
@@ -131,9 +131,14 @@ GreyImage read_netpbm(std::string_view bytes, const std::string& name, std::size
         return value;
     };
     for (std::size_t i = 0; i < pixels; ++i) {
-        int sum = 0;
-        for (int s = 0; s < kind.samples; ++s) sum += scaled(sample(), largest);
-        image.pixels.push_back({.sum = std::uint16_t(kind.samples == 1 ? 3 * sum : sum)});
+        const int first = scaled(sample(), largest);
+        if (kind.samples == 1) {
+            image.pixels.push_back(GreyImage::Pixel::of_grey(first));
+            continue;
+        }
+        const int green = scaled(sample(), largest);
+        const int blue = scaled(sample(), largest);
+        image.pixels.push_back(GreyImage::Pixel::of_colour(first, green, blue));
     }
     return image;
 }

@@ -109,8 +109,9 @@ class Decoder {
         if (y >= png_uint_32(image_.height)) return;
         GreyImage::Pixel* const pixels = &image_.pixels[std::size_t(y) * width];
         for (png_uint_32 x = first; x < width; x += step, sample += channels_, ++pixels_) {
-            pixels[x].sum = std::uint16_t(channels_ > 2 ? sample[0] + sample[1] + sample[2] : 3 * sample[0]);
-            if (image_.transparency) pixels[x].alpha = sample[channels_ - 1];
+            const int alpha = image_.transparency ? sample[channels_ - 1] : 255;
+            pixels[x] = channels_ > 2 ? GreyImage::Pixel::of_colour(sample[0], sample[1], sample[2], alpha)
+                                      : GreyImage::Pixel::of_grey(sample[0], alpha);
         }
     }
     static void end(png_structp png, png_infop) { self(png).ended_ = true; }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mapfile/grey_image.hpp"
+#include "mapfile/occupancy.hpp"
 #include "mapfile/ros_map.hpp"
 #include "mapfile/unknown_cells.hpp"
 #include "site/described_map.hpp"
@@ -39,7 +40,7 @@ io::RosFiles opened(const io::RosFiles& files, const std::string& name, const Ma
     grey.reserve(image.pixels.size());
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const std::optional<int> percent =
-            goes[map.labels()[i]] ? 0 : occupancy(image.pixels[i], image.transparency, files.yaml);
+            goes[map.labels()[i]] ? 0 : occupancy(image.pixels[i], image.transparency, files.yaml, files.nav2);
         const int known = trinary ? (percent == 0 ? 254 : 0) : percent.value_or(0);
         grey.push_back(percent ? std::uint8_t(known) : unknown);
     }
@@ -48,7 +49,8 @@ io::RosFiles opened(const io::RosFiles& files, const std::string& name, const Ma
                                  .resolution = files.yaml.resolution,
                                  .origin = files.yaml.origin},
                         .text = {},
-                        .image = pgm_bytes(image.width, image.height, grey)};
+                        .image = pgm_bytes(image.width, image.height, grey),
+                        .nav2 = files.nav2};
     result.text = ros_yaml_text(result.yaml);
     return result;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "core/number.hpp"
 #include "io/shortest_text.hpp"
 #include "map/label.hpp"
+#include "mapfile/occupancy.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::mapfile {
@@ -87,10 +89,13 @@ bool negate_of(const Document& document, const YAML::Node& node) {
 
 std::array<double, 2> origin_of(const Document& document, const YAML::Node& node) {
     constexpr double far = 1e9;
+    constexpr double full_turn = 2 * std::numbers::pi;
+    constexpr double least_turn = 1e-6;  // less moves no cell of the largest map by a tenth of its side
     if (!node.IsSequence() || node.size() < 2 || node.size() > 3) {
         throw document.error(node.Mark(), "origin must be [x, y, yaw]");
     }
-    if (node.size() == 3 && document.number(node[2], "the yaw of origin", -far, far) != 0) {
+    const double yaw = node.size() == 3 ? document.number(node[2], "the yaw of origin", -far, far) : 0;
+    if (std::abs(std::remainder(yaw, full_turn)) > least_turn) {
         throw document.error(node.Mark(), "origin has a yaw, which turns the map; turn the image until it is 0");
     }
     return {document.number(node[0], "the x of origin", -far, far),
@@ -122,6 +127,17 @@ std::string image_of(const Document& document) {
     return image;
 }
 
+// Where the first line begins that says "image:", perhaps indented.
+std::optional<std::size_t> image_line(std::string_view bytes) {
+    for (std::size_t begin = 0; begin < bytes.size();) {
+        const std::size_t end = std::min(bytes.find('\n', begin), bytes.size() - 1);
+        const std::size_t word = bytes.find_first_not_of(" \t", begin);
+        if (word < end && bytes.substr(word).starts_with("image:")) return begin;
+        begin = end + 1;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 bool is_ros_yaml(std::string_view bytes) {
@@ -130,7 +146,7 @@ bool is_ros_yaml(std::string_view bytes) {
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     // One pair of braces around all of it, as YAML also allows.
     const bool flow = first != std::string_view::npos && bytes[first] == '{';
-    return bytes.starts_with("image:") || has("\nimage:") || (flow && (has("image:") || has("image\":")));
+    return image_line(bytes) || (flow && (has("image:") || has("image\":")));
 }
 
 std::optional<RosPieces> ros_pieces(std::string_view bytes) {
@@ -162,26 +178,7 @@ io::RosYaml parse_ros_yaml(std::string_view bytes, const std::string& name) try 
     throw InputError(name, 0, reason(problem));
 }
 
-std::optional<int> occupancy(GreyImage::Pixel pixel, bool transparency, const io::RosYaml& yaml) {
-    if (yaml.mode == io::RosMode::raw) {
-        const int value = int(std::round(pixel.sum / 3.0));
-        return value <= 100 ? std::optional(value) : std::nullopt;
-    }
-    // Of whole numbers, so that a quotient that should equal a threshold does. In trinary mode nav2 takes how opaque a
-    // pixel is for a fourth colour.
-    const bool four = yaml.mode == io::RosMode::trinary && transparency;
-    const int white = four ? 1020 : 765;
-    const int light = pixel.sum + (four ? pixel.alpha : 0);
-    const double occupied = double(yaml.negate ? light : white - light) / white;
-    if (yaml.mode == io::RosMode::scale && pixel.alpha < 255) return std::nullopt;
-    if (occupied > yaml.occupied_thresh) return 100;
-    if (occupied < yaml.free_thresh) return 0;
-    if (yaml.mode == io::RosMode::trinary) return std::nullopt;
-    const double width = yaml.occupied_thresh - yaml.free_thresh;
-    return width > 0 ? int(std::rint((occupied - yaml.free_thresh) / width * 100)) : 100;
-}
-
-RosCells ros_cells(const GreyImage& image, const io::RosYaml& yaml, double threshold) {
+RosCells ros_cells(const GreyImage& image, const io::RosYaml& yaml, double threshold, io::Nav2 nav2) {
     constexpr int savers_unknown = 3 * 205;
     RosCells cells{.occupied = Grid(image.width, image.height),
                    .unknown = Grid(image.width, image.height),
@@ -189,7 +186,7 @@ RosCells ros_cells(const GreyImage& image, const io::RosYaml& yaml, double thres
     const GreyImage::Pixel* pixel = image.pixels.data();
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x, ++pixel) {
-            const std::optional<int> percent = occupancy(*pixel, image.transparency, yaml);
+            const std::optional<int> percent = occupancy(*pixel, image.transparency, yaml, nav2);
             if (!percent) {
                 cells.unknown.set_blocked({x, y}, true);
                 ++cells.unknown_count;
@@ -233,7 +230,7 @@ std::string ros_yaml_text(const io::RosYaml& yaml) {
 std::string with_image(std::string_view bytes, const std::string& image, const std::string& name) {
     io::RosYaml yaml = parse_ros_yaml(bytes, name);
     if (yaml.image == image) return std::string(bytes);
-    const std::size_t key = bytes.starts_with("image:") ? 0 : bytes.find("\nimage:") + 1;
+    const std::size_t key = image_line(bytes).value_or(0);
     const std::size_t at = bytes.find(yaml.image, key);
     std::string changed(bytes);
     if (at < bytes.find('\n', key)) changed.replace(at, yaml.image.size(), image);

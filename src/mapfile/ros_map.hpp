@@ -3,13 +3,13 @@
 //     image: floor.pgm                # beside the YAML file
 //     mode: trinary                   # or scale, raw
 //     resolution: 0.05                # metres a cell
-//     origin: [-10.0, -10.0, 0.0]     # of the lower-left corner of the lower-left cell; the yaw must be 0
+//     origin: [-10.0, -10.0, 0.0]     # of the lower-left corner of the lower-left cell; the yaw must turn nothing
 //     negate: 0
 //     occupied_thresh: 0.65
 //     free_thresh: 0.196
 //
 // image, resolution and origin must be there; the rest has the values above. How a pixel becomes an occupancy is
-// nav2's map_io, thresholds strict on both sides; which occupancy blocks is its costmap's: see docs/data.md.
+// nav2's map_io (occupancy.hpp); which occupancy blocks is its costmap's: see docs/data.md.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,8 @@
 
 namespace waybreaker::mapfile {
 
-// A text file with a line that begins with "image:", or with braces around all of it and "image:" in them.
+// A text file with a line that begins with "image:", perhaps indented, or with braces around all of it and "image:" in
+// them.
 bool is_ros_yaml(std::string_view bytes);
 
 // A ROS map in one piece, for uploads: the YAML, a line of three dots, which ends it, and the image's bytes.
@@ -36,9 +37,6 @@ std::optional<RosPieces> ros_pieces(std::string_view bytes);
 // Throws InputError with name and line.
 io::RosYaml parse_ros_yaml(std::string_view bytes, const std::string& name);
 
-// In percent, 0 (free) to 100 (occupied); empty for unknown. `transparency`: the image says how opaque its pixels are.
-std::optional<int> occupancy(GreyImage::Pixel pixel, bool transparency, const io::RosYaml& yaml);
-
 struct RosCells {
     Grid occupied;
     Grid unknown;
@@ -49,7 +47,7 @@ struct RosCells {
 };
 
 // Cells are occupied from an occupancy of `threshold` (a share, 1 in nav2's costmap) on.
-RosCells ros_cells(const GreyImage& image, const io::RosYaml& yaml, double threshold);
+RosCells ros_cells(const GreyImage& image, const io::RosYaml& yaml, double threshold, io::Nav2 nav2 = io::Nav2::jazzy);
 
 // Obstacles are connected sets of occupied cells, and connected sets of unknown ones. The latter are not destructible,
 // as it is unknown what is there, and are never merged with a wall that they touch.

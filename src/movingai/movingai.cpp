@@ -67,6 +67,12 @@ Size read_header(TextLines& lines) {
     throw lines.error("the file ends within its header: " + form);
 }
 
+// A row without blanks that follow its cells: no map means anything by them.
+std::string_view without_blanks_beyond(std::string_view line, std::size_t width) {
+    const bool only_blanks = line.size() > width && line.find_first_not_of(" \t", width) == std::string_view::npos;
+    return only_blanks ? line.substr(0, width) : line;
+}
+
 // The rows as views into the text: so many, all of one length, and nothing after them.
 std::vector<std::string_view> read_rows(TextLines& lines, int width, int height) {
     std::vector<std::string_view> rows;
@@ -75,11 +81,12 @@ std::vector<std::string_view> read_rows(TextLines& lines, int width, int height)
             throw lines.error("the map ends after " + std::to_string(rows.size()) + " of " + std::to_string(height) +
                               " rows: is the file cut off, or its height wrong?");
         }
-        if (std::ssize(lines.line()) != width) {
-            throw lines.error("this row has " + std::to_string(lines.line().size()) + " cells, but the width is " +
+        const std::string_view row = without_blanks_beyond(lines.line(), std::size_t(width));
+        if (std::ssize(row) != width) {
+            throw lines.error("this row has " + std::to_string(row.size()) + " cells, but the width is " +
                               std::to_string(width) + ": mend the row or the header");
         }
-        rows.push_back(lines.line());
+        rows.push_back(row);
     }
     while (lines.next()) {
         if (!words(lines.line()).empty()) {
@@ -92,7 +99,7 @@ std::vector<std::string_view> read_rows(TextLines& lines, int width, int height)
 
 constexpr std::array<bool, 256> passable = [] {
     std::array<bool, 256> table{};
-    table['.'] = table['G'] = table['S'] = true;
+    table['.'] = table['G'] = table['S'] = table['E'] = true;
     return table;
 }();
 
@@ -106,8 +113,24 @@ Cell cell_of(const TextLines& lines, std::string_view x_word, std::string_view y
     return {*x, *y};
 }
 
+constexpr std::size_t scenario_columns = 9;
+
+// What stands between tabs, where that makes a scenario: then the map's name may hold blanks. Else between tabs and
+// spaces.
+std::vector<std::string_view> columns_of(std::string_view line) {
+    std::vector<std::string_view> columns;
+    for (std::string_view rest = line; columns.size() <= scenario_columns;) {
+        const std::size_t tab = rest.find('\t');
+        columns.push_back(trimmed(rest.substr(0, tab)));
+        if (tab == std::string_view::npos) break;
+        rest.remove_prefix(tab + 1);
+    }
+    const bool all_said = std::ranges::none_of(columns, &std::string_view::empty);
+    return columns.size() == scenario_columns && all_said ? columns : words(line);
+}
+
 Scenario read_scenario(const TextLines& lines, const std::vector<std::string_view>& columns) {
-    if (columns.size() != 9) {
+    if (columns.size() != scenario_columns) {
         throw lines.error(
             "a scenario has 9 columns (bucket, map, width, height, start x, y, goal x, y, length), this line " +
             std::to_string(columns.size()));
@@ -158,7 +181,7 @@ std::vector<Scenario> read_movingai_scenarios(std::string_view bytes, const std:
     std::vector<Scenario> scenarios;
     bool first = true;
     while (lines.next()) {
-        const std::vector<std::string_view> columns = words(lines.line());
+        const std::vector<std::string_view> columns = columns_of(lines.line());
         if (columns.empty()) continue;
         const bool is_version = first && columns.size() == 2 && columns[0] == "version";
         first = false;

@@ -39,6 +39,13 @@ class TextLines {
     std::size_t number_ = 0;
 };
 
+// Without spaces and tabs at its ends.
+inline std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 // What stands between spaces and tabs; of a line of too many words only the first, as no format here has so many.
 inline std::vector<std::string_view> words(std::string_view line) {
     constexpr std::size_t most = 64;

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/range.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/place_error.hpp"
 
 namespace waybreaker {
 namespace {
@@ -44,12 +46,22 @@ void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std
     }
     if (agent.kind == AgentKind::air || fits(map, at, agent.body)) return;
     const ObstacleId obstacle = map.map().obstacle_at(at);
-    const std::string reason = obstacle ? " lies inside obstacle " + std::to_string(obstacle.value)
-                                        : " leaves no room for a radius of " + number_text(agent.body.radius);
+    const std::string reason = obstacle ? "lies inside obstacle " + std::to_string(obstacle.value)
+                                        : "leaves no room for a radius of " + number_text(agent.body.radius);
     const std::optional<Cell> place = nearest_place(map, at, agent.body);
     const std::string none = agent.body.reach() > 0.5 ? "cell with room for the agent" : "free cell";
-    throw InputError(where + reason +
-                     (place ? "; a free cell near it is " + text(*place) : "; the map has no " + none));
+    throw PlaceError({.what_for = "the " + agent.id + " agent's " + what,
+                      .at = at,
+                      .obstacle = obstacle,
+                      .reason = reason,
+                      .nearest = place,
+                      .remedy = place ? "a free cell near it is" : "the map has no " + none});
+}
+
+std::string sentence(const Misplaced& agent) {
+    std::string words = agent.what_for + " " + text(agent.at) + " " + agent.reason + "; " + agent.remedy;
+    if (agent.nearest) words.append(1, ' ').append(text(*agent.nearest));
+    return words;
 }
 
 // REQUIRES: all ids are those of obstacles.
@@ -140,6 +152,8 @@ Mission ground_and_air(Cell start, Cell goal) {
     return {{{.id = "ground", .kind = AgentKind::ground, .start = start, .goal = goal},
              {.id = "air", .kind = AgentKind::air, .start = start, .goal = goal}}};
 }
+
+PlaceError::PlaceError(Misplaced agent) : InputError(sentence(agent)), misplaced(std::move(agent)) {}
 
 bool Mission::is_team() const {
     return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind);

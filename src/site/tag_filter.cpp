@@ -1,15 +1,12 @@
 #include "site/tag_filter.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::site {
-namespace {
 
-// Whether a text is a pattern in which * stands for any text. Time O(text * pattern).
 bool fits(std::string_view text, std::string_view pattern) {
     std::size_t star = std::string_view::npos;  // the last one that was met
     std::size_t taken = 0;                      // of the text, up to where that star reaches
@@ -30,8 +27,6 @@ bool fits(std::string_view text, std::string_view pattern) {
     }
     return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
-
-}  // namespace
 
 bool TagFilter::accepts(const std::string& value) const {
     return value != "no" &&

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace waybreaker::site {
@@ -14,6 +15,9 @@ struct TagFilter {
     bool accepts(const std::string& value) const;
     std::string text() const;  // KEY or KEY=VALUE,...
 };
+
+// Whether a text is a pattern in which * stands for any text. Time O(text * pattern).
+bool fits(std::string_view text, std::string_view pattern);
 
 // One or more of KEY and KEY=VALUE,... with commas between: what follows a KEY=VALUE and has no = is another value of
 // that key. Throws InputError if it is something else.

@@ -71,6 +71,18 @@ TEST(AuthorsXml, SaysHowToSearch) {
     EXPECT_FALSE(search("<allowdiagonal>0</allowdiagonal>").diagonal);
 }
 
+// Theta* needs none, and the authors' program does none then.
+TEST(AuthorsXml, SaysWhetherPathsAreToBeSmoothed) {
+    const auto smoothing = [](const std::string& algorithm) {
+        return read(task("", "<algorithm>" + algorithm + "</algorithm>")).task.smoothing;
+    };
+    EXPECT_TRUE(smoothing("<searchtype>astar</searchtype><postsmoothing>true</postsmoothing>"));
+    EXPECT_TRUE(smoothing("<searchtype>bfs</searchtype><postsmoothing>1</postsmoothing>"));
+    EXPECT_FALSE(smoothing("<searchtype>astar</searchtype><postsmoothing>false</postsmoothing>"));
+    EXPECT_FALSE(smoothing("<searchtype>astar</searchtype>"));
+    EXPECT_FALSE(smoothing("<searchtype>theta</searchtype><postsmoothing>true</postsmoothing>"));
+}
+
 TEST(AuthorsXml, CountsTheWiderPermissionOnlyWithTheNarrower) {
     const auto corners = [](const std::string& diagonal, const std::string& cut, const std::string& squeeze) {
         return search("<allowdiagonal>" + diagonal + "</allowdiagonal><cutcorners>" + cut +

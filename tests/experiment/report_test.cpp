@@ -94,6 +94,30 @@ class Report : public SmallExperiment {
     std::vector<ReportFile> files;
 };
 
+// Two maps of one place say nothing of how places differ; without places they are two.
+TEST_F(Report, TakesPlacesForIndependent) {
+    const auto flowtime = [&] {
+        Results results(path("r.db"));
+        const Summary summary = summarise(results);
+        return std::pair(summary.all, *summary.all.series.front().of(Measure::flowtime, 0));
+    };
+    const auto [apart, of_maps] = flowtime();
+    EXPECT_EQ(apart.maps, 2U);
+    EXPECT_EQ(apart.places, 2U);
+    EXPECT_LT(of_maps.low, of_maps.mean);
+    EXPECT_EQ(file("index.html").find("places,"), std::string::npos);
+
+    experiment = read_experiment(put("small.toml", "places = '*.map'\n" + std::string(spec)));
+    EXPECT_EQ(run_into("r.db").begun_with, 72U) << "the results are the same";
+    const auto [together, of_places] = flowtime();
+    EXPECT_EQ(together.maps, 2U);
+    EXPECT_EQ(together.places, 1U);
+    EXPECT_EQ(of_places.mean, of_maps.mean);
+    EXPECT_EQ(of_places.low, of_places.mean);
+    Results results(path("r.db"));
+    EXPECT_NE(report(summarise(results)).back().bytes.find("on 2 maps of one place,"), std::string::npos);
+}
+
 // Asked of the database itself, by its own means: over missions that no configuration left unsolved.
 TEST_F(Report, SaysWhatTheDatabaseSays) {
     SQLite::Database sql(path("r.db"));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "experiment/places.hpp"
 #include "input_error.hpp"
 #include "small_experiment.hpp"
 
@@ -30,11 +31,14 @@ TEST(Spec, SaysWhatIsWrongAndWhere) {
     const auto message = [](const std::string& text) { return input_error([&] { parse_spec(text, "s.toml"); }); };
     const auto run = [&](const std::string& text) { return message("missions = 'a.scen'\n[[run]]\n" + text); };
     EXPECT_TRUE(message("missions = 'a.scen'\nname = \n").starts_with("s.toml:2: not TOML: "));
-    EXPECT_EQ(message("mission = 'a.scen'\n"), "s.toml:1: unknown key 'mission': use name, missions, time_limit, run");
+    EXPECT_EQ(message("mission = 'a.scen'\n"),
+              "s.toml:1: unknown key 'mission': use name, missions, time_limit, places, run");
     EXPECT_EQ(message("[[run]]\n"),
               "s.toml: 'missions' is missing: a list of scenario files or files of mission documents");
     EXPECT_EQ(message("missions = []\n"), "s.toml:1: 'missions' is an empty list");
     EXPECT_EQ(message("missions = 7\n"), "s.toml:1: the name of a file of missions must be a text, such as \"...\"");
+    EXPECT_EQ(message("missions = 'a.scen'\nplaces = ['a*', '']\n"),
+              "s.toml:2: a place, a pattern of the names of its maps, must be a text, such as \"...\"");
     EXPECT_EQ(message("missions = 'a.scen'\n"), "s.toml: it has no [[run]]: say which methods with how many removals");
     EXPECT_EQ(message("missions = 'a.scen'\nrun = 3\n"), "s.toml:2: 'run' must be tables, each under its [[run]]");
     EXPECT_EQ(message("missions = 'a.scen'\ntime_limit = 0\n"),
@@ -86,6 +90,7 @@ TEST_F(ReadExperiment, DigestsWhatDecidesTheResults) {
     const std::string text = spec;
     EXPECT_EQ(digest("# a comment\n" + text), experiment.digest);
     EXPECT_EQ(digest("name = 'other'\n" + text.substr(text.find('\n') + 1)), experiment.digest);
+    EXPECT_EQ(digest("places = '*'\n" + text), experiment.digest);
     EXPECT_NE(digest("time_limit = 1\n" + text), experiment.digest);
     EXPECT_NE(digest(text + "[[run]]\nmethods = 'exact'\nremovals = 3\n"), experiment.digest);
     put("yard.map",
@@ -102,6 +107,26 @@ TEST_F(ReadExperiment, SaysWhatIsMissing) {
     EXPECT_EQ(message("1 none.map 7 5 0 0 1 1 2\n"), "cannot read " + path("none.map") + ": No such file or directory");
     EXPECT_EQ(message("1 yard.map 7 5 0 0 1 1 2\n1 yard.map 8 5 0 0 1 1 2\n"),
               path("cities.scen") + ": gives yard.map two sizes");
+}
+
+TEST_F(ReadExperiment, SharesMapsOutAmongPlaces) {
+    const auto with = [&](const std::string& places) { return "places = " + places + "\n" + spec; };
+    const auto places = [&](const std::string& text) {
+        const Experiment one = read_experiment(put("other.toml", with(text)));
+        return places_of(one, "");
+    };
+    using Of = std::vector<std::size_t>;
+    EXPECT_EQ(places_of(experiment, "").of_map, (Of{0, 1}));
+    EXPECT_EQ(places("'*.map'").of_map, (Of{0, 0}));
+    EXPECT_EQ(places("'*.map'").count, 1U);
+    EXPECT_EQ(places("['yard*', 'str*t.map']").of_map, (Of{1, 0}));
+    EXPECT_EQ(places("'yard.map'").of_map, (Of{1, 0}));
+    EXPECT_EQ(places("'yard.map'").count, 2U);
+    const auto message = [&](const std::string& text) {
+        return input_error([&] { read_experiment(put("other.toml", with(text))); });
+    };
+    EXPECT_EQ(message("'city-*'"), path("other.toml") + ": the place 'city-*' holds none of the maps");
+    EXPECT_EQ(message("['*', 'y*']"), path("other.toml") + ": the places '*' and 'y*' both hold yard.map");
 }
 
 constexpr const char* of_team =

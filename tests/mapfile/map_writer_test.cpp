@@ -2,6 +2,7 @@
 #include "mapfile/map_writer.hpp"
 
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include "ascii_map.hpp"
 #include "geo/city_import.hpp"
@@ -10,6 +11,7 @@
 #include "io/shortest_text.hpp"
 #include "mapfile/grey_image.hpp"
 #include "mapfile/map_reader.hpp"
+#include "mapfile/occupancy.hpp"
 #include "mapfile/relabelled_map.hpp"
 #include "mapfile/ros_map.hpp"
 #include "project_folder.hpp"
@@ -192,6 +194,7 @@ TEST_F(WrittenMaps, KeepTheOriginOfARobotsFrame) {
 TEST_F(WrittenMaps, OfRosWithoutObstacles) {
     const std::string walls = "P2 5 2 255 0 254 205 254 100  0 254 205 254 100";
     put("floor.pgm", walls);
+    constexpr io::Nav2 nav2 = io::Nav2::jazzy;
     for (const std::string mode : {"trinary", "scale", "raw"}) {
         SCOPED_TRACE(mode);
         put("floor.yaml", "image: floor.pgm\nmode: " + mode + "\nresolution: 0.05\norigin: [-1.5, 2, 0]\n");
@@ -209,8 +212,38 @@ TEST_F(WrittenMaps, OfRosWithoutObstacles) {
         for (std::size_t i = 0; i < image.pixels.size(); ++i) {
             const auto expected = before.map.labels()[i] == wall.value
                                       ? std::optional(0)
-                                      : occupancy(image.pixels[i], false, before.ros->yaml);
-            EXPECT_EQ(occupancy(opened.pixels[i], false, after.ros->yaml), expected) << i;
+                                      : occupancy(image.pixels[i], false, before.ros->yaml, nav2);
+            EXPECT_EQ(occupancy(opened.pixels[i], false, after.ros->yaml, nav2), expected) << i;
+        }
+    }
+}
+
+// One row of pixels, each its grey and how opaque it is.
+std::string grey_alpha_png(const std::vector<std::array<std::uint8_t, 2>>& pixels) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = png_uint_32(pixels.size());
+    image.height = 1;
+    image.format = PNG_FORMAT_GA;
+    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
+    png_alloc_size_t size = bytes.size();
+    EXPECT_NE(png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr), 0);
+    bytes.resize(size);
+    return bytes;
+}
+
+// What was read as Humble does is written so: its transparent wall stays one, and both releases read what is written.
+TEST_F(WrittenMaps, OfRosWithoutObstaclesHoldWhatWasRead) {
+    put("floor.png", grey_alpha_png({{0, 255}, {255, 255}, {0, 0}}));
+    put("floor.yaml", "image: floor.png\nresolution: 0.05\norigin: [0, 0, 0]\n");
+    for (const io::Nav2 nav2 : {io::Nav2::jazzy, io::Nav2::humble}) {
+        const io::MapFile before = read_map_file(path("floor.yaml"), Connectivity::four, {.nav2 = nav2});
+        EXPECT_EQ(before.unknown, nav2 == io::Nav2::humble ? 0U : 1U);
+        write(without_obstacles(before, std::array{ObstacleId{1}}), "opened.yaml");
+        for (const io::Nav2 reader : {io::Nav2::jazzy, io::Nav2::humble}) {
+            const io::MapFile after = read_map_file(path("opened.yaml"), Connectivity::four, {.nav2 = reader});
+            EXPECT_EQ(after.unknown, before.unknown);
+            EXPECT_EQ(after.map.grid(), map_from_ascii("..#").grid());
         }
     }
 }

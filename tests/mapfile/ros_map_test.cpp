@@ -1,4 +1,4 @@
-// ROS maps: the table of what each mode makes of each pixel (nav2's map_io), and the YAML beside the image.
+// ROS maps: which cells block, and the YAML beside the image.
 #include "mapfile/ros_map.hpp"
 
 #include <gtest/gtest.h>
@@ -10,67 +10,17 @@
 namespace waybreaker::mapfile {
 namespace {
 
-constexpr const char* unknown = "unknown";
-
-std::string word(std::optional<int> percent) {
-    return percent ? std::to_string(*percent) : unknown;
-}
-
-std::string occupancy_of_grey(int grey, io::RosYaml yaml, int alpha = 255, bool transparency = false) {
-    return word(occupancy({std::uint16_t(3 * grey), std::uint8_t(alpha)}, transparency, yaml));
-}
-
-struct Row {
-    int grey;
-    const char* trinary;
-    const char* scale;
-    const char* raw;
-    const char* negated;  // trinary with negate: 1
-};
-
-// Thresholds 0.65 and 0.196: occupied below a grey of 89.25, free above 205.02.
-TEST(RosMaps, TableOfModes) {
-    for (const Row& row : std::vector<Row>{
-             {0, "100", "100", "0", "0"},
-             {49, "100", "100", "49", "0"},
-             {50, "100", "100", "50", unknown},
-             {89, "100", "100", "89", unknown},
-             {90, unknown, "99", "90", unknown},
-             {100, unknown, "91", "100", unknown},
-             {101, unknown, "90", unknown, unknown},
-             {147, unknown, "50", unknown, unknown},
-             {165, unknown, "35", unknown, unknown},
-             {166, unknown, "34", unknown, "100"},
-             {205, unknown, "0", unknown, "100"},
-             {206, "0", "0", unknown, "100"},
-             {254, "0", "0", unknown, "100"},
-             {255, "0", "0", unknown, "100"},
-         }) {
-        SCOPED_TRACE(row.grey);
-        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::trinary}), row.trinary);
-        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::scale}), row.scale);
-        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::raw}), row.raw);
-        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::raw, .negate = true}), row.raw);
-        EXPECT_EQ(occupancy_of_grey(row.grey, {.mode = io::RosMode::trinary, .negate = true}), row.negated);
-    }
-}
-
-// A cell as occupied as the threshold says is neither occupied nor free.
-TEST(RosMaps, ThresholdsAreStrict) {
-    const io::RosYaml fifths{.occupied_thresh = 0.6, .free_thresh = 0.2};
-    EXPECT_EQ(occupancy_of_grey(204, fifths), unknown);  // 51 of 255: a fifth
-    EXPECT_EQ(occupancy_of_grey(205, fifths), "0");
-    EXPECT_EQ(occupancy_of_grey(102, fifths), unknown);
-    EXPECT_EQ(occupancy_of_grey(101, fifths), "100");
-    EXPECT_EQ(occupancy_of_grey(255, {.free_thresh = 0}), unknown);
-    EXPECT_EQ(occupancy_of_grey(0, {.occupied_thresh = 1}), unknown);
+GreyImage grey_image(int width, int height, const std::vector<int>& greys) {
+    GreyImage image{width, height, false, {}};
+    for (const int grey : greys) image.pixels.push_back(GreyImage::Pixel::of_grey(grey));
+    return image;
 }
 
 // What map savers write for unknown comes back as free where the threshold is not theirs.
 TEST(RosMaps, GreyOf205IsATrap) {
-    EXPECT_EQ(occupancy_of_grey(205, {.free_thresh = 0.196}), unknown);
-    EXPECT_EQ(occupancy_of_grey(205, {.free_thresh = 0.25}), "0");
-    const GreyImage image{3, 1, false, {{615}, {765}, {0}}};
+    const GreyImage image = grey_image(3, 1, {205, 255, 0});
+    EXPECT_EQ(ros_cells(image, {.free_thresh = 0.196}, 1).unknown_count, 1U);
+    EXPECT_EQ(ros_cells(image, {.free_thresh = 0.25}, 1).unknown_count, 0U);
     EXPECT_FALSE(ros_cells(image, {.free_thresh = 0.196}, 1).frees_unknown);
     EXPECT_TRUE(ros_cells(image, {.free_thresh = 0.25}, 1).frees_unknown);
 }
@@ -89,18 +39,8 @@ TEST(RosMaps, MayStandInBraces) {
     EXPECT_FALSE(is_ros_yaml("{\"format\": \"waybreaker-mission/1\", \"agents\": []}"));
 }
 
-TEST(RosMaps, TransparencyCountsInItsModes) {
-    // Trinary: a fourth colour. Black stays occupied while opaque, and even the saver's unknown turns free.
-    EXPECT_EQ(occupancy_of_grey(0, {}, 255, true), "100");
-    EXPECT_EQ(occupancy_of_grey(205, {}, 255, true), "0");
-    EXPECT_EQ(occupancy_of_grey(255, {}, 0, true), unknown);
-    EXPECT_EQ(occupancy_of_grey(0, {.mode = io::RosMode::scale}, 254, true), unknown);
-    EXPECT_EQ(occupancy_of_grey(0, {.mode = io::RosMode::scale}, 255, true), "100");
-    EXPECT_EQ(occupancy_of_grey(70, {.mode = io::RosMode::raw}, 0, true), "70");
-}
-
 TEST(RosMaps, BlockWhatIsOccupiedAndUnknown) {
-    const GreyImage image{5, 1, false, {{0}, {3 * 100}, {3 * 150}, {3 * 205}, {765}}};
+    const GreyImage image = grey_image(5, 1, {0, 100, 150, 205, 255});
     const auto cells = [&](io::RosMode mode, double threshold, bool unknown_free) {
         return ros_map(ros_cells(image, {.mode = mode}, threshold), Connectivity::four, unknown_free).grid();
     };
@@ -121,16 +61,18 @@ TEST(RosMaps, UnknownIsNoWall) {
         ..uuu)";
     GreyImage image{5, 3, false, {}};
     for (const std::string& row : ascii_rows(picture)) {
-        for (const char c : row) image.pixels.push_back({std::uint16_t(c == '#' ? 0 : c == 'u' ? 3 * 205 : 765)});
+        for (const char c : row) {
+            image.pixels.push_back(GreyImage::Pixel::of_grey(c == '#' ? 0 : c == 'u' ? 205 : 255));
+        }
     }
     for (const io::RosMode mode : {io::RosMode::trinary, io::RosMode::scale, io::RosMode::raw}) {
         SCOPED_TRACE(int(mode));
         GreyImage seen = image;
         io::RosYaml yaml{.mode = mode};
         for (GreyImage::Pixel& pixel : seen.pixels) {
-            const bool is_unknown = pixel.sum == 3 * 205;
-            if (mode == io::RosMode::scale && is_unknown) pixel.alpha = 0;
-            if (mode == io::RosMode::raw) pixel.sum = is_unknown ? 3 * 255 : pixel.sum == 0 ? 300 : 0;
+            const int grey = pixel.luma;
+            if (mode == io::RosMode::scale && grey == 205) pixel.alpha = 0;
+            if (mode == io::RosMode::raw) pixel = GreyImage::Pixel::of_grey(grey == 205 ? 255 : grey == 0 ? 100 : 0);
         }
         seen.transparency = mode == io::RosMode::scale;
         const Map map = ros_map(ros_cells(seen, yaml, 1), Connectivity::four, false);
@@ -149,8 +91,17 @@ TEST(RosMaps, UnknownIsNoWall) {
     }
 }
 
+// A transparent black pixel: a wall to Humble, unknown since.
+TEST(RosMaps, AreReadAsTheChosenNav2Does) {
+    GreyImage image = grey_image(2, 1, {0, 0});
+    image.transparency = true;
+    image.pixels[1].alpha = 0;
+    EXPECT_EQ(ros_cells(image, {}, 1).unknown_count, 1U);
+    EXPECT_EQ(ros_cells(image, {}, 1, io::Nav2::humble).unknown_count, 0U);
+}
+
 TEST(RosMaps, UnknownIsLabelledAsWallsAre) {
-    const GreyImage image{2, 2, false, {{615}, {765}, {765}, {615}}};
+    const GreyImage image = grey_image(2, 2, {205, 255, 255, 205});
     EXPECT_EQ(ros_map(ros_cells(image, {}, 1), Connectivity::four, false).obstacles().size(), 2U);
     EXPECT_EQ(ros_map(ros_cells(image, {}, 1), Connectivity::eight, false).obstacles().size(), 1U);
 }
@@ -171,6 +122,34 @@ TEST(RosMaps, YamlIsRead) {
     EXPECT_EQ(other.mode, io::RosMode::raw);
     EXPECT_TRUE(other.negate);
     EXPECT_EQ(other.free_thresh, 0.196);
+}
+
+// Some write every line indented, which YAML allows.
+TEST(RosMaps, YamlMayBeIndented) {
+    const std::string text = "  # mine\n  resolution: 1\n  image: a.pgm\n  origin: [0, 0, 0]\n";
+    EXPECT_TRUE(is_ros_yaml(text));
+    EXPECT_EQ(parse_ros_yaml(text, "y").image, "a.pgm");
+    std::string other = text;
+    other.replace(other.find("a.pgm"), 5, "b.pgm");
+    EXPECT_EQ(with_image(text, "b.pgm", "y"), other);
+    EXPECT_TRUE(is_ros_yaml("\timage: a"));
+    EXPECT_FALSE(is_ros_yaml("the image: a"));
+    EXPECT_FALSE(is_ros_yaml("\n\n"));
+}
+
+// Nothing turns by a full turn, nor by what is left of one when it is rounded.
+TEST(RosMaps, YawThatTurnsNothingIsRead) {
+    const auto yaml = [](const std::string& yaw) {
+        return parse_ros_yaml("image: a.pgm\nresolution: 1\norigin: [3, 4, " + yaw + "]\n", "y");
+    };
+    for (const char* yaw : {"0", "-0.0", "1e-12", "-1e-7", "6.283185307179586", "6.283185", "-12.566370614359172"}) {
+        SCOPED_TRACE(yaw);
+        EXPECT_EQ(yaml(yaw).origin, (std::array{3.0, 4.0}));
+    }
+    for (const char* yaw : {"1e-5", "-0.001", "1.5707963", "3.14159265", "6.28", "6.2832"}) {
+        SCOPED_TRACE(yaw);
+        EXPECT_NE(input_error([&] { yaml(yaw); }).find("y:3: origin has a yaw"), std::string::npos);
+    }
 }
 
 TEST(RosMaps, YamlNamesAnotherImageAndNothingElseChanges) {

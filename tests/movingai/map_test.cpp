@@ -56,8 +56,8 @@ RC_GTEST_PROP(MovingaiMap, IsReadOrRefused, (const std::string& junk)) {
 }
 
 TEST(MovingaiMap, ReadsTerrain) {
-    const Grid grid = grid_in("type octile\nheight 1\nwidth 10\nmap\n.GS@OTW# \xff\n");
-    for (int x = 0; x < 10; ++x) EXPECT_EQ(grid.blocked({x, 0}), x > 2) << "cell " << x;
+    const Grid grid = grid_in("type octile\nheight 1\nwidth 11\nmap\n.GSE@OTW# \xff\n");
+    for (int x = 0; x < 11; ++x) EXPECT_EQ(grid.blocked({x, 0}), x > 3) << "cell " << x;
 }
 
 TEST(MovingaiMap, MayStateItsSizeInEitherOrder) {
@@ -71,6 +71,14 @@ TEST(MovingaiMap, MayLackTheLastLineEndOrHaveEmptyLinesAfterIt) {
     const std::string map = "type octile\nheight 1\nwidth 2\nmap\n.@";
     EXPECT_EQ(grid_in(map), grid_in(map + "\n"));
     EXPECT_EQ(grid_in(map), grid_in(map + "\r\n\r\n  \n"));
+}
+
+// Within its width a blank is a blocked cell, beyond it nothing.
+TEST(MovingaiMap, MayHaveBlanksAtLineEnds) {
+    const Grid grid = grid_in("type octile \nheight 3\t\nwidth 3 \nmap \n..@ \n.. \t \r\n.. \n");
+    EXPECT_EQ(grid, grid_in("type octile\nheight 3\nwidth 3\nmap\n..@\n..@\n..@\n"));
+    EXPECT_NE(input_error([] { grid_in("type octile\nheight 1\nwidth 3\nmap\n... .\n"); }).find("has 5 cells"),
+              std::string::npos);
 }
 
 TEST(MovingaiMap, MayBeOneCellWideOrAllBlocked) {

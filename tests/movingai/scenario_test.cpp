@@ -49,6 +49,22 @@ TEST(MovingaiScenarios, MayVaryInVersionLineSeparatorsAndLineEnds) {
     EXPECT_TRUE(scenarios_in("").empty());
 }
 
+TEST(MovingaiScenarios, MayHaveBlanksInTheMapsNameBetweenTabs) {
+    const std::vector<Scenario> scenarios =
+        scenarios_in("version 1\n0\tmy old map.map\t4\t3\t0\t1\t3\t2\t3.8\r\n0 \t a b \t4\t3\t0\t1\t3\t2\t 3.8 \n");
+    ASSERT_EQ(scenarios.size(), 2U);
+    EXPECT_EQ(scenarios[0].map, "my old map.map");
+    EXPECT_EQ(scenarios[1].map, "a b");
+    for (const Scenario& scenario : scenarios) {
+        EXPECT_EQ(scenario.start, (Cell{0, 1}));
+        EXPECT_EQ(scenario.optimal_length, 3.8);
+    }
+    // Not all columns are between tabs: a blank ends one.
+    EXPECT_TRUE(input_error([] {
+                    scenarios_in("0\tmy map.map\t4\t3\t0 1\t3\t2\t3.8\n");
+                }).starts_with("a.scen:1: a scenario has 9 columns"));
+}
+
 RC_GTEST_PROP(MovingaiScenarios, AreReadOrRefused, (const std::string& junk)) {
     input_error([&] { scenarios_in(junk); });
     input_error([&] { scenarios_in("version 1\n0\tm\t" + junk); });

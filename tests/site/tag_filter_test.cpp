@@ -11,12 +11,12 @@
 namespace waybreaker::site {
 namespace {
 
-bool fits(std::string_view text, std::string_view pattern) {
+bool fits_by_trying(std::string_view text, std::string_view pattern) {
     if (pattern.empty()) return text.empty();
     if (pattern.front() != '*')
-        return !text.empty() && text.front() == pattern.front() && fits(text.substr(1), pattern.substr(1));
+        return !text.empty() && text.front() == pattern.front() && fits_by_trying(text.substr(1), pattern.substr(1));
     for (std::size_t taken = 0; taken <= text.size(); ++taken) {
-        if (fits(text.substr(taken), pattern.substr(1))) return true;
+        if (fits_by_trying(text.substr(taken), pattern.substr(1))) return true;
     }
     return false;
 }
@@ -30,7 +30,7 @@ RC_GTEST_PROP(TagFilter, HasAStarForAnyText, ()) {
     const std::string text = some("ab");
     const std::string pattern = some("ab*");
     RC_PRE(!pattern.empty());
-    RC_ASSERT((TagFilter{"name", {pattern}}.accepts(text)) == fits(text, pattern));
+    RC_ASSERT((TagFilter{"name", {pattern}}.accepts(text)) == fits_by_trying(text, pattern));
 }
 
 TEST(TagFilter, TakesAnyOfItsValuesAndNoForNothing) {
