@@ -3,6 +3,7 @@
 #include "experiment/results.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
+#include "named_files.hpp"
 #include "option.hpp"
 
 namespace waybreaker::apps {
@@ -15,6 +16,7 @@ struct ExperimentExportOptions {
 };
 
 void run(const ExperimentExportOptions& options) {
+    require_ending("--output", options.output, {".csv"});
     io::write_whole(options.output, experiment::Results(options.results).csv(!options.no_timing));
 }
 

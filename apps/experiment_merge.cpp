@@ -5,6 +5,7 @@
 #include "experiment/merge.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
+#include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 
@@ -17,6 +18,7 @@ struct ExperimentMergeOptions {
 };
 
 void run(const ExperimentMergeOptions& options) {
+    require_ending("--output", options.output, {".db"}, "; waybreaker experiment export writes CSV");
     {
         const Progress progress(fmt::format("merging {} files", options.shards.size()));
         experiment::merge(options.shards, options.output);

@@ -10,6 +10,7 @@
 #include "experiment/run.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
+#include "named_files.hpp"
 #include "option.hpp"
 #include "progress.hpp"
 #include "version.hpp"
@@ -72,6 +73,7 @@ experiment::Experiment read(const std::string& spec) {
 }
 
 void run(const ExperimentRunOptions& options) {
+    require_ending("--output", options.output, {".db"}, "; waybreaker experiment export writes CSV");
     const experiment::Experiment experiment = read(options.spec);
     experiment::Store store(options.output, experiment, options.shard, version());
     heed_requests_to_end();

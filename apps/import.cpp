@@ -139,7 +139,11 @@ void run(const ImportOptions& options) {
     if (options.center == options.window.box.has_value()) {
         throw InputError("give the window either by --center (and --size) or by --bbox");
     }
-    if (!options.tile) return import_one(options);
+    if (!options.tile) {
+        require_ending("--output", options.output, {".tif", ".tiff"},
+                       "; waybreaker map convert then writes that map in other formats");
+        return import_one(options);
+    }
     if (options.output == "-") throw InputError("--tile writes a folder: give its name as --output");
     import_folder(options, *options.tile);
 }

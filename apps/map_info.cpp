@@ -102,8 +102,14 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     text += line("background", fmt::format("{}", fmt::join(background_summary(file.background), ", ")));
     if (file.georeference) {
         const auto [longitude, latitude] = mapfile::center(file);
-        text += line("projection", geo::crs_name(*file.georeference));
+        const std::string name = geo::crs_name(*file.georeference);
+        const std::string code = geo::crs_code(*file.georeference);
+        text += line("projection", code == name ? name : fmt::format("{} ({})", name, code));
         text += line("centre", fmt::format("longitude {:.6f}, latitude {:.6f}", longitude, latitude));
+        if (const auto box = geo::lon_lat_box(*file.georeference, map.width(), map.height())) {
+            text += line("extent", fmt::format("longitude {:.6f} to {:.6f}, latitude {:.6f} to {:.6f}", box->at(0),
+                                               box->at(2), box->at(1), box->at(3)));
+        }
     }
     if (file.origin) {
         const auto [x, y] = *file.origin;

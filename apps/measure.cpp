@@ -1,6 +1,7 @@
 #include "measure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -21,6 +22,21 @@ std::optional<double> number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
     return value;
+}
+
+// The number before one of the units, in what they measure.
+std::optional<double> with_unit(std::string_view text, const Units& units) {
+    for (const auto& [name, size] : units) {
+        if (!text.ends_with(name)) continue;
+        if (const auto value = number(text.substr(0, text.size() - name.size()))) return *value * size;
+    }
+    return std::nullopt;
+}
+
+std::string names_of(const Units& units) {
+    std::vector<std::string_view> names;
+    for (const Unit& unit : units) names.push_back(unit.name);
+    return fmt::format("{}", fmt::join(names, " or "));
 }
 
 InputError no_metres(const std::string& option, const std::string& text, const io::MapFile& map) {
@@ -47,18 +63,34 @@ Cell cell_on(const io::MapFile& map, Point cell, const GivenPlace& place, const 
 }  // namespace
 
 CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<Measure>& value, Range range,
-                         const std::string& unit, const std::string& type, const std::string& text) {
-    const auto read = [name, range, unit, &value](const std::string& given) {
-        const bool metric = given.ends_with(unit);
-        const auto said = number(std::string_view(given).substr(0, given.size() - (metric ? unit.size() : 0)));
-        if (!said || (metric ? *said < 0 : !(*said >= range.least && *said <= range.most))) {
+                         const Units& units, const std::string& type, const std::string& text) {
+    const auto read = [name, range, units, &value](const std::string& given) {
+        if (const auto bare = number(given); bare && *bare >= range.least && *bare <= range.most) {
+            value = Measure{name, given, *bare, false};
+        } else if (const auto metric = with_unit(given, units); metric && *metric >= 0) {
+            value = Measure{name, given, *metric, true};
+        } else {
             throw CLI::ValidationError(
                 name, fmt::format("'{}' is not a number from {} to {}, nor one with the unit {} behind it",
-                                  shown(given), number_text(range.least), number_text(range.most), unit));
+                                  shown(given), number_text(range.least), number_text(range.most), names_of(units)));
         }
-        value = Measure{name, given, *said, metric};
     };
     return app.add_option_function<std::string>(name, read, text)->type_name(type);
+}
+
+CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optional<double>& value,
+                            const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        std::optional<double> limit = given == "none" ? std::numeric_limits<double>::infinity() : number(given);
+        if (!limit) limit = with_unit(given, time_units);
+        if (!limit || !(*limit > 0)) {
+            throw CLI::ValidationError(
+                name,
+                fmt::format("'{}' is neither a number of seconds above 0, such as 30 or 2min, nor none", shown(given)));
+        }
+        value = limit;
+    };
+    return app.add_option_function<std::string>(name, read, text)->type_name("SECONDS|none");
 }
 
 double in_cells(const Measure& measure, const io::MapFile& map, Range range) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/map_file.hpp"
 #include "option.hpp"
@@ -20,9 +22,24 @@ struct Measure {
     bool metric = false;
 };
 
-// "0.8", which must be in the range, or with the unit behind it: "0.8m".
+// What may stand behind a number, and how many metres, seconds, or metres per second one of it is.
+struct Unit {
+    std::string_view name;
+    double size;
+};
+using Units = std::vector<Unit>;
+
+inline const Units length_units{{"m", 1}};
+inline const Units time_units{{"s", 1}, {"min", 60}};
+inline const Units speed_units{{"m/s", 1}, {"km/h", 1 / 3.6}};
+
+// "0.8", which must be in the range, or with one of the units behind it: "0.8m".
 CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<Measure>& value, Range range,
-                         const std::string& unit, const std::string& type, const std::string& text);
+                         const Units& units, const std::string& type, const std::string& text);
+
+// A number of seconds above 0, also as 30s or 2min; or "none".
+CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optional<double>& value,
+                            const std::string& text);
 
 // A length or a speed in cells. Throws InputError, naming the option, if it is metric, and the map has no metres, or
 // they are out of range.

@@ -84,6 +84,9 @@ void run(const MissionsGenerateOptions& options) {
     if (options.objective && !options.team) throw InputError("--objective is for --team: scenario files have none");
     NamedFiles maps;
     for (const std::string& map : options.maps) maps.emplace_back("MAP", map);
+    require_ending(
+        "--output", options.output,
+        options.team ? std::vector<std::string_view>{".jsonl", ".json"} : std::vector<std::string_view>{".scen"});
     keep_inputs({{"--output", options.output}}, maps);
     std::vector<Drawn> of_map(options.maps.size());
     {

@@ -21,7 +21,7 @@ struct Suffix {
 };
 
 // Extensions that identify a format. Other extensions may be used for any format.
-const std::array<Suffix, 17> suffixes{{{".json", {"--json", "--save-mission", "--trace", "--geojson"}},
+const std::array<Suffix, 30> suffixes{{{".json", {"--json", "--save-mission", "--trace", "--geojson"}},
                                        {".svg", {"--svg"}},
                                        {".png", {"--png", "--opened-map"}},
                                        {".html", {"--html"}},
@@ -31,6 +31,19 @@ const std::array<Suffix, 17> suffixes{{{".json", {"--json", "--save-mission", "-
                                        {".yaml", {"--ros-path", "--opened-map"}},
                                        {".yml", {"--ros-path", "--opened-map"}},
                                        {".xml", {"--xml", "--opened-map"}},
+                                       {".scen", {}},
+                                       {".db", {}},
+                                       {".osm", {}},
+                                       {".pbf", {}},
+                                       {".gpkg", {}},
+                                       {".shp", {}},
+                                       {".kml", {}},
+                                       {".gml", {}},
+                                       {".fgb", {}},
+                                       {".toml", {}},
+                                       {".svgz", {}},
+                                       {".gz", {}},
+                                       {".zip", {}},
                                        {".jpg", {}},
                                        {".jpeg", {}},
                                        {".pdf", {}},
@@ -44,8 +57,12 @@ std::string lower(std::string text) {
     return text;
 }
 
+std::string ending_of(const std::string& path) {
+    return lower(std::filesystem::path(path).extension().string());
+}
+
 void validate_name(const std::string& option, const std::string& path) {
-    const std::string extension = lower(std::filesystem::path(path).extension().string());
+    const std::string extension = ending_of(path);
     const auto* const known = std::ranges::find(suffixes, extension, &Suffix::text);
     if (known == suffixes.end() || std::ranges::find(known->options, option) != known->options.end()) return;
     std::vector<std::string_view> own;
@@ -75,6 +92,15 @@ void validate_inputs(const NamedFiles& inputs) {
     const auto second = std::find_if(first + 1, inputs.end(), reads_it);
     if (second == inputs.end()) return;
     throw InputError(fmt::format("{} and {} cannot both be standard input", first->first, second->first));
+}
+
+void require_ending(const std::string& option, const std::string& path, const std::vector<std::string_view>& endings,
+                    const std::string& remedy) {
+    const std::string extension = ending_of(path);
+    const bool known = std::ranges::find(suffixes, extension, &Suffix::text) != suffixes.end();
+    if (!known || std::ranges::find(endings, extension) != endings.end()) return;
+    throw InputError(fmt::format("{} does not write {} files, as {} would be: end the name in {}{}", option, extension,
+                                 io::excerpt(path), fmt::join(endings, " or "), remedy));
 }
 
 void keep_inputs(const NamedFiles& outputs, const NamedFiles& inputs) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,11 @@ using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 
 // Throws InputError if two of them are standard input.
 void validate_inputs(const NamedFiles& inputs);
+
+// Throws InputError if the name ends as files of a format do, and not in one of these: `import -o city.geojson`.
+// Endings of no format are accepted. `remedy` tells how to make such a file all the same.
+void require_ending(const std::string& option, const std::string& path, const std::vector<std::string_view>& endings,
+                    const std::string& remedy = "");
 
 // Throws InputError if one writes what is read.
 void keep_inputs(const NamedFiles& outputs, const NamedFiles& inputs);

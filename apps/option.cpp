@@ -45,6 +45,10 @@ CLI::Option* add(CLI::App& app, const std::string& name, const std::function<voi
 
 }  // namespace
 
+std::optional<double> number_from(std::string_view text) {
+    return number<double>(text);
+}
+
 std::string shown(std::string_view given) {
     constexpr std::size_t most = 40;
     return io::excerpt(given, most);
@@ -130,20 +134,6 @@ CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<do
                         const std::string& text) {
     return add_number(
         app, name, [&value](double length) { value = length; }, {0, most}, "CELLS", text);
-}
-
-CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optional<double>& value,
-                            const std::string& text) {
-    const auto read = [name, &value](const std::string& given) {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        const auto seconds = given == "none" ? infinity : number<double>(given);
-        if (!seconds || !(*seconds > 0)) {
-            throw CLI::ValidationError(
-                name, fmt::format("'{}' is neither a number of seconds above 0 nor none", shown(given)));
-        }
-        value = *seconds;
-    };
-    return add(app, name, read, "SECONDS|none", text);
 }
 
 CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,

@@ -22,6 +22,9 @@ namespace waybreaker::apps {
 // What was given, in an error: its beginning.
 std::string shown(std::string_view given);
 
+// The number that a text is, from end to end.
+std::optional<double> number_from(std::string_view text);
+
 // "12,20"
 CLI::Option* add_cell(CLI::App& app, const std::string& name, std::optional<Cell>& value, const std::string& text);
 
@@ -48,10 +51,6 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::funct
 // A number of cells, from 0 to `most`.
 CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, double most,
                         const std::string& text);
-
-// A number of seconds above 0, or "none".
-CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optional<double>& value,
-                            const std::string& text);
 
 // Ids of obstacles: "17,4".
 CLI::Option* add_obstacles(CLI::App& app, const std::string& name, std::vector<ObstacleId>& value,

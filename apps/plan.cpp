@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -67,6 +68,33 @@ render::PictureOptions picture_options(const io::PlanContext& context) {
             .sections = map.sections};
 }
 
+// What a page's curve shows where the time has ended it: the plan, what is reached without removals, and that nothing
+// is known of the rest. It begins with what has to be removed.
+std::vector<Plan> as_far_as_known(std::vector<Plan> front, const Rules& rules, const Plan& before, const Plan& chosen) {
+    const std::size_t first = rules.force.size();
+    Plan unknown;
+    unknown.status = PlanStatus::limit_reached;
+    front.resize(std::max(front.size(), std::max<std::size_t>(usual_most_removals, first) + 1 - first), unknown);
+    const auto add = [&](std::size_t removals, const Plan& plan) {
+        constexpr double never = std::numeric_limits<double>::infinity();
+        const auto reached = [&](const Plan& one) { return value(one.after, rules.objective).value_or(never); };
+        Plan& step = front[removals - first];
+        if (step.status == PlanStatus::limit_reached || reached(plan) < reached(step)) step = plan;
+    };
+    if (first == 0 && before.status != PlanStatus::limit_reached) {
+        add(0, before);
+    } else if (first == 0 && chosen.before.makespan) {
+        Plan without;
+        without.status = PlanStatus::solved;
+        without.after = chosen.before;
+        add(0, without);
+    }
+    const std::size_t most = std::min(std::size_t(rules.removals), front.size() - 1 + first);
+    for (std::size_t removals = std::max(chosen.breaches.size(), first); removals <= most; ++removals)
+        add(removals, chosen);
+    return front;
+}
+
 constexpr double share_of_team = 0.7;  // of the time: for a team's plan, before what its page compares it with
 
 // The plan, and what there is to compare it with: no removal, the paper's plan (which knows no teams), more and fewer
@@ -92,8 +120,9 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
                                     .in_seconds = context.in_seconds});
     };
     const auto add = [&](const std::string& name, const Mission& mission, const Method& method) {
-        const Plan plan = planner.plan(context.map.map, mission, method, what_is_left());
+        Plan plan = planner.plan(context.map.map, mission, method, what_is_left());
         plans.push_back({name, json(mission, method, plan)});
+        return plan;
     };
     plans.push_back({"plan", json(context.mission, context.method, chosen)});
     Method usual = context.method;
@@ -101,7 +130,7 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
     Mission none = context.mission;
     none.rules.removals = 0;
     none.rules.force.clear();
-    add("before", none, usual);
+    const Plan before = add("before", none, usual);
     const bool is_team = context.mission.is_team();
     if (usual.select == Selection::exact && !is_team) {
         Mission mission = context.mission;
@@ -112,7 +141,8 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
     if (is_team && deadline.passed()) return plan_html(context.map, plans);
     Mission more = context.mission;
     more.rules.removals = std::max(more.rules.removals, usual_most_removals);
-    const std::vector<Plan> front = planner.front(context.map.map, more, usual, what_is_left());
+    std::vector<Plan> front = planner.front(context.map.map, more, usual, what_is_left());
+    if (deadline.passed()) front = as_far_as_known(std::move(front), context.mission.rules, before, chosen);
     return plan_html(context.map, plans, json(more, usual, front.back(), front));
 }
 
@@ -144,7 +174,8 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         for (Route& route : exported.after.routes) route.seconds = 0;
     }
     for (auto& output :
-         export_plan(options.exports, exported, file, search_options(context.method, context.mission.ground_body()))) {
+         export_plan(options.exports, exported, file, search_options(context.method, context.mission.ground_body()),
+                     context.in_seconds)) {
         outputs.push_back(std::move(output));
     }
     const auto last =

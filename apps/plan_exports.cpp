@@ -8,6 +8,7 @@
 #include "io/plan_csv.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_ros_path.hpp"
+#include "mapfile/map_info.hpp"
 #include "mapfile/map_writer.hpp"
 #include "mapfile/relabelled_map.hpp"
 #include "option.hpp"
@@ -50,12 +51,14 @@ NamedFiles named_outputs(const PlanExports& exports) {
 }
 
 std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
-                                                             const io::MapFile& map, const SearchOptions& search) {
+                                                             const io::MapFile& map, const SearchOptions& search,
+                                                             bool in_seconds) {
+    const io::ExportUnits units{.in_seconds = in_seconds, .crs = mapfile::frame_crs(map)};
     std::vector<std::pair<std::string, std::string>> files;
     if (!exports.geojson.empty())
-        files.emplace_back(exports.geojson, io::plan_geojson(plan, map, geo::lon_lat_of(map.georeference)));
+        files.emplace_back(exports.geojson, io::plan_geojson(plan, map, geo::lon_lat_of(map.georeference), units));
     if (!exports.csv.empty())
-        files.emplace_back(exports.csv, io::plan_csv(plan, map, geo::lon_lat_of(map.georeference)));
+        files.emplace_back(exports.csv, io::plan_csv(plan, map, geo::lon_lat_of(map.georeference), units));
     if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map, exports.step));
     if (!exports.xml.empty()) files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));
     if (!exports.opened_map.empty()) {

@@ -28,8 +28,10 @@ void add_plan_exports(CLI::App& command, PlanExports& exports);
 
 NamedFiles named_outputs(const PlanExports& exports);
 
-// Path and bytes of each file. Precondition: the plan is one for this map, whatever was searched for it.
+// Path and bytes of each file. Precondition: the plan is one for this map, whatever was searched for it. `in_seconds`:
+// a unit of its time is a second.
 std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
-                                                             const io::MapFile& map, const SearchOptions& search);
+                                                             const io::MapFile& map, const SearchOptions& search,
+                                                             bool in_seconds);
 
 }  // namespace waybreaker::apps

@@ -96,15 +96,15 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
                   "These places are metres of the map's frame, x to the right and y up, as a robot knows them: "
                   "-1.5,0.25; not cells")
         ->excludes("--lonlat");
-    add_measure(command, "--ground-speed", options.ground_speed, speeds, "m/s", "SPEED",
-                "How fast the ground agent drives, in cells per unit of time, or as 1.5m/s: a unit of time is then a "
-                "second (default: 1)");
-    add_measure(command, "--air-speed", options.air_speed, speeds, "m/s", "SPEED",
+    add_measure(command, "--ground-speed", options.ground_speed, speeds, speed_units, "SPEED",
+                "How fast the ground agent drives, in cells per unit of time, or as 1.5m/s or 5km/h: a unit of time is "
+                "then a second (default: 1)");
+    add_measure(command, "--air-speed", options.air_speed, speeds, speed_units, "SPEED",
                 "How fast the air agent flies, likewise (default: 1)");
-    add_measure(command, "--breach-time", options.breach_time, breach_times, "s", "TIME",
-                "How long the air agent stays to breach an obstacle, beside what the map says of each; with s, such as "
-                "30s, in seconds, at 1 m/s if no speeds are given (default: 0)");
-    add_measure(command, "--breach-time-per-cell", options.breach_time_per_cell, breach_times, "s", "TIME",
+    add_measure(command, "--breach-time", options.breach_time, breach_times, time_units, "TIME",
+                "How long the air agent stays to breach an obstacle, beside what the map says of each; with a "
+                "unit, such as 30s or 2min, in seconds, at 1 m/s if no speeds are given (default: 0)");
+    add_measure(command, "--breach-time-per-cell", options.breach_time_per_cell, breach_times, time_units, "TIME",
                 "How much longer for each cell of the obstacle (default: 0)");
     add_protect(command, options);
     add_obstacles(command, "--force", options.force, "Obstacles that must go; they count among the removals");
@@ -118,17 +118,29 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
 
 // A weight, or an area such as 800m2.
 void add_budget(CLI::App& command, PlanOptions& options) {
-    CLI::Option* option = add_number(
-        command, "--budget", [&options](double budget) { options.budget = budget; }, {least_weight, most_weight},
-        "WEIGHT|AREA",
-        "What the removed obstacles may weigh together, each 1 unless the map or --weights says otherwise; or how many "
-        "square metres they may cover: 800m2. Alone it stands in place of a count");
-    option->transform([&options](std::string given) {
-        constexpr std::string_view unit = "m2";
-        options.area_budget = given.ends_with(unit);
-        if (options.area_budget) given.resize(given.size() - unit.size());
-        return given;
-    });
+    const auto read = [&options](const std::string& given) {
+        std::string_view text = given;
+        for (const std::string_view unit : {"m2", "m\u00B2"}) {
+            if (!text.ends_with(unit)) continue;
+            text.remove_suffix(unit.size());
+            break;
+        }
+        const std::optional<double> budget = number_from(text);
+        if (!budget || !(*budget >= least_weight && *budget <= most_weight)) {
+            throw CLI::ValidationError(
+                "--budget",
+                fmt::format("'{}' is not a number from {} to {}, nor an area in square metres such as 800m2",
+                            shown(given), number_text(least_weight), number_text(most_weight)));
+        }
+        options.budget = budget;
+        options.area_budget = text.size() < given.size();
+    };
+    command
+        .add_option_function<std::string>(
+            "--budget", read,
+            "What the removed obstacles may weigh together, each 1 unless the map or --weights says otherwise; or how "
+            "many square metres they may cover: 800m2. Alone it stands in place of a count")
+        ->type_name("WEIGHT|AREA");
 }
 
 // As such or in per cent: "0.005", "0.5%".
@@ -229,7 +241,7 @@ void add_search_options(CLI::App& command, PlanOptions& options) {
         "Of two equally promising nodes take the one farther from (g-max) or nearer to the start (default: g-max)");
     add_choice(command, "--corners", io::corner_words, options.corners,
                "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
-    add_measure(command, "--radius", options.radius, radii, "m", "LENGTH",
+    add_measure(command, "--radius", options.radius, radii, length_units, "LENGTH",
                 "Radius of the ground agent, in cells, or metres such as 0.8m; 0 for a point (default: 0.5)");
     add_choice(command, "--moves", move_counts, options.diagonal, "Steps from a cell (default: 8)");
     add_count(

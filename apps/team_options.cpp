@@ -157,7 +157,7 @@ void add_team_options(CLI::App& command, PlanOptions& options) {
     add_count(
         command, "--breaches", [&options](std::int64_t n) { options.breaches = int(n); }, 0, any_number,
         "How many obstacles each of the aircraft may breach (default: as many as may be removed)");
-    add_measure(command, "--separation", options.separation, radii, "m", "LENGTH",
+    add_measure(command, "--separation", options.separation, radii, length_units, "LENGTH",
                 "Room between any two ground agents, in cells, or metres such as 2m (default: 0)");
     add_choice(command, "--at-goal", io::at_goal_words, options.at_goal,
                "Whether ground agents that have arrived stay, in the way of others, or leave (default: stay)");

@@ -73,8 +73,7 @@ XmlFile::Element XmlFile::Element::get(std::string_view tag) const {
 }
 
 bool is_xml(std::string_view bytes) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+    bytes = without_byte_order_mark(bytes);
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && bytes[first] == '<';
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "core/byte_order_mark.hpp"
 #include "experiment/document.hpp"
 #include "experiment/places.hpp"
 #include "experiment/spec.hpp"
@@ -61,7 +62,7 @@ class MissionReader {
     void add(const std::string& path) {
         const std::uint32_t set = std::uint32_t(experiment_.sets.size());
         experiment_.sets.push_back(fs::path(path).stem().string());
-        const std::string text = io::read_whole(path);
+        const std::string text(without_byte_order_mark(io::read_whole(path)));
         if (text.starts_with('{')) {
             add_documents(text, path, set);
         } else {

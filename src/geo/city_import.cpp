@@ -228,6 +228,17 @@ Material read(const std::string& source, const Window& window, const ImportOptio
     }
 }
 
+// What the user should know of a source.
+std::vector<std::string> notes_of(const Material& material) {
+    std::vector<std::string> notes = material.survey.ground.notes;
+    if (const std::size_t count = material.footprints.shapeless; count > 0) {
+        notes.push_back(fmt::format("{} left out: {} no coordinates, or such as are no numbers",
+                                    count == 1 ? "1 feature is" : fmt::format("{} features are", count),
+                                    count == 1 ? "it has" : "they have"));
+    }
+    return notes;
+}
+
 // Walls and fences are what they say of themselves: that of a hospital may be opened.
 void inherit(const std::vector<Premises>& premises, const std::vector<std::uint32_t>& labels, const CellWindow& window,
              const ImportOptions& options, std::vector<Seen>& seen) {
@@ -272,7 +283,7 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
     ImportReport report{.tiff = std::move(tiff),
                         .covered = material.covered,
                         .profile = profile_of(options),
-                        .notes = material.survey.ground.notes};
+                        .notes = notes_of(material)};
     for (const Seen& one : seen) {
         if (is_sheltered(one, options.choice)) ++report.sheltered;
         if (one.footprint->kind == Kind::barrier) continue;

@@ -100,7 +100,7 @@ std::vector<std::string> FeatureTags::kept(const OGRFeature& feature) const {
     for (const std::string_view key : kept_keys) {
         const std::optional<std::string> said = value(feature, std::string(key));
         const std::string text = clean_name(said.value_or("no"));
-        if (!text.empty() && text != "no") tags.push_back(fmt::format("{}={}", key, text));
+        if (!text.empty() && !site::says_no(text)) tags.push_back(fmt::format("{}={}", key, text));
     }
     return tags;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/in_quotes.hpp"
@@ -83,6 +84,23 @@ const std::vector<TagFilter>& buildings() {
     return filters;
 }
 
+// Whether all coordinates of a shape are numbers.
+class AllNumbers : public OGRDefaultConstGeometryVisitor {
+  public:
+    static bool in(const OGRGeometry& shape) {
+        AllNumbers numbers;
+        shape.accept(&numbers);
+        return numbers.all_;
+    }
+    using OGRDefaultConstGeometryVisitor::visit;
+    void visit(const OGRPoint* point) override {
+        all_ = all_ && std::isfinite(point->getX()) && std::isfinite(point->getY());
+    }
+
+  private:
+    bool all_ = true;
+};
+
 // Which features of a layer are obstacles. By default buildings; in a layer that knows no such tag everything is one.
 class Selection {
   public:
@@ -101,12 +119,22 @@ class Selection {
 
     bool takes(const OGRFeature& feature) const {
         const OGRGeometry* shape = feature.GetGeometryRef();
-        if (!shape || !is_of(kind_, shape->getGeometryType())) return false;
+        return shape && is_of(kind_, shape->getGeometryType()) && wants(feature);
+    }
+
+    // Whether it would be one, had it coordinates that are numbers. Without any it is no line: it would count twice.
+    bool misses(const OGRFeature& feature) const {
+        const OGRGeometry* shape = feature.GetGeometryRef();
+        if (!shape || shape->IsEmpty()) return kind_ == Shapes::areas && wants(feature);
+        return is_of(kind_, shape->getGeometryType()) && !AllNumbers::in(*shape) && wants(feature);
+    }
+
+  private:
+    bool wants(const OGRFeature& feature) const {
         if (all_) return true;
         return tags_.matches_any(feature, filters_) && (!only_in_the_way_ || stands_in_the_way(tags_.all(feature)));
     }
 
-  private:
     const FeatureTags& tags_;
     Shapes kind_;
     std::vector<TagFilter> filters_;
@@ -114,10 +142,10 @@ class Selection {
     bool only_in_the_way_;
 };
 
-// Calls visit(feature, tags) for the obstacles of a layer.
+// Calls visit(feature, tags) for the obstacles of a layer; gives the number of those without a shape.
 template <typename Visit>
-void for_each_obstacle(OGRLayer& layer, Shapes kind, const ObstacleChoice& choice, const std::string& source,
-                       Visit visit) {
+std::size_t for_each_obstacle(OGRLayer& layer, Shapes kind, const ObstacleChoice& choice, const std::string& source,
+                              Visit visit) {
     const GdalScope gdal;
     const FeatureTags tags(layer);
     const Selection selection(tags, choice, kind);
@@ -126,10 +154,16 @@ void for_each_obstacle(OGRLayer& layer, Shapes kind, const ObstacleChoice& choic
     // relation itself does not pass this filter.
     const std::string condition = selection.condition();
     layer.SetAttributeFilter(condition.empty() ? nullptr : condition.c_str());
+    std::size_t shapeless = 0;
     for (const OGRFeatureUniquePtr& feature : layer) {
-        if (selection.takes(*feature)) visit(*feature, tags);
+        if (selection.misses(*feature)) {
+            ++shapeless;
+        } else if (selection.takes(*feature)) {
+            visit(*feature, tags);
+        }
     }
     require_read(gdal, source);
+    return shapeless;
 }
 
 ObstacleAttributes attributes_of(const OGRFeature& feature, const FeatureTags& tags, const ObstacleChoice& choice) {
@@ -158,12 +192,21 @@ std::string name_of(const OGRFeature& feature, const FeatureTags& tags) {
     return street && number ? clean_name(*street + " " + *number) : "";
 }
 
+// Whether GDAL finds what lies in a box without reading the rest. It passes over what has no coordinates, which only
+// matters where OpenStreetMap's nodes do not see to them.
+bool finds_places(OGRLayer& layer, GDALDataset& file) {
+    return EQUAL(file.GetDriverName(), "OSM") || layer.TestCapability(OLCFastSpatialFilter);
+}
+
 // The obstacles of a layer whose bounding boxes meet `bounds`, in the layer's own coordinates, not measured yet.
 std::vector<Footprint> scan(OGRLayer& layer, Shapes kind, const ObstacleChoice& choice, const OGREnvelope& bounds,
-                            const std::string& source, FilterUse& use) {
+                            const std::string& source, FilterUse& use, bool filtered, std::size_t& shapeless) {
     std::vector<Footprint> found;
-    layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);
-    for_each_obstacle(layer, kind, choice, source, [&](OGRFeature& feature, const FeatureTags& tags) {
+    if (filtered) layer.SetSpatialFilterRect(bounds.MinX, bounds.MinY, bounds.MaxX, bounds.MaxY);
+    shapeless += for_each_obstacle(layer, kind, choice, source, [&](OGRFeature& feature, const FeatureTags& tags) {
+        OGREnvelope box;
+        feature.GetGeometryRef()->getEnvelope(&box);
+        if (!bounds.Intersects(box)) return;
         use.see(feature, tags);
         Footprint& footprint = found.emplace_back();
         footprint.attributes = attributes_of(feature, tags, choice);
@@ -276,7 +319,8 @@ bool read(Shapes kind, const std::string& source, const Window& window, const Ob
         const OGRSpatialReference& system = system_of(*layer, source);
         const OGREnvelope bounds = bounds_in(system, window, source);
         for (Footprint& footprint :
-             placed(scan(*layer, kind, choice, bounds, source, use), system, window, line_width)) {
+             placed(scan(*layer, kind, choice, bounds, source, use, finds_places(*layer, *file), result.shapeless),
+                    system, window, line_width)) {
             result.list.push_back(std::move(footprint));
         }
         result.from_osm = result.from_osm || FeatureTags(*layer).from_osm();

@@ -36,6 +36,19 @@ std::string crs_name(const site::Georeference& place) {
     return name ? name : "";
 }
 
+std::string crs_code(const site::Georeference& place) {
+    const GdalScope gdal;
+    const OGRSpatialReference system(place.crs.c_str());
+    const char* authority = system.GetAuthorityName(nullptr);
+    const char* code = system.GetAuthorityCode(nullptr);
+    return authority && code ? std::string(authority) + ":" + code : crs_name(place);
+}
+
+int utm_code(double longitude, double latitude) {
+    const int zone = std::clamp(int(std::floor((longitude + 180) / 6)) + 1, 1, 60);
+    return (latitude >= 0 ? 32600 : 32700) + zone;
+}
+
 ToLonLat::ToLonLat(const site::Georeference& place) : transform_(place.transform) {
     const GdalScope gdal;
     const OGRSpatialReference from = system_of(place);
@@ -123,6 +136,33 @@ std::optional<std::array<double, 6>> affine_to_lon_lat(const site::Georeference&
     }
     return std::array<double, 6>{a, b, at_longitude - a * middle.x - b * middle.y,
                                  d, e, at_latitude - d * middle.x - e * middle.y};
+} catch (const InputError&) {
+    return std::nullopt;
+}
+
+std::optional<std::array<double, 4>> lon_lat_box(const site::Georeference& place, int width, int height) try {
+    // Parallels bend: along a side the extreme may lie between its ends.
+    constexpr int steps = 20;
+    const ToLonLat to_lon_lat(place);
+    const double middle = to_lon_lat((width - 1) / 2.0, (height - 1) / 2.0)[0];
+    std::array<double, 4> box{middle, 90, middle, -90};
+    const auto include = [&](double u, double v) {
+        const auto [longitude, latitude] = to_lon_lat(u * width - 0.5, v * height - 0.5);
+        const double turned = middle + std::remainder(longitude - middle, 360);
+        box = {std::min(box[0], turned), std::min(box[1], latitude), std::max(box[2], turned),
+               std::max(box[3], latitude)};
+    };
+    for (int i = 0; i <= steps; ++i) {
+        const double share = double(i) / steps;
+        for (const double side : {0.0, 1.0}) {
+            include(share, side);
+            include(side, share);
+        }
+    }
+    if (!std::all_of(box.begin(), box.end(), [](double edge) { return std::isfinite(edge); })) return std::nullopt;
+    if (box[0] < -180) box[0] += 360;
+    if (box[2] > 180) box[2] -= 360;
+    return box;
 } catch (const InputError&) {
     return std::nullopt;
 }

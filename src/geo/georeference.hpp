@@ -16,6 +16,12 @@ namespace waybreaker::geo {
 
 // For people, e.g. "WGS 84 / UTM zone 33N".
 std::string crs_name(const site::Georeference& place);
+// For programs, e.g. "EPSG:32633"; the name where no authority has a code for it.
+std::string crs_code(const site::Georeference& place);
+
+// EPSG's code of the UTM zone of WGS84 around a place, without the exceptions around Norway: they change the zone's
+// name, but hardly any length.
+int utm_code(double longitude, double latitude);
 
 // Transforms points of a map to WGS84 degrees. Not thread-safe.
 class ToLonLat {
@@ -53,6 +59,10 @@ class FromLonLat {
 // For programs without projections: [a, b, c, d, e, f] so that a point x, y of a map, in cell units, has the longitude
 // a x + b y + c and the latitude d x + e y + f. Good to a cell everywhere on the map, or there is none.
 std::optional<std::array<double, 6>> affine_to_lon_lat(const site::Georeference& place, int width, int height);
+
+// West, south, east, north of the smallest box that holds a map; across 180 degrees west is above east, as in RFC 7946,
+// section 5.2. Empty where a part of it has no longitudes and latitudes.
+std::optional<std::array<double, 4>> lon_lat_box(const site::Georeference& place, int width, int height);
 
 // ToLonLat for code without GDAL; empty for a map without a georeference.
 site::ToLonLat lon_lat_of(const std::optional<site::Georeference>& place);

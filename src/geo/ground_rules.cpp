@@ -252,7 +252,7 @@ std::vector<GroundUse> ground_uses(const TagSet& tags, Shape shape, Profile prof
 
 // [K:building]: a roof on posts, a carport and a bridge let pass below.
 bool stands_in_the_way(const TagSet& building) {
-    return !says_one_of(building, "building", {"no", "roof", "carport", "canopy", "bridge"}) &&
+    return building.says("building") && !says_one_of(building, "building", {"roof", "carport", "canopy", "bridge"}) &&
            !says_one_of(building, "location", {"underground"}) && !is_below(building);
 }
 

@@ -15,12 +15,10 @@ namespace {
 
 constexpr double widest = 100000;  // metres of one UTM zone
 
-// UTM without the exceptions around Norway: they change the zone's name, but hardly any length.
 OGRSpatialReference utm_at(double longitude, double latitude) {
     OGRSpatialReference system;
     system.SetWellKnownGeogCS("WGS84");
-    const int zone = std::min(int(std::floor((longitude + 180) / 6)) + 1, 60);
-    system.importFromEPSG((latitude >= 0 ? 32600 : 32700) + zone);
+    system.importFromEPSG(utm_code(longitude, latitude));
     system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     return system;
 }
@@ -96,13 +94,18 @@ CellWindow window_of_box(const std::array<double, 4>& box, double cell) {
     if (!(std::abs(west) <= 180 && std::abs(east) <= 180 && std::abs(south) <= 80 && std::abs(north) <= 80)) {
         refuse("expected WEST,SOUTH,EAST,NORTH in degrees, latitudes within 80");
     }
-    if (!(west < east && south < north)) refuse("west must be below east, and south below north");
+    // Across 180 degrees west is above east (RFC 7946, section 5.2).
+    const double end = east > west ? east : east + 360;
+    constexpr double half_the_earth = 180;
+    if (!(end - west < half_the_earth && south < north)) {
+        refuse("west must be below east, but for a box across 180 degrees, and south below north");
+    }
     check_cell(cell);
     const GdalScope gdal;
-    const std::array<double, 2> center{(west + east) / 2, (south + north) / 2};
+    const std::array<double, 2> center{std::remainder((west + end) / 2, 360), (south + north) / 2};
     const OGRSpatialReference utm = utm_at(center[0], center[1]);
     OGREnvelope bounds;
-    if (!to_utm(utm, gdal)->TransformBounds(west, south, east, north, &bounds.MinX, &bounds.MinY, &bounds.MaxX,
+    if (!to_utm(utm, gdal)->TransformBounds(west, south, end, north, &bounds.MinX, &bounds.MinY, &bounds.MaxX,
                                             &bounds.MaxY, 21)) {
         refuse("cannot be projected to UTM");
     }

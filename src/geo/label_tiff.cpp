@@ -12,6 +12,8 @@
 #include "geo/gdal_scope.hpp"
 #include "geo/kinds_item.hpp"
 #include "geo/obstacle_metadata.hpp"
+#include "geo/raster_cells.hpp"
+#include "geo/raster_place.hpp"
 #include "geo/sections_item.hpp"
 #include "geo/tags_item.hpp"
 #include "site/described_map.hpp"
@@ -23,97 +25,9 @@ namespace {
 constexpr const char* title_item = "TIFFTAG_IMAGEDESCRIPTION";
 constexpr const char* attribution_item = "TIFFTAG_COPYRIGHT";
 
-// No practical compression gets more cells into a byte of the file; even the table of a file's empty blocks takes more.
-// So a few bytes cannot claim a gigabyte.
-constexpr std::size_t most_cells_per_byte = 16384;
-
-// Cells may deviate from squares by this share of their side.
-constexpr double square_tolerance = 1e-3;
-
 std::string metadata(GDALDataset& file, const char* item) {
     const char* text = file.GetMetadataItem(item);
     return text ? text : "";
-}
-
-// Reads only the header, so that nothing large is allocated for a map that is refused.
-void check_layout(GDALDataset& file, std::size_t bytes, const std::string& name, std::size_t most_cells) {
-    if (file.GetRasterCount() != 1) {
-        throw InputError(name, 0,
-                         fmt::format("has {} bands, a label map has one; pick one with 'gdal_translate -b 1'",
-                                     file.GetRasterCount()));
-    }
-    GDALRasterBand& band = *file.GetRasterBand(1);
-    const GDALDataType type = band.GetRasterDataType();
-    const bool fits =
-        type == GDT_Byte || type == GDT_UInt16 || type == GDT_Int16 || type == GDT_UInt32 || type == GDT_Int32;
-    if (!fits) {
-        throw InputError(name, 0,
-                         fmt::format("has cells of type {}, obstacle ids are integers of up to 32 bits; convert it "
-                                     "with 'gdal_translate -ot UInt32'",
-                                     GDALGetDataTypeName(type)));
-    }
-    const auto width = std::size_t(band.GetXSize());
-    const auto height = std::size_t(band.GetYSize());
-    if (width > max_side || height > max_side || width * height > most_cells) {
-        throw SizeError(
-            fmt::format("{}: has {} x {} cells; a map has sides of at most {} and at most {} cells in all: "
-                        "cut a piece out with 'gdal_translate -srcwin'",
-                        name, width, height, max_side, most_cells));
-    }
-    if (width * height > most_cells_per_byte * bytes) {
-        throw InputError(
-            name, 0, fmt::format("is damaged or cut short: {} bytes cannot hold {} x {} cells", bytes, width, height));
-    }
-    int block_width = 0;
-    int block_height = 0;
-    band.GetBlockSize(&block_width, &block_height);
-    const std::size_t block = std::size_t(block_width) * std::size_t(block_height);
-    if (block > std::max(4 * width * height, std::size_t{4096} * 4096)) {
-        throw InputError(name, 0,
-                         fmt::format("is cut into tiles of {} x {} cells, far larger than itself; write it anew with "
-                                     "'gdal_translate -co TILED=NO'",
-                                     block_width, block_height));
-    }
-}
-
-// The ids of all cells, row by row; cells without data are free.
-std::vector<std::uint32_t> read_labels(GDALDataset& file, const MemoryFile& memory, const std::string& name) {
-    GDALRasterBand& band = *file.GetRasterBand(1);
-    const int width = band.GetXSize();
-    const int height = band.GetYSize();
-    const GDALDataType type = band.GetRasterDataType();
-    const bool is_signed = type == GDT_Int16 || type == GDT_Int32;
-    std::vector<std::uint32_t> labels(std::size_t(width) * std::size_t(height));
-    const GdalScope gdal;
-    int block_width = 0;
-    int rows = 0;
-    band.GetBlockSize(&block_width, &rows);
-    // Block by block, as GDAL would cache what it has read: as much memory again for a large map.
-    for (int y = 0; y < height; y += rows) {
-        rows = std::min(rows, height - y);
-        const CPLErr outcome = band.RasterIO(GF_Read, 0, y, width, rows, &labels[std::size_t(y) * std::size_t(width)],
-                                             width, rows, is_signed ? GDT_Int32 : GDT_UInt32, 0, 0, nullptr);
-        if (outcome != CE_None || gdal.failed()) {
-            throw InputError(name, 0, "is damaged or cut short: " + memory.nameless(gdal.failure()));
-        }
-        band.FlushCache(false);
-    }
-
-    int has_no_data = 0;
-    const double no_data = band.GetNoDataValue(&has_no_data);
-    if (has_no_data && no_data >= std::numeric_limits<std::int32_t>::min() &&
-        no_data <= std::numeric_limits<std::uint32_t>::max() && no_data == std::floor(no_data)) {
-        const auto no_data_label = std::uint32_t(std::int64_t(no_data));
-        std::replace(labels.begin(), labels.end(), no_data_label, 0U);
-    }
-    const auto negative = std::find_if(labels.begin(), labels.end(), [](std::uint32_t l) { return l >> 31 != 0; });
-    if (is_signed && negative != labels.end()) {
-        const std::ptrdiff_t at = negative - labels.begin();
-        throw InputError(name, 0,
-                         fmt::format("has the negative obstacle id {} at cell {},{}; ids start at 1, 0 is free",
-                                     std::int32_t(*negative), at % width, at / width));
-    }
-    return labels;
 }
 
 // Whether all labels other than 0 are equal.
@@ -133,59 +47,8 @@ Grid grid_of(int width, int height, const std::vector<std::uint32_t>& labels) {
     return grid;
 }
 
-// Cell size in metres, and where the map lies if the file knows its coordinate system.
-struct Place {
-    double cell_size = 1;
-    std::optional<site::Georeference> georeference;
-    std::optional<std::array<double, 2>> origin;
-};
-
-// To a nanometre: the file holds the upper-left corner, and the way from there and back rounds.
-double as_written(double metres) {
-    constexpr double nanometres = 1e9;
-    constexpr double most = 1e6;  // beyond, a number has no nanometres
-    return std::abs(metres) < most ? std::round(metres * nanometres) / nanometres + 0.0 : metres;
-}
-
-Place read_place(GDALDataset& file, const std::string& name) {
-    Place place;
-    std::array<double, 6> transform{};
-    if (file.GetGeoTransform(transform.data()) != CE_None) return place;
-    const auto [west, cell_x, skew_x, north, skew_y, cell_y] = transform;
-    if (!std::all_of(transform.begin(), transform.end(), [](double t) { return std::isfinite(t); })) {
-        throw InputError(name, 0, "has a georeference that is not a number; give it one with 'gdal_edit.py -a_ullr'");
-    }
-    if (skew_x != 0 || skew_y != 0 || !(cell_x > 0) || !(cell_y < 0)) {
-        throw InputError(name, 0, "is rotated or not north-up; straighten it with 'gdalwarp -r near'");
-    }
-    if (!(std::abs(cell_x + cell_y) <= square_tolerance * cell_x)) {
-        throw InputError(
-            name, 0,
-            fmt::format("has cells of {:.6g} x {:.6g}, cells must be square; resample it with 'gdalwarp -r near -tr'",
-                        cell_x, -cell_y));
-    }
-    place.cell_size = cell_x;
-    const OGRSpatialReference* system = file.GetSpatialRef();
-    if (system == nullptr) {
-        const double south = north + file.GetRasterYSize() * cell_y;
-        if (std::isfinite(south)) place.origin = {as_written(west), as_written(south)};
-        return place;
-    }
-    if (system->IsGeographic()) {
-        throw InputError(name, 0,
-                         "has cells in degrees, which are not square on the ground; project it with "
-                         "'gdalwarp -r near -t_srs EPSG:326ZZ', ZZ being its UTM zone");
-    }
-    place.cell_size = cell_x * system->GetLinearUnits();
-    char* text = nullptr;
-    system->exportToWkt(&text);
-    place.georeference = site::Georeference{text ? text : "", transform};
-    CPLFree(text);
-    return place;
-}
-
 // A map without a georeference cannot have a background.
-site::Background read_background(GDALDataset& file, const Place& place, int width, int height,
+site::Background read_background(GDALDataset& file, const RasterPlace& place, int width, int height,
                                  const std::string& name) {
     const std::string text = metadata(file, background_item);
     return text.empty() || !place.georeference ? site::Background{}
@@ -207,8 +70,8 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     const char* const only_tiff[] = {"GTiff", nullptr};
     const GDALDatasetUniquePtr file(GDALDataset::Open(memory.path().c_str(), GDAL_OF_RASTER, only_tiff));
     if (!file) throw InputError(name, 0, "is no GeoTIFF map: " + memory.nameless(gdal.failure()));
-    check_layout(*file, bytes.size(), name, limits.cells);
-    Place place = read_place(*file, name);
+    require_labels(*file, bytes.size(), name, limits.cells);
+    RasterPlace place = read_place(*file, name);
     const std::vector<ObstacleAttributes> attributes = read_obstacle_metadata(*file, name);
     site::LabelLayer layer{.width = file->GetRasterXSize(),
                            .height = file->GetRasterYSize(),

@@ -13,7 +13,7 @@ const std::string* TagSet::find(std::string_view key) const {
 
 bool TagSet::says(std::string_view key) const {
     const std::string* value = find(key);
-    return value != nullptr && *value != "no";
+    return value != nullptr && !site::says_no(*value);
 }
 
 bool TagSet::is(std::string_view key, std::string_view value) const {

@@ -19,7 +19,7 @@ class TagSet {
 
     // Null if there is no such tag.
     const std::string* find(std::string_view key) const;
-    // Whether there is one, other than `no`.
+    // Whether there is one that does not say no.
     bool says(std::string_view key) const;
     bool is(std::string_view key, std::string_view value) const;
     bool matches(const TagFilter& filter) const;

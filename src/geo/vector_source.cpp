@@ -5,9 +5,10 @@
 #include <array>
 #include <string>
 
+#include "geo/file_kind.hpp"
 #include "geo/gdal_scope.hpp"
-#include "geo/osm_root.hpp"
 #include "geo/sent_source.hpp"
+#include "geo/xml_root.hpp"
 
 namespace waybreaker::geo {
 namespace {
@@ -26,28 +27,48 @@ std::string head_of(const std::string& path, std::size_t bytes) {
     return head;
 }
 
-// GDAL finds out about compressed files by the prefix of their path only, and about OpenStreetMap's XML only if its
-// root is in the first kilobyte.
+bool is_gzip(const std::string& source) {
+    return head_of(source, 2) == "\x1f\x8b";
+}
+
+// As GDAL reads it, which finds out about compressed files by the prefix of their path only.
+std::string unpacked(const std::string& source) {
+    return is_gzip(source) ? "/vsigzip/" + source : source;
+}
+
+// GDAL finds out about OpenStreetMap's XML only if its root is in the first kilobyte.
 std::string gdal_path(const std::string& source) {
     constexpr std::size_t longest_prologue = std::size_t{1} << 20;
     constexpr std::size_t seen_by_gdal = 1000;
     const GdalScope gdal;
-    const bool gzip = head_of(source, 2) == "\x1f\x8b";
-    const std::string path = gzip ? "/vsigzip/" + source : source;
-    const std::optional<std::size_t> root = osm_root(head_of(path, longest_prologue));
-    return root && *root > seen_by_gdal ? "/vsisubfile/" + std::to_string(*root) + "," + path : path;
+    const std::string path = unpacked(source);
+    const std::string head = head_of(path, longest_prologue);
+    const std::optional<XmlRoot> root = xml_root(head);
+    return root && root->name == "osm" && root->at > seen_by_gdal
+               ? "/vsisubfile/" + std::to_string(root->at) + "," + path
+               : path;
 }
 
-// The remedy for a file that GDAL does not read.
-std::string remedy(const std::string& source) {
+std::optional<FileKind> kind_of(const std::string& source) {
+    constexpr std::size_t enough = std::size_t{1} << 16;
     const GdalScope gdal;
-    const std::string head = head_of(source, 6);
-    if (head.starts_with("BZh")) return "is packed with bzip2; unpack it with 'bunzip2 -k'";
-    if (head.starts_with("\xfd"
-                         "7zXZ"))
-        return "is packed with xz; unpack it with 'unxz -k'";
-    if (head.starts_with("\x28\xb5\x2f\xfd")) return "is packed with Zstandard; unpack it with 'unzstd -k'";
-    return "";
+    return file_kind(head_of(unpacked(source), enough));
+}
+
+// What GDAL did not read.
+InputError unreadable(const std::string& source, const GdalScope& gdal) {
+    using enum FileKind::Reader;
+    const std::optional<FileKind> kind = kind_of(source);
+    if (kind && kind->reader == map) {
+        return refusal(source, "is " + kind->what +
+                                   ", not map data with outlines: if it shows which cells are blocked, "
+                                   "it is a map as it is");
+    }
+    if (kind && kind->reader == perhaps_import) return refusal(source, description(*kind));
+    const char* const formats = SentSource::is_path(source) ? ".osm.pbf, .osm, .osm.gz, GeoJSON"
+                                                            : ".osm.pbf, .osm, .osm.gz, shapefile, GeoJSON, ...";
+    return refusal(source, fmt::format("cannot be read as map data ({}){}", formats,
+                                       gdal.failed() ? ": " + gdal.failure() : std::string()));
 }
 
 }  // namespace
@@ -59,7 +80,11 @@ InputError refusal(const std::string& source, const std::string& message) {
 GDALDatasetUniquePtr open_source(const std::string& source) {
     VSIStatBufL status;
     if (VSIStatL(source.c_str(), &status) != 0) throw refusal(source, "no such file");
-    if (const std::string what = remedy(source); !what.empty()) throw refusal(source, what);
+    const bool folder = VSI_ISDIR(status.st_mode);
+    if (!folder) {
+        const std::optional<FileKind> kind = kind_of(source);
+        if (kind && kind->reader == FileKind::Reader::neither) throw refusal(source, description(*kind));
+    }
     const GdalScope gdal;
     GDALAllRegister();
     const bool sent = SentSource::is_path(source);
@@ -68,12 +93,8 @@ GDALDatasetUniquePtr open_source(const std::string& source) {
     GDALDatasetUniquePtr file(GDALDataset::Open(gdal_path(source).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                                 sent ? harmless.data() : nullptr));
     if (file) return file;
-    if (VSI_ISDIR(status.st_mode))
-        throw refusal(source, "is a folder that is no map data as a whole; name one of its files");
-    const char* const formats =
-        sent ? ".osm.pbf, .osm, .osm.gz, GeoJSON" : ".osm.pbf, .osm, .osm.gz, shapefile, GeoJSON, ...";
-    throw refusal(source, fmt::format("cannot be read as map data ({}){}", formats,
-                                      gdal.failed() ? ": " + gdal.failure() : std::string()));
+    if (folder) throw refusal(source, "is a folder that is no map data as a whole; name one of its files");
+    throw unreadable(source, gdal);
 }
 
 AnyOrderOfNodes::AnyOrderOfNodes() {

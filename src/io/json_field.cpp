@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/byte_order_mark.hpp"
 #include "core/in_quotes.hpp"
 #include "io/json_position.hpp"
 #include "waybreaker/error.hpp"
@@ -10,6 +11,7 @@
 namespace waybreaker::io {
 
 JsonDocument parse_json(std::string_view text, const std::string& file, int max_depth) {
+    text = without_byte_order_mark(text);
     const auto fail = [&](std::size_t byte, const std::string& what) {
         throw InputError(file_position(file, text, byte), 0, what);
     };

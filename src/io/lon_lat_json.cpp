@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/antimeridian.hpp"
+
 namespace waybreaker::io {
 namespace {
 
@@ -19,14 +21,19 @@ double turn(const site::Ring& ring) {
     return sum;
 }
 
-Json polygon_json(const site::ToLonLat& to_lon_lat, const site::Polygon& polygon) {
-    Json rings = Json::array();
+LonLat rounded(const site::ToLonLat& to_lon_lat, Point point) {
+    constexpr double decimals = 1e9;
+    const auto [lon, lat] = to_lon_lat(point);
+    return {std::round(lon * decimals) / decimals, std::round(lat * decimals) / decimals};
+}
+
+LonLatPolygon placed(const site::ToLonLat& to_lon_lat, const site::Polygon& polygon) {
+    LonLatPolygon rings;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const bool outer = i == 0;
-        Json ring = Json::array();
-        for (const Point& point : polygon[i]) ring.push_back(position_json(to_lon_lat, point));
+        std::vector<LonLat>& ring = rings.emplace_back();
+        for (const Point& point : polygon[i]) ring.push_back(rounded(to_lon_lat, point));
         if ((turn(polygon[i]) > 0) != outer) std::reverse(ring.begin(), ring.end());
-        rings.push_back(std::move(ring));
     }
     return rings;
 }
@@ -34,15 +41,38 @@ Json polygon_json(const site::ToLonLat& to_lon_lat, const site::Polygon& polygon
 }  // namespace
 
 Json position_json(const site::ToLonLat& to_lon_lat, Point point) {
-    constexpr double decimals = 1e9;
-    const auto [lon, lat] = to_lon_lat(point);
-    return {std::round(lon * decimals) / decimals, std::round(lat * decimals) / decimals};
+    return rounded(to_lon_lat, point);
+}
+
+LineJson line_json(const site::ToLonLat& to_lon_lat, const std::vector<Waypoint>& path) {
+    TimedLine line;
+    for (const Waypoint& point : path) {
+        line.places.push_back(rounded(to_lon_lat, {point.x, point.y}));
+        line.times.push_back(point.t);
+    }
+    // An agent that does not move still has a line, of zero length.
+    if (path.size() == 1) {
+        line.places.push_back(line.places.front());
+        line.times.push_back(line.times.front());
+    }
+    const std::vector<TimedLine> parts = cut_line(line);
+    LineJson json{.geometry = {{"type", "LineString"}, {"coordinates", parts[0].places}}, .times = Json::array()};
+    if (parts.size() > 1) {
+        json.geometry = {{"type", "MultiLineString"}, {"coordinates", Json::array()}};
+        for (const TimedLine& part : parts) json.geometry["coordinates"].push_back(part.places);
+    }
+    for (const TimedLine& part : parts) {
+        for (const double time : part.times) json.times.push_back(time);
+    }
+    return json;
 }
 
 Json polygons_json(const site::ToLonLat& to_lon_lat, const std::vector<site::Polygon>& polygons) {
-    if (polygons.size() == 1) return {{"type", "Polygon"}, {"coordinates", polygon_json(to_lon_lat, polygons[0])}};
-    Json parts = Json::array();
-    for (const site::Polygon& polygon : polygons) parts.push_back(polygon_json(to_lon_lat, polygon));
+    std::vector<LonLatPolygon> parts;
+    for (const site::Polygon& polygon : polygons) {
+        for (LonLatPolygon& part : cut_polygon(placed(to_lon_lat, polygon))) parts.push_back(std::move(part));
+    }
+    if (parts.size() == 1) return {{"type", "Polygon"}, {"coordinates", std::move(parts[0])}};
     return {{"type", "MultiPolygon"}, {"coordinates", std::move(parts)}};
 }
 

@@ -39,11 +39,12 @@ std::string breach_at(const Plan& plan, const MapFile& map, const Itinerary& age
 
 }  // namespace
 
-std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat& to_lon_lat) {
+std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat& to_lon_lat, const ExportUnits& units) {
     constexpr double micrometres = 1e6;  // as ROS paths have them: a cell may measure less than a millimetre
     constexpr double degrees = 1e9;
     const MapFrame frame(map);
-    std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches,area_m2\n";
+    std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches,area_m2,time_unit,map_crs\n";
+    const std::string same = "," + std::string(time_unit(units)) + "," + field(units.crs) + "\n";
     for (const Itinerary& agent : plan.agents) {
         const bool air = agent.kind == AgentKind::air;
         for (std::size_t i = 0; i < agent.path.size(); ++i) {
@@ -58,7 +59,7 @@ std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat&
             } else {
                 text += ",,";
             }
-            text += breach_at(plan, map, agent, i) + "\n";
+            text += breach_at(plan, map, agent, i) + same;
         }
     }
     return text;

@@ -192,6 +192,8 @@ Json step_json(const Plan& plan, Objective objective, const MapFile& map) {
               {"ground_makespan", number(plan.after.ground_makespan)},
               {"bound", bound_json(plan, objective)},
               {"removed", std::move(removed)}};
+    // Whether there is no way, or none is known.
+    if (plan.status != PlanStatus::solved) json["status"] = word_of(status_words, plan.status);
     if (map.has_metres()) json["area_m2"] = number(map.square_metres(cells));
     return json;
 }

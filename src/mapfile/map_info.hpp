@@ -39,6 +39,10 @@ std::map<std::string, std::size_t> protected_tags(const io::MapFile& file);
 // Longitude and latitude of the middle of the map. Precondition: it has a georeference.
 std::array<double, 2> center(const io::MapFile& file);
 
+// The coordinate system that the metres of the map's frame (io/map_frame.hpp) are coordinates of, such as "EPSG:32633";
+// empty if they are of the map's own.
+std::string frame_crs(const io::MapFile& file);
+
 // What `waybreaker map info --json` writes: an indented object.
 std::string map_info_json(const io::MapFile& file);
 

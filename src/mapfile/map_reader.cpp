@@ -9,7 +9,9 @@
 
 #include "authors/authors_xml.hpp"
 #include "authors/xml_element.hpp"
+#include "core/byte_order_mark.hpp"
 #include "core/range.hpp"
+#include "geo/file_kind.hpp"
 #include "geo/label_tiff.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/digest.hpp"
@@ -183,8 +185,14 @@ io::MapFile read_ros_map(std::string& text, const std::string& path, Connectivit
 
 // Detected from the first bytes, so that files of other kinds are not read to their end.
 void require_map(std::string_view head, const std::string& path) {
+    using enum geo::FileKind::Reader;
+    const std::optional<geo::FileKind> kind = geo::file_kind(head);
+    if (kind && kind->reader == import) {
+        throw InputError(path, 0, "is map data (" + kind->what + "): waybreaker import makes a map of it");
+    }
+    if (kind && kind->reader != map) throw InputError(path, 0, geo::description(*kind));
     if (is_tiff(head) || is_png(head) || is_netpbm(head) || is_xml(head) || is_ros_yaml(head) ||
-        head.starts_with(movingai_start)) {
+        without_byte_order_mark(head).starts_with(movingai_start)) {
         return;
     }
     throw InputError(path, 0,
@@ -192,8 +200,42 @@ void require_map(std::string_view head, const std::string& path) {
                      "the authors' XML, a GeoTIFF, the YAML of a ROS map, or an image (PNG, PGM, PBM, PPM)");
 }
 
+// The world file beside an image, as its name ends for that one: m.tfw, m.tifw or m.wld of m.tif; empty if there is
+// none.
+std::string world_file_of(const std::string& path) {
+    const std::string ending = std::filesystem::path(path).extension().string();  // with its dot
+    if (ending.size() < 3) return "";
+    const std::string shortened{ending[1], ending.back(), 'w'};
+    for (const std::string& name : {shortened, ending.substr(1) + "w", std::string("wld")}) {
+        const std::filesystem::path world = std::filesystem::path(path).replace_extension(name);
+        std::error_code failed;
+        if (std::filesystem::is_regular_file(world, failed)) return world.filename().string();
+    }
+    return "";
+}
+
+// GIS keep some of what they know of an image in files beside it, but a map is one file. What would change its cells is
+// refused; where it would lie is said.
+void heed_neighbours(const std::string& path, io::MapFile& file) {
+    std::error_code failed;
+    const bool tiff = file.format.starts_with("GeoTIFF");
+    if (tiff && std::filesystem::exists(path + ".msk", failed)) {
+        throw InputError(path, 0,
+                         "has a mask in a file beside it, " + file.source +
+                             ".msk; put both into one with 'gdal_translate --config GDAL_TIFF_INTERNAL_MASK YES'");
+    }
+    const bool image = tiff || file.format == "PNG image" || file.format == "netpbm image";
+    if (!image || file.georeference || file.origin) return;
+    const std::string world = world_file_of(path);
+    if (world.empty()) return;
+    file.notes.push_back("the world file beside it, " + world + ", is not read: " +
+                         (tiff ? "'gdal_translate' writes what it says into a new file"
+                               : "--cell-size METRES says how large a cell is"));
+}
+
 io::MapFile parse(std::string& bytes, const std::string& path, Connectivity connectivity, const io::ImageReading& image,
                   const MapLimits& limits) {
+    require_map(std::string_view(bytes).substr(0, io::head_size), path);
     if (is_tiff(bytes)) return read_tiff(bytes, path, connectivity, limits);
     if (is_png(bytes) || is_netpbm(bytes)) return read_plain_image(bytes, path, connectivity, image, limits);
     if (is_xml(bytes)) return read_xml(bytes, path, connectivity, limits);
@@ -201,7 +243,6 @@ io::MapFile parse(std::string& bytes, const std::string& path, Connectivity conn
         return read_ros_pieces(std::move(*pieces), path, path, connectivity, image, limits);
     }
     if (is_ros_yaml(bytes)) return read_ros_map(bytes, path, connectivity, image);
-    require_map(bytes, path);
     Grid grid = read_movingai_map(std::string_view(bytes), path);
     release(bytes);
     require_at_most(limits.cells, grid, path);
@@ -224,6 +265,7 @@ io::MapFile read_map_file(const std::string& path, Connectivity connectivity, co
     io::MapFile file = read(bytes, name, connectivity, image, {});
     file.source = std::filesystem::path(name).filename().string();
     if (file.digest.empty()) file.digest = std::move(digest);
+    if (!io::is_standard_input(path)) heed_neighbours(path, file);
     return file;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/byte_order_mark.hpp"
 #include "core/in_quotes.hpp"
 #include "core/number.hpp"
 #include "io/shortest_text.hpp"
@@ -142,6 +143,7 @@ std::optional<std::size_t> image_line(std::string_view bytes) {
 
 bool is_ros_yaml(std::string_view bytes) {
     if (bytes.size() > most_bytes) return false;
+    bytes = without_byte_order_mark(bytes);
     const auto has = [bytes](std::string_view key) { return bytes.find(key) != std::string_view::npos; };
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
     // One pair of braces around all of it, as YAML also allows.

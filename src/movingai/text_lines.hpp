@@ -7,15 +7,16 @@
 #include <string_view>
 #include <vector>
 
+#include "core/byte_order_mark.hpp"
 #include "core/in_quotes.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
 
-// The lines of a text one by one, without their LF or CRLF. Views into the text.
+// The lines of a text one by one, without a byte order mark, and without their LF or CRLF. Views into the text.
 class TextLines {
   public:
-    TextLines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+    TextLines(std::string_view text, const std::string& name) : rest_(without_byte_order_mark(text)), name_(name) {}
 
     // Goes to the next line; false at the end of the text, where line() is the last one still.
     bool next() {

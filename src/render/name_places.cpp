@@ -24,13 +24,13 @@ bool inside(const Rectangle& box, const Rectangle& window) {
 }
 
 // Right, left, below, above; then the corners between.
-std::array<Rectangle, 8> boxes(const Name& name, double pixels) {
+std::array<Rectangle, 8> boxes(const Name& name, double away, double pixels) {
     const auto [x, y] = name.at;
     const double width = name.width;
-    const double right = x + name.clear;
-    const double left = x - name.clear - width;
-    const double below = y + name.clear;
-    const double above = y - name.clear - pixels;
+    const double right = x + away;
+    const double left = x - away - width;
+    const double below = y + away;
+    const double above = y - away - pixels;
     const double middle = y - pixels / 2;
     const double centred = x - width / 2;
     const auto box = [&](double from, double top) { return Rectangle{from, top, width, pixels}; };
@@ -38,11 +38,10 @@ std::array<Rectangle, 8> boxes(const Name& name, double pixels) {
             box(right, below),  box(left, below),  box(right, above),   box(left, above)};
 }
 
-// As little as it takes.
-Rectangle moved_inside(Rectangle box, const Rectangle& window) {
-    box.x = std::max(window.x, std::min(box.x, window.x + window.width - box.width));
-    box.y = std::max(window.y, std::min(box.y, window.y + window.height - box.height));
-    return box;
+// Of a square about as large as the sign.
+Rectangle box_of(Point at, double clear) {
+    const double side = 1.4 * clear;
+    return {at.x - side / 2, at.y - side / 2, side, side};
 }
 
 Name joined(const std::vector<std::string>& ids, Point at, double pixels) {
@@ -95,22 +94,26 @@ double text_width(std::size_t letters, double pixels) {
     return letter_width * pixels * double(letters);
 }
 
-std::vector<Point> name_places(const std::vector<Name>& names, double pixels, Rectangle window) {
+std::vector<std::optional<Point>> name_places(const std::vector<Name>& names, const std::vector<Mark>& others,
+                                              double pixels, Rectangle window) {
     std::vector<Rectangle> taken;
+    for (const Name& name : names) taken.push_back(box_of(name.at, name.clear));
+    for (const Mark& mark : others) taken.push_back(box_of(mark.at, mark.clear));
+    const auto is_free = [&](const Rectangle& box) {
+        return inside(box, window) &&
+               std::ranges::none_of(taken, [&](const Rectangle& other) { return overlap(box, other); });
+    };
+    std::vector<std::optional<Point>> places;
     for (const Name& name : names) {
-        const double side = 1.4 * name.clear;  // of a square about as large as the sign
-        taken.push_back({name.at.x - side / 2, name.at.y - side / 2, side, side});
-    }
-    std::vector<Point> places;
-    for (const Name& name : names) {
-        const std::array<Rectangle, 8> tried = boxes(name, pixels);
-        const auto* const free = std::ranges::find_if(tried, [&](const Rectangle& box) {
-            return inside(box, window) &&
-                   std::ranges::none_of(taken, [&](const Rectangle& other) { return overlap(box, other); });
-        });
-        const Rectangle box = free == tried.end() ? moved_inside(tried[0], window) : *free;
-        taken.push_back(box);
-        places.push_back({box.x, box.y + (0.5 + baseline) * pixels});
+        std::optional<Point>& place = places.emplace_back();
+        for (const double farther : {1.0, 1.7, 2.4}) {
+            const std::array<Rectangle, 8> tried = boxes(name, farther * name.clear, pixels);
+            const auto* const box = std::ranges::find_if(tried, is_free);
+            if (box == tried.end()) continue;
+            taken.push_back(*box);
+            place = Point{box->x, box->y + (0.5 + baseline) * pixels};
+            break;
+        }
     }
     return places;
 }

@@ -124,10 +124,10 @@ std::vector<Wait> waits(const Plan& plan) {
     return found;
 }
 
-struct Note {
-    std::string text;  // XML already
-    std::size_t letters;
-};
+// A few words beside a sign.
+Name note(const Scene& scene, Point sign, const std::string& text, std::size_t letters) {
+    return {sign, text, text_width(letters, size::small_text * scene.unit()), (size::breach_label + 4) * scene.unit()};
+}
 
 // Of several aircraft the one that breaches, in the mission's order; empty if there is no doubt.
 std::optional<std::size_t> opener(const Scene& scene, const Breach& breach) {
@@ -142,26 +142,27 @@ std::optional<std::size_t> opener(const Scene& scene, const Breach& breach) {
 }
 
 // When it is over, and by whom.
-Note breach_note(const Scene& scene, const Breach& breach) {
+Name breach_note(const Scene& scene, Point sign, const Breach& breach) {
     const std::string time = time_text(breach.cleared_at, scene.mission, scene.options);
-    if (!opener(scene, breach)) return {time, time.size()};
+    if (!opener(scene, breach)) return note(scene, sign, time, time.size());
     constexpr std::size_t most = 12;
-    return {fmt::format("{} {}", time, xml_text(breach.by, most)),
-            time.size() + 1 + std::min(breach.by.size(), most + 1)};
+    return note(scene, sign, fmt::format("{} {}", time, xml_text(breach.by, most)),
+                time.size() + 1 + std::min(breach.by.size(), most + 1));
 }
 
-// Beside the sign: to its left where the picture ends on its right.
-std::string draw_note(const Scene& scene, Point sign, const Note& content) {
-    const double clear = (size::breach_label + 4) * scene.unit();
-    const double width = text_width(content.letters, size::small_text * scene.unit());
-    const Rectangle room = scene.layout.room();
-    const bool fits = sign.x + clear + width <= room.x + room.width;
-    return words({fits ? sign.x + clear : sign.x - clear - width, sign.y + 0.36 * size::small_text * scene.unit()},
-                 content.text, scene.unit());
+Name wait_note(const Scene& scene, Point sign, const Wait& wait) {
+    const std::string time = fmt::format("+{}", time_text(wait.time, scene.mission, scene.options));
+    return note(scene, sign, time, time.size());
 }
 
-// Breaches with their times, then waits with theirs. Many are neither numbered nor timed.
-std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
+// Breaches, then waits, with their signs aside where they would cover each other. Many are neither numbered nor timed.
+struct Moments {
+    std::string signs;
+    std::vector<Point> labels;
+    std::vector<Name> notes;
+};
+
+Moments moments(const Scene& scene, const std::vector<Point>& taken) {
     const std::vector<Breach>& removed = scene.plan.breaches;
     const std::vector<Wait> waiting = waits(scene.plan);
     std::vector<waybreaker::Point> places;
@@ -170,38 +171,51 @@ std::string draw_moments(const Scene& scene, const std::vector<Point>& taken) {
     const std::vector<Point> points = scene.on_map(places);
     const bool numbered = points.size() <= 99;
     const bool with_times = points.size() <= 12;
-    const std::vector<Point> labels =
+    Moments result;
+    result.labels =
         numbered ? spread_labels(points, taken, size::breach_label * scene.unit(), scene.layout.window) : points;
-
-    std::string out;
-    for (std::size_t i = 0; i < points.size(); ++i) out += breach_leader(points[i], labels[i], scene.unit());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        result.signs += breach_leader(points[i], result.labels[i], scene.unit());
+    }
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool breach = i < removed.size();
+        const Point at = result.labels[i];
         if (with_times) {
-            const auto waited = [&] {
-                const double time = waiting[i - removed.size()].time;
-                const std::string text = fmt::format("+{}", time_text(time, scene.mission, scene.options));
-                return Note{text, text.size()};
-            };
-            out += draw_note(scene, labels[i], breach ? breach_note(scene, removed[i]) : waited());
+            result.notes.push_back(breach ? breach_note(scene, at, removed[i])
+                                          : wait_note(scene, at, waiting[i - removed.size()]));
         }
         if (const auto aircraft = breach && numbered ? opener(scene, removed[i]) : std::nullopt) {
-            out += opener_sign(labels[i], *aircraft, scene.unit());
+            result.signs += opener_sign(at, *aircraft, scene.unit());
         }
-        out += breach ? breach_label(labels[i], numbered ? std::to_string(i + 1) : "", scene.unit())
-                      : wait_sign(labels[i], scene.unit());
+        result.signs += breach ? breach_label(at, numbered ? std::to_string(i + 1) : "", scene.unit())
+                               : wait_sign(at, scene.unit());
     }
-    return out;
+    return result;
 }
 
 // Whose start and goal it is, as long as names are few.
-std::string draw_names(const Scene& scene) {
+std::vector<Name> place_names(const Scene& scene) {
     constexpr std::size_t most_named = 30;
-    if (scene.mission.agents.size() > most_named) return "";
-    const std::vector<Name> names = names_at_places(scene.mission, scene.layout);
-    const std::vector<Point> begins = name_places(names, size::small_text * scene.unit(), scene.layout.room());
+    if (!scene.mission.is_team() || scene.mission.agents.size() > most_named) return {};
+    return names_at_places(scene.mission, scene.layout);
+}
+
+// What is written beside signs: notes come first. `places`: starts and goals.
+std::string draw_written(const Scene& scene, const Moments& at, const std::vector<Point>& places) {
+    constexpr double tips = 1.3;  // of the star reach beyond the square that a sign takes
+    std::vector<Mark> signs;
+    for (const Point place : places) {
+        const bool both = std::ranges::count(places, place) > 1;
+        signs.push_back({place, tips * (both ? size::start_at_goal : size::goal) * scene.unit()});
+    }
+    for (const Point label : at.labels) signs.push_back({label, size::breach_label * scene.unit()});
+    std::vector<Name> names = at.notes;
+    for (Name& name : place_names(scene)) names.push_back(std::move(name));
+    const auto begins = name_places(names, signs, size::small_text * scene.unit(), scene.layout.room());
     std::string out;
-    for (std::size_t i = 0; i < names.size(); ++i) out += words(begins[i], names[i].text, scene.unit());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (begins[i]) out += words(*begins[i], names[i].text, scene.unit());
+    }
     return out;
 }
 
@@ -211,12 +225,13 @@ std::string draw_marks(const Scene& scene) {
     const std::vector<Point> goals = scene.places(&Agent::goal);
     std::vector<Point> taken = starts;
     taken.insert(taken.end(), goals.begin(), goals.end());
-    std::string out = draw_moments(scene, taken);
+    const Moments all = moments(scene, taken);
+    std::string out = all.signs;
     for (const Point start : starts) {
         out += start_sign(start, scene.unit(), std::find(goals.begin(), goals.end(), start) != goals.end());
     }
     for (const Point goal : goals) out += goal_sign(goal, scene.unit());
-    return scene.mission.is_team() ? out + draw_names(scene) : out;
+    return out + draw_written(scene, all, taken);
 }
 
 struct LegendEntry {
@@ -357,14 +372,24 @@ std::size_t figure_rows(const Scene& scene) {
     return rows;
 }
 
+// Long ones, such as names of files, in smaller letters.
+std::string draw_title(const Scene& scene) {
+    constexpr double bold_width = 0.68;  // of a bold letter's height
+    const double room = (1000 - 2 * size::margin) / bold_width;
+    const std::size_t letters = letter_count(scene.options.title);
+    const double height = std::clamp(room / double(std::max<std::size_t>(letters, 1)), size::text, size::title);
+    return text({size::margin * scene.unit(), 44 * scene.unit()},
+                xml_text(scene.options.title, std::size_t(room / height)), height * scene.unit(), colour::ink,
+                Anchor::start, true);
+}
+
 std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entries) {
     const Layout& layout = scene.layout;
     const double unit = scene.unit();
     const double left = size::margin * unit;
     const std::size_t rows = std::max(figure_rows(scene), rows_of(entries));
     const double footer = layout.height - (double(rows) * size::row + 44) * unit;
-    return text({left, 44 * unit}, xml_text(scene.options.title, 50), size::title * unit, colour::ink, Anchor::start,
-                true) +
+    return draw_title(scene) +
            text({left, 75 * unit}, headline(scene.map, scene.mission, scene.plan, scene.options), size::headline * unit,
                 colour::ink) +
            draw_scale_bar(scene) + draw_legend(scene, entries, footer) + draw_figures(scene, footer) +

@@ -1,5 +1,6 @@
 #include "render/xml_text.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -50,6 +51,11 @@ std::string xml_text(std::string_view bytes, std::size_t most) {
         bytes.remove_prefix(length == 0 ? 1 : length);
     }
     return text;
+}
+
+std::size_t letter_count(std::string_view bytes) {
+    return std::size_t(
+        std::count_if(bytes.begin(), bytes.end(), [](char byte) { return (std::uint8_t(byte) & 0xC0U) != 0x80U; }));
 }
 
 }  // namespace waybreaker::render

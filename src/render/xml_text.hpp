@@ -11,4 +11,7 @@ namespace waybreaker::render {
 // no character of XML 1.0 shows as U+FFFD. Texts longer than `most` characters end in an ellipsis.
 std::string xml_text(std::string_view bytes, std::size_t most);
 
+// How many characters that shows.
+std::size_t letter_count(std::string_view bytes);
+
 }  // namespace waybreaker::render

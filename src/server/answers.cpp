@@ -146,8 +146,9 @@ const std::map<std::string, std::string> export_types{{"json", json_type},
 
 std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const std::string& bytes,
                         const std::string& format) {
-    if (format == "geojson") return io::plan_geojson(plan.plan, file, geo::lon_lat_of(file.georeference));
-    if (format == "csv") return io::plan_csv(plan.plan, file, geo::lon_lat_of(file.georeference));
+    const io::ExportUnits units{.in_seconds = plan.in_seconds, .crs = mapfile::frame_crs(file)};
+    if (format == "geojson") return io::plan_geojson(plan.plan, file, geo::lon_lat_of(file.georeference), units);
+    if (format == "csv") return io::plan_csv(plan.plan, file, geo::lon_lat_of(file.georeference), units);
     if (format == "ros-path") return io::plan_ros_path(plan.plan, file);
     if (format == "xml")
         return authors::plan_xml(plan.plan, file, search_options(plan.method, plan.mission.ground_body()));

@@ -28,9 +28,17 @@ bool fits(std::string_view text, std::string_view pattern) {
     return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
+bool says_no(std::string_view value) {
+    const auto is = [value](std::string_view word) {
+        return std::ranges::equal(value, word, [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
+    };
+    return is("no") || is("false") || value == "0";
+}
+
 bool TagFilter::accepts(const std::string& value) const {
-    return value != "no" &&
-           (values.empty() || std::ranges::any_of(values, [&](const auto& pattern) { return fits(value, pattern); }));
+    // A number of 0 counts where it is asked for.
+    if (says_no(value)) return value != "no" && std::ranges::find(values, value) != values.end();
+    return values.empty() || std::ranges::any_of(values, [&](const auto& pattern) { return fits(value, pattern); });
 }
 
 std::string TagFilter::text() const {

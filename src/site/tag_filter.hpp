@@ -7,8 +7,11 @@
 
 namespace waybreaker::site {
 
+// Whether the value of a tag denies it: `no`, and what other sources write for it, `false` and 0.
+bool says_no(std::string_view value);
+
 // Things by a tag: `building` is every building, `barrier=wall,fence` some barriers, `*` everything. A * in a value
-// stands for any text. A tag that says `no` does not count.
+// stands for any text. A tag that says_no does not count.
 struct TagFilter {
     std::string key;
     std::vector<std::string> values = {};  // any, if empty

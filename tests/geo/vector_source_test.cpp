@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "geo/city_import.hpp"
-#include "geo/osm_root.hpp"
+#include "geo/xml_root.hpp"
 #include "input_error.hpp"
 #include "temporary_folder.hpp"
 
@@ -124,15 +124,22 @@ TEST_F(Sources, OfOpenStreetMapBeginLate) {
     expect_building(path("late.osm.gz"));
 }
 
-TEST(OsmRoots, StandPastWhateverComesFirst) {
-    EXPECT_EQ(osm_root("<osm>"), 0U);
-    EXPECT_EQ(osm_root("\xEF\xBB\xBF \n<osm version='0.6'>"), 5U);
-    EXPECT_EQ(osm_root("<?xml?><!-- <osm> > --><osm/>"), 23U);
-    EXPECT_EQ(osm_root("<!DOCTYPE osm SYSTEM 'a'><osm\n"), 25U);
-    EXPECT_EQ(osm_root("<!DOCTYPE osm [<!ENTITY a '>'>]><osm "), 32U);
+TEST(XmlRoots, StandPastWhateverComesFirst) {
+    const auto expect = [](std::string_view text, std::size_t at, std::string_view name) {
+        const auto root = xml_root(text);
+        ASSERT_TRUE(root) << text;
+        EXPECT_EQ(root->at, at) << text;
+        EXPECT_EQ(root->name, name) << text;
+    };
+    expect("<osm>", 0, "osm");
+    expect("\xEF\xBB\xBF \n<osm version='0.6'>", 5, "osm");
+    expect("<?xml?><!-- <osm> > --><osm/>", 23, "osm");
+    expect("<!DOCTYPE osm SYSTEM 'a'><osm\n", 25, "osm");
+    expect("<!DOCTYPE osm [<!ENTITY a '>'>]><osm ", 32, "osm");
+    expect("<wfs:FeatureCollection>", 0, "wfs:FeatureCollection");
     for (const char* none :
-         {"", "osm", "<osm", "<osmChange>", "<gpx><osm>", "<!-- <osm>", "<?xml <osm>", "<!DOCTYPE [ <osm>", "<!D"}) {
-        EXPECT_EQ(osm_root(none), std::nullopt) << none;
+         {"", "osm", "<osm", "<>", "< osm>", "<!-- <osm>", "<?xml <osm>", "<!DOCTYPE [ <osm>", "<!D"}) {
+        EXPECT_FALSE(xml_root(none)) << none;
     }
 }
 

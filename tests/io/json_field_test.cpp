@@ -34,6 +34,15 @@ TEST(JsonField, TextThatIsNoJsonIsRefusedWhereItStopsBeingSo) {
     EXPECT_EQ(refusal(std::string(1000, '[')), "f.json:1:5: its values are nested too deep");
 }
 
+TEST(JsonField, MayFollowAByteOrderMark) {
+    const std::string mark = "\xEF\xBB\xBF";
+    EXPECT_EQ(refusal(mark + "{\"a\": [1]}"), "");
+    EXPECT_EQ(refusal(mark + "{\"a\": 1, \"a\": 2}"), "f.json:1:10: the member 'a' is there twice");
+    EXPECT_EQ(refusal(mark + "{\"a\": {}}", [](const JsonField& root) { root["a"].number(); }),
+              "f.json:1:7: a is not a number");
+    EXPECT_EQ(refusal(mark + "[!]"), "f.json:1:2: this is not JSON");
+}
+
 TEST(JsonField, SaysWhereItStands) {
     const std::string text =
         "\n{\"a\": {\"]\\\"}\": [{}], \"b.c\": 1,\n\t\"b\" : [7, [8, \"x,y\"],\n {\"d\": true} ]}}";

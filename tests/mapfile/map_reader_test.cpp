@@ -122,6 +122,50 @@ TEST_F(MapFiles, OfRosInOnePiece) {
                  SizeError);
 }
 
+constexpr std::string_view mark = "\xEF\xBB\xBF";  // before UTF-8, as some editors save it
+
+TEST_F(MapFiles, OfTextMayBeginWithAByteOrderMark) {
+    EXPECT_EQ(read_map_file(put("marked.map", std::string(mark) + std::string(movingai))).map.obstacles().size(), 2U);
+    put("floor.pgm", "P2 3 1 255 0 254 0");
+    const std::string yaml = "image: floor.pgm\nresolution: 0.5\norigin: [1, 2, 0]\n";
+    for (const std::string& text : {yaml, std::string("{image: floor.pgm, resolution: 0.5, origin: [1, 2, 0]}\n")}) {
+        const io::MapFile file = read_map_file(put("floor.yaml", std::string(mark) + text));
+        EXPECT_EQ(file.format, "ROS map");
+        EXPECT_EQ(file.map.obstacles().size(), 2U);
+        ASSERT_TRUE(file.ros);
+        EXPECT_TRUE(file.ros->text.starts_with(mark));  // it is written again as it was
+    }
+    EXPECT_EQ(parse_map(std::string(mark) + yaml + "...\nP2 3 1 255 0 254 0", "floor").map.obstacles().size(), 2U);
+}
+
+TEST_F(MapFiles, OfMapDataAreForImport) {
+    const auto refusal = [&](std::string_view bytes) {
+        return input_error([&] { read_map_file(put("city", bytes)); });
+    };
+    EXPECT_TRUE(refusal("<osm version='0.6'></osm>")
+                    .ends_with("city: is map data (OpenStreetMap data): waybreaker import makes a map of it"));
+    EXPECT_TRUE(refusal(R"({"type": "FeatureCollection", "features": []})").ends_with("waybreaker import makes a map of it"));
+    EXPECT_TRUE(refusal("<!doctype html><html>").find("is a web page (HTML)") != std::string::npos);
+    EXPECT_TRUE(refusal("").ends_with("city: is empty: has the download failed?"));
+    EXPECT_TRUE(refusal("PK\x03\x04").find("is a ZIP archive: unpack it") != std::string::npos);
+    EXPECT_EQ(input_error([&] { parse_map("<osm/>", "the map"); }),
+              "the map: is map data (OpenStreetMap data): waybreaker import makes a map of it");
+}
+
+TEST_F(MapFiles, WithNeighboursThatGisRead) {
+    const geo::LabelTiff plain{.map = Map::from_labels(3, 1, {7, 0, 7})};
+    std::string bytes = geo::label_tiff_bytes(plain);
+    const std::string city = put("city.tif", bytes);
+    EXPECT_EQ(read_map_file(city).notes, std::vector<std::string>{});
+    put("floor.png", png_bytes(2, 1, {9, 200}));
+    put("floor.pgw", "0.5\n0\n0\n-0.5\n0\n0\n");
+    EXPECT_EQ(read_map_file(path("floor.png")).notes.back(),
+              "the world file beside it, floor.pgw, is not read: --cell-size METRES says how large a cell is");
+    put("city.tif.msk", "anything");
+    EXPECT_NE(input_error([&] { read_map_file(city); }).find("has a mask in a file beside it, city.tif.msk"),
+              std::string::npos);
+}
+
 TEST_F(MapFiles, OfImagesSayWhatIsBlocked) {
     const auto notes = [&](std::vector<std::uint8_t> greys, double threshold) {
         const std::string bytes = png_bytes(int(greys.size()), 1, greys);
@@ -142,7 +186,7 @@ TEST_F(MapFiles, ThatAreNoneAreRefused) {
     const std::string hint =
         ": not a map that can be read: give a MovingAI map (its first line is 'type octile'), a task in the authors' "
         "XML, a GeoTIFF, the YAML of a ROS map, or an image (PNG, PGM, PBM, PPM)";
-    for (const std::string_view junk : {"", "hello\n",
+    for (const std::string_view junk : {" ", "hello\n",
                                         "\x7f"
                                         "ELF"}) {
         const std::string file = put("junk", junk);

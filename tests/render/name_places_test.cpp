@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "worlds.hpp"
@@ -13,13 +14,22 @@ constexpr double pixels = 10;
 constexpr double clear = 12;
 constexpr Rectangle room{0, 0, 400, 200};
 
+// Where all of them begin: there is room for each.
+std::vector<Point> begins_of(const std::vector<Name>& names, const std::vector<Mark>& others = {}) {
+    std::vector<Point> begins;
+    for (const std::optional<Point>& begin : name_places(names, others, pixels, room)) {
+        EXPECT_TRUE(begin);
+        begins.push_back(begin.value_or(Point{}));
+    }
+    return begins;
+}
+
 bool cover(const Name& a, Point at, const Name& b, Point other) {
     return at.x < other.x + b.width && other.x < at.x + a.width && std::abs(at.y - other.y) < pixels;
 }
 
 TEST(NamePlaces, StandToTheRightWhereThereIsRoom) {
-    const std::vector<Point> begins =
-        name_places({{{100, 100}, "1", 8, clear}, {{300, 100}, "2", 8, clear}}, pixels, room);
+    const std::vector<Point> begins = begins_of({{{100, 100}, "1", 8, clear}, {{300, 100}, "2", 8, clear}});
     EXPECT_EQ(begins[0].x, 112);
     EXPECT_EQ(begins[1].x, 312);
     EXPECT_NEAR(begins[0].y, 103.6, 1e-9);
@@ -29,11 +39,31 @@ TEST(NamePlaces, KeepOffEachOtherAndOffSigns) {
     // The second sign is where the first name would stand, the third below it.
     const std::vector<Name> names{
         {{100, 100}, "one", 24, clear}, {{124, 100}, "two", 24, clear}, {{112, 126}, "three", 40, clear}};
-    const std::vector<Point> begins = name_places(names, pixels, room);
+    const std::vector<Point> begins = begins_of(names);
     for (std::size_t i = 0; i < names.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(cover(names[i], begins[i], names[j], begins[j])) << i << j;
     }
     EXPECT_LT(begins[0].x, 100);
+}
+
+TEST(NamePlaces, KeepOffSignsWithoutNames) {
+    const Name name{{100, 100}, "8.2", 30, clear};
+    const std::vector<Mark> others{{{130, 100}, clear}, {{60, 100}, clear}};
+    const Point begin = begins_of({name}, others).front();
+    EXPECT_TRUE(begin.y < 92 || begin.y > 116) << begin.x << " " << begin.y;  // below or above the signs
+}
+
+TEST(NamePlaces, WithoutRoomAreLeftOut) {
+    // A picture that has room for two lines, and three places in a row.
+    const std::vector<Name> names{
+        {{20, 12}, "first one", 30, 5}, {{24, 12}, "second one", 30, 5}, {{28, 12}, "third one", 30, 5}};
+    const auto begins = name_places(names, {}, pixels, {0, 0, 60, 24});
+    EXPECT_LT(std::ranges::count_if(begins, [](const auto& begin) { return begin.has_value(); }), 3);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (begins[i] && begins[j]) EXPECT_FALSE(cover(names[i], *begins[i], names[j], *begins[j])) << i << j;
+        }
+    }
 }
 
 TEST(NamePlaces, StayInThePicture) {
@@ -41,7 +71,7 @@ TEST(NamePlaces, StayInThePicture) {
     for (const Point at : {Point{395, 100}, Point{390, 110}, Point{5, 5}, Point{398, 198}, Point{200, 1}}) {
         names.push_back({at, "fire engine, drone", 110, clear});
     }
-    const std::vector<Point> begins = name_places(names, pixels, room);
+    const std::vector<Point> begins = begins_of(names);
     for (std::size_t i = 0; i < names.size(); ++i) {
         EXPECT_GE(begins[i].x, 0) << i;
         EXPECT_LE(begins[i].x + names[i].width, 400) << i;

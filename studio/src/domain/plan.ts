@@ -75,7 +75,12 @@ export interface FrontPoint {
   bound: Bound | null;
   removed: number[];
   area_m2?: number; // that these cover
-  cut?: boolean; // whether time was too short to say that there is no way
+  status?: Plan["status"]; // left out where there is a plan
+}
+
+// Whether planning ended before it was known what so many removals reach.
+export function isUnknown({ status }: Pick<FrontPoint, "status">): boolean {
+  return status === "limit_reached" || status === "stopped" || status === "not_found";
 }
 
 export type TimedPoint = [x: number, y: number, t: number];

@@ -50,7 +50,11 @@ function frontOf(points: readonly FrontPoint[], plan: Plan): FrontPoint[] {
   const own: FrontPoint = { ...plan.after, bound: plan.bound, removed: plan.removed.map((one) => one.obstacle) };
   const index = (plan.options.removals ?? 0) - (plan.options.force?.length ?? 0);
   const isBetter = (point: FrontPoint) => (valueOf(own, objective) ?? Infinity) < (valueOf(point, objective) ?? Infinity);
-  return consistent(points.map((point, i) => (i === index && isBetter(point) ? { ...point, ...own } : point)), objective);
+  return consistent(points.map((point, i) => (i === index && isBetter(point) ? { ...planned(point), ...own } : point)), objective);
+}
+
+function planned({ status, ...point }: FrontPoint): FrontPoint {
+  return point;
 }
 
 function missionOf(map: string, plan: Plan | undefined, layers: LayerName[]): Mission {

@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Point } from "../domain/geometry";
 import { mostRemovals } from "../domain/mission";
-import { type Objective, valueOf } from "../domain/plan";
+import { isUnknown, type Objective, valueOf } from "../domain/plan";
 import { clockTime, duration, squareMetres, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import type { Front } from "../planning/curve";
@@ -19,14 +19,16 @@ interface Column {
   area: number | null; // square metres that are demolished, where they are known
   further: boolean; // beyond where removals gain
   pending: boolean; // still being worked out
-  none: string; // what is said where there is no value
+  unknown: boolean; // planning ended before
 }
 
 // Where the curve ends before the slider does, nothing further gains.
 function columnsOf({ points, from, isDone }: Front, objective: Objective): Column[] {
   const last = points.length - 1;
   const values = points.map((point) => valueOf(point, objective));
-  const gains = values.findIndex((value) => value !== null && value <= values[last]! * (1 + 1e-9));
+  const least = values.findLast((value) => value !== null) ?? null;
+  const gains = values.findIndex((value) => value !== null && least !== null && value <= least * (1 + 1e-9));
+  const isKnown = points.every((point) => !isUnknown(point)); // else further removals might gain
   return Array.from({ length: Math.max(0, mostRemovals + 1 - from) }, (_, i) => {
     const pending = i > last && !isDone;
     const point = pending ? undefined : points[Math.min(i, last)];
@@ -35,9 +37,9 @@ function columnsOf({ points, from, isDone }: Front, objective: Objective): Colum
       value: point ? valueOf(point, objective) : null,
       bound: point?.bound ? valueOf(point.bound, objective) : null,
       area: point?.area_m2 ?? null,
-      further: isDone && gains >= 0 && i > gains,
+      further: isDone && isKnown && gains >= 0 && i > gains,
       pending,
-      none: point?.cut ? "none found" : "no way",
+      unknown: point !== undefined && isUnknown(point),
     };
   });
 }
@@ -113,7 +115,7 @@ export function FrontChart({ page, count, onChoose }: ChartProps) {
           onClick={() => onChoose?.(column.n)}
         >
           <span class="spoken">{columnLabel(column, units)}</span>
-          <Figure column={column} at={figures.get(column.n)} place={place} units={units} />
+          {isTold(column, columns) && <Figure column={column} at={figures.get(column.n)} place={place} units={units} />}
           <span class="front-tick" aria-hidden="true">
             {column.n}
           </span>
@@ -139,9 +141,16 @@ function Figure({ column, at, place, units }: FigureProps) {
       aria-hidden="true"
       style={{ left: `calc(50% + ${x - place.x(column.n)}px)`, top: `${y - 8}px` }}
     >
-      {column.pending ? "…" : column.value === null ? column.none : clockTime(column.value, units)}
+      {column.pending ? "…" : column.unknown ? "?" : column.value === null ? "no way" : clockTime(column.value, units)}
     </span>
   );
+}
+
+// Of several columns in a row without a way the first says so: the words are wider than a column.
+function isTold(column: Column, columns: readonly Column[]): boolean {
+  const before = columns.find(({ n }) => n === column.n - 1);
+  const hasNoWay = ({ value, pending, unknown }: Column) => value === null && !pending && !unknown;
+  return !(hasNoWay(column) && before && hasNoWay(before));
 }
 
 // Where the figures of those columns stand that have one.
@@ -158,11 +167,12 @@ function figuresOf(columns: Column[], count: number, place: Placer, width: numbe
   return new Map(told.map(({ n }, i) => [n, places[i]!]));
 }
 
-function columnLabel({ n, value, area, pending, none }: Column, units: Units): string {
+function columnLabel({ n, value, area, pending, unknown }: Column, units: Units): string {
   const what = n === 1 ? "1 removal" : `${n} removals`;
   if (pending) return `${what}: being worked out`;
+  if (unknown) return `${what}: not worked out in time`;
   const demolished = area ? `, ${squareMetres(area)} demolished` : "";
-  return value === null ? `${what}: ${none}` : `${what}: ${duration(value, units)}${demolished}`;
+  return value === null ? `${what}: no way` : `${what}: ${duration(value, units)}${demolished}`;
 }
 
 interface Placer {

@@ -1,6 +1,6 @@
 // The curve: what each number of removals reaches, as far as it is known.
 import { mostRemovals } from "../domain/mission";
-import { type Bound, type FrontPoint, type Objective, objectiveOf, type Plan, reached, valueOf } from "../domain/plan";
+import { type Bound, type FrontPoint, isUnknown, type Objective, objectiveOf, type Plan, reached, valueOf } from "../domain/plan";
 
 export interface Front {
   points: readonly FrontPoint[]; // for `from` removals, one more, ...
@@ -42,8 +42,8 @@ export class Curve {
   }
 
   front(objective: Objective): Front {
-    const points = this.plans.map(({ after, bound, removed, limit_reached }): FrontPoint => {
-      return { ...after, bound, removed: removed.map((one) => one.obstacle), ...(limit_reached && { cut: true }) };
+    const points = this.plans.map(({ after, bound, removed, status }): FrontPoint => {
+      return { ...after, bound, removed: removed.map((one) => one.obstacle), ...(status !== "solved" && { status }) };
     });
     return { points: consistent(points, objective), from: this.from, key: this.key, isDone: this.isDone };
   }
@@ -71,14 +71,14 @@ function rebound(bound: Bound | null, value: number, objective: Objective): Boun
 }
 
 // Where time was short, points can be better than they were planned: what fewer removals reach, more do, and what bounds
-// more of them, bounds fewer.
+// more of them, bounds fewer. Of what is not known, nothing is said.
 export function consistent(points: readonly FrontPoint[], objective: Objective): FrontPoint[] {
   const reached = (point: FrontPoint) => valueOf(point, objective) ?? Infinity;
   const limit = (point: FrontPoint) => (point.bound && valueOf(point.bound, objective)) ?? -Infinity;
   const bounded = (bound: FrontPoint["bound"], point: FrontPoint) => rebound(bound, reached(point), objective);
   const better: FrontPoint[] = [];
   for (const point of points) {
-    const last = better.at(-1);
+    const last = isUnknown(point) ? undefined : better.findLast((one) => !isUnknown(one));
     better.push(last && reached(last) < reached(point) ? { ...last, bound: bounded(point.bound, last) } : point);
   }
   for (let i = better.length - 2; i >= 0; --i) {

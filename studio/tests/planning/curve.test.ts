@@ -17,6 +17,19 @@ it("a curve never rises, nor does what bounds it", () => {
   expect(points[2]!.removed).toEqual([1]);
 });
 
+it("says nothing of what is not known, and goes on past it", () => {
+  const unknown: FrontPoint = { ...point(null, null), status: "limit_reached" };
+  const points = [point(120, 90), unknown, point(125, 80), unknown];
+  expect(consistent(points, "makespan")).toMatchObject([{ makespan: 120 }, unknown, { makespan: 120 }, unknown]);
+  const curve = new Curve("", 0);
+  curve.add(planOf({ after: null, status: "limit_reached" }));
+  curve.add(planOf({ after: 95, removed: [1] }));
+  expect(curve.front("makespan").points.map(({ makespan, status }) => [makespan, status])).toEqual([
+    [null, "limit_reached"],
+    [95, undefined],
+  ]);
+});
+
 it("a curve without faults stays as it is", () => {
   const points = [point(120, 110), point(100, 95, [1]), point(100, 95, [1, 2])];
   expect(consistent(points, "makespan")).toEqual(points);

@@ -1,4 +1,4 @@
-#include "geo/osm_root.hpp"
+#include "geo/xml_root.hpp"
 
 #include "laws.hpp"
 
@@ -6,12 +6,14 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace waybreaker;
     read_or_refuse(data, size, [](std::string_view bytes) {
-        const auto root = geo::osm_root(bytes);
-        if (root) law(bytes.substr(*root).starts_with("<osm"));
+        const auto root = geo::xml_root(bytes);
+        if (root) law(bytes.substr(root->at).starts_with("<" + std::string(root->name)));
         constexpr std::string_view before = "<?xml?><!-- <osm> --><!DOCTYPE osm>";
         if (bytes.starts_with("\xEF\xBB\xBF")) return;
-        const auto moved = geo::osm_root(std::string(before) + std::string(bytes));
-        law(moved.has_value() == root.has_value() && (!root || *moved == *root + before.size()));
+        const std::string later = std::string(before) + std::string(bytes);
+        const auto moved = geo::xml_root(later);
+        law(moved.has_value() == root.has_value());
+        law(!root || (moved->at == root->at + before.size() && moved->name == root->name));
     });
     return 0;
 }

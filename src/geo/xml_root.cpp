@@ -1,6 +1,8 @@
-#include "geo/osm_root.hpp"
+#include "geo/xml_root.hpp"
 
 #include <algorithm>
+
+#include "core/byte_order_mark.hpp"
 
 namespace waybreaker::geo {
 namespace {
@@ -17,8 +19,7 @@ std::size_t end_of_doctype(std::string_view head, std::size_t at) {
 
 }  // namespace
 
-std::optional<std::size_t> osm_root(std::string_view head) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+std::optional<XmlRoot> xml_root(std::string_view head) {
     std::size_t at = head.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
     while ((at = head.find_first_not_of(blanks, at)) != std::string_view::npos) {
         const std::string_view rest = head.substr(at);
@@ -32,9 +33,9 @@ std::optional<std::size_t> osm_root(std::string_view head) {
         } else if (rest.starts_with("<!")) {
             end = end_of_doctype(head, at);
         } else {
-            const bool root = rest.starts_with("<osm") && rest.size() > 4 &&
-                              (blanks.find(rest[4]) != std::string_view::npos || rest[4] == '>' || rest[4] == '/');
-            return root ? std::optional(at) : std::nullopt;
+            const std::size_t behind = rest.find_first_of(" \t\r\n>/", 1);
+            const bool tag = rest.front() == '<' && behind != std::string_view::npos && behind > 1;
+            return tag ? std::optional(XmlRoot{at, rest.substr(1, behind - 1)}) : std::nullopt;
         }
         if (end == std::string_view::npos) break;
         at = end + 1;
