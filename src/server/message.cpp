@@ -44,6 +44,12 @@ Body::Body(std::string bytes) {
     const auto owner = std::make_shared<const std::string>(std::move(bytes));
     bytes_ = *owner;
     owner_ = owner;
+    own_ = true;
+}
+
+void Body::keep(std::shared_ptr<const void> thing) {
+    using Both = std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>;
+    owner_ = std::make_shared<const Both>(std::move(owner_), std::move(thing));
 }
 
 }  // namespace waybreaker::server

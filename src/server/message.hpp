@@ -55,10 +55,15 @@ class Body {
     Body(std::shared_ptr<const void> owner, std::string_view bytes) : owner_(std::move(owner)), bytes_(bytes) {}
 
     std::string_view bytes() const { return bytes_; }
+    // Whether it was made for one response.
+    bool is_own() const { return own_; }
+    // Keeps something else as long as the bytes.
+    void keep(std::shared_ptr<const void> thing);
 
   private:
     std::shared_ptr<const void> owner_;
     std::string_view bytes_;
+    bool own_ = false;
 };
 
 struct Response {

@@ -4,6 +4,9 @@
 #include "geo/city_import.hpp"
 #include "live_server.hpp"
 #include "osm_yard.hpp"
+#include "server/import_worker.hpp"
+#include "server/importer.hpp"
+#include "server/source_store.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -123,20 +126,24 @@ TEST_F(ImportsTest, MapsStayWithinTheLimits) {
     post_json(imports, {{"source", id}, {"size", 100}, {"cell", 5}}, 201);
 }
 
-TEST_F(ImportsTest, SourcesStayWithinAQuarterOfTheMemory) {
+TEST(SourceStore, StaysWithinAQuarterOfTheMemory) {
     const std::string yard = osm_yard();
-    options_.limits.memory = 4 * 2 * (yard.size() + 100);  // for two
-    begin();
-    const std::string first = sent("first.osm");
-    const std::string second = sent("second.osm");
-    get_json(sources + "/" + first);  // used later than the second
-    const std::string third = sent("third.osm");
-    get_json(sources + "/" + second, 404);
-    get_json(sources + "/" + first);
-    get_json(sources + "/" + third);
-    const std::string large = yard + std::string(2 * yard.size(), ' ');
-    const Json refused = Json::parse(post(sources, large, octets).body);
-    EXPECT_EQ(refused["type"], "/problems/source-too-large");
+    ServiceLimits limits;
+    MemoryBudget budget(std::size_t{1} << 30);
+    const Importer importer({"/proc/self/exe", import_worker_word}, limits, budget);
+    SourceStore store(importer, budget);
+    MemoryBudget::Share others(budget, MemoryBudget::Use::sources);
+    EXPECT_TRUE(others.grow(budget.most() / 4 - 2 * yard.size() - 100));  // leaves room for two
+    const std::string first = store.add(yard, "first.osm", {}).id;
+    const std::string second = store.add(yard, "second.osm", {}).id;
+    const SharedSource used = store.find(second);
+    const std::string third = store.add(yard, "third.osm", {}).id;
+    EXPECT_EQ(store.find(second), used);
+    EXPECT_NE(store.find(third), nullptr);
+    EXPECT_THROW(store.find(first), Problem);
+    const auto large = [&] { store.add(std::string(budget.most() / 4 + 1, ' '), "large.osm", {}); };
+    EXPECT_THROW(large(), Problem);
+    EXPECT_NE(store.find(third), nullptr);
 }
 
 TEST_F(ImportsTest, SourcesAreForgottenWhenAsked) {
