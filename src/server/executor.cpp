@@ -79,7 +79,7 @@ Executor::Executor(const ServiceLimits& limits, Metrics& metrics, MemoryBudget& 
 // Counts the time and the memory of a plan.
 Work Executor::counted(Work work) const {
     return [this, work = std::move(work)](const Worker& worker) {
-        MemoryAccount account(budget_, MemoryBudget::Use::jobs);
+        MemoryAccount account(budget_, MemoryBudget::Use::job);
         const MemoryAccount::Scope scope(&account);
         const auto began = std::chrono::steady_clock::now();
         Response result = work(worker);
@@ -89,7 +89,7 @@ Work Executor::counted(Work work) const {
 }
 
 std::shared_ptr<Job> Executor::submit(Work work, Lane lane) {
-    if (lane == Lane::plans) work = counted(std::move(work));
+    if (lane == Lane::planning) work = counted(std::move(work));
     auto job = queues_[std::size_t(lane)]->submit(std::move(work));
     if (!job) {
         metrics_.count_refused();

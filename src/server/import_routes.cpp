@@ -26,7 +26,7 @@ Route send_route(SourceStore& sources) {
             const SourceStore::Added added = sources.add(std::move(bytes), name, worker.stop);
             return kept_response(source_json(added.id, *added.source), "/api/v1/sources/" + added.id, added.is_new);
         };
-        return Deferred{.work = std::move(work), .lane = Lane::imports};
+        return Deferred{.work = std::move(work), .lane = Lane::importing};
     };
     return {"POST", "/api/v1/sources", Route::Body::bytes, false, handle};
 }
@@ -63,7 +63,7 @@ Route import_route(const Importer& importer, SourceStore& sources, MapStore& map
                               limits);
             }));
         };
-        return Deferred{.work = std::move(work), .lane = Lane::imports};
+        return Deferred{.work = std::move(work), .lane = Lane::importing};
     };
     return {"POST", "/api/v1/imports", Route::Body::json, false, handle};
 }

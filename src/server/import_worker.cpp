@@ -29,9 +29,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void set_limit(int resource, rlim_t most) {
+void set_limit(__rlimit_resource_t resource, rlim_t most) {
     const rlimit limit{most, most};
-    setrlimit(__rlimit_resource(resource), &limit);
+    setrlimit(resource, &limit);
 }
 
 // What the program has already: its own data, and what a sanitizer keeps.

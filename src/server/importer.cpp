@@ -71,7 +71,7 @@ Importer::Importer(std::vector<std::string> worker, const ServiceLimits& limits,
 
 Importer::Answer Importer::ask(const Json& task, std::string_view bytes, std::size_t memory,
                                const StopToken& stop) const {
-    MemoryBudget::Share share(budget_, MemoryBudget::Use::imports);
+    MemoryBudget::Share share(budget_, MemoryBudget::Use::importer);
     if (!share.grow(memory)) {
         if (memory <= budget_.most()) {
             throw Problem(unavailable, "what others use leaves no memory for this import; ask again", "no-memory");

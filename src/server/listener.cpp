@@ -65,7 +65,7 @@ class Listener::Impl : public SessionHost {
           pause_(context_),
           port_(acceptor_.local_endpoint().port()),
           pool_(handler_threads) {
-        if (options_.budget != nullptr) share_.emplace(*options_.budget, MemoryBudget::Use::requests);
+        if (options_.budget != nullptr) share_.emplace(*options_.budget, MemoryBudget::Use::request);
     }
 
     int port() const { return port_; }

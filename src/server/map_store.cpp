@@ -74,7 +74,7 @@ class MapStore::Reservation {
   public:
     // `uploaded`: whether a client that sent too much is to blame.
     Reservation(MapStore& store, bool uploaded)
-        : store_(store), uploaded_(uploaded), share_(store.budget_, MemoryBudget::Use::maps) {}
+        : store_(store), uploaded_(uploaded), share_(store.budget_, MemoryBudget::Use::map) {}
     Reservation(const Reservation&) = delete;
     Reservation& operator=(const Reservation&) = delete;
 

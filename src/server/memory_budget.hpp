@@ -2,7 +2,7 @@
 // has a share of it, and takes more before it allocates. When the budget is used up, what nobody uses is given back
 // first: buffers of planners that rest, maps that can be sent or read again.
 //
-//     MemoryBudget::Share share(budget, MemoryBudget::Use::maps);
+//     MemoryBudget::Share share(budget, MemoryBudget::Use::map);
 //     if (!share.grow(bytes)) throw Problem(...);    // given back when the share goes
 #pragma once
 
@@ -18,7 +18,7 @@ class MemoryBudget {
   public:
     // For: maps held; map data held; searches; the rest of a job's work (JSON read, pictures drawn); imports at work;
     // bodies that are received; bodies that are sent.
-    enum class Use { maps, sources, planners, jobs, imports, requests, answers };
+    enum class Use { map, source, planner, job, importer, request, answer };
     static constexpr std::size_t uses = 7;
 
     // Sources and answers have at most a quarter each, so that neither can take all.

@@ -47,9 +47,4 @@ Body::Body(std::string bytes) {
     own_ = true;
 }
 
-void Body::keep(std::shared_ptr<const void> thing) {
-    using Both = std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>;
-    owner_ = std::make_shared<const Both>(std::move(owner_), std::move(thing));
-}
-
 }  // namespace waybreaker::server

@@ -57,11 +57,13 @@ class Body {
     std::string_view bytes() const { return bytes_; }
     // Whether it was made for one response.
     bool is_own() const { return own_; }
-    // Keeps something else as long as the bytes.
-    void keep(std::shared_ptr<const void> thing);
+    // Something else that is kept as long as the bytes: what they count in.
+    void keep(std::shared_ptr<const void> thing) { kept_ = std::move(thing); }
+    const std::shared_ptr<const void>& kept() const { return kept_; }
 
   private:
     std::shared_ptr<const void> owner_;
+    std::shared_ptr<const void> kept_;
     std::string_view bytes_;
     bool own_ = false;
 };

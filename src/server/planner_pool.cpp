@@ -35,7 +35,7 @@ Problem shortage(const MemoryBudget& budget, const std::weak_ptr<const StoredMap
 }  // namespace
 
 struct PlannerPool::Loan::Planner {
-    explicit Planner(MemoryBudget& budget) : account(budget, MemoryBudget::Use::planners) {}
+    explicit Planner(MemoryBudget& budget) : account(budget, MemoryBudget::Use::planner) {}
 
     MemoryAccount account;
     MissionPlanner planner;
@@ -47,6 +47,12 @@ struct PlannerPool::Loan::Planner {
 PlannerPool::PlannerPool(MemoryBudget& budget) : budget_(budget) {
     budget_.when_short([this] { return release_one(); });
 }
+
+PlannerPool::~PlannerPool() = default;
+
+PlannerPool::Loan::Loan(PlannerPool& pool, std::unique_ptr<Planner> planner)
+    : pool_(&pool), planner_(std::move(planner)) {}
+PlannerPool::Loan::Loan(Loan&&) noexcept = default;
 
 PlannerPool::Loan::~Loan() {
     if (!planner_) return;

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 #include "server/map_store.hpp"
@@ -25,11 +24,14 @@ class PlannerPool {
 
     // Keeps the reference.
     explicit PlannerPool(MemoryBudget& budget);
+    PlannerPool(const PlannerPool&) = delete;
+    PlannerPool& operator=(const PlannerPool&) = delete;
+    ~PlannerPool();
 
     // A planner that one client uses; goes back to the pool with this object.
     class Loan {
       public:
-        Loan(Loan&&) noexcept = default;
+        Loan(Loan&&) noexcept;
         Loan& operator=(Loan&&) = delete;
         ~Loan();
 
@@ -40,7 +42,7 @@ class PlannerPool {
       private:
         friend class PlannerPool;
         struct Planner;
-        Loan(PlannerPool& pool, std::unique_ptr<Planner> planner) : pool_(&pool), planner_(std::move(planner)) {}
+        Loan(PlannerPool& pool, std::unique_ptr<Planner> planner);
         template <class Call>
         auto metered(Call call);
 

@@ -114,7 +114,7 @@ Route upload_route(MapStore& store) {
         Work work = [&store, connectivity, bytes = std::move(call.request.body)](const Worker&) mutable {
             return upload_response(store.add(std::move(bytes), connectivity));
         };
-        return Deferred{.work = std::move(work), .lane = Lane::uploads};
+        return Deferred{.work = std::move(work), .lane = Lane::uploading};
     };
     return {"POST", "/api/v1/maps", Route::Body::bytes, false, handle};
 }
@@ -127,7 +127,7 @@ Route edits_route(MapStore& store) {
             const SharedMap map = needed.load();
             return upload_response(store.add([&](const MapLimits& limits) { return edited_map(*map, edits, limits); }));
         };
-        return Deferred{.work = std::move(work), .lane = Lane::uploads};
+        return Deferred{.work = std::move(work), .lane = Lane::uploading};
     };
     return {"POST", "/api/v1/maps/{id}/edits", Route::Body::json, false, handle};
 }

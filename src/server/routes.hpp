@@ -24,7 +24,7 @@ struct Call {
 struct Deferred {
     Work work;
     bool events = false;
-    Lane lane = Lane::plans;
+    Lane lane = Lane::planning;
 };
 
 using Answer = std::variant<Response, Deferred>;

@@ -171,7 +171,7 @@ Response Service::Impl::counted(Response response) {
     constexpr std::size_t small = 65536;  // as of requests
     const std::size_t bytes = response.body.bytes().size();
     if (!response.body.is_own() || bytes <= small) return response;
-    const auto share = std::make_shared<MemoryBudget::Share>(budget_, MemoryBudget::Use::answers);
+    const auto share = std::make_shared<MemoryBudget::Share>(budget_, MemoryBudget::Use::answer);
     if (!share->grow(bytes)) {
         throw Problem(unavailable, "answers on their way to slow clients leave no memory for this one; ask again",
                       "no-memory");
@@ -280,9 +280,10 @@ void Service::Impl::wait(Deferred deferred, const std::shared_ptr<Exchange>& exc
     job->when_done([this, job = job.get(), record, events, waiting = std::weak_ptr(exchange)] {
         Response response;
         try {
-            response = counted(job->result());
-            close(*record, response.status);
+            response = job->result();
             if (events) response.body = plan_event(response);
+            response = counted(std::move(response));
+            close(*record, response.status);
         } catch (...) {
             const Failure failure = current_failure();
             close(*record, failure.status, log_text(failure));

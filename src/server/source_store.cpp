@@ -55,7 +55,7 @@ SharedSource SourceStore::existing(const std::string& id) {
 
 // Forgets others until there is room for so many bytes.
 MemoryBudget::Share SourceStore::make_room(std::size_t bytes) {
-    const std::size_t most = budget_.most(MemoryBudget::Use::sources);
+    const std::size_t most = budget_.most(MemoryBudget::Use::source);
     if (bytes > most) {
         throw Problem(
             too_large,
@@ -63,7 +63,7 @@ MemoryBudget::Share SourceStore::make_room(std::size_t bytes) {
                         bytes >> 20U, most >> 20U),
             "source-too-large");
     }
-    MemoryBudget::Share share(budget_, MemoryBudget::Use::sources);
+    MemoryBudget::Share share(budget_, MemoryBudget::Use::source);
     while (!share.grow(bytes)) {
         if (forget_one()) continue;
         throw Problem(unavailable, "what others use leaves no memory for this map data; ask again", "no-memory");

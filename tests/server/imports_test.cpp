@@ -1,9 +1,14 @@
 // Map data that is sent, and maps that are imported from it.
+#include <sys/stat.h>
+
+#include <atomic>
+#include <fstream>
 #include <thread>
 
 #include "geo/city_import.hpp"
 #include "live_server.hpp"
 #include "osm_yard.hpp"
+#include "server/extract_json.hpp"
 #include "server/import_worker.hpp"
 #include "server/importer.hpp"
 #include "server/source_store.hpp"
@@ -132,7 +137,7 @@ TEST(SourceStore, StaysWithinAQuarterOfTheMemory) {
     MemoryBudget budget(std::size_t{1} << 30);
     const Importer importer({"/proc/self/exe", import_worker_word}, limits, budget);
     SourceStore store(importer, budget);
-    MemoryBudget::Share others(budget, MemoryBudget::Use::sources);
+    MemoryBudget::Share others(budget, MemoryBudget::Use::source);
     EXPECT_TRUE(others.grow(budget.most() / 4 - 2 * yard.size() - 100));  // leaves room for two
     const std::string first = store.add(yard, "first.osm", {}).id;
     const std::string second = store.add(yard, "second.osm", {}).id;
@@ -176,6 +181,33 @@ TEST_F(ImportsTest, SurvivesBrokenSources) {
         EXPECT_EQ(problem["detail"].get<std::string>().find("/vsi"), std::string::npos) << problem;
     }
     post_json(imports, {{"source", sent()}, {"cell", 1}}, 201);
+}
+
+// While one is read that does not end, whatever else is asked gets its answer.
+TEST_F(ImportsTest, KeepNobodyWaiting) {
+    const std::string gate = path("gate");
+    ASSERT_EQ(mkfifo(gate.c_str(), S_IRUSR | S_IWUSR), 0);
+    options_.import_worker = {"/bin/sh", "-c", "exec cat " + gate};
+    options_.limits.workers = 1;
+    begin();
+    std::atomic<int> answered = 0;
+    std::vector<std::thread> senders;
+    for (const char* name : {"first.osm", "second.osm"}) {
+        senders.emplace_back([this, name, &answered] {
+            EXPECT_EQ(post(sources + "?name=" + name, osm_yard(), octets).status, 201);
+            ++answered;
+        });
+    }
+    while (get("/metrics").body.find("waybreaker_imports_waiting 1\n") == std::string::npos) std::this_thread::yield();
+    EXPECT_EQ(post_json(maps + "/house.map/plan", house_mission)["status"], "solved");
+    EXPECT_EQ(post(maps, thicket(20), octets).status, 201);
+    post_json(maps + "/house.map/edits", {{"block", {{0, 0, 1}}}}, 201);
+    const std::string answer = extract_json({.buildings = 1, .columns = 1, .rows = 1, .built = {1}}).dump();
+    for (int i = 0; i < 2; ++i) {
+        std::ofstream(gate) << R"({"bytes": 0, "extract": )" << answer << "}\n";
+        while (answered == i) std::this_thread::yield();
+    }
+    for (std::thread& sender : senders) sender.join();
 }
 
 TEST_F(ImportsTest, ManyClientsImportAtATime) {

@@ -102,7 +102,7 @@ TEST_F(MapStoreTest, MakesRoomForPlans) {
     Store store(200'000);
     const std::string first = store.maps.add(studded(1), Connectivity::four).id;
     const MapStore::Upload second = store.maps.add(studded(3), Connectivity::four);
-    MemoryBudget::Share plan(store.budget, MemoryBudget::Use::planners);
+    MemoryBudget::Share plan(store.budget, MemoryBudget::Use::planner);
     EXPECT_TRUE(plan.grow(100'000));
     EXPECT_EQ(problem_of([&] { store.maps.load(first); }).first, 404);
     EXPECT_EQ(store.maps.load(second.id), second.map);

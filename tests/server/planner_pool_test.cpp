@@ -35,35 +35,35 @@ class PlannerPoolTest : public testing::Test {
 TEST_F(PlannerPoolTest, KeepsItsMemoryForThePlansOfAMap) {
     const SharedMap map = thicket_map();
     plan(pool_, map);
-    const std::size_t kept = budget_.used(Use::planners);
+    const std::size_t kept = budget_.used(Use::planner);
     EXPECT_GT(kept, std::size_t{16} * side * side);
     for (int i = 0; i < 20; ++i) plan(pool_, map);
-    EXPECT_EQ(budget_.used(Use::planners), kept);  // nothing of the plans is left in it
+    EXPECT_EQ(budget_.used(Use::planner), kept);  // nothing of the plans is left in it
 }
 
 TEST_F(PlannerPoolTest, GivesItBackWhenTheMapGoes) {
     SharedMap map = thicket_map();
     plan(pool_, map);
     pool_.release_rested(1h);
-    EXPECT_GT(budget_.used(Use::planners), 0U);
+    EXPECT_GT(budget_.used(Use::planner), 0U);
     map.reset();
     pool_.release_rested(1h);
-    EXPECT_EQ(budget_.used(Use::planners), 0U);
+    EXPECT_EQ(budget_.used(Use::planner), 0U);
 }
 
 TEST_F(PlannerPoolTest, GivesItBackAfterARest) {
     const SharedMap map = thicket_map();
     plan(pool_, map);
     pool_.release_rested(0s);
-    EXPECT_EQ(budget_.used(Use::planners), 0U);
+    EXPECT_EQ(budget_.used(Use::planner), 0U);
 }
 
 TEST_F(PlannerPoolTest, GivesItBackWhenOthersNeedIt) {
     const SharedMap map = thicket_map();
     plan(pool_, map);
-    MemoryBudget::Share all(budget_, Use::maps);
+    MemoryBudget::Share all(budget_, Use::map);
     EXPECT_TRUE(all.grow(budget_.most()));
-    EXPECT_EQ(budget_.used(Use::planners), 0U);
+    EXPECT_EQ(budget_.used(Use::planner), 0U);
 }
 
 TEST_F(PlannerPoolTest, SaysWhetherAskingAgainCanHelp) {
@@ -77,7 +77,7 @@ TEST_F(PlannerPoolTest, SaysWhetherAskingAgainCanHelp) {
         return ok;
     };
     {
-        MemoryBudget::Share others(budget_, Use::maps);
+        MemoryBudget::Share others(budget_, Use::map);
         EXPECT_TRUE(others.grow(budget_.most() - 4'000'000));
         EXPECT_EQ(status(pool_), unavailable);
     }
