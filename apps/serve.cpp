@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "help.hpp"
 #include "option.hpp"
+#include "server/import_worker.hpp"
 #include "server/log_line.hpp"
 #include "server/service.hpp"
 
@@ -43,6 +44,7 @@ void log(const std::string& line) {
 void run(server::ServiceOptions options) {
     const EndSignals signals;
     options.log = log;
+    options.import_worker = {"/proc/self/exe", server::import_worker_word};
     const std::string host = options.host;
     server::Service service(std::move(options));
     // For a person at a terminal; programs read the log.
@@ -78,8 +80,8 @@ void add_limits(CLI::App& command, server::ServiceLimits& limits) {
         ->type_name("CELLS");
     add_count(
         command, "--max-memory", [&limits](std::int64_t n) { limits.memory = std::size_t(n) * megabyte; }, 1, most,
-        "Memory for all maps together, in MiB; when it is full, maps that were sent go, those not used for longest "
-        "first (default: a quarter of the machine's)");
+        "Memory for maps, plans, imports and bodies together, in MiB; when it is full, maps that were sent go, those "
+        "not used for longest first (default: half of the machine's)");
     add_count(
         command, "--max-maps", [&limits](std::int64_t n) { limits.maps = std::size_t(n); }, 1, most,
         "Maps held in memory; of more, the one not used for longest goes (default: 32)");
@@ -91,7 +93,7 @@ void add_limits(CLI::App& command, server::ServiceLimits& limits) {
         "Plans at a time (default: 2)");
     add_count(
         command, "--queue", [&limits](std::int64_t n) { limits.queue = std::size_t(n); }, 0, most,
-        "Plans that may wait; more are answered with 503 (default: 16)");
+        "Plans that may wait, and as many uploads and imports; more are answered with 503 (default: 16)");
     constexpr std::int64_t most_connections = 1000;  // by default a process may have 1024 files open
     add_count(
         command, "--connections", [&limits](std::int64_t n) { limits.connections = std::size_t(n); }, 1,

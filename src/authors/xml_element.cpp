@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/byte_order_mark.hpp"
 #include "movingai/text_lines.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/grid.hpp"

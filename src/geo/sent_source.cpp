@@ -17,10 +17,7 @@ namespace {
 constexpr char prefix_text[] = "/vsisent/";  // GDAL keeps the pointer
 constexpr std::string_view prefix = prefix_text;
 
-struct Content {
-    std::shared_ptr<const std::string> bytes;
-    StopToken stop;
-};
+using Content = std::shared_ptr<const std::string>;
 
 // Those that live, by what follows the prefix.
 class Contents {
@@ -63,16 +60,16 @@ struct Handle {
 int stat_of(void*, const char* name, VSIStatBufL* status, int) {
     std::memset(status, 0, sizeof *status);
     const Content content = contents().find(name);
-    if (!content.bytes) return -1;
+    if (!content) return -1;
     status->st_mode = S_IFREG;
-    status->st_size = static_cast<decltype(status->st_size)>(content.bytes->size());
+    status->st_size = static_cast<decltype(status->st_size)>(content->size());
     return 0;
 }
 
 void* open(void*, const char* name, const char* access) {
     if (std::strpbrk(access, "wa+") != nullptr) return nullptr;
     Content content = contents().find(name);
-    return content.bytes ? new Handle{std::move(content)} : nullptr;
+    return content ? new Handle{std::move(content)} : nullptr;
 }
 
 vsi_l_offset tell(void* file) {
@@ -84,15 +81,14 @@ int seek(void* file, vsi_l_offset offset, int whence) {
     handle.ended = false;
     if (whence == SEEK_SET) handle.at = offset;
     if (whence == SEEK_CUR) handle.at += offset;
-    if (whence == SEEK_END) handle.at = handle.content.bytes->size() + offset;
+    if (whence == SEEK_END) handle.at = handle.content->size() + offset;
     return 0;
 }
 
 std::size_t read(void* file, void* buffer, std::size_t size, std::size_t count) {
     auto& handle = *static_cast<Handle*>(file);
-    const std::string& bytes = *handle.content.bytes;
-    const bool over = handle.content.stop.stop_requested() || handle.at >= bytes.size();
-    const std::size_t left = over ? 0 : bytes.size() - handle.at;
+    const std::string& bytes = *handle.content;
+    const std::size_t left = handle.at >= bytes.size() ? 0 : bytes.size() - handle.at;
     const std::size_t length = std::min(left, size * count);
     if (length > 0) std::memcpy(buffer, bytes.data() + handle.at, length);
     handle.at += length;
@@ -124,11 +120,10 @@ void install() {
 
 }  // namespace
 
-SentSource::SentSource(const std::string& name, std::shared_ptr<const std::string> bytes, StopToken stop)
-    : name_(name) {
+SentSource::SentSource(const std::string& name, std::shared_ptr<const std::string> bytes) : name_(name) {
     static std::once_flag installed;
     std::call_once(installed, install);
-    path_ = std::string(prefix) + contents().add(name, {std::move(bytes), std::move(stop)});
+    path_ = std::string(prefix) + contents().add(name, std::move(bytes));
 }
 
 SentSource::~SentSource() {

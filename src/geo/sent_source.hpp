@@ -5,16 +5,13 @@
 #include <string>
 #include <string_view>
 
-#include "waybreaker/limits.hpp"
-
 namespace waybreaker::geo {
 
 // Known by its path as long as this object lives; several threads may read it.
 class SentSource {
   public:
-    // `name` is what titles and errors call it: letters, digits, dots, dashes and underscores. From a stop on its bytes
-    // seem to end, so that reading it ends soon, mostly with an InputError.
-    SentSource(const std::string& name, std::shared_ptr<const std::string> bytes, StopToken stop);
+    // `name` is what titles and errors call it: letters, digits, dots, dashes and underscores.
+    SentSource(const std::string& name, std::shared_ptr<const std::string> bytes);
     ~SentSource();
     SentSource(const SentSource&) = delete;
     SentSource& operator=(const SentSource&) = delete;

@@ -87,10 +87,11 @@ io::PlanContext context_of(const Task& task, const PreparedMission& prepared, st
             .in_seconds = prepared.document.in_seconds};
 }
 
-std::string plan_text(const Task& task, const OptionsRequest& wanted, const Worker& worker, double seconds) {
+std::string plan_text(const Task& task, const OptionsRequest& wanted, const Worker& worker,
+                      PlannerPool::Loan& planner, double seconds) {
     const PreparedMission prepared = prepare(task, wanted, worker, seconds);
     const io::MissionDocument& asked = prepared.document;
-    const Plan plan = worker.planner.plan(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
+    const Plan plan = planner.plan(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
     return io::plan_json(plan, context_of(task, prepared));
 }
 
@@ -182,14 +183,16 @@ std::string file_name(const std::string& id, const StoredMap& map) {
 }
 
 std::string plan_answer(const Task& task, const Worker& worker) {
-    return plan_text(task, task.request.options, worker, TimeBudget(task, worker).share(1));
+    PlannerPool::Loan planner = task.planners.borrow(task.map);
+    return plan_text(task, task.request.options, worker, planner, TimeBudget(task, worker).share(1));
 }
 
 std::string front_answer(const Task& task, const Worker& worker) {
     PreparedMission prepared = prepare(task, task.request.options, worker, TimeBudget(task, worker).share(1));
     io::MissionDocument& asked = prepared.document;
+    PlannerPool::Loan planner = task.planners.borrow(task.map);
     const std::vector<Plan> plans =
-        worker.planner.front(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
+        planner.front(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
     Rules& rules = asked.mission.rules;
     rules.removals = int(plans.size() + rules.force.size()) - 1;
     return io::plan_json(plans.back(), context_of(task, prepared, plans));
@@ -199,12 +202,13 @@ std::string compare_answer(const Task& task, const Worker& worker) {
     const std::vector<Variant> variants =
         task.request.variants.empty() ? usual_variants(task.request.options) : task.request.variants;
     const TimeBudget budget(task, worker);
+    PlannerPool::Loan planner = task.planners.borrow(task.map);
     std::size_t left = variants.size();
     std::string text;
     for (const Variant& variant : variants) {
         if (!text.empty()) text += ",\n";
         text += "{\"name\": " + Json(variant.name).dump() +
-                ", \"plan\": " + plan_text(task, variant.options, worker, budget.share(left--)) + "}";
+                ", \"plan\": " + plan_text(task, variant.options, worker, planner, budget.share(left--)) + "}";
     }
     return "{\"format\": \"waybreaker-compare/1\", \"plans\": [\n" + text + "]}\n";
 }

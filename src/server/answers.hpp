@@ -7,6 +7,7 @@
 #include "server/job_queue.hpp"
 #include "server/map_store.hpp"
 #include "server/plan_request.hpp"
+#include "server/planner_pool.hpp"
 
 namespace waybreaker::server {
 
@@ -26,6 +27,7 @@ std::string file_name(const std::string& id, const StoredMap& map);
 struct Task {
     SharedMap map;
     PlanRequest request;
+    PlannerPool& planners;
     double seconds = 30;  // upper limit, whatever the request says
 };
 

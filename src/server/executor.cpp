@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "server/memory_account.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
 
@@ -44,7 +45,7 @@ Failure current_failure() {
     } catch (const InputError& error) {
         return {unprocessable, error.what()};
     } catch (const std::bad_alloc&) {
-        return {unavailable, "out of memory", "", "no-memory"};
+        return {unavailable, "what others use leaves too little memory for this; ask again", "", "no-memory"};
     } catch (...) {
         return {internal_error, "this is our fault; the log says more", message_in_flight()};
     }
@@ -68,19 +69,31 @@ std::string problem_event(const Failure& failure) {
     return event("problem", problem_json(failure.status, failure.detail, failure.kind));
 }
 
-Executor::Executor(const ServiceLimits& limits, Metrics& metrics)
-    : limits_(limits), metrics_(metrics), queue_(limits.workers, limits.queue) {}
+Executor::Executor(const ServiceLimits& limits, Metrics& metrics, MemoryBudget& budget)
+    : limits_(limits),
+      metrics_(metrics),
+      budget_(budget),
+      queues_{std::make_unique<JobQueue>(limits.workers, limits.queue), std::make_unique<JobQueue>(1, limits.queue),
+              std::make_unique<JobQueue>(1, limits.queue)} {}
 
-std::shared_ptr<Job> Executor::submit(Work work) {
-    auto job = queue_.submit([this, work = std::move(work)](const Worker& worker) {
+// Counts the time and the memory of a plan.
+Work Executor::counted(Work work) const {
+    return [this, work = std::move(work)](const Worker& worker) {
+        MemoryAccount account(budget_, MemoryBudget::Use::job);
+        const MemoryAccount::Scope scope(&account);
         const auto began = std::chrono::steady_clock::now();
         Response result = work(worker);
         metrics_.count_plan(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
         return result;
-    });
+    };
+}
+
+std::shared_ptr<Job> Executor::submit(Work work, Lane lane) {
+    if (lane == Lane::planning) work = counted(std::move(work));
+    auto job = queues_[std::size_t(lane)]->submit(std::move(work));
     if (!job) {
         metrics_.count_refused();
-        throw Problem(unavailable, "too many plans are waiting; ask again in a moment");
+        throw Problem(unavailable, "too many others wait for the same; ask again in a moment");
     }
     return job;
 }

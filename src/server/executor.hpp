@@ -1,6 +1,7 @@
 // Executor: runs the work that clients request, and reports its progress.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "server/job_queue.hpp"
 #include "server/limits.hpp"
+#include "server/memory_budget.hpp"
 #include "server/metrics.hpp"
 
 namespace waybreaker::server {
@@ -26,24 +28,31 @@ std::string progress_event(const Job& job);
 std::string plan_event(const Response& response);
 std::string problem_event(const Failure& failure);
 
+// Work of each kind has workers and a queue of its own, so that none waits for another: plans, and what else is asked of
+// a map; maps that are sent or edited; map data, and imports from it.
+enum class Lane { planning, uploading, importing };
+
 class Executor {
   public:
-    Executor(const ServiceLimits& limits, Metrics& metrics);
+    // Keeps the references.
+    Executor(const ServiceLimits& limits, Metrics& metrics, MemoryBudget& budget);
 
-    // Throws Problem if the queue is full.
-    std::shared_ptr<Job> submit(Work work);
+    // Throws Problem if the lane's queue is full.
+    std::shared_ptr<Job> submit(Work work, Lane lane);
     // Stops the job if it takes too long. To be called from time to time until the job is done.
     void enforce_time_limit(Job& job);
     // The result is no longer needed.
     void cancel(Job& job);
 
-    std::size_t waiting() const { return queue_.waiting(); }
-    std::size_t running() const { return queue_.running(); }
+    const JobQueue& queue(Lane lane) const { return *queues_[std::size_t(lane)]; }
 
   private:
+    Work counted(Work work) const;
+
     ServiceLimits limits_;
     Metrics& metrics_;
-    JobQueue queue_;
+    MemoryBudget& budget_;
+    std::array<std::unique_ptr<JobQueue>, 3> queues_;
 };
 
 }  // namespace waybreaker::server

@@ -6,10 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geo/geometry_stop.hpp"
-#include "geo/sent_source.hpp"
 #include "io/json_field.hpp"
-#include "mapfile/map_reader.hpp"
 #include "server/plan_request.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
@@ -98,46 +95,6 @@ void set_vehicle(const JsonField& root, geo::ImportOptions& options) {
     }
 }
 
-geo::ImportOptions placed(const StoredSource& source, const ImportRequest& request) {
-    geo::ImportOptions options = request.options;
-    if (request.placed) return options;
-    options.longitude = source.extract.densest[0];
-    options.latitude = source.extract.densest[1];
-    if (!request.sized) options.size = source.extract.side;
-    return options;
-}
-
-void require_size(const geo::ImportOptions& options, const MapLimits& limits) {
-    const auto [width, height] = geo::import_cells(options);
-    const std::size_t cells = std::size_t(width) * std::size_t(height);
-    if (cells > limits.cells) {
-        throw Problem(
-            too_large,
-            fmt::format("the window has {} x {} cells, a map may have {} (--max-cells); make it smaller, or its "
-                        "cells larger",
-                        width, height, limits.cells),
-            "map-too-large");
-    }
-    constexpr int layers = 4;  // of labels, at work at a time
-    if (limits.admit) limits.admit(cells * layers * sizeof(std::uint32_t));
-}
-
-std::vector<std::string> notes_of(const geo::ImportReport& report) {
-    std::vector<std::string> notes = report.notes;
-    constexpr double nearly_all = 0.995;
-    if (report.covered < nearly_all) {
-        notes.push_back(fmt::format("the source covers only {:.2g} % of the window; the rest is free on the map",
-                                    100 * report.covered));
-    }
-    return notes;
-}
-
-// As the service calls its options.
-std::string without_dashes(std::string message) {
-    for (std::size_t at; (at = message.find("--")) != std::string::npos;) message.erase(at, 2);
-    return message;
-}
-
 }  // namespace
 
 ImportRequest parse_import_request(std::string_view bytes, const std::string& name) {
@@ -147,7 +104,7 @@ ImportRequest parse_import_request(std::string_view bytes, const std::string& na
     root.allow({"source", "center", "size", "bbox", "cell", "profile", "section", "obstacles", "destructible",
                 "protected", "obstacle_weight", "obstacle_breach_time", "layer", "wall_width", "merge_touching",
                 "names", "background"});
-    ImportRequest request{.source = root["source"].text(), .options = {}};
+    ImportRequest request{.source = root["source"].text(), .text = std::string(bytes), .options = {}};
     set_window(root, request);
     set_vehicle(root, request.options);
     set_choice(root, request.options.choice);
@@ -157,29 +114,31 @@ ImportRequest parse_import_request(std::string_view bytes, const std::string& na
     return request;
 }
 
-StoredMap imported_map(const StoredSource& source, const ImportRequest& request, const MapLimits& limits,
-                       const StopToken& stop) {
-    const geo::SentSource sent(source.name, source.bytes, stop);
-    const geo::GeometryStop geometry(stop);  // maps are made one at a time
-    const auto require_time = [&stop] {
-        if (!stop.stop_requested()) return;
-        throw Problem(unprocessable, "the import took too long: choose a smaller window, or larger cells",
-                      "import-too-long");
-    };
-    try {
-        const geo::ImportOptions options = placed(source, request);
-        require_size(options, limits);
-        const geo::ImportReport report = geo::import_city(sent.path(), options);
-        require_time();
-        std::string bytes = geo::label_tiff_bytes(report.tiff);
-        // Read back, so that it equals an upload of the file that the command would write.
-        io::MapFile file = mapfile::parse_map(bytes, "the map", Connectivity::four, {}, limits);
-        file.notes = notes_of(report);
-        return {.file = std::move(file), .bytes = std::move(bytes)};
-    } catch (const InputError& error) {
-        require_time();
-        throw Problem(unprocessable, without_dashes(sent.named(error.what())), "import-unfit");
-    }
+geo::ImportOptions window_of(const ImportRequest& request, const geo::Extract& extract) {
+    geo::ImportOptions options = request.options;
+    if (request.placed) return options;
+    options.longitude = extract.densest[0];
+    options.latitude = extract.densest[1];
+    if (!request.sized) options.size = extract.side;
+    return options;
+}
+
+std::size_t cells_of(const ImportRequest& request, const geo::Extract& extract, std::size_t most) try {
+    const auto [width, height] = geo::import_cells(window_of(request, extract));
+    const std::size_t cells = std::size_t(width) * std::size_t(height);
+    if (cells <= most) return cells;
+    throw Problem(too_large,
+                  fmt::format("the window has {} x {} cells, a map may have {} (--max-cells); make it smaller, or its "
+                              "cells larger",
+                              width, height, most),
+                  "map-too-large");
+} catch (const InputError& error) {
+    throw Problem(unprocessable, without_dashes(error.what()), "import-unfit");
+}
+
+std::string without_dashes(std::string message) {
+    for (std::size_t at; (at = message.find("--")) != std::string::npos;) message.erase(at, 2);
+    return message;
 }
 
 }  // namespace waybreaker::server

@@ -3,18 +3,18 @@
 //     {"source": "source-8a1f0c92be1d44f7", "center": [7.4197, 43.7311], "size": 600, "profile": "truck"}
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "geo/city_import.hpp"
-#include "server/map_store.hpp"
-#include "server/source_store.hpp"
-#include "waybreaker/limits.hpp"
+#include "geo/extract.hpp"
 
 namespace waybreaker::server {
 
 struct ImportRequest {
     std::string source;
+    std::string text;     // as it came
     bool placed = false;  // whether it says where; else the window is the source's densest
     bool sized = false;
     geo::ImportOptions options;
@@ -23,9 +23,16 @@ struct ImportRequest {
 // Throws InputError that says where and what is wrong.
 ImportRequest parse_import_request(std::string_view bytes, const std::string& name = "import");
 
-// The map, with what the user should know as its notes. Throws Problem if the source has no such map, it would be too
-// large, or a stop comes before it is made.
-StoredMap imported_map(const StoredSource& source, const ImportRequest& request, const MapLimits& limits,
-                       const StopToken& stop);
+// What it asks for, in the densest window of the source if it does not say where.
+geo::ImportOptions window_of(const ImportRequest& request, const geo::Extract& extract);
+
+// Throws Problem if its window has more cells than that, or there is no such window.
+std::size_t cells_of(const ImportRequest& request, const geo::Extract& extract, std::size_t most);
+
+// A message about options of the command, as the service calls them.
+std::string without_dashes(std::string message);
+
+// A message about options of the command, as the service calls them.
+std::string without_dashes(std::string message);
 
 }  // namespace waybreaker::server

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "mapfile/map_reader.hpp"
 #include "server/import_request.hpp"
 #include "server/problem.hpp"
 #include "server/responses.hpp"
@@ -20,11 +21,12 @@ std::string name_of(const Request& request) {
 
 Route send_route(SourceStore& sources) {
     const auto handle = [&sources](Call call) -> Answer {
-        return Deferred{[&sources, name = name_of(call.request),
-                         bytes = std::move(call.request.body)](const Worker& worker) mutable {
+        Work work = [&sources, name = name_of(call.request),
+                     bytes = std::move(call.request.body)](const Worker& worker) mutable {
             const SourceStore::Added added = sources.add(std::move(bytes), name, worker.stop);
             return kept_response(source_json(added.id, *added.source), "/api/v1/sources/" + added.id, added.is_new);
-        }};
+        };
+        return Deferred{.work = std::move(work), .lane = Lane::importing};
     };
     return {"POST", "/api/v1/sources", Route::Body::bytes, false, handle};
 }
@@ -44,21 +46,32 @@ Route forget_route(SourceStore& sources) {
     return {"DELETE", "/api/v1/sources/{id}", Route::Body::none, false, handle};
 }
 
-Route import_route(SourceStore& sources, MapStore& maps) {
-    const auto handle = [&sources, &maps](const Call& call) -> Answer {
+// Read back, so that it equals an upload of the file that the command would write.
+StoredMap stored(Importer::Import import, const MapLimits& limits) {
+    io::MapFile file = mapfile::parse_map(import.tiff, "the map", Connectivity::four, {}, limits);
+    file.notes = std::move(import.notes);
+    return {.file = std::move(file), .bytes = std::move(import.tiff)};
+}
+
+Route import_route(const Importer& importer, SourceStore& sources, MapStore& maps) {
+    const auto handle = [&](const Call& call) -> Answer {
         const ImportRequest asked = read_request([&call] { return parse_import_request(call.request.body); });
-        return Deferred{[&maps, asked, source = sources.find(asked.source)](const Worker& worker) {
-            return upload_response(
-                maps.add([&](const MapLimits& limits) { return imported_map(*source, asked, limits, worker.stop); }));
-        }};
+        Work work = [&, asked, source = sources.find(asked.source)](const Worker& worker) {
+            return upload_response(maps.add([&](const MapLimits& limits) {
+                return stored(importer.import(source->name, source->bytes, source->extract, asked, limits.cells,
+                                              worker.stop),
+                              limits);
+            }));
+        };
+        return Deferred{.work = std::move(work), .lane = Lane::importing};
     };
     return {"POST", "/api/v1/imports", Route::Body::json, false, handle};
 }
 
 }  // namespace
 
-std::vector<Route> import_routes(SourceStore& sources, MapStore& maps) {
-    return {send_route(sources), describe_route(sources), forget_route(sources), import_route(sources, maps)};
+std::vector<Route> import_routes(const Importer& importer, SourceStore& sources, MapStore& maps) {
+    return {send_route(sources), describe_route(sources), forget_route(sources), import_route(importer, sources, maps)};
 }
 
 }  // namespace waybreaker::server

@@ -9,6 +9,6 @@
 namespace waybreaker::server {
 
 // The handlers keep the references.
-std::vector<Route> import_routes(SourceStore& sources, MapStore& maps);
+std::vector<Route> import_routes(const Importer& importer, SourceStore& sources, MapStore& maps);
 
 }  // namespace waybreaker::server

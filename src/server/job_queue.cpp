@@ -43,7 +43,7 @@ Response Job::result() {
     return std::move(result_);
 }
 
-void Job::run(MissionPlanner& planner) {
+void Job::run() {
     {
         const std::scoped_lock lock(mutex_);
         state_ = State::running;
@@ -60,7 +60,7 @@ void Job::run(MissionPlanner& planner) {
     Response result;
     std::exception_ptr failure;
     try {
-        if (!stop_.stop_requested()) result = work_({planner, stop_.get_token(), report, set_time_limit});
+        if (!stop_.stop_requested()) result = work_({stop_.get_token(), report, set_time_limit});
     } catch (...) {
         failure = std::current_exception();
     }
@@ -122,7 +122,6 @@ std::size_t JobQueue::running() const {
 }
 
 void JobQueue::serve(const std::stop_token& stop) {
-    MissionPlanner planner;
     while (true) {
         std::shared_ptr<Job> job;
         {
@@ -132,7 +131,7 @@ void JobQueue::serve(const std::stop_token& stop) {
             queue_.pop_front();
             running_.push_back(job);
         }
-        job->run(planner);
+        job->run();
         {
             const std::scoped_lock lock(mutex_);
             std::erase(running_, job);

@@ -1,7 +1,7 @@
-// Job queue: a few worker threads, each with a planner that it reuses, and a bounded queue.
+// Job queue: a few worker threads and a bounded queue.
 //
 //     JobQueue queue(2, 16);
-//     const auto job = queue.submit([&](const Worker& worker) { return worker.planner...; });
+//     const auto job = queue.submit([&](const Worker& worker) { return answer_until(worker.stop); });
 //     if (!job) ...;                            // the queue is full
 //     job->when_done([job] { answer(job->result()); });    // or job->stop()
 #pragma once
@@ -20,13 +20,12 @@
 #include <vector>
 
 #include "server/message.hpp"
-#include "waybreaker/planner.hpp"
+#include "waybreaker/limits.hpp"
 
 namespace waybreaker::server {
 
 // What a job gets from the thread that runs it.
 struct Worker {
-    MissionPlanner& planner;
     StopToken stop;
     std::function<void(const Progress&)> report;
     std::function<void(double seconds)> set_time_limit;  // from the start of the job
@@ -54,7 +53,7 @@ class Job {
 
   private:
     friend class JobQueue;
-    void run(MissionPlanner& planner);
+    void run();
     void finish();
 
     Work work_;

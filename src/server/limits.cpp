@@ -5,7 +5,7 @@
 namespace waybreaker::server {
 
 std::size_t default_memory() {
-    return std::size_t(::sysconf(_SC_PHYS_PAGES)) * std::size_t(::sysconf(_SC_PAGESIZE)) / 4;
+    return std::size_t(::sysconf(_SC_PHYS_PAGES)) * std::size_t(::sysconf(_SC_PAGESIZE)) / 2;
 }
 
 }  // namespace waybreaker::server

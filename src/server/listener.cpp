@@ -6,6 +6,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -63,7 +64,9 @@ class Listener::Impl : public SessionHost {
           acceptor_(bound(context_, options_)),
           pause_(context_),
           port_(acceptor_.local_endpoint().port()),
-          pool_(handler_threads) {}
+          pool_(handler_threads) {
+        if (options_.budget != nullptr) share_.emplace(*options_.budget, MemoryBudget::Use::request);
+    }
 
     int port() const { return port_; }
     void run();
@@ -76,7 +79,7 @@ class Listener::Impl : public SessionHost {
     void run_task(std::function<void()> task) override { asio::post(pool_, std::move(task)); }
     bool needs_slots() const override { return draining_ || pending_.has_value(); }
     bool take_memory(std::size_t bytes) override;
-    void release_memory(std::size_t bytes) override { memory_ -= bytes; }
+    void release_memory(std::size_t bytes) override;
     void on_answered(Session& session) override;
     void on_closed(Session& session) override;
 
@@ -105,6 +108,7 @@ class Listener::Impl : public SessionHost {
     std::optional<tcp::socket> pending_;  // accepted, waits for a slot
     bool draining_ = false;
     std::size_t memory_ = 0;  // for bodies
+    std::optional<MemoryBudget::Share> share_;
     asio::thread_pool pool_;
 };
 
@@ -146,8 +150,14 @@ void Listener::Impl::admit(tcp::socket socket) {
 bool Listener::Impl::take_memory(std::size_t bytes) {
     constexpr std::size_t largest_at_once = 4;
     if (bytes > largest_at_once * options_.body_bytes - memory_) return false;
+    if (share_ && !share_->grow(bytes)) return false;
     memory_ += bytes;
     return true;
+}
+
+void Listener::Impl::release_memory(std::size_t bytes) {
+    memory_ -= bytes;
+    if (share_) share_->shrink_to(memory_);
 }
 
 void Listener::Impl::on_answered(Session& session) {

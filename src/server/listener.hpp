@@ -8,6 +8,7 @@
 #include <string>
 
 #include "server/exchange.hpp"
+#include "server/memory_budget.hpp"
 
 namespace waybreaker::server {
 
@@ -25,7 +26,8 @@ struct ListenerOptions {
     std::size_t connections = 256;
     std::size_t connections_of_client = 0;  // 0: half of `connections`, all for clients on this machine
     std::size_t body_bytes = std::size_t{32} << 20;
-    Fields headers;  // defaults for every response
+    Fields headers;                  // defaults for every response
+    MemoryBudget* budget = nullptr;  // of bodies; if not null
 };
 
 class Listener {

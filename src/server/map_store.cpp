@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "io/map_memory.hpp"
 #include "io/output_file.hpp"
@@ -14,6 +15,7 @@
 #include "mapfile/map_reader.hpp"
 #include "mapfile/ros_map.hpp"
 #include "server/built_in_maps.hpp"
+#include "server/memory_account.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
 
@@ -67,7 +69,50 @@ bool MapStore::is_id(const std::string& text) {
            text.find_first_not_of(letters) == std::string::npos;
 }
 
-MapStore::MapStore(const std::string& folder, const ServiceLimits& limits) : limits_(limits) {
+// Memory for a map, from before it is read.
+class MapStore::Reservation {
+  public:
+    // `uploaded`: whether a client that sent too much is to blame.
+    Reservation(MapStore& store, bool uploaded)
+        : store_(store), uploaded_(uploaded), share_(store.budget_, MemoryBudget::Use::map) {}
+    Reservation(const Reservation&) = delete;
+    Reservation& operator=(const Reservation&) = delete;
+
+    // Limits that reserve what they admit; this object must outlive them.
+    MapLimits limits() {
+        return {.cells = uploaded_ ? store_.limits_.map_cells : max_cells,
+                .admit = [this](std::size_t bytes) { admit(bytes); }};
+    }
+    // Leaves the map what it takes.
+    SharedMap settled(StoredMap map) {
+        const std::size_t bytes = io::memory_of(map.file) + map.bytes.capacity();
+        share_.shrink_to(bytes);
+        if (bytes > share_.bytes()) admit(bytes - share_.bytes());
+        map.memory = std::move(share_);
+        return std::make_shared<const StoredMap>(std::move(map));
+    }
+
+  private:
+    void admit(std::size_t bytes) {
+        if (share_.grow(bytes)) return;
+        if (share_.bytes() + bytes <= store_.budget_.most()) {
+            throw Problem(unavailable, "what others use leaves no memory for this map; ask again", "no-memory");
+        }
+        const std::string detail =
+            fmt::format("the map would take {} MB of memory, all that is at work may take {} MB (--max-memory)",
+                        (share_.bytes() + bytes) >> 20U, store_.budget_.most() >> 20U);
+        throw uploaded_ ? Problem(too_large, detail, "map-too-large")
+                        : Problem(unprocessable, detail, "map-beyond-memory");
+    }
+
+    MapStore& store_;
+    bool uploaded_;
+    MemoryBudget::Share share_;
+};
+
+MapStore::MapStore(const std::string& folder, const ServiceLimits& limits, MemoryBudget& budget)
+    : limits_(limits), budget_(budget) {
+    budget_.when_short([this] { return evict_unused(); });
     if (folder.empty()) return;
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
@@ -113,79 +158,39 @@ SharedMap MapStore::touch(Slot& slot) {
     return slot.map;
 }
 
-std::size_t MapStore::memory_in_use() const {
-    std::size_t bytes = reserved_;
-    for (const auto& [id, slot] : slots_) bytes += slot->bytes;
-    for (const Dropped& dropped : dropped_) bytes += dropped.map.expired() ? 0 : dropped.bytes;
-    return bytes;
-}
-
-std::size_t MapStore::memory() const {
-    const std::scoped_lock lock(mutex_);
-    return memory_in_use();
-}
-
-void MapStore::drop(const std::string& id) {
-    std::erase_if(dropped_, [](const Dropped& dropped) { return dropped.map.expired(); });
-    const auto slot = slots_.find(id);
-    if (slot->second->map.use_count() > 1) dropped_.push_back({slot->second->map, slot->second->bytes});
-    slots_.erase(slot);
-}
-
-// Whether there was a map to evict.
-bool MapStore::evict_one(const Slot* except) {
+SharedMap MapStore::take_first(Of which, const Slot* except) {
     const auto rank = [](const auto& entry) { return std::pair(!entry.second->uploaded, entry.second->used); };
     auto first = slots_.end();
     for (auto entry = slots_.begin(); entry != slots_.end(); ++entry) {
-        if (!entry->second->map || entry->second.get() == except) continue;
+        const SharedMap& map = entry->second->map;
+        if (!map || entry->second.get() == except || (which == Of::unused && map.use_count() > 1)) continue;
         if (first == slots_.end() || rank(*entry) < rank(*first)) first = entry;
     }
-    if (first == slots_.end()) return false;
-    drop(std::string(first->first));
-    return true;
+    if (first == slots_.end()) return nullptr;
+    SharedMap map = std::move(first->second->map);
+    slots_.erase(first);
+    return map;
 }
 
-void MapStore::Reservation::admit(std::size_t bytes) {
-    const std::size_t most = store_.limits_.memory;
-    if (bytes > most) {
-        const std::string detail =
-            fmt::format("the map would take {} MB of memory, all maps together may take {} MB (--max-memory)",
-                        bytes >> 20U, most >> 20U);
-        throw uploaded_ ? Problem(too_large, detail, "map-too-large")
-                        : Problem(unprocessable, detail, "map-beyond-memory");
-    }
-    const std::scoped_lock lock(store_.mutex_);
-    while (store_.memory_in_use() + bytes > most) {
-        if (!store_.evict_one()) {
-            throw Problem(unavailable, "the maps in use leave no memory for this one; ask again", "no-memory");
-        }
-    }
-    store_.reserved_ += bytes;
-    bytes_ += bytes;
+bool MapStore::evict_unused() {
+    SharedMap evicted;  // released without the lock
+    const std::scoped_lock lock(mutex_);
+    evicted = take_first(Of::unused);
+    return evicted != nullptr;
 }
 
-MapLimits MapStore::Reservation::limits() {
-    return {.cells = uploaded_ ? store_.limits_.map_cells : max_cells,
-            .admit = [this](std::size_t bytes) { admit(bytes); }};
-}
-
-void MapStore::Reservation::release() {
-    const std::scoped_lock lock(store_.mutex_);
-    store_.reserved_ -= std::exchange(bytes_, 0);
-}
-
-void MapStore::fill(Slot& slot, SharedMap map, Reservation& reservation) {
-    const std::size_t bytes = io::memory_of(map->file) + map->bytes.capacity();
-    reservation.release();
+void MapStore::fill(Slot& slot, SharedMap map) {
+    std::vector<SharedMap> evicted;  // released without the lock
     const std::scoped_lock lock(mutex_);
     slot.map = std::move(map);
     slot.used = ++uses_;
-    slot.bytes = bytes;
     const auto loaded = [this] {
         return std::size_t(
             std::count_if(slots_.begin(), slots_.end(), [](const auto& entry) { return entry.second->map; }));
     };
-    while ((loaded() > limits_.maps || memory_in_use() > limits_.memory) && evict_one(&slot)) {
+    while (loaded() > limits_.maps) {
+        evicted.push_back(take_first(Of::all, &slot));
+        if (!evicted.back()) return;
     }
 }
 
@@ -207,18 +212,19 @@ SharedMap MapStore::if_loaded(const std::string& id) {
 }
 
 SharedMap MapStore::load(const std::string& id) {
+    const MemoryAccount::Scope none(nullptr);  // maps have memory of their own
     const std::shared_ptr<Slot> slot = slot_of(id);
     const std::scoped_lock reading(slot->reading);
     SharedMap map = touch(*slot);
     if (map) return map;
     Reservation reservation(*this, false);
     try {
-        map = std::make_shared<const StoredMap>(read(id, reservation.limits()));
+        map = reservation.settled(read(id, reservation.limits()));
     } catch (const InputError&) {
         throw Problem(unprocessable, id + " is not a map that can be read",
                       "map-unreadable");  // the cause is left out: it would reveal paths of the server
     }
-    fill(*slot, map, reservation);
+    fill(*slot, map);
     return map;
 }
 
@@ -245,31 +251,38 @@ MapStore::Upload MapStore::add(std::string bytes, Connectivity connectivity) {
 }
 
 MapStore::Upload MapStore::add(const std::function<StoredMap(const MapLimits&)>& make) {
-    const std::scoped_lock adding(adding_);
+    const MemoryAccount::Scope none(nullptr);  // maps have memory of their own
     Reservation reservation(*this, true);
     return insert(make(reservation.limits()), reservation);
 }
 
 MapStore::Upload MapStore::insert(StoredMap map, Reservation& reservation) {
     const std::string id = upload_id(map.bytes, map.connectivity);
-    if (const auto known = existing(id)) return *known;
     map.file.source = id;
-    const auto shared = std::make_shared<const StoredMap>(std::move(map));
+    const SharedMap shared = reservation.settled(std::move(map));
     const auto slot = std::make_shared<Slot>();
     slot->uploaded = true;
     {
         const std::scoped_lock lock(mutex_);
-        slots_[id] = slot;
+        std::shared_ptr<Slot>& there = slots_[id];
+        if (there && there->map) {  // made before, or by another at the same time
+            there->used = ++uses_;
+            return {id, there->map, false};
+        }
+        there = slot;
+        slot->map = shared;
     }
-    fill(*slot, shared, reservation);  // may evict others
+    fill(*slot, shared);  // may evict others
     return {id, shared, true};
 }
 
 void MapStore::remove(const std::string& id) {
+    std::shared_ptr<Slot> removed;  // released without the lock
     const std::scoped_lock lock(mutex_);
     const auto known = slots_.find(id);
     if (known != slots_.end() && known->second->uploaded) {
-        drop(id);
+        removed = std::move(known->second);
+        slots_.erase(known);
     } else if (known != slots_.end() || !path_of(id).empty() || built_in_map(id)) {
         throw Problem(forbidden, "only maps that were sent here can be deleted", "map-not-removable");
     } else {

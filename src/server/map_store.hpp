@@ -1,6 +1,7 @@
 // Map store: the maps of a server: those in its folder, the built-in ones and uploads. Each is read once and shared,
-// read-only, by all requests that use it. ServiceLimits bound their total memory and their number; to make room for a
-// new map, others are evicted: uploads first, then maps of the folder, each in least recently used order.
+// read-only, by all requests that use it. The memory budget and ServiceLimits bound their memory and their number; to
+// make room, those that nobody uses are evicted: uploads first, then maps of the folder, each in least recently used
+// order.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include "io/map_file.hpp"
 #include "map/map_size.hpp"
 #include "server/limits.hpp"
+#include "server/memory_budget.hpp"
 
 namespace waybreaker::server {
 
@@ -24,13 +26,14 @@ struct StoredMap {
     io::MapFile file;
     Connectivity connectivity = Connectivity::four;
     std::string bytes = {};
+    std::optional<MemoryBudget::Share> memory = {};  // while it is in use, even if it is no longer in the store
 };
 using SharedMap = std::shared_ptr<const StoredMap>;
 
 class MapStore {
   public:
-    // `folder` may be empty. Throws InputError if it is not a folder.
-    MapStore(const std::string& folder, const ServiceLimits& limits);
+    // `folder` may be empty. Keeps the reference. Throws InputError if it is not a folder.
+    MapStore(const std::string& folder, const ServiceLimits& limits, MemoryBudget& budget);
 
     struct Entry {
         std::string id;
@@ -55,38 +58,14 @@ class MapStore {
     // Keeps a map in memory. The same bytes get the same id. Throws Problem if they are not a map, the map is too
     // large, or the maps in use leave no memory for it.
     Upload add(std::string bytes, Connectivity connectivity);
-    // The same for the map that `make` returns; `make` must respect the limits.
+    // The same for the map that `make` returns; `make` must respect the limits. Holds no lock meanwhile.
     Upload add(const std::function<StoredMap(const MapLimits&)>& make);
 
     // Removes an uploaded map; requests that use it keep it until they are done. Throws Problem for other maps.
     void remove(const std::string& id);
 
-    // Bytes that all maps take, including removed ones that are still in use.
-    std::size_t memory() const;
-
     // Whether a text is a valid map id: letters, digits, dots, dashes and underscores, not starting with a dot.
     static bool is_id(const std::string& text);
-
-    // Memory that is reserved as long as this object lives: for a map before it is read, or for what maps are made
-    // from.
-    class Reservation {
-      public:
-        // `uploaded`: whether a client that sent too much is to blame. Keeps the reference.
-        Reservation(MapStore& store, bool uploaded) : store_(store), uploaded_(uploaded) {}
-        Reservation(const Reservation&) = delete;
-        Reservation& operator=(const Reservation&) = delete;
-        ~Reservation() { release(); }
-        // Reserves more, and evicts maps where it must. Throws Problem if there is no room.
-        void admit(std::size_t bytes);
-        // Limits that reserve what they admit; this object must outlive them.
-        MapLimits limits();
-        void release();
-
-      private:
-        MapStore& store_;
-        bool uploaded_;
-        std::size_t bytes_ = 0;
-    };
 
   private:
     struct Slot {
@@ -94,31 +73,25 @@ class MapStore {
         SharedMap map;  // guarded by MapStore::mutex_
         bool uploaded = false;
         std::uint64_t used = 0;
-        std::size_t bytes = 0;
     };
-    // A map that is no longer in the store, but still in use.
-    struct Dropped {
-        std::weak_ptr<const StoredMap> map;
-        std::size_t bytes;
-    };
+    class Reservation;
     std::string path_of(const std::string& id) const;
     StoredMap read(const std::string& id, const MapLimits& limits) const;
     std::shared_ptr<Slot> slot_of(const std::string& id);
     std::optional<Upload> existing(const std::string& id);
     SharedMap touch(Slot& slot);
     Upload insert(StoredMap map, Reservation& reservation);
-    void fill(Slot& slot, SharedMap map, Reservation& reservation);
-    // With mutex_ locked:
-    std::size_t memory_in_use() const;
-    bool evict_one(const Slot* except = nullptr);
-    void drop(const std::string& id);
+    void fill(Slot& slot, SharedMap map);
+    // Whether there was a map that nobody uses.
+    bool evict_unused();
+    // With mutex_ locked; the map is to be released without it:
+    enum class Of { all, unused };
+    SharedMap take_first(Of which, const Slot* except = nullptr);
 
     std::string folder_;
     ServiceLimits limits_;
+    MemoryBudget& budget_;
     mutable std::mutex mutex_;
-    std::mutex adding_;  // one upload is read at a time: reading needs several times the memory of the map
-    std::size_t reserved_ = 0;
-    std::vector<Dropped> dropped_;
     std::map<std::string, std::shared_ptr<Slot>> slots_;
     std::uint64_t uses_ = 0;
 };

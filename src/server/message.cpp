@@ -44,6 +44,7 @@ Body::Body(std::string bytes) {
     const auto owner = std::make_shared<const std::string>(std::move(bytes));
     bytes_ = *owner;
     owner_ = owner;
+    own_ = true;
 }
 
 }  // namespace waybreaker::server

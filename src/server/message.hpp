@@ -55,10 +55,17 @@ class Body {
     Body(std::shared_ptr<const void> owner, std::string_view bytes) : owner_(std::move(owner)), bytes_(bytes) {}
 
     std::string_view bytes() const { return bytes_; }
+    // Whether it was made for one response.
+    bool is_own() const { return own_; }
+    // Something else that is kept as long as the bytes: what they count in.
+    void keep(std::shared_ptr<const void> thing) { kept_ = std::move(thing); }
+    const std::shared_ptr<const void>& kept() const { return kept_; }
 
   private:
     std::shared_ptr<const void> owner_;
+    std::shared_ptr<const void> kept_;
     std::string_view bytes_;
+    bool own_ = false;
 };
 
 struct Response {

@@ -70,11 +70,22 @@ std::string Metrics::text(const Gauges& gauges) const {
     for (const auto& [route, histogram] : latency_) text += histogram.text(latency, "route=\"" + route + "\"");
     const std::string plans = "waybreaker_plan_seconds";
     text += heading(plans, "histogram", "Time of a planner at work on a request.") + plans_.text(plans, "");
-    text += single("waybreaker_queue_length", "gauge", "Plans that wait for a worker.", gauges.waiting);
-    text += single("waybreaker_plans_running", "gauge", "Plans that workers are at.", gauges.running);
+    text += single("waybreaker_queue_length", "gauge", "Plans that wait for a worker.", gauges.plans.waiting);
+    text += single("waybreaker_plans_running", "gauge", "Plans that workers are at.", gauges.plans.running);
+    text += single("waybreaker_uploads_waiting", "gauge", "Maps sent or edited that wait.", gauges.uploads.waiting);
+    text += single("waybreaker_uploads_running", "gauge", "Maps that are being made.", gauges.uploads.running);
+    text += single("waybreaker_imports_waiting", "gauge", "Imports, and map data sent, that wait.",
+                   gauges.imports.waiting);
+    text += single("waybreaker_imports_running", "gauge", "Imports, or map data read, at work.",
+                   gauges.imports.running);
     text += single("waybreaker_maps_loaded", "gauge", "Maps held in memory.", gauges.maps);
-    text += single("waybreaker_maps_bytes", "gauge", "Memory that maps take.", gauges.map_bytes);
-    text += single("waybreaker_refused_total", "counter", "Plans refused because too many waited.", refused_);
+    text += single("waybreaker_maps_bytes", "gauge", "Memory that maps and map data take.", gauges.map_bytes);
+    text += heading("waybreaker_memory_bytes", "gauge", "Memory in use, of waybreaker_memory_limit_bytes.");
+    for (const auto& [use, bytes] : gauges.memory) {
+        text += fmt::format("waybreaker_memory_bytes{{use=\"{}\"}} {}\n", use, bytes);
+    }
+    text += single("waybreaker_memory_limit_bytes", "gauge", "The most memory that may be in use.", gauges.most_memory);
+    text += single("waybreaker_refused_total", "counter", "Requests refused because too many waited.", refused_);
     return text + single("waybreaker_stopped_total", "counter",
                          "Plans stopped because the client went away or time was up.", stopped_);
 }

@@ -7,6 +7,8 @@
 #include <mutex>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace waybreaker::server {
 
@@ -31,11 +33,18 @@ class Metrics {
     void count_refused();  // the queue was full
     void count_stopped();  // the client disconnected, or the time limit was reached
 
-    struct Gauges {
+    struct Lane {
         std::size_t waiting = 0;
         std::size_t running = 0;
+    };
+    struct Gauges {
+        Lane plans = {};
+        Lane uploads = {};
+        Lane imports = {};
         std::size_t maps = 0;
         std::size_t map_bytes = 0;
+        std::vector<std::pair<std::string, std::size_t>> memory = {};  // by what it is used for
+        std::size_t most_memory = 0;
     };
     std::string text(const Gauges& gauges) const;
 

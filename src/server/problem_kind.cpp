@@ -44,6 +44,9 @@ constexpr std::array kinds{
     ProblemKind{"import-too-long", 422, "The import took too long",
                 "Choose a smaller window or larger cells, cut a piece out of the map data, or start the server with a "
                 "larger --time-limit."},
+    ProblemKind{"import-beyond-memory", 422, "The import needs more memory than it may take",
+                "Choose a smaller window or larger cells, or cut a piece out of the map data: it has shapes that are "
+                "hard to read."},
     ProblemKind{"plan-invalid", 422, "The plan is not valid for the map", "POST it to check for all that is wrong."},
     ProblemKind{"headers-too-large", 431, "The headers are too large", "Send fewer or shorter ones."},
     ProblemKind{"internal-error", 500, "The server made a mistake", "Its log says more."},

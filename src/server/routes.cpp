@@ -96,12 +96,12 @@ bool wants_events(const Request& request) {
 using PlanAnswer = std::string (*)(const Task&, const Worker&);
 
 // A route whose response a worker plans.
-Route plan_route(const std::string& name, PlanAnswer answer, MapStore& store, double seconds) {
-    const auto handle = [answer, &store, seconds](const Call& call) -> Answer {
+Route plan_route(const std::string& name, PlanAnswer answer, MapStore& store, PlannerPool& planners, double seconds) {
+    const auto handle = [answer, &store, &planners, seconds](const Call& call) -> Answer {
         const NeededMap map(store, call.id);
         const PlanRequest request = read_request([&call] { return parse_plan_request(call.request.body); });
-        const Work work = [answer, map, request, seconds](const Worker& worker) {
-            return ok_response(answer({map.load(), request, seconds}, worker));
+        const Work work = [answer, map, request, &planners, seconds](const Worker& worker) {
+            return ok_response(answer({map.load(), request, planners, seconds}, worker));
         };
         return Deferred{.work = work, .events = wants_events(call.request)};
     };
@@ -111,9 +111,10 @@ Route plan_route(const std::string& name, PlanAnswer answer, MapStore& store, do
 Route upload_route(MapStore& store) {
     const auto handle = [&store](Call call) -> Answer {
         const Connectivity connectivity = connectivity_of(call.request);
-        return Deferred{[&store, connectivity, bytes = std::move(call.request.body)](const Worker&) mutable {
+        Work work = [&store, connectivity, bytes = std::move(call.request.body)](const Worker&) mutable {
             return upload_response(store.add(std::move(bytes), connectivity));
-        }};
+        };
+        return Deferred{.work = std::move(work), .lane = Lane::uploading};
     };
     return {"POST", "/api/v1/maps", Route::Body::bytes, false, handle};
 }
@@ -122,10 +123,11 @@ Route edits_route(MapStore& store) {
     const auto handle = [&store](const Call& call) -> Answer {
         const NeededMap needed(store, call.id);
         const MapEdits edits = read_request([&call] { return parse_map_edits(call.request.body); });
-        return Deferred{[&store, needed, edits](const Worker&) {
+        Work work = [&store, needed, edits](const Worker&) {
             const SharedMap map = needed.load();
             return upload_response(store.add([&](const MapLimits& limits) { return edited_map(*map, edits, limits); }));
-        }};
+        };
+        return Deferred{.work = std::move(work), .lane = Lane::uploading};
     };
     return {"POST", "/api/v1/maps/{id}/edits", Route::Body::json, false, handle};
 }
@@ -246,15 +248,6 @@ Response described(const std::string& problem) {
                        "text/plain; charset=utf-8");
 }
 
-std::string metrics_text(const MapStore& store, const Executor& executor, const Metrics& metrics) {
-    const auto maps = store.list();
-    const auto loaded = std::count_if(maps.begin(), maps.end(), [](const auto& entry) { return entry.loaded; });
-    return metrics.text({.waiting = executor.waiting(),
-                         .running = executor.running(),
-                         .maps = std::size_t(loaded),
-                         .map_bytes = store.memory()});
-}
-
 }  // namespace
 
 std::optional<std::string> Route::id_in(const std::string& asked) const {
@@ -267,15 +260,11 @@ std::optional<std::string> Route::id_in(const std::string& asked) const {
     return MapStore::is_id(id) ? std::optional(id) : std::nullopt;
 }
 
-std::vector<Route> routes(MapStore& store, const Executor& executor, const Metrics& metrics,
-                          const ServiceLimits& limits) {
+std::vector<Route> routes(MapStore& store, PlannerPool& planners, const ServiceLimits& limits) {
     std::vector<Route> all;
     all.push_back(ready("/healthz", "{\"status\": \"ok\"}\n"));
     all.push_back(ready("/api/v1/openapi.json", openapi_json()));
     all.push_back(ready("/api/v1/mission.schema.json", mission_schema()));
-    all.push_back(get("/metrics", [&](const Call&) {
-        return ok_response(metrics_text(store, executor, metrics), "text/plain; version=0.0.4; charset=utf-8");
-    }));
     all.push_back(
         {"GET", "/problems/{id}", Route::Body::none, true, [](const Call& call) { return described(call.id); }, true});
     all.push_back(get("/api/v1/maps", [&](const Call&) { return ok_response(maps_json(store.list())); }));
@@ -286,9 +275,9 @@ std::vector<Route> routes(MapStore& store, const Executor& executor, const Metri
     all.push_back(upload_route(store));
     all.push_back(edits_route(store));
     all.push_back(delete_route(store));
-    all.push_back(plan_route("plan", plan_answer, store, limits.seconds));
-    all.push_back(plan_route("front", front_answer, store, limits.seconds));
-    all.push_back(plan_route("compare", compare_answer, store, limits.seconds));
+    all.push_back(plan_route("plan", plan_answer, store, planners, limits.seconds));
+    all.push_back(plan_route("front", front_answer, store, planners, limits.seconds));
+    all.push_back(plan_route("compare", compare_answer, store, planners, limits.seconds));
     all.push_back(check_route(store));
     all.push_back(export_route(store));
     return all;

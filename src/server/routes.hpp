@@ -11,7 +11,7 @@
 #include "server/executor.hpp"
 #include "server/map_store.hpp"
 #include "server/message.hpp"
-#include "server/metrics.hpp"
+#include "server/planner_pool.hpp"
 
 namespace waybreaker::server {
 
@@ -24,6 +24,7 @@ struct Call {
 struct Deferred {
     Work work;
     bool events = false;
+    Lane lane = Lane::planning;
 };
 
 using Answer = std::variant<Response, Deferred>;
@@ -43,7 +44,6 @@ struct Route {
 };
 
 // The handlers keep the references.
-std::vector<Route> routes(MapStore& store, const Executor& executor, const Metrics& metrics,
-                          const ServiceLimits& limits);
+std::vector<Route> routes(MapStore& store, PlannerPool& planners, const ServiceLimits& limits);
 
 }  // namespace waybreaker::server

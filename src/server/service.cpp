@@ -2,6 +2,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -11,9 +16,13 @@
 #include "server/import_routes.hpp"
 #include "server/listener.hpp"
 #include "server/log_line.hpp"
+#include "server/importer.hpp"
 #include "server/map_store.hpp"
+#include "server/memory_budget.hpp"
 #include "server/metrics.hpp"
+#include "server/metrics_route.hpp"
 #include "server/page.hpp"
+#include "server/planner_pool.hpp"
 #include "server/problem.hpp"
 #include "server/request_body.hpp"
 #include "server/routes.hpp"
@@ -103,7 +112,7 @@ class Service::Impl : public RequestHandler {
   private:
     using SharedRecord = std::shared_ptr<AccessRecord>;
 
-    ListenerOptions listener_options() const;
+    ListenerOptions listener_options();
     // Throws Problem if no route has that path and method.
     const Route& route_of(const Request& request) const;
     void guard(const Route& route, const Request& request) const;
@@ -111,27 +120,67 @@ class Service::Impl : public RequestHandler {
     // Counts and logs the response, once.
     void close(AccessRecord& record, int status, const std::string& detail = "");
 
+    // The response, whose memory counts until it is sent; or that there is none.
+    Response counted(Response response);
+    // From time to time gives back what nobody has used for a while.
+    void tidy(const std::stop_token& stop);
+
     ServiceOptions options_;
     Metrics metrics_;
+    MemoryBudget budget_;
+    PlannerPool planners_;  // gives back memory before the maps do
     MapStore store_;
+    Importer importer_;
     SourceStore sources_;
     Listener listener_;  // outlives the executor, whose jobs answer through it
     Executor executor_;
     std::vector<Route> routes_;
+    std::jthread tidying_;
 };
 
 Service::Impl::Impl(ServiceOptions options)
     : options_((require_safe(options), std::move(options))),
-      store_(options_.maps, options_.limits),
-      sources_(store_, options_.limits),
+      budget_(options_.limits.memory),
+      planners_(budget_),
+      store_(options_.maps, options_.limits, budget_),
+      importer_(options_.import_worker, options_.limits, budget_),
+      sources_(importer_, budget_),
       listener_(listener_options(), *this),
-      executor_(options_.limits, metrics_),
-      routes_(routes(store_, executor_, metrics_, options_.limits)) {
-    for (Route& route : import_routes(sources_, store_)) routes_.push_back(std::move(route));
+      executor_(options_.limits, metrics_, budget_),
+      routes_(routes(store_, planners_, options_.limits)) {
+    routes_.push_back(metrics_route(metrics_, store_, executor_, budget_));
+    for (Route& route : import_routes(importer_, sources_, store_)) routes_.push_back(std::move(route));
     for (Route& route : page_routes()) routes_.push_back(std::move(route));
+    tidying_ = std::jthread([this](const std::stop_token& stop) { tidy(stop); });
 }
 
-ListenerOptions Service::Impl::listener_options() const {
+void Service::Impl::tidy(const std::stop_token& stop) {
+    constexpr std::chrono::seconds pause(1);
+    constexpr std::chrono::seconds rest(10);
+    std::mutex mutex;
+    std::condition_variable_any stopped;
+    std::unique_lock lock(mutex);
+    while (!stopped.wait_for(lock, stop, pause, [] { return false; }) && !stop.stop_requested()) {
+        planners_.release_rested(rest);
+        sources_.forget_expired();
+        budget_.trim();
+    }
+}
+
+Response Service::Impl::counted(Response response) {
+    constexpr std::size_t small = 65536;  // as of requests
+    const std::size_t bytes = response.body.bytes().size();
+    if (!response.body.is_own() || bytes <= small) return response;
+    const auto share = std::make_shared<MemoryBudget::Share>(budget_, MemoryBudget::Use::answer);
+    if (!share->grow(bytes)) {
+        throw Problem(unavailable, "answers on their way to slow clients leave no memory for this one; ask again",
+                      "no-memory");
+    }
+    response.body.keep(share);
+    return response;
+}
+
+ListenerOptions Service::Impl::listener_options() {
     const ServiceLimits& limits = options_.limits;
     return {.host = options_.host,
             .port = options_.port,
@@ -141,7 +190,8 @@ ListenerOptions Service::Impl::listener_options() const {
             .connections = limits.connections,
             .connections_of_client = limits.connections_of_client,
             .body_bytes = limits.upload_bytes,
-            .headers = safe_headers};
+            .headers = safe_headers,
+            .budget = &budget_};
 }
 
 void Service::Impl::guard(const Route& route, const Request& request) const {
@@ -204,7 +254,7 @@ void Service::Impl::serve(Request request, std::shared_ptr<Exchange> exchange) {
         std::string id = route.id_in(request.path).value_or("");
         Answer answer = route.answer({std::move(request), std::move(id)});
         if (auto* deferred = std::get_if<Deferred>(&answer)) return wait(std::move(*deferred), exchange, record);
-        auto& response = std::get<Response>(answer);
+        Response response = counted(std::move(std::get<Response>(answer)));
         close(*record, response.status);
         exchange->answer(std::move(response));
     } catch (...) {
@@ -217,7 +267,7 @@ void Service::Impl::serve(Request request, std::shared_ptr<Exchange> exchange) {
 // Responds when the work is done, and stops it when the client disconnects.
 void Service::Impl::wait(Deferred deferred, const std::shared_ptr<Exchange>& exchange, const SharedRecord& record) {
     const bool events = deferred.events;
-    const std::shared_ptr<Job> job = executor_.submit(std::move(deferred.work));
+    const std::shared_ptr<Job> job = executor_.submit(std::move(deferred.work), deferred.lane);
     const auto tick = [this, job, events] {
         executor_.enforce_time_limit(*job);
         return events ? progress_event(*job) : std::string();
@@ -231,8 +281,9 @@ void Service::Impl::wait(Deferred deferred, const std::shared_ptr<Exchange>& exc
         Response response;
         try {
             response = job->result();
-            close(*record, response.status);
             if (events) response.body = plan_event(response);
+            response = counted(std::move(response));
+            close(*record, response.status);
         } catch (...) {
             const Failure failure = current_failure();
             close(*record, failure.status, log_text(failure));

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "server/limits.hpp"
 
@@ -20,6 +21,9 @@ struct ServiceOptions {
     std::string token;
     bool insecure = false;  // serve other machines without a token
     ServiceLimits limits;
+    // A program and its arguments, which calls run_import_worker() (import_worker.hpp) with those that are added.
+    // Empty: nothing can be imported.
+    std::vector<std::string> import_worker;
     std::function<void(const std::string&)> log = [](const std::string&) {
     };  // one JSON object a line; called from any thread
 };

@@ -115,7 +115,7 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
     Clock::duration waited_{0};  // time spent writing
     std::string piece_;          // events being written
     bool sending_piece_ = false;
-    std::optional<std::string> last_piece_;
+    std::optional<Body> last_piece_;
 };
 
 }  // namespace waybreaker::server

@@ -29,7 +29,7 @@ void Session::answer(Response response) {
         if (self->phase_ != Phase::serving) return;
         if (!self->waiting_.events) return self->start(std::move(response));
         self->waits_ = false;
-        self->last_piece_ = std::string(response.body.bytes());
+        self->last_piece_ = std::move(response.body);
         if (!self->sending_piece_) self->piece_sent(false);
     });
 }
@@ -139,13 +139,15 @@ void Session::piece_sent(bool failed) {
     sending_piece_ = false;
     if (phase_ != Phase::serving) return;
     if (failed) return close();
-    const std::optional<std::string> last = std::exchange(last_piece_, {});
+    const std::optional<Body> last = std::exchange(last_piece_, {});
     if (!last) return;
     // The last piece is written like any other response.
     host_.release_memory(std::exchange(memory_, 0));
-    std::string end = takes_chunks_ ? chunk(*last) + "0\r\n\r\n" : *last;
+    std::string end(last->bytes());
+    if (takes_chunks_) end = chunk(end) + "0\r\n\r\n";
     waiting_ = {};
     body_ = std::move(end);
+    body_.keep(last->kept());
     sent_ = 0;
     waited_ = {};
     enter(Phase::writing);

@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
-#include "geo/sent_source.hpp"
 #include "mapfile/digest.hpp"
+#include "server/extract_json.hpp"
 #include "server/problem.hpp"
-#include "waybreaker/error.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -27,38 +24,29 @@ Problem no_such_source() {
     return {not_found, "there is no source of that name; POST /api/v1/sources sends one", "source-not-found"};
 }
 
-geo::Extract extract_of(const std::string& name, const std::shared_ptr<const std::string>& bytes,
-                        const StopToken& stop) {
-    const geo::SentSource source(name, bytes, stop);
-    const auto require_time = [&stop] {
-        if (stop.stop_requested()) throw Problem(unprocessable, "reading the source took too long", "import-too-long");
-    };
-    try {
-        geo::Extract extract = geo::read_extract(source.path());
-        require_time();
-        return extract;
-    } catch (const InputError& error) {
-        require_time();
-        throw Problem(unprocessable, source.named(error.what()), "source-unreadable");
-    }
-}
-
 }  // namespace
 
 void SourceStore::forget_expired() {
     const Clock::time_point now = Clock::now();
+    const std::scoped_lock lock(mutex_);
     std::erase_if(slots_, [now](const auto& entry) { return now - entry.second.used > longest_unused; });
 }
 
-std::size_t SourceStore::bytes_held() const {
-    std::size_t bytes = 0;
-    for (const auto& [id, slot] : slots_) bytes += slot.source->bytes->size();
-    return bytes;
+bool SourceStore::forget_one() {
+    const std::scoped_lock lock(mutex_);
+    auto first = slots_.end();
+    for (auto slot = slots_.begin(); slot != slots_.end(); ++slot) {
+        if (slot->second.source.use_count() > 1) continue;  // an import reads it
+        if (first == slots_.end() || slot->second.used < first->second.used) first = slot;
+    }
+    if (first == slots_.end()) return false;
+    slots_.erase(first);
+    return true;
 }
 
 SharedSource SourceStore::existing(const std::string& id) {
-    const std::scoped_lock lock(mutex_);
     forget_expired();
+    const std::scoped_lock lock(mutex_);
     const auto slot = slots_.find(id);
     if (slot == slots_.end()) return nullptr;
     slot->second.used = Clock::now();
@@ -66,8 +54,8 @@ SharedSource SourceStore::existing(const std::string& id) {
 }
 
 // Forgets others until there is room for so many bytes.
-std::unique_ptr<MapStore::Reservation> SourceStore::make_room(std::size_t bytes) {
-    const std::size_t most = limits_.memory / 4;
+MemoryBudget::Share SourceStore::make_room(std::size_t bytes) {
+    const std::size_t most = budget_.most(MemoryBudget::Use::source);
     if (bytes > most) {
         throw Problem(
             too_large,
@@ -75,27 +63,22 @@ std::unique_ptr<MapStore::Reservation> SourceStore::make_room(std::size_t bytes)
                         bytes >> 20U, most >> 20U),
             "source-too-large");
     }
-    {
-        const std::scoped_lock lock(mutex_);
-        while (bytes_held() + bytes > most) {
-            slots_.erase(std::ranges::min_element(slots_, {}, [](const auto& entry) { return entry.second.used; }));
-        }
+    MemoryBudget::Share share(budget_, MemoryBudget::Use::source);
+    while (!share.grow(bytes)) {
+        if (forget_one()) continue;
+        throw Problem(unavailable, "what others use leaves no memory for this map data; ask again", "no-memory");
     }
-    auto room = std::make_unique<MapStore::Reservation>(maps_, true);
-    room->admit(bytes);
-    return room;
+    return share;
 }
 
 SourceStore::Added SourceStore::add(std::string bytes, const std::string& name, const StopToken& stop) {
     const std::string id = id_of(bytes, name);
-    const std::scoped_lock reading(reading_);
     if (const SharedSource known = existing(id)) return {id, known, false};
     bytes.shrink_to_fit();
-    auto room = make_room(bytes.size());
-    const auto shared = std::make_shared<const std::string>(std::move(bytes));
-    geo::Extract extract = extract_of(name, shared, stop);
-    const auto source =
-        std::make_shared<const StoredSource>(StoredSource{name, shared, std::move(extract), std::move(room)});
+    MemoryBudget::Share memory = make_room(bytes.size());
+    geo::Extract extract = importer_.extract(name, bytes, stop);
+    const auto source = std::make_shared<const StoredSource>(
+        StoredSource{name, std::move(bytes), std::move(extract), std::move(memory)});
     const std::scoped_lock lock(mutex_);
     slots_[id] = {source, Clock::now()};
     return {id, source, true};
@@ -114,21 +97,9 @@ void SourceStore::remove(const std::string& id) {
 
 std::string source_json(const std::string& id, const StoredSource& source) {
     using Json = nlohmann::ordered_json;
-    const geo::Extract& extract = source.extract;
-    Json places = Json::array();
-    for (const geo::NamedPlace& place : extract.places) places.push_back({{"name", place.name}, {"at", place.at}});
-    return Json{{"id", id},
-                {"name", source.name},
-                {"bytes", source.bytes->size()},
-                {"bounds", extract.bounds},
-                {"buildings", extract.buildings},
-                {"columns", extract.columns},
-                {"rows", extract.rows},
-                {"built", extract.built},
-                {"densest", {{"center", extract.densest}, {"size", extract.side}}},
-                {"places", std::move(places)}}
-               .dump(-1, ' ', false, Json::error_handler_t::replace) +
-           "\n";
+    Json json{{"id", id}, {"name", source.name}, {"bytes", source.bytes.size()}};
+    json.update(extract_json(source.extract));
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace waybreaker::server

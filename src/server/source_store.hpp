@@ -1,6 +1,6 @@
-// Source store: map data that clients have sent, to import maps from. It is kept in memory, within that of the maps and
-// at most a quarter of it, and forgotten an hour after its last use, or, the least recently used before others, when
-// other sources need its room.
+// Source store: map data that clients have sent, to import maps from. It is kept in memory, in at most a quarter of the
+// budget, and forgotten an hour after its last use, or, the least recently used before others, when other sources need
+// its room.
 #pragma once
 
 #include <chrono>
@@ -11,24 +11,25 @@
 #include <string>
 
 #include "geo/extract.hpp"
-#include "server/limits.hpp"
+#include "server/importer.hpp"
 #include "server/map_store.hpp"
+#include "server/memory_budget.hpp"
 #include "waybreaker/limits.hpp"
 
 namespace waybreaker::server {
 
 struct StoredSource {
     std::string name;  // of its file
-    std::shared_ptr<const std::string> bytes;
+    std::string bytes;
     geo::Extract extract;
-    std::unique_ptr<MapStore::Reservation> room;
+    MemoryBudget::Share memory;
 };
 using SharedSource = std::shared_ptr<const StoredSource>;
 
 class SourceStore {
   public:
-    // Keeps the reference.
-    SourceStore(MapStore& maps, const ServiceLimits& limits) : maps_(maps), limits_(limits) {}
+    // Keeps the references.
+    SourceStore(const Importer& importer, MemoryBudget& budget) : importer_(importer), budget_(budget) {}
 
     struct Added {
         std::string id;
@@ -43,6 +44,9 @@ class SourceStore {
     SharedSource find(const std::string& id);
     void remove(const std::string& id);
 
+    // Forgets what nobody has used for an hour.
+    void forget_expired();
+
     // Whether a text can be the name of a source's file.
     static bool is_name(const std::string& text) { return MapStore::is_id(text); }
 
@@ -53,15 +57,13 @@ class SourceStore {
         Clock::time_point used;
     };
     SharedSource existing(const std::string& id);
-    std::unique_ptr<MapStore::Reservation> make_room(std::size_t bytes);
-    // With mutex_ locked:
-    void forget_expired();
-    std::size_t bytes_held() const;
+    MemoryBudget::Share make_room(std::size_t bytes);
+    // The least recently used that nobody is reading. Whether there was one.
+    bool forget_one();
 
-    MapStore& maps_;
-    ServiceLimits limits_;
+    const Importer& importer_;
+    MemoryBudget& budget_;
     std::mutex mutex_;
-    std::mutex reading_;  // one source is read at a time: reading needs several times its memory
     std::map<std::string, Slot> slots_;
 };
 

@@ -30,21 +30,21 @@ class SentSourceTest : public TemporaryFolder {};
 
 TEST_F(SentSourceTest, IsImportedAsAFileIs) {
     put("yard.osm", yard());
-    const SentSource sent("yard.osm", shared(yard()), {});
+    const SentSource sent("yard.osm", shared(yard()));
     EXPECT_EQ(label_tiff_bytes(import_city(sent.path(), window).tiff),
               label_tiff_bytes(import_city(path("yard.osm"), window).tiff));
     EXPECT_EQ(read_extract(sent.path()).densest, read_extract(path("yard.osm")).densest);
 }
 
 TEST_F(SentSourceTest, SeveralOfOneNameAreApart) {
-    const SentSource broken("yard.osm", shared("<osm version='0.6'><node"), {});
-    const SentSource whole("yard.osm", shared(yard()), {});
+    const SentSource broken("yard.osm", shared("<osm version='0.6'><node"));
+    const SentSource whole("yard.osm", shared(yard()));
     EXPECT_EQ(read_extract(whole.path()).buildings, 1U);
     EXPECT_NE(input_error([&] { read_extract(broken.path()); }), "");
 }
 
 TEST_F(SentSourceTest, IsCalledByItsName) {
-    const SentSource sent("yard.osm", shared("nothing"), {});
+    const SentSource sent("yard.osm", shared("nothing"));
     try {
         read_extract(sent.path());
         FAIL();
@@ -53,18 +53,10 @@ TEST_F(SentSourceTest, IsCalledByItsName) {
     }
 }
 
-TEST_F(SentSourceTest, EndsAtAStop) {
-    StopSource stop;
-    const SentSource sent("yard.osm", shared(yard()), stop.get_token());
-    EXPECT_EQ(read_extract(sent.path()).buildings, 1U);
-    stop.request_stop();
-    EXPECT_NE(input_error([&] { read_extract(sent.path()); }), "");
-}
-
 TEST_F(SentSourceTest, IsGoneWithItsObject) {
     std::string path;
     {
-        const SentSource sent("yard.osm", shared(yard()), {});
+        const SentSource sent("yard.osm", shared(yard()));
         path = sent.path();
     }
     EXPECT_NE(input_error([&] { read_extract(path); }).find("no such file"), std::string::npos);
@@ -79,7 +71,7 @@ TEST_F(SentSourceTest, OpensNoOtherFile) {
                                        elsewhere, "<OGRWFSDataSource><URL>http://localhost:9/</URL></OGRWFSDataSource>",
                                        "SQLite format 3", "PG:dbname=secret"};
     for (const std::string& bytes : all) {
-        const SentSource sent("sent", shared(bytes), {});
+        const SentSource sent("sent", shared(bytes));
         EXPECT_NE(input_error([&] { read_extract(sent.path()); }).find("cannot be read as map data"),
                   std::string::npos);
     }

@@ -1,9 +1,17 @@
 // Map data that is sent, and maps that are imported from it.
+#include <sys/stat.h>
+
+#include <atomic>
+#include <fstream>
 #include <thread>
 
 #include "geo/city_import.hpp"
 #include "live_server.hpp"
 #include "osm_yard.hpp"
+#include "server/extract_json.hpp"
+#include "server/import_worker.hpp"
+#include "server/importer.hpp"
+#include "server/source_store.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -123,20 +131,24 @@ TEST_F(ImportsTest, MapsStayWithinTheLimits) {
     post_json(imports, {{"source", id}, {"size", 100}, {"cell", 5}}, 201);
 }
 
-TEST_F(ImportsTest, SourcesStayWithinAQuarterOfTheMemory) {
+TEST(SourceStore, StaysWithinAQuarterOfTheMemory) {
     const std::string yard = osm_yard();
-    options_.limits.memory = 4 * 2 * (yard.size() + 100);  // for two
-    begin();
-    const std::string first = sent("first.osm");
-    const std::string second = sent("second.osm");
-    get_json(sources + "/" + first);  // used later than the second
-    const std::string third = sent("third.osm");
-    get_json(sources + "/" + second, 404);
-    get_json(sources + "/" + first);
-    get_json(sources + "/" + third);
-    const std::string large = yard + std::string(2 * yard.size(), ' ');
-    const Json refused = Json::parse(post(sources, large, octets).body);
-    EXPECT_EQ(refused["type"], "/problems/source-too-large");
+    ServiceLimits limits;
+    MemoryBudget budget(std::size_t{1} << 30);
+    const Importer importer({"/proc/self/exe", import_worker_word}, limits, budget);
+    SourceStore store(importer, budget);
+    MemoryBudget::Share others(budget, MemoryBudget::Use::source);
+    EXPECT_TRUE(others.grow(budget.most() / 4 - 2 * yard.size() - 100));  // leaves room for two
+    const std::string first = store.add(yard, "first.osm", {}).id;
+    const std::string second = store.add(yard, "second.osm", {}).id;
+    const SharedSource used = store.find(second);
+    const std::string third = store.add(yard, "third.osm", {}).id;
+    EXPECT_EQ(store.find(second), used);
+    EXPECT_NE(store.find(third), nullptr);
+    EXPECT_THROW(store.find(first), Problem);
+    const auto large = [&] { store.add(std::string(budget.most() / 4 + 1, ' '), "large.osm", {}); };
+    EXPECT_THROW(large(), Problem);
+    EXPECT_NE(store.find(third), nullptr);
 }
 
 TEST_F(ImportsTest, SourcesAreForgottenWhenAsked) {
@@ -169,6 +181,33 @@ TEST_F(ImportsTest, SurvivesBrokenSources) {
         EXPECT_EQ(problem["detail"].get<std::string>().find("/vsi"), std::string::npos) << problem;
     }
     post_json(imports, {{"source", sent()}, {"cell", 1}}, 201);
+}
+
+// While one is read that does not end, whatever else is asked gets its answer.
+TEST_F(ImportsTest, KeepNobodyWaiting) {
+    const std::string gate = path("gate");
+    ASSERT_EQ(mkfifo(gate.c_str(), S_IRUSR | S_IWUSR), 0);
+    options_.import_worker = {"/bin/sh", "-c", "exec cat " + gate};
+    options_.limits.workers = 1;
+    begin();
+    std::atomic<int> answered = 0;
+    std::vector<std::thread> senders;
+    for (const char* name : {"first.osm", "second.osm"}) {
+        senders.emplace_back([this, name, &answered] {
+            EXPECT_EQ(post(sources + "?name=" + name, osm_yard(), octets).status, 201);
+            ++answered;
+        });
+    }
+    while (get("/metrics").body.find("waybreaker_imports_waiting 1\n") == std::string::npos) std::this_thread::yield();
+    EXPECT_EQ(post_json(maps + "/house.map/plan", house_mission)["status"], "solved");
+    EXPECT_EQ(post(maps, thicket(20), octets).status, 201);
+    post_json(maps + "/house.map/edits", {{"block", {{0, 0, 1}}}}, 201);
+    const std::string answer = extract_json({.buildings = 1, .columns = 1, .rows = 1, .built = {1}}).dump();
+    for (int i = 0; i < 2; ++i) {
+        std::ofstream(gate) << R"({"bytes": 0, "extract": )" << answer << "}\n";
+        while (answered == i) std::this_thread::yield();
+    }
+    for (std::thread& sender : senders) sender.join();
 }
 
 TEST_F(ImportsTest, ManyClientsImportAtATime) {

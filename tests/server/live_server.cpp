@@ -5,6 +5,7 @@
 #include <random>
 
 #include "schema_check.hpp"
+#include "server/import_worker.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -91,6 +92,7 @@ LiveServer::LiveServer() {
         }());
     put("maps/wall.map", "type octile\nheight 1\nwidth 3\nmap\n.@.\n");
     options_.maps = path("maps");
+    options_.import_worker = {"/proc/self/exe", import_worker_word};  // main.cpp
     options_.log = [this](const std::string& line) {
         const std::scoped_lock lock(mutex_);
         log_.push_back(Json::parse(line));

@@ -1,0 +1,14 @@
+// What map data covers, as JSON: in the description of a source, and in what an import worker says.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "geo/extract.hpp"
+
+namespace waybreaker::server {
+
+nlohmann::ordered_json extract_json(const geo::Extract& extract);
+// The same again. Throws nlohmann::json::exception if it is none.
+geo::Extract extract_of(const nlohmann::ordered_json& json);
+
+}  // namespace waybreaker::server
