@@ -2,7 +2,7 @@
 import { useId } from "preact/hooks";
 import { type Agents, type Aircraft, vehiclesOf } from "../domain/agents";
 import type { Studio } from "../mission/studio";
-import { NumberField } from "./controls";
+import { NumberField } from "./number_field";
 import { VehicleSize } from "./vehicle_size";
 
 interface Props {
@@ -16,7 +16,6 @@ export function AgentFields({ studio, agents, index }: Props) {
   const units = studio.units.value;
   const number = (member: "speed" | "readyAt", value: number) => ({
     value,
-    step: "any" as const,
     onInput: (given: number) => studio.changeAgent(index, { [member]: given }, `${member} ${index}`),
     onDone: () => studio.endGesture(),
   });
