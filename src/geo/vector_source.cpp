@@ -50,6 +50,16 @@ std::string remedy(const std::string& source) {
     return "";
 }
 
+// What GDAL says that tells its users nothing, in words.
+std::string in_words(const std::string& failure) {
+    const auto says = [&failure](std::string_view part) { return failure.find(part) != std::string::npos; };
+    if (says("cpl_vsil_gzip")) return "its gzip data ends too early";
+    if (says("UNIQUE constraint failed")) {
+        return "it holds objects twice, as several queries of Overpass in one do; ask for each once: '(._;>;); out;'";
+    }
+    return failure;
+}
+
 }  // namespace
 
 InputError refusal(const std::string& source, const std::string& message) {
@@ -73,7 +83,7 @@ GDALDatasetUniquePtr open_source(const std::string& source) {
     const char* const formats =
         sent ? ".osm.pbf, .osm, .osm.gz, GeoJSON" : ".osm.pbf, .osm, .osm.gz, shapefile, GeoJSON, ...";
     throw refusal(source, fmt::format("cannot be read as map data ({}){}", formats,
-                                      gdal.failed() ? ": " + gdal.failure() : std::string()));
+                                      gdal.failed() ? ": " + in_words(gdal.failure()) : std::string()));
 }
 
 AnyOrderOfNodes::AnyOrderOfNodes() {
@@ -88,7 +98,7 @@ AnyOrderOfNodes::~AnyOrderOfNodes() {
 void require_read(const GdalScope& gdal, const std::string& source) {
     if (!gdal.failed()) return;
     const std::string failure = gdal.failure();
-    const std::string message = source + ": is damaged or cut short: " + failure;
+    const std::string message = source + ": is damaged or cut short: " + in_words(failure);
     if (failure.find(index_option) != std::string::npos) throw NodesOutOfOrder(message);
     throw InputError(message);
 }
@@ -133,6 +143,15 @@ std::optional<OGREnvelope> transformed(const OGREnvelope& box, const OGRSpatialR
 OGREnvelope bounds_in(const OGRSpatialReference& system, const Window& window, const std::string& source) {
     if (const auto bounds = transformed(window.bounds, window.system, system)) return *bounds;
     throw refusal(source, "its coordinate system cannot be reached from " + std::string(window.system.GetName()));
+}
+
+void require_degrees(const OGREnvelope& box, const std::string& source) {
+    const bool on_globe = box.MinX >= -360 && box.MaxX <= 360 && box.MinY >= -90 && box.MaxY <= 90;
+    if (on_globe) return;
+    throw refusal(source, fmt::format("its coordinates are not longitude and latitude ({:.7g}, {:.7g}); GeoJSON has "
+                                      "degrees unless its 'crs' says otherwise: make some with 'ogr2ogr -s_srs "
+                                      "EPSG:25833 -t_srs EPSG:4326 degrees.geojson', with the system they are in",
+                                      box.MinX, box.MinY));
 }
 
 OGRPolygon rectangle(const OGREnvelope& bounds) {

@@ -43,7 +43,7 @@ export interface Progress {
   bound?: number | null; // a lower bound of it
 }
 
-export type ExportFormat = "json" | "geojson" | "csv" | "svg";
+export type ExportFormat = "html" | "png" | "svg" | "geojson" | "csv" | "json";
 
 interface Ask {
   method?: "GET" | "POST" | "DELETE";

@@ -2,6 +2,7 @@
 import { useId } from "preact/hooks";
 import { type Agents, type Aircraft, vehiclesOf } from "../domain/agents";
 import type { Studio } from "../mission/studio";
+import { Name } from "./name";
 import { NumberField } from "./number_field";
 import { VehicleSize } from "./vehicle_size";
 
@@ -62,7 +63,7 @@ export function AgentFields({ studio, agents, index }: Props) {
           title={isLast ? "The last vehicle stays" : undefined}
           onClick={() => studio.removeAgent(index)}
         >
-          Remove {agent.id}
+          Remove <Name of={agent.id} />
         </button>
       </div>
     </div>

@@ -27,6 +27,7 @@ import { MapNotes } from "./map_notes";
 import { Attribution, Gone, Invitation, NoticeBar } from "./messages";
 import { ObstacleCard } from "./obstacle_card";
 import { areBuildings } from "./obstacle_words";
+import { Printed } from "./printed";
 import { Removals } from "./removals";
 import { RemovedTable } from "./removed_table";
 import { Search } from "./search";
@@ -57,6 +58,7 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
         <Layers page={page} />
         {studio && <Settings studio={studio} />}
         {studio && <TakeAlong studio={studio} />}
+        <Printed linked={studio !== null} />
       </main>
       <NoticeBar page={page} />
       {studio && <DropTarget studio={studio} />}

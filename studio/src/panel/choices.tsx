@@ -8,6 +8,7 @@ import { cellCount } from "../mission/run_set";
 import type { Studio } from "../mission/studio";
 import { Section } from "./controls";
 import { Icon, type IconName } from "./icons";
+import { Name } from "./name";
 import { nameOfKey } from "./obstacle_words";
 
 const words: Record<Said, string> = {
@@ -103,7 +104,7 @@ function Choice({ icon, text, onUndo, onPoint }: ChoiceProps) {
   return (
     <li class="choice" onPointerEnter={() => onPoint?.(true)} onPointerLeave={() => onPoint?.(false)}>
       <Icon name={icon} />
-      <span>{text}</span>
+      <Name of={text} />
       <button
         type="button"
         class="icon-button small"
