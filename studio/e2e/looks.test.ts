@@ -73,15 +73,18 @@ it("has no black map while it loads", async () => {
 it("is printed in light colours, with its whole curve, the date and the link", async () => {
   const { page } = await visit({ colorScheme: "dark" });
   const onScreen = await studio!.colourAt(0.01, 0.01);
-  await page.emulateMedia({ media: "print" });
-  await expect.poll(() => studio!.colourAt(0.01, 0.01)).toEqual([0xef, 0xec, 0xe6]);
+  const tell = (event: string) => page.evaluate((name) => void dispatchEvent(new Event(name)), event);
+  await tell("beforeprint"); // what follows it is printed: there is no frame more
+  expect(await studio!.colourAt(0.01, 0.01)).toEqual([0xef, 0xec, 0xe6]);
   await page.getByText(/^Printed on \d+ \w+ \d{4}/).waitFor();
   await page.getByRole("link", { name: /#map=berlin-adlershof\.tif/ }).waitFor();
   expect(await page.locator(".front-column").count()).toBe(9);
-  expect(await page.evaluate(() => getComputedStyle(document.querySelector(".badge")!).printColorAdjust)).toBe("exact");
-  await page.emulateMedia({ media: "screen" });
-  await expect.poll(() => studio!.colourAt(0.01, 0.01)).toEqual(onScreen);
+  await tell("afterprint");
+  expect(await studio!.colourAt(0.01, 0.01)).toEqual(onScreen);
   expect(await page.getByText(/^Printed on/).count()).toBe(0);
+  await page.emulateMedia({ media: "print" });
+  expect(await page.evaluate(() => getComputedStyle(document.querySelector(".badge")!).printColorAdjust)).toBe("exact");
+  await page.emulateMedia({ media: null });
   for (const landscape of [false, true]) {
     const pdf = await page.pdf({ format: "A4", landscape, printBackground: false });
     expect(pdf.toString("latin1").match(/\/Type\s*\/Page\b/g)).toHaveLength(1);

@@ -58,8 +58,8 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
         <Layers page={page} />
         {studio && <Settings studio={studio} />}
         {studio && <TakeAlong studio={studio} />}
-        <Printed linked={studio !== null} />
       </main>
+      <Printed linked={studio !== null} />
       <NoticeBar page={page} />
       {studio && <DropTarget studio={studio} />}
       {studio && <ImportDialog importer={studio.importer} />}

@@ -12,7 +12,7 @@ export function Printed({ linked }: { linked: boolean }) {
   useEffect(() => onPrinting((printing) => setImprint(printing ? imprintNow() : null)), []);
   if (!imprint) return null;
   return (
-    <p class="printed">
+    <footer class="printed">
       Printed on {imprint.when}
       {linked && (
         <>
@@ -20,7 +20,7 @@ export function Printed({ linked }: { linked: boolean }) {
           <a href={imprint.link}>{isReadable(imprint.link) ? imprint.link : "this link"}</a>
         </>
       )}
-    </p>
+    </footer>
   );
 }
 
