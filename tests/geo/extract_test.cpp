@@ -134,12 +134,17 @@ TEST_F(ExtractTest, CoordinatesAreDegrees) {
     EXPECT_EQ(read_extract(path("town.geojson")).buildings, 1U);
 }
 
-TEST_F(ExtractTest, WhatIsNoBuildingCountsForTheBox) {
-    const std::string house = building("[1,1],[2,1],[2,2],[1,1]");
-    put("town.geojson", R"({"type":"FeatureCollection","features":[)" + house +
-                            R"(,{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[1e308,1]}}]})");
+TEST_F(ExtractTest, WhatIsNoBuildingHasDegreesToo) {
+    const auto with_point_at = [this](const std::string& longitude) {
+        put("town.geojson", R"({"type":"FeatureCollection","features":[)" + building("[1,1],[2,1],[2,2],[1,1]") +
+                                R"(,{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[)" +
+                                longitude + ",1]}}]}");
+    };
+    with_point_at("1000");
     EXPECT_NE(input_error([&] { read_extract(path("town.geojson")); }).find("not longitude and latitude"),
               std::string::npos);
+    with_point_at("1e308");  // no box can hold it
+    EXPECT_EQ(read_extract(path("town.geojson")).bounds, (std::array<double, 4>{1, 1, 2, 2}));
 }
 
 TEST_F(ExtractTest, SaysInWordsWhatTheReaderStumblesOver) {

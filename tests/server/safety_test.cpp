@@ -115,7 +115,7 @@ TEST_F(SafetyTest, HostileMapsAreRefused) {
     EXPECT_EQ(post(maps, thicket(10), octets).status, 201);
 }
 
-TEST(ProblemTest, ABodyIsMeasuredAsPeopleMeasureFiles) {
+TEST(BodyTooLarge, IsMeasuredAsPeopleMeasureFiles) {
     const Problem problem = body_too_large(std::size_t{32} << 20);
     EXPECT_EQ(problem.status(), too_large);
     EXPECT_EQ(std::string(problem.what()), "the body has more than 32 MB, the most that this server takes (--max-upload)");

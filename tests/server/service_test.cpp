@@ -167,6 +167,9 @@ TEST_F(ServiceTest, ExportsWhatIsValid) {
         EXPECT_EQ(answer.status, 200) << format << answer.body;
         EXPECT_FALSE(answer.body.empty());
     }
+    // The ways are drawn, in their colours.
+    const std::string picture = post(house + "/export?format=svg", plan.dump()).body;
+    EXPECT_NE(picture.find("ground path</text>"), std::string::npos);
     const auto page = post(house + "/export?format=html", plan.dump());
     EXPECT_EQ(page.get_header_value("Content-Type"), "text/html; charset=utf-8");
     EXPECT_NE(page.get_header_value("Content-Security-Policy").find("default-src 'none'"), std::string::npos);
