@@ -13,8 +13,8 @@
 #include "mapfile/map_reader.hpp"
 #include "option.hpp"
 #include "plan_exports.hpp"
-#include "plan_html.hpp"
 #include "progress.hpp"
+#include "studio/plan_html.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
@@ -60,7 +60,7 @@ void run(const ExportOptions& options) {
     require_valid(options, plan, map);
     auto files = export_plan(options.exports, plan.plan, map, search_options(plan.method, plan.mission.ground_body()),
                              plan.in_seconds);
-    if (!options.html.empty()) files.emplace_back(options.html, plan_html(map, std::array{NamedPlan{"plan", text}}));
+    if (!options.html.empty()) files.emplace_back(options.html, studio::plan_html(map, std::array{studio::NamedPlan{"plan", text}}));
     for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
 }
 

@@ -18,12 +18,13 @@
 #include "io/search_trace.hpp"
 #include "mapfile/map_reader.hpp"
 #include "places.hpp"
-#include "plan_html.hpp"
 #include "plan_options.hpp"
 #include "plan_table.hpp"
 #include "progress.hpp"
 #include "raster/png.hpp"
 #include "render/picture.hpp"
+#include "studio/plan_html.hpp"
+#include "studio/plan_picture.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 
@@ -53,19 +54,6 @@ constexpr int usual_most_removals = 8;  // that a page's curve shows
 bool wants_bold() {
     const char* no_color = std::getenv("NO_COLOR");
     return isatty(STDOUT_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
-}
-
-render::PictureOptions picture_options(const io::PlanContext& context) {
-    const io::MapFile& map = context.map;
-    return {.cell_size = map.cell_size,
-            .metres = map.has_metres(),
-            .seconds = context.in_seconds,
-            .title = map.title.empty() ? map.source : map.title,
-            .attribution = map.attribution,
-            .objective = context.mission.rules.objective,
-            .background = map.background,
-            .kinds = map.kinds,
-            .sections = map.sections};
 }
 
 // What a page's curve shows where the time has ended it: the plan, what is reached without removals, and that nothing
@@ -106,7 +94,7 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
         left.seconds = time_left(deadline);
         return left;
     };
-    std::vector<NamedPlan> plans;
+    std::vector<studio::NamedPlan> plans;
     const auto json = [&](const Mission& mission, const Method& method, const Plan& plan,
                           std::span<const Plan> front = {}) {
         return io::plan_json(plan, {.map = context.map,
@@ -138,12 +126,12 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
         follow_paper(mission.rules, paper);
         add("paper", mission, paper);
     }
-    if (is_team && deadline.passed()) return plan_html(context.map, plans);
+    if (is_team && deadline.passed()) return studio::plan_html(context.map, plans);
     Mission more = context.mission;
     more.rules.removals = std::max(more.rules.removals, usual_most_removals);
     std::vector<Plan> front = planner.front(context.map.map, more, usual, what_is_left());
     if (deadline.passed()) front = as_far_as_known(std::move(front), context.mission.rules, before, chosen);
-    return plan_html(context.map, plans, json(more, usual, front.back(), front));
+    return studio::plan_html(context.map, plans, json(more, usual, front.back(), front));
 }
 
 // Writes all outputs, standard output last, when all files are complete. `outputs`: what is known without a plan.
@@ -160,7 +148,8 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         }
     }
     const io::MapFile& file = context.map;
-    const render::PictureOptions picture = picture_options(context);
+    const render::PictureOptions picture =
+        studio::picture_options(file, context.mission.rules.objective, context.in_seconds);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
     if (!options.png.empty())

@@ -29,7 +29,7 @@ std::string heading(const io::PlanContext& context, const TableStyle& style) {
         return line + fmt::format("{} {}\n", count, count == 1 ? "agent" : "agents") + team_units;
     }
     for (const Agent& agent : context.mission.agents) {
-        line += fmt::format("{} agent from {} to {}", agent.id, text(agent.start), text(agent.goal));
+        line += fmt::format("{} agent from {} to {}", shortened(agent.id), text(agent.start), text(agent.goal));
         if (context.in_seconds && style.metres) {
             line += fmt::format(", {:.6g} m/s\n", agent.speed * context.map.cell_size);
         } else {
@@ -196,10 +196,10 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
         if (counted) rows.back().insert(rows.back().begin() + 3, std::to_string(breach.hits));
         if (style.metres) rows.back().insert(rows.back().begin() + 3, area(breach.cells, context.map));
         if (explained) rows.back().push_back(breach.saves == INFINITY ? "needed" : text(breach.saves, 3));
-        if (shared) rows.back().push_back(breach.by);
+        if (shared) rows.back().push_back(shortened(breach.by));
         const std::string source_id = named(breach) ? std::to_string(breach.source_id) : nothing;
         if (source_ids) rows.back().insert(rows.back().begin() + 2, source_id);
-        if (names) rows.back().emplace_back(name_of(breach));
+        if (names) rows.back().push_back(shortened(name_of(breach)));
     }
     if (rows.size() > 1) {
         return aligned(rows, style.bold, names) + demolition(plan, context.map) + least_demolition(plan, context) +
@@ -262,7 +262,7 @@ std::string next(const Plan& plan, const io::PlanContext& context) {
     for (const NextBreach& next : plan.next) {
         const std::string_view name = context.map.name_of(next.obstacle);
         lines += fmt::format("\none removal more, obstacle {}{}, would save {:.3f}\n", next.obstacle.value,
-                             name.empty() ? "" : fmt::format(" ({})", name), next.saves);
+                             name.empty() ? "" : fmt::format(" ({})", shortened(name)), next.saves);
     }
     return lines;
 }

@@ -7,10 +7,13 @@
 namespace waybreaker::apps {
 namespace {
 
+bool begins_character(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+}
+
 // In characters, which can be several bytes.
 std::size_t width(const std::string& text) {
-    return std::size_t(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    return std::size_t(std::ranges::count_if(text, begins_character));
 }
 
 bool unit_speeds(const Mission& mission) {
@@ -37,6 +40,18 @@ std::string aligned(const std::vector<Row>& rows, bool bold, bool names) {
         table += bold && &row == &rows.front() ? fmt::format("\033[1m{}\033[0m\n", line) : line + "\n";
     }
     return table;
+}
+
+std::string shortened(std::string_view name) {
+    constexpr std::size_t most = 40;  // characters
+    std::size_t characters = 0;
+    std::string result;
+    for (const char c : name) {
+        if (begins_character(c) && ++characters > most) return result + "\u2026";
+        const auto byte = static_cast<unsigned char>(c);
+        result += byte < ' ' || byte == 0x7F ? '?' : c;
+    }
+    return result;
 }
 
 std::string text(std::optional<double> value, int digits) {

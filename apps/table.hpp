@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/plan_json.hpp"
@@ -17,6 +18,9 @@ inline const std::string nothing = "-";
 // The first column to the left, the others to the right, names in the last one as they are; the first row is the
 // heading.
 std::string aligned(const std::vector<Row>& rows, bool bold, bool names = false);
+
+// A name from a file, as far as a table has room for it, without characters that command a terminal.
+std::string shortened(std::string_view name);
 
 std::string text(std::optional<double> value, int digits);
 std::string text(Cell c);

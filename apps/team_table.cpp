@@ -34,11 +34,11 @@ std::string reason(const Wait& wait, const io::MapFile& map) {
             return ", until it is ready";
         case WaitReason::opening: {
             const std::string_view name = map.name_of(wait.obstacle);
-            return fmt::format(", until {} has opened {}{}", wait.agent, wait.obstacle.value,
-                               name.empty() ? "" : fmt::format(" ({})", name));
+            return fmt::format(", until {} has opened {}{}", shortened(wait.agent), wait.obstacle.value,
+                               name.empty() ? "" : fmt::format(" ({})", shortened(name)));
         }
         case WaitReason::agent:
-            return fmt::format(", for {}", wait.agent);
+            return fmt::format(", for {}", shortened(wait.agent));
         case WaitReason::nothing:
             break;
     }
@@ -53,7 +53,7 @@ std::string team_table(const Plan& plan, const io::PlanContext& context, const T
     if (context.method.explain) rows.front().push_back(timed("gain", context));
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Itinerary& agent = plan.agents[i];
-        rows.push_back({agent.id, text(agent.start), text(agent.goal), text(plan.before.routes[i].length, 3),
+        rows.push_back({shortened(agent.id), text(agent.start), text(agent.goal), text(plan.before.routes[i].length, 3),
                         text(plan.after.routes[i].length, 3), text(agent.path.back().t, 3), text(waited(agent), 3)});
         if (context.method.explain) rows.back().push_back(text(agent.gain, 3));
     }
@@ -79,7 +79,7 @@ std::string waits(const Plan& plan, const io::PlanContext& context) {
         if (agent.kind != AgentKind::ground) continue;
         for (const Wait& wait : explained ? agent.waits : stands(agent)) {
             all += wait.until - wait.from;
-            lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}{}\n", agent.id,
+            lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}{}\n", shortened(agent.id),
                                         wait.until - wait.from, wait.at.x, wait.at.y, wait.from, wait.until,
                                         explained ? reason(wait, context.map) : ""));
         }

@@ -62,9 +62,10 @@ std::vector<NamedPlace> find_places(const std::string& source) {
 
 Finds find_buildings(const std::string& source) {
     Finds finds{.stated = {}, .spots = {}, .places = find_places(source)};
-    finds.stated = visit_buildings(source, [&finds](const OGRGeometry& outline) {
+    finds.stated = visit_buildings(source, [&finds, &source](const OGRGeometry& outline) {
         OGREnvelope box;
         outline.getEnvelope(&box);
+        require_degrees(box, source);
         const double area = OGR_G_Area(OGRGeometry::ToHandle(const_cast<OGRGeometry*>(&outline)));
         finds.spots.push_back({(box.MinX + box.MaxX) / 2, (box.MinY + box.MaxY) / 2, area});
     });
@@ -176,6 +177,7 @@ Extract read_extract(const std::string& source) {
     const Finds finds = find_in_any_order(source);
     if (finds.spots.empty()) throw refusal(source, "has no buildings");
     const OGREnvelope box = bounds_of(finds);
+    require_degrees(box, source);
     const auto rounded = [](double degrees) { return std::round(degrees * 1e7) / 1e7; };  // as OpenStreetMap has them
     Extract extract{.bounds = {rounded(box.MinX), rounded(box.MinY), rounded(box.MaxX), rounded(box.MaxY)},
                     .buildings = finds.spots.size()};

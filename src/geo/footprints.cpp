@@ -257,6 +257,7 @@ std::string whereabouts(const std::vector<Shapes>& kinds, const ObstacleChoice& 
         }
     }
     if (!everywhere.IsInit()) return "nor anywhere else";
+    require_degrees(everywhere, source);
     return fmt::format("its {} lie between {:.4f},{:.4f} and {:.4f},{:.4f} (LON,LAT)",
                        choice.obstacles.empty() ? "buildings" : "obstacles of that kind", everywhere.MinX,
                        everywhere.MinY, everywhere.MaxX, everywhere.MaxY);

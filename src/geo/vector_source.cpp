@@ -55,6 +55,16 @@ std::optional<FileKind> kind_of(const std::string& source) {
     return file_kind(head_of(unpacked(source), enough));
 }
 
+// What GDAL says that tells its users nothing, in words.
+std::string in_words(const std::string& failure) {
+    const auto says = [&failure](std::string_view part) { return failure.find(part) != std::string::npos; };
+    if (says("cpl_vsil_gzip")) return "its gzip data ends too early";
+    if (says("UNIQUE constraint failed")) {
+        return "it holds objects twice, as several queries of Overpass in one do; ask for each once: '(._;>;); out;'";
+    }
+    return failure;
+}
+
 // What GDAL did not read.
 InputError unreadable(const std::string& source, const GdalScope& gdal) {
     using enum FileKind::Reader;
@@ -68,7 +78,7 @@ InputError unreadable(const std::string& source, const GdalScope& gdal) {
     const char* const formats = SentSource::is_path(source) ? ".osm.pbf, .osm, .osm.gz, GeoJSON"
                                                             : ".osm.pbf, .osm, .osm.gz, shapefile, GeoJSON, ...";
     return refusal(source, fmt::format("cannot be read as map data ({}){}", formats,
-                                       gdal.failed() ? ": " + gdal.failure() : std::string()));
+                                       gdal.failed() ? ": " + in_words(gdal.failure()) : std::string()));
 }
 
 }  // namespace
@@ -109,7 +119,7 @@ AnyOrderOfNodes::~AnyOrderOfNodes() {
 void require_read(const GdalScope& gdal, const std::string& source) {
     if (!gdal.failed()) return;
     const std::string failure = gdal.failure();
-    const std::string message = source + ": is damaged or cut short: " + failure;
+    const std::string message = source + ": is damaged or cut short: " + in_words(failure);
     if (failure.find(index_option) != std::string::npos) throw NodesOutOfOrder(message);
     throw InputError(message);
 }
@@ -154,6 +164,15 @@ std::optional<OGREnvelope> transformed(const OGREnvelope& box, const OGRSpatialR
 OGREnvelope bounds_in(const OGRSpatialReference& system, const Window& window, const std::string& source) {
     if (const auto bounds = transformed(window.bounds, window.system, system)) return *bounds;
     throw refusal(source, "its coordinate system cannot be reached from " + std::string(window.system.GetName()));
+}
+
+void require_degrees(const OGREnvelope& box, const std::string& source) {
+    const bool on_globe = box.MinX >= -360 && box.MaxX <= 360 && box.MinY >= -90 && box.MaxY <= 90;
+    if (on_globe) return;
+    throw refusal(source, fmt::format("its coordinates are not longitude and latitude ({:.7g}, {:.7g}); GeoJSON has "
+                                      "degrees unless its 'crs' says otherwise: make some with 'ogr2ogr -s_srs "
+                                      "EPSG:25833 -t_srs EPSG:4326 degrees.geojson', with the system they are in",
+                                      box.MinX, box.MinY));
 }
 
 OGRPolygon rectangle(const OGREnvelope& bounds) {

@@ -68,6 +68,9 @@ std::optional<OGREnvelope> transformed(const OGREnvelope& box, const OGRSpatialR
 // The bounds of the window in the system of a layer. Throws InputError if there is no way between them.
 OGREnvelope bounds_in(const OGRSpatialReference& system, const Window& window, const std::string& source);
 
+// Throws InputError unless the box lies on the globe. Longitudes may go on past 180, as those of the Pacific do.
+void require_degrees(const OGREnvelope& box, const std::string& source);
+
 OGRPolygon rectangle(const OGREnvelope& bounds);
 
 }  // namespace waybreaker::geo

@@ -158,6 +158,18 @@ std::vector<ObstacleId> obstacles(const JsonField& step) {
     return ids;
 }
 
+// The file says the ways after removing once, in time; those before it does not say.
+void set_ways(Plan& plan) {
+    std::vector<Route>& routes = plan.after.routes;
+    for (std::size_t i = 0; i < std::min(plan.agents.size(), routes.size()); ++i) {
+        if (routes[i].kind != plan.agents[i].kind) continue;
+        for (const Waypoint& at : plan.agents[i].path) {
+            const Point point{at.x, at.y};
+            if (routes[i].path.empty() || !(routes[i].path.back() == point)) routes[i].path.push_back(point);
+        }
+    }
+}
+
 double cell_size(const JsonField& field) {
     const double metres = field.number();
     if (!(metres >= least_cell_size && metres <= most_cell_size)) field.fail("is no size of a cell in metres");
@@ -196,6 +208,7 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     if (const auto size = root["map"].find("cell_size")) file.cell_size = cell_size(*size);
     file.plan.before = outcome(root["before"], file.mission);
     file.plan.after = outcome(root["after"], file.mission);
+    set_ways(file.plan);
     if (const auto bound = root.find("bound")) {
         file.plan.bound = (*bound)[word_of(objective_keys, file.mission.rules.objective).data()].number_or_null();
         file.plan.gap = number_or_null(bound->find("gap"));

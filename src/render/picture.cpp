@@ -252,7 +252,7 @@ std::vector<LegendEntry> single_paths(const Scene& scene) {
         entries.push_back({path_sample(scene, PathSign::ground_before), "ground path before"});
     }
     entries.push_back({path_sample(scene, PathSign::air), "air path"});
-    if (before.air().path != after.air().path) {
+    if (before.air().path != after.air().path && !before.air().path.empty()) {
         entries.push_back({path_sample(scene, PathSign::air_before), "air path before"});
     }
     return entries;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -19,9 +20,10 @@
 #include "io/plan_ros_path.hpp"
 #include "mapfile/map_info.hpp"
 #include "raster/png.hpp"
-#include "render/picture.hpp"
 #include "server/problem.hpp"
 #include "server/responses.hpp"
+#include "studio/plan_html.hpp"
+#include "studio/plan_picture.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::server {
@@ -122,19 +124,9 @@ io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
     return plan;
 }
 
-std::string picture(const io::MapFile& file, const io::PlanFile& plan, bool as_svg) {
+std::string drawn(const io::MapFile& file, const io::PlanFile& plan) {
     if (plan.plan.agents.empty()) throw Problem(unprocessable, "the plan has no agents to draw", "plan-invalid");
-    const render::PictureOptions options{.cell_size = file.cell_size,
-                                         .metres = file.has_metres(),
-                                         .seconds = plan.in_seconds,
-                                         .title = file.title.empty() ? file.source : file.title,
-                                         .attribution = file.attribution,
-                                         .objective = plan.mission.rules.objective,
-                                         .background = file.background,
-                                         .kinds = file.kinds,
-                                         .sections = file.sections};
-    return as_svg ? render::svg(file.map, plan.mission, plan.plan, options)
-                  : raster::png_of(render::svg(file.map, plan.mission, plan.plan, options));
+    return studio::plan_svg(file, plan);
 }
 
 const std::map<std::string, std::string> export_types{{"json", json_type},
@@ -143,7 +135,8 @@ const std::map<std::string, std::string> export_types{{"json", json_type},
                                                       {"ros-path", "application/yaml"},
                                                       {"xml", "application/xml"},
                                                       {"svg", "image/svg+xml"},
-                                                      {"png", "image/png"}};
+                                                      {"png", "image/png"},
+                                                      {"html", "text/html; charset=utf-8"}};
 
 std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const std::string& bytes,
                         const std::string& format) {
@@ -153,7 +146,9 @@ std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const
     if (format == "ros-path") return io::plan_ros_path(plan.plan, file);
     if (format == "xml")
         return authors::plan_xml(plan.plan, file, search_options(plan.method, plan.mission.ground_body()));
-    if (format == "svg" || format == "png") return picture(file, plan, format == "svg");
+    if (format == "svg") return drawn(file, plan);
+    if (format == "png") return raster::png_of(drawn(file, plan));
+    if (format == "html") return studio::plan_html(file, std::array{studio::NamedPlan{"plan", bytes}});
     return bytes;
 }
 

@@ -70,7 +70,7 @@ std::string gunzip(std::string_view packed, std::size_t most) {
         outcome = inflate(&stream, Z_NO_FLUSH);
         const std::size_t count = piece.size() - stream.avail_out;
         if (count > most - bytes.size()) {
-            throw Problem(too_large, "the body has more than " + std::to_string(most) + " bytes when it is unpacked");
+            throw body_too_large(most, " when it is unpacked");
         }
         bytes.append(piece.data(), count);
     }

@@ -1,6 +1,7 @@
 // Problem: why a request fails, as a problem document (RFC 9457).
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -47,6 +48,9 @@ class Problem : public std::runtime_error {
     Status status_;
     std::string_view kind_;
 };
+
+// A body of more than `most` bytes, as people count them. `when`: " when it is unpacked".
+Problem body_too_large(std::size_t most, std::string_view when = "");
 
 // The name of a status, "Not Found".
 std::string title_of(int status);

@@ -38,8 +38,7 @@ void require_body(const Request& head, std::optional<std::uint64_t> length, Rout
     if (codings.size() > 1 || (codings.size() == 1 && !is_gzip(codings[0]) && codings[0] != "identity")) {
         throw Problem(unsupported_type, "the only Content-Encoding taken is gzip");
     }
-    if (length.value_or(0) > most)
-        throw Problem(too_large, "the body has more than " + std::to_string(most) + " bytes");
+    if (length.value_or(0) > most) throw body_too_large(most);
 }
 
 void unpack(Request& request, std::size_t most) {

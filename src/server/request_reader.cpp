@@ -103,7 +103,7 @@ void RequestReader::Parser::expect(std::uint64_t size) {
     constexpr std::uint64_t longest = 1'000'000'000'000'000'000;
     if (size >= longest) throw Problem(bad_request, "no chunk is as long");
     if (size > most_ - expected_)
-        throw Problem(too_large, "the body has more than " + std::to_string(most_) + " bytes");
+        throw body_too_large(most_);
     expected_ += std::size_t(size);
 }
 

@@ -218,7 +218,7 @@ Route export_route(MapStore& store) {
     const auto handle = [&store](Call call) -> Answer {
         const std::string format = call.request.query.get("format");
         if (!is_export_format(format)) {
-            throw Problem(bad_request, "format is none of json, geojson, csv, ros-path, xml, svg, png");
+            throw Problem(bad_request, "format is none of json, geojson, csv, ros-path, xml, svg, png, html");
         }
         require_plan_size(call.request);
         return Deferred{[map = NeededMap(store, call.id), plan = std::move(call.request.body), format,

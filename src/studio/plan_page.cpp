@@ -38,8 +38,15 @@ std::string harmless(std::string_view json) {
 
 }  // namespace
 
+// A picture as wide as the window, without the styles of the page.
+std::string noscript(const StillPlan& still) {
+    return "<noscript>\n<div class=\"still\">\n<h1>" + escaped(still.title) + "</h1>\n<p>" + still.sentence +
+           "</p>\n" + still.picture +
+           "<p>Where JavaScript may run, this page plays the plan: open it in a browser.</p>\n</div>\n</noscript>\n";
+}
+
 // The policy keeps the page from asking anyone for anything. The bundle is ours and holds no "</script" (tests/studio).
-std::string plan_page(std::string_view title, std::string_view data) {
+std::string plan_page(const StillPlan& still, std::string_view data) {
     std::string page =
         "<!doctype html>\n"
         "<html lang=\"en\">\n"
@@ -50,10 +57,11 @@ std::string plan_page(std::string_view title, std::string_view data) {
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
         "style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'\">\n"
         "<title>";
-    page += escaped(title);
+    page += escaped(still.title);
     page += "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n";
     page += studio_css();
-    page += "</style>\n</head>\n<body>\n<div id=\"app\"></div>\n<script type=\"application/json\" id=\"waybreaker\">";
+    page += "</style>\n</head>\n<body>\n<div id=\"app\"></div>\n" + noscript(still) +
+            "<script type=\"application/json\" id=\"waybreaker\">";
     page += harmless(data);
     page += "</script>\n<script type=\"module\">\n";
     page += studio_js();

@@ -6,7 +6,14 @@
 
 namespace waybreaker::studio {
 
+// What the page shows where no script runs: in previews of mail programs, and of phones.
+struct StillPlan {
+    std::string title = {};     // any bytes
+    std::string sentence = {};  // text of HTML
+    std::string picture = {};   // an SVG element
+};
+
 // The viewer of studio/ with `data` in it: JSON with what it shows (`PlanDocument` of studio/src/mission/viewer.ts).
-std::string plan_page(std::string_view title, std::string_view data);
+std::string plan_page(const StillPlan& still, std::string_view data);
 
 }  // namespace waybreaker::studio

@@ -97,4 +97,49 @@ describe("map data", () => {
     await page.page.keyboard.press("Escape");
     await dialog.waitFor({ state: "hidden" });
   });
+
+  it("whose coordinates are none is refused, and the next file is opened", async () => {
+    const page = await visit();
+    const file = join(scratch, "far.geojson");
+    for (const far of ["1e308", "1e400", "392000"]) {
+      const ring = `[[${far}, 1], [-${far}, 2], [3, 3], [${far}, 1]]`;
+      const geometry = `{"type": "Polygon", "coordinates": [${ring}]}`;
+      writeFileSync(file, `{"type": "Feature", "properties": {"building": "yes"}, "geometry": ${geometry}}`);
+      await page.page.getByLabel("File to open").setInputFiles(file);
+      const dialog = page.page.getByRole("dialog");
+      await dialog.getByRole("alert").getByText(/^far\.geojson: its coordinates are not longitude and latitude/i).waitFor();
+      await page.page.keyboard.press("Escape");
+      await dialog.waitFor({ state: "hidden" });
+    }
+    await page.page.getByLabel("File to open").setInputFiles(townFile());
+    await page.page.getByRole("dialog", { name: "Make a map from town.osm" }).getByText("36 buildings").waitFor();
+  });
+
+  it("that the page cannot show leaves the page alive", async () => {
+    const page = await visit();
+    const broken = { id: "source-1", name: "x", bytes: 1, bounds: [1, 1, 2, 2], buildings: null, columns: 1, rows: 1, built: [1] };
+    const answer = { ...broken, densest: { center: [1.5, 1.5], size: 100 }, places: [] };
+    await page.page.route("**/api/v1/sources*", (route) => route.fulfill({ json: answer }), { times: 1 });
+    await page.page.getByLabel("File to open").setInputFiles(townFile());
+    const dialog = page.page.getByRole("dialog");
+    await dialog.getByRole("alert").getByText("What the server says of this file cannot be shown.").waitFor();
+    await dialog.getByRole("button", { name: "Cancel" }).click();
+    await page.page.getByLabel("File to open").setInputFiles(townFile());
+    await dialog.getByText("36 buildings").waitFor();
+  });
+
+  it("is not imported while a number is wrong", async () => {
+    const page = await visit();
+    await page.page.getByLabel("File to open").setInputFiles(townFile());
+    const dialog = page.page.getByRole("dialog");
+    const side = dialog.getByLabel("Side");
+    await side.fill("1e9");
+    await dialog.getByText(/^Give 10 to \d+ m\. Until then it stays/).waitFor();
+    await dialog.getByRole("button", { name: "Import" }).click();
+    expect(await side.evaluate((one) => one === document.activeElement)).toBe(true);
+    await side.fill("100,5");
+    await dialog.getByRole("button", { name: "Import" }).click();
+    await dialog.waitFor({ state: "hidden" });
+    await page.settled();
+  });
 });

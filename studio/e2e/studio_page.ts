@@ -20,6 +20,15 @@ interface AxeResult {
   violations: { id: string; nodes: { html: string; failureSummary: string }[] }[];
 }
 
+// In the page: what axe-core says of the contrast of an element's texts.
+async function unreadable(element: Element): Promise<string[]> {
+  interface Axe {
+    run(context: Element, options: object): Promise<AxeResult>;
+  }
+  const { violations } = await (window as unknown as { axe: Axe }).axe.run(element, { runOnly: ["color-contrast"] });
+  return violations.flatMap(({ nodes }) => nodes.map(({ html, failureSummary }) => `${html} ${failureSummary}`));
+}
+
 // In the page: every plan that comes in is read a second time.
 function tellAnswers(): void {
   const ask = window.fetch;
@@ -130,6 +139,59 @@ export class StudioPage {
       const { violations } = await (window as unknown as { axe: { run(): Promise<AxeResult> } }).axe.run();
       return violations.flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html} ${failureSummary}`));
     });
+  }
+
+  // Texts that cannot be read while the pointer is over what they stand on.
+  async faultsWhenHovered(within: string): Promise<string[]> {
+    await this.page.evaluate(axe);
+    const faults: string[] = [];
+    for (const one of await this.page.locator(within).locator("button, a, summary, label, select, input, tr").all()) {
+      if (!(await one.isVisible()) || (await one.isDisabled())) continue;
+      await one.scrollIntoViewIfNeeded();
+      const box = await one.boundingBox();
+      if (!box || box.width < 2) continue;
+      await this.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+      faults.push(...(await one.evaluate(unreadable)));
+    }
+    return faults;
+  }
+
+  // What has the keyboard's focus, and nothing shows it.
+  async unseenFocus(within: string): Promise<string[]> {
+    const unseen: string[] = [];
+    for (const one of await this.page.locator(within).locator("button, a, summary, select, input").all()) {
+      if (!(await one.isVisible())) continue;
+      await one.focus();
+      const shown = await one.evaluate((element) => {
+        const rings = [element, element.nextElementSibling].map((part) => part && getComputedStyle(part).outlineStyle);
+        return element !== document.activeElement || !element.matches(":focus-visible") || rings.some((ring) => ring && ring !== "none");
+      });
+      if (!shown) unseen.push(await one.evaluate((element) => element.outerHTML.slice(0, 120)));
+    }
+    return unseen;
+  }
+
+  // What reaches beyond the window or the panel that holds it.
+  cutOff(selector: string): Promise<string[]> {
+    return this.page.evaluate((which) => {
+      const isSeen = (one: Element) => one.checkVisibility() && !one.closest(".spoken, .map-markers") && one.clientWidth > 1;
+      return [...document.querySelectorAll(which)].filter(isSeen).flatMap((one) => {
+        const box = one.getBoundingClientRect();
+        const holder = one.closest(".panel")?.getBoundingClientRect();
+        const [left, right] = [holder?.left ?? 0, holder?.right ?? innerWidth];
+        const fits = box.left >= left - 1 && box.right <= right + 1;
+        return fits ? [] : [`${one.outerHTML.slice(0, 120)}: ${box.left} to ${box.right} of ${left} to ${right}`];
+      });
+    }, selector);
+  }
+
+  // Of a pixel of the map, at a share of its width and height.
+  colourAt(x: number, y: number): Promise<number[]> {
+    return this.map().evaluate((canvas, [across, down]) => {
+      const { width, height } = canvas as HTMLCanvasElement;
+      const context = (canvas as HTMLCanvasElement).getContext("2d")!;
+      return [...context.getImageData(across! * width, down! * height, 1, 1).data].slice(0, 3);
+    }, [x, y]);
   }
 
   close(): Promise<void> {

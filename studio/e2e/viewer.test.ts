@@ -44,3 +44,15 @@ for (const viewport of [wide, phone]) {
     await viewer.close();
   });
 }
+
+it("shows the plan where no script runs", async () => {
+  const context = await browser.newContext({ javaScriptEnabled: false, viewport: phone });
+  const page = await context.newPage();
+  await page.goto(pathToFileURL(html).href);
+  await page.getByRole("heading", { name: /^Plan: / }).waitFor();
+  await page.getByText(/^Makespan .* 2 openings/).first().waitFor();
+  const picture = (await page.locator("noscript svg").boundingBox())!;
+  expect(picture.height).toBeGreaterThan(200);
+  expect(picture.x + picture.width).toBeLessThanOrEqual(phone.width);
+  await context.close();
+});

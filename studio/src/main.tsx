@@ -3,7 +3,7 @@ import { effect } from "@preact/signals";
 import { render } from "preact";
 import { Client } from "./api/client";
 import { TabToken } from "./api/token";
-import { fragmentOf, missionAt, type Place } from "./mission/address";
+import { fragmentOf, missionAt, type Place, TooLarge } from "./mission/address";
 import { openMission } from "./mission/opening";
 import { Studio } from "./mission/studio";
 import { viewerOf, type PlanDocument } from "./mission/viewer";
@@ -32,8 +32,9 @@ if (held) {
 async function missionIn(address: Place, studio: Studio): Promise<string> {
   try {
     return await missionAt(address);
-  } catch {
-    studio.notify("bad", "The link is not complete: the mission in it cannot be read.");
+  } catch (error) {
+    const what = error instanceof TooLarge ? "is too large" : "is not complete: the mission in it cannot be read";
+    studio.notify("bad", `The link ${what}.`);
     return "";
   }
 }

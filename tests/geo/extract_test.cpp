@@ -1,9 +1,11 @@
 // What an extract of map data covers, and where it is built up.
 #include "geo/extract.hpp"
 
+#include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 
 #include "input_error.hpp"
@@ -105,6 +107,68 @@ TEST_F(ExtractTest, WhatCannotBeImportedHasNoExtract) {
     drawing.area("natural=water", {{1, 1}, {9, 1}, {9, 9}});
     EXPECT_NE(input_error([&] { extract_of(drawing); }).find("has no buildings"), std::string::npos);
     EXPECT_NE(input_error([&] { extract_of("not a map"); }).find("cannot be read as map data"), std::string::npos);
+}
+
+// GeoJSON of a building with these coordinates.
+std::string building(const std::string& ring) {
+    return R"({"type":"Feature","properties":{"building":"yes"},"geometry":{"type":"Polygon","coordinates":[[)" + ring +
+           "]]}}";
+}
+
+TEST_F(ExtractTest, CoordinatesAreDegrees) {
+    const auto refused = [this](const std::string& ring) {
+        put("town.geojson", building(ring));
+        return input_error([&] { read_extract(path("town.geojson")); });
+    };
+    for (const char* const ring :
+         {"[1e308,1],[-1e308,2],[3,3],[1e308,1]", "[1e400,1],[2,2],[3,3],[1e400,1]", "[1,1],[1e400,2],[3,3],[1,1]",
+          "[392000,5820000],[392020,5820000],[392020,5820020],[392000,5820000]", "[1,95],[2,95],[2,96],[1,95]"}) {
+        const std::string error = refused(ring);
+        EXPECT_NE(error.find("town.geojson: its coordinates are not longitude and latitude"), std::string::npos)
+            << ring << ": " << error;
+    }
+    EXPECT_NE(refused("[392000,5820000],[392020,5820000],[392020,5820020],[392000,5820000]").find("ogr2ogr -s_srs"),
+              std::string::npos);
+    // Fiji.
+    put("town.geojson", building("[179.9,-17],[180.1,-17],[180.1,-16.9],[179.9,-17]"));
+    EXPECT_EQ(read_extract(path("town.geojson")).buildings, 1U);
+}
+
+TEST_F(ExtractTest, WhatIsNoBuildingHasDegreesToo) {
+    const auto with_point_at = [this](const std::string& longitude) {
+        put("town.geojson", R"({"type":"FeatureCollection","features":[)" + building("[1,1],[2,1],[2,2],[1,1]") +
+                                R"(,{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[)" +
+                                longitude + ",1]}}]}");
+    };
+    with_point_at("1000");
+    EXPECT_NE(input_error([&] { read_extract(path("town.geojson")); }).find("not longitude and latitude"),
+              std::string::npos);
+    with_point_at("1e308");  // no box can hold it
+    EXPECT_EQ(read_extract(path("town.geojson")).bounds, (std::array<double, 4>{1, 1, 2, 2}));
+}
+
+TEST_F(ExtractTest, SaysInWordsWhatTheReaderStumblesOver) {
+    OsmDrawing drawing(country);
+    for (int i = 0; i < 40; ++i) house(drawing, 10 * i, 300);
+    std::string xml = drawing.xml();
+    // What two queries of Overpass in one give.
+    const std::size_t node = xml.find("<node");
+    const std::size_t end = xml.find('\n', node);
+    std::string twice = xml;
+    twice.insert(end + 1, xml.substr(node, end + 1 - node));
+    put("twice.osm", twice);
+    const std::string double_node = input_error([&] { read_extract(path("twice.osm")); });
+    EXPECT_NE(double_node.find("holds objects twice"), std::string::npos) << double_node;
+    EXPECT_EQ(double_node.find("constraint"), std::string::npos) << double_node;
+    const std::string packed = path("cut.osm.gz");
+    VSILFILE* file = VSIFOpenL(("/vsigzip/" + packed).c_str(), "wb");
+    ASSERT_NE(file, nullptr);
+    VSIFWriteL(xml.data(), 1, xml.size(), file);
+    VSIFCloseL(file);
+    std::filesystem::resize_file(packed, std::filesystem::file_size(packed) / 2);
+    const std::string cut = input_error([&] { read_extract(packed); });
+    EXPECT_NE(cut.find("its gzip data ends too early"), std::string::npos) << cut;
+    EXPECT_EQ(cut.find(".cpp"), std::string::npos) << cut;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -68,6 +69,14 @@ void expect_same(const Itinerary& written, const Itinerary& read) {
         RC_ASSERT(wait.obstacle == written.waits[i].obstacle);
         RC_ASSERT(wait.agent == written.waits[i].agent);
     }
+}
+
+// What pictures draw: the way of an agent, which the file says in time.
+void expect_way(const Route& route, const Itinerary& agent) {
+    RC_ASSERT(route.path.front() == Point(agent.start) && route.path.back() == Point(agent.goal));
+    double length = 0;
+    for (std::size_t i = 1; i < route.path.size(); ++i) length += distance(route.path[i - 1], route.path[i]);
+    RC_ASSERT(std::abs(length - route.length.value()) < 1e-6);
 }
 
 void explain(Itinerary& agent) {
@@ -135,6 +144,9 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(rules.force == mission.rules.force);
     RC_ASSERT(rules.budget == mission.rules.budget);
     RC_ASSERT(read.mission.agents.size() == 2U);
+    for (std::size_t i = 0; i < read.plan.agents.size(); ++i) {
+        expect_way(read.plan.after.routes[i], read.plan.agents[i]);
+    }
     for (std::size_t i = 0; i < 2; ++i) {
         const Agent& agent = read.mission.agents[i];
         RC_ASSERT(agent.id == mission.agents[i].id && agent.kind == mission.agents[i].kind);

@@ -7,6 +7,7 @@
 #include "server/built_in_maps.hpp"
 #include "server/guard.hpp"
 #include "server/map_store.hpp"
+#include "server/problem.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -114,11 +115,18 @@ TEST_F(SafetyTest, HostileMapsAreRefused) {
     EXPECT_EQ(post(maps, thicket(10), octets).status, 201);
 }
 
+TEST(BodyTooLarge, IsMeasuredAsPeopleMeasureFiles) {
+    const Problem problem = body_too_large(std::size_t{32} << 20);
+    EXPECT_EQ(problem.status(), too_large);
+    EXPECT_EQ(std::string(problem.what()), "the body has more than 32 MB, the most that this server takes (--max-upload)");
+}
+
 TEST_F(SafetyTest, LongBodiesAreCutShort) {
     options_.limits.upload_bytes = 1000;
     begin();
     EXPECT_EQ(post(maps, std::string(1001, 'x'), octets).status, 413);
     EXPECT_EQ(post(maps + "/house.map/plan", std::string(2000, ' ') + "{}").status, 413);
+    EXPECT_NE(post(maps, std::string(1001, 'x'), octets).body.find("more than 1000 bytes"), std::string::npos);
     // In chunks, without a length.
     std::size_t sent = 0;
     const auto chunks = [&sent](std::size_t, httplib::DataSink& sink) {

@@ -162,11 +162,19 @@ TEST_F(ServiceTest, NoPlanIsAnAnswer) {
 TEST_F(ServiceTest, ExportsWhatIsValid) {
     begin();
     const Json plan = post_json(house + "/plan", house_mission);
-    for (const std::string format : {"json", "csv", "ros-path", "xml", "svg", "png"}) {
+    for (const std::string format : {"json", "csv", "ros-path", "xml", "svg", "png", "html"}) {
         const auto answer = post(house + "/export?format=" + format, plan.dump());
         EXPECT_EQ(answer.status, 200) << format << answer.body;
         EXPECT_FALSE(answer.body.empty());
     }
+    // The ways are drawn, in their colours.
+    const std::string picture = post(house + "/export?format=svg", plan.dump()).body;
+    EXPECT_NE(picture.find("ground path</text>"), std::string::npos);
+    const auto page = post(house + "/export?format=html", plan.dump());
+    EXPECT_EQ(page.get_header_value("Content-Type"), "text/html; charset=utf-8");
+    EXPECT_NE(page.get_header_value("Content-Security-Policy").find("default-src 'none'"), std::string::npos);
+    EXPECT_NE(page.body.find("id=\"waybreaker\""), std::string::npos);
+    EXPECT_NE(page.body.find("<noscript>"), std::string::npos);
     // The map does not say where on earth it lies.
     post_json(house + "/export?format=geojson", plan, 422);
     post_json(house + "/export?format=exe", plan, 400);

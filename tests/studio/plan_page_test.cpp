@@ -27,18 +27,19 @@ TEST(StudioFiles, AreThePageAndWhatItAsksFor) {
 }
 
 TEST(PlanPage, NothingInItsDataOrTitleEndsWhatItStandsIn) {
-    const std::string page =
-        plan_page("A </title><script>alert(1)</script> & B", R"({"x": "</script><script>alert(1)</script><!--"})");
+    const std::string page = plan_page({.title = "A </title></noscript><script>alert(1)</script> & B"},
+                                       R"({"x": "</script><script>alert(1)</script><!--"})");
     EXPECT_EQ(count(page, "<script"), 2);
     EXPECT_EQ(count(page, "</script"), 2);
     EXPECT_EQ(count(page, "</title"), 1);
     EXPECT_EQ(count(page, "</style"), 1);
+    EXPECT_EQ(count(page, "</noscript"), 1);
     EXPECT_NE(page.find(R"({"x": "\u003c/script>)"), std::string::npos);
     EXPECT_NE(page.find("A &lt;/title>"), std::string::npos);
 }
 
 TEST(PlanPage, AsksNobodyForAnything) {
-    const std::string page = plan_page("title", "{}");
+    const std::string page = plan_page({.title = "title"}, "{}");
     EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
     EXPECT_EQ(page.find("src=\""), std::string::npos);
     EXPECT_EQ(count(page, "href=\""), 1);

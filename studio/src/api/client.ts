@@ -43,7 +43,7 @@ export interface Progress {
   bound?: number | null; // a lower bound of it
 }
 
-export type ExportFormat = "json" | "geojson" | "csv" | "svg";
+export type ExportFormat = "html" | "png" | "svg" | "geojson" | "csv" | "json";
 
 interface Ask {
   method?: "GET" | "POST" | "DELETE";
@@ -73,8 +73,8 @@ export class Client {
     return (await this.json<{ maps: MapEntry[] }>("/maps", { signal })).maps;
   }
 
-  map(id: string, signal?: AbortSignal): Promise<MapDescription> {
-    return this.json(mapPath(id), { signal });
+  async map(id: string, signal?: AbortSignal): Promise<MapDescription> {
+    return this.described(mapPath(id), { signal });
   }
 
   // The service gives those of large maps in parts.
@@ -82,9 +82,7 @@ export class Client {
     const path = mapPath(id, "obstacles");
     const whole = await this.json<Obstacles>(path, { signal });
     for (let next = whole.next; typeof next === "number"; ) {
-      if (whole.obstacles.length > mostObstacles) {
-        throw new ServiceError("refused", `This map has more obstacles than a page can show: over ${mostObstacles}.`);
-      }
+      if (whole.obstacles.length > mostObstacles) throw tooMany();
       const part = await this.json<Obstacles>(`${path}?after=${next}`, { signal });
       whole.obstacles = whole.obstacles.concat(part.obstacles);
       whole.runs = whole.runs.concat(part.runs);
@@ -93,12 +91,12 @@ export class Client {
     return whole;
   }
 
-  background(id: string, signal?: AbortSignal): Promise<Background> {
+  async background(id: string, signal?: AbortSignal): Promise<Background> {
     return this.json(mapPath(id, "background"), { signal });
   }
 
   upload(file: Blob, signal?: AbortSignal): Promise<MapDescription> {
-    return this.json("/maps", { method: "POST", bytes: file, signal });
+    return this.described("/maps", { method: "POST", bytes: file, signal });
   }
 
   // Map data, to import maps from.
@@ -108,11 +106,11 @@ export class Client {
   }
 
   importMap(request: ImportRequest, signal?: AbortSignal): Promise<MapDescription> {
-    return this.json("/imports", { method: "POST", json: request, signal });
+    return this.described("/imports", { method: "POST", json: request, signal });
   }
 
   edit(id: string, edits: Edits, signal?: AbortSignal): Promise<MapDescription> {
-    return this.json(mapPath(id, "edits"), { method: "POST", json: edits, signal });
+    return this.described(mapPath(id, "edits"), { method: "POST", json: edits, signal });
   }
 
   plan(
@@ -141,6 +139,13 @@ export class Client {
     const answer = await this.ask(mapPath(id, "file"), {});
     const name = /filename="([^"]+)"/.exec(answer.headers.get("Content-Disposition") ?? "")?.[1] ?? id;
     return { bytes: await answer.blob(), name };
+  }
+
+  // A map that the page cannot show is refused before its obstacles are fetched.
+  private async described(path: string, ask: Ask): Promise<MapDescription> {
+    const map = await this.json<MapDescription>(path, ask);
+    if (map.obstacles.count > mostObstacles) throw tooMany(map.obstacles.count);
+    return map;
   }
 
   private async json<T>(path: string, ask: Ask): Promise<T> {
@@ -204,8 +209,18 @@ export class Client {
   }
 }
 
+// No map can have another name; links may hold anything.
+const mapName = /^[\w-][\w.-]{0,99}$/;
+
 function mapPath(id: string, what = ""): string {
+  if (!mapName.test(id)) throw new ServiceError("missing", "No map can have this name.");
   return `/maps/${encodeURIComponent(id)}${what && `/${what}`}`;
+}
+
+function tooMany(count?: number): ServiceError {
+  const [has, most] = [count?.toLocaleString("en"), mostObstacles.toLocaleString("en")];
+  const words = `The map has ${has ? `${has} obstacles, more` : "more obstacles"} than a page can show (${most}).`;
+  return new ServiceError("refused", `${words} “waybreaker plan” takes it.`);
 }
 
 function refusal(problem: ProblemDocument): ServiceError {

@@ -97,6 +97,12 @@ export class Extract {
   }
 }
 
+// Whether all that is drawn and typed has a number: JSON has none for what is not finite.
+export function isWhole({ bounds, built, densest, places }: Source): boolean {
+  const numbers = [...bounds, ...built, ...densest.center, densest.size, ...places.flatMap(({ at }) => at)];
+  return numbers.every((one) => Number.isFinite(one));
+}
+
 // What is shown first: where the data is built up most.
 export function usualImport(source: Source): ImportRequest {
   const { center, size } = source.densest;

@@ -8,7 +8,7 @@ import { Gestures, type GestureTarget } from "./interaction/gestures";
 import { Sketch } from "./interaction/sketch";
 import { cellAt, nearestFree, onMap } from "./interaction/snap";
 import { LabelLayer } from "./labels/label_layer";
-import { drawCross, drawGrid, drawGround } from "./layers/base_layer";
+import { drawCross, drawGrid, drawGround, drawNothing } from "./layers/base_layer";
 import { drawEvents, roomBesideEvents } from "./layers/event_layer";
 import { drawMarkers } from "./layers/marker_layer";
 import { type Spot, spotAt, spots } from "./layers/marker_spots";
@@ -74,7 +74,7 @@ export class MapView implements GestureTarget {
     this.#surface = new Surface(canvas, {
       resized: () => this.#untouched && this.fit(),
       themed: () => this.#newTiles(true),
-      draw: (now) => this.#draw(now),
+      draw: (now, whole) => this.#draw(now, whole),
     });
     this.#gestures = new Gestures(canvas, this);
   }
@@ -323,17 +323,17 @@ export class MapView implements GestureTarget {
   }
 
   #newTiles(keepOld: boolean): void {
-    if (!this.#scene || !this.#ground) return;
+    if (!this.#scene || !this.#ground) return this.#surface.ask();
     const { map, cells, ruled } = this.#scene;
     const { theme, pixelRatio } = this.#surface;
     this.#tiles.use(new TilePainter(map, cells, ruled, this.#ground, theme, pixelRatio), keepOld);
     this.#surface.ask();
   }
 
-  #draw(now: number): void {
+  #draw(now: number, whole: boolean): void {
     const scene = this.#scene;
-    if (!scene) return;
-    const begin = performance.now();
+    if (!scene) return drawNothing(this.#surface);
+    const until = whole ? Infinity : performance.now() + frameTime;
     if (this.#glide) this.#camera = this.#glide.at(now);
     if (this.#glide?.ends(now)) this.#glide = null;
     const { context, view, pixelRatio, theme, still } = this.#surface;
@@ -352,7 +352,8 @@ export class MapView implements GestureTarget {
     this.#sketch.draw(frame, scene);
     if (this.#surface.hasKeyboard) drawCross(frame);
     drawScaleBar(frame, scene.map);
-    const moreTiles = this.#tiles.paintMissing(begin + frameTime);
+    const moreTiles = this.#tiles.paintMissing(until);
+    if (whole && (moreTiles || moreLabels)) return this.#draw(now, true);
     if (moreTiles || moreLabels || this.#glide || (!still && pulses(scene))) this.#surface.ask();
   }
 }

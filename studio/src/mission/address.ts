@@ -2,10 +2,14 @@
 // Links of former versions have it in the query.
 const readable = 400; // letters
 const compressed = "z=";
-const most = 4_000_000; // letters that are unpacked
+const most = 1_000_000; // letters that are unpacked
+const piece = 1024; // bytes that are unpacked at a time, of which deflate makes a thousand times as many at most
 
 // More than this many programs cut off or refuse.
 export const longestLink = 8000;
+
+// A mission that no page has written.
+export class TooLarge extends Error {}
 
 export async function fragmentOf(query: string): Promise<string> {
   return query.length <= readable ? `#${query}` : `#${compressed}${await pack(query)}`;
@@ -39,12 +43,23 @@ async function pack(text: string): Promise<string> {
 async function unpack(text: string): Promise<string> {
   const letters = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
   const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate")).getReader();
+  let at = 0;
+  // A stream unpacks whole what it is given at once: it is given no more than what has been read allows.
+  const packed = new ReadableStream<BufferSource>({
+    pull(stream) {
+      if (at < bytes.length) stream.enqueue(bytes.slice(at, (at += piece)));
+      else stream.close();
+    },
+  });
+  const reader = packed.pipeThrough(new DecompressionStream("deflate")).getReader();
   const decoder = new TextDecoder();
   let query = "";
   for (let { done, value } = await reader.read(); !done; { done, value } = await reader.read()) {
     query += decoder.decode(value, { stream: true });
-    if (query.length > most) throw new Error("the mission is too large");
+    if (query.length > most) {
+      void reader.cancel();
+      throw new TooLarge("the mission is too large");
+    }
   }
   return query;
 }

@@ -7,27 +7,29 @@ import { matches, type TagFilter } from "../domain/tag_filter";
 import type { ShownMap } from "./maps";
 import { clipped, difference, union } from "./run_set";
 
-// First the free cells hold, then the blocked ones: what is drawn over something erased stands.
+// First the free cells hold, then the blocked ones: what is drawn over something that stands or was erased is a wall.
 export function editsOf(mission: Mission, base: CellMap): Edits {
   const excluded = marked(mission, "exclude").flatMap((id) => base.runsOf(id));
-  return { block: [...mission.walls], free: union(mission.erased, excluded) };
+  const beneath = blockedOf(base, mission.walls);
+  return { block: [...mission.walls], free: union(mission.erased, union(excluded, beneath)) };
 }
 
-// The mission after a stroke. Walls go where nothing stands; the eraser takes drawn walls as well.
+// The mission after a stroke. A wall goes through what stands there, so that a stroke is one wall and nothing passes it; the
+// eraser takes drawn walls first, and what is beneath stands again.
 export function drawn(
   mission: Mission,
   tool: "wall" | "erase",
   runs: readonly Run[],
-  { base, map }: ShownMap,
+  { base, map }: Pick<ShownMap, "base" | "map">,
 ): Mission {
   const stroke = clipped(runs, map.cells.width, map.cells.height);
   if (tool === "wall") {
-    return { ...mission, walls: union(mission.walls, difference(stroke, blockedOf(map.cells, stroke))) };
+    return { ...mission, walls: union(mission.walls, stroke) };
   }
   return {
     ...mission,
     walls: difference(mission.walls, stroke),
-    erased: union(mission.erased, blockedOf(base.cells, stroke)),
+    erased: union(mission.erased, blockedOf(base.cells, difference(stroke, mission.walls))),
   };
 }
 

@@ -30,6 +30,7 @@ export async function understood(files: readonly File[]): Promise<Given> {
   if (kept.length !== 1) {
     throw new NotUnderstood("One at a time: choose one file, or the YAML and the image of one ROS map.");
   }
+  await refuseOtherMapData(kept[0]!);
   if (await isMapData(kept[0]!)) return { kind: "map data", file: kept[0]! };
   return (await inText(kept[0]!)) ?? { kind: "map", file: kept[0]! };
 }
@@ -41,6 +42,20 @@ async function isMapData({ name, bytes }: KeptFile): Promise<boolean> {
   const text = new TextDecoder().decode(head);
   if (text.includes("OSMHeader") || /<osm[\s>]/.test(text)) return true;
   return /^\s*\{/.test(text) && (/\.geojson$/i.test(name) || /"type"\s*:\s*"Feature(Collection)?"/.test(text));
+}
+
+// What the command imports, and the service does not take: they are several files, or name others.
+async function refuseOtherMapData({ name, bytes }: KeptFile): Promise<void> {
+  const head = new Uint8Array(await bytes.slice(0, 16).arrayBuffer());
+  const isShape = head[0] === 0 && head[1] === 0 && head[2] === 0x27 && head[3] === 0x0a; // as its index begins, too
+  if (isShape || /\.(shp|shx|dbf)$/i.test(name)) {
+    throw new NotUnderstood(
+      `“${name}” is one of the files of a shapefile, which only all together say what it holds. Make a map of them with “waybreaker import”, or one file to drop here with “ogr2ogr town.geojson ${name.replace(/\.\w+$/, ".shp")} -t_srs EPSG:4326”.`,
+    );
+  }
+  if (new TextDecoder().decode(head).startsWith("SQLite format 3")) {
+    throw new NotUnderstood(`“${name}” is a database, such as a GeoPackage. Make a map of it with “waybreaker import”.`);
+  }
 }
 
 // The mission of a link that is dropped or pasted; null where the text is none.

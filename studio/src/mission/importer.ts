@@ -1,7 +1,7 @@
 // Importing a map from map data: a file is sent, a window chosen, and the map opened.
 import { signal } from "@preact/signals";
 import { type Client, ServiceError } from "../api/client";
-import { type ImportRequest, type Source, usualImport } from "../domain/extract";
+import { type ImportRequest, isWhole, type Source, usualImport } from "../domain/extract";
 import type { MapDescription } from "../domain/map";
 import type { KeptFile } from "./kept_file";
 
@@ -15,6 +15,7 @@ export interface ImportState {
 }
 
 const usualLimit = 32; // MB that a service takes unless it is told otherwise
+const notShown = "What the server says of this file cannot be shown.";
 
 export class Importer {
   readonly state = signal<ImportState | null>(null);
@@ -33,6 +34,7 @@ export class Importer {
     this.state.value = { name: file.name, stage: "sending", source: null, request: null, failure: null };
     try {
       const source = await this.client.sendSource(file.bytes, file.name, signal);
+      if (!isWhole(source)) return this.fail();
       this.#set({ stage: "choosing", source, request: usualImport(source) });
     } catch (error) {
       if (!signal.aborted) this.#set({ stage: "failed", failure: this.#said(error) });
@@ -61,6 +63,11 @@ export class Importer {
     }
   }
 
+  // What the service says of the file cannot be shown. The next file is another matter.
+  fail(): void {
+    this.#set({ stage: "failed", source: null, request: null, failure: notShown });
+  }
+
   cancel(): void {
     this.#control.abort();
     this.state.value = null;
@@ -83,7 +90,10 @@ export class Importer {
   }
 
   #said(error: unknown): string {
-    if (!(error instanceof ServiceError)) throw error;
+    if (!(error instanceof ServiceError)) {
+      console.error(error);
+      return notShown;
+    }
     const megabytes = (this.#file?.bytes.size ?? 0) / 2 ** 20;
     if (error.trouble === "gone" && megabytes > usualLimit) {
       return `The file has ${Math.round(megabytes)} MB, probably more than the server takes (--max-upload). Cut a piece out of it.`;

@@ -75,7 +75,8 @@ async function take(studio: Studio, files: readonly File[], act: (given: Given) 
   try {
     await act(await understood(files));
   } catch (error) {
-    if (!(error instanceof NotUnderstood)) throw error;
-    studio.notify("bad", error.message);
+    const isSaid = error instanceof NotUnderstood;
+    studio.notify("bad", isSaid ? error.message : "The page fails on this file: please report it.");
+    if (!isSaid) throw error;
   }
 }

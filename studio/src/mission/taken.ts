@@ -1,17 +1,28 @@
 // What a person takes along: the plan, the map and the mission as files, the mission as a link.
 import type { ExportFormat } from "../api/client";
+import type { Plan } from "../domain/plan";
+import { keyOf } from "../planning/request";
+import type { Results } from "../planning/results";
 import { fragmentOf, longestLink } from "./address";
 import { saveAs } from "./save_as";
 import type { Studio } from "./studio";
 
-export async function downloadPlan(studio: Studio, format: ExportFormat, ending: string): Promise<void> {
+export async function downloadPlan(studio: Studio, format: ExportFormat): Promise<void> {
   const plan = studio.results.plans.value.after?.plan;
   const map = studio.shown.value?.map.description;
   if (!plan || !map) return;
+  const given = format === "html" ? withCurve(plan, studio.results) : plan;
   await save(studio, async () => ({
-    bytes: await studio.client.exported(map.id, plan, format),
-    name: `plan.${ending}`,
+    bytes: await studio.client.exported(map.id, given, format),
+    name: `plan.${format}`,
   }));
+}
+
+// A page shows what each number of removals reaches, if that is known.
+function withCurve(plan: Plan, { front, answered }: Results): Plan {
+  const question = answered.value;
+  const isOfPlan = front.value?.isDone && question && front.value.key === keyOf.front(question);
+  return isOfPlan ? { ...plan, front: [...front.value!.points] } : plan;
 }
 
 export async function downloadMap(studio: Studio): Promise<void> {

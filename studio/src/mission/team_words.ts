@@ -1,4 +1,5 @@
 // Plans of teams in plain words.
+import { plainName } from "../domain/plain_name";
 import { type Agent, objectiveOf, type Plan, valueOf } from "../domain/plan";
 import { duration, durations, percent, type Units } from "../domain/units";
 import { arrival } from "../play/motion";
@@ -79,7 +80,7 @@ export function teamArrivals(plan: Plan, units: Units): string | null {
 
 // A number alone is no name.
 function nameOf({ id, kind }: Agent): string {
-  return /^\d+$/.test(id) ? `${kind === "ground" ? "Vehicle" : "Aircraft"} ${id}` : id;
+  return /^\d+$/.test(id) ? `${kind === "ground" ? "Vehicle" : "Aircraft"} ${id}` : plainName(id);
 }
 
 function countOf(plan: Plan, kind: Agent["kind"]): number {

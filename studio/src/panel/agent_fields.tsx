@@ -2,7 +2,8 @@
 import { useId } from "preact/hooks";
 import { type Agents, type Aircraft, vehiclesOf } from "../domain/agents";
 import type { Studio } from "../mission/studio";
-import { NumberField } from "./controls";
+import { Name } from "./name";
+import { NumberField } from "./number_field";
 import { VehicleSize } from "./vehicle_size";
 
 interface Props {
@@ -16,7 +17,6 @@ export function AgentFields({ studio, agents, index }: Props) {
   const units = studio.units.value;
   const number = (member: "speed" | "readyAt", value: number) => ({
     value,
-    step: "any" as const,
     onInput: (given: number) => studio.changeAgent(index, { [member]: given }, `${member} ${index}`),
     onDone: () => studio.endGesture(),
   });
@@ -63,7 +63,7 @@ export function AgentFields({ studio, agents, index }: Props) {
           title={isLast ? "The last vehicle stays" : undefined}
           onClick={() => studio.removeAgent(index)}
         >
-          Remove {agent.id}
+          Remove <Name of={agent.id} />
         </button>
       </div>
     </div>

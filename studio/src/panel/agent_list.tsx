@@ -10,6 +10,7 @@ import { arrival, breachOrder, waits } from "../play/motion";
 import { AgentDot } from "./agent_dot";
 import { AgentFields } from "./agent_fields";
 import { Section } from "./controls";
+import { Name } from "./name";
 
 export function AgentList({ page }: { page: PageState }) {
   const mission = page.mission.value;
@@ -99,7 +100,7 @@ function AgentRow({ page, plan, agent, index }: RowProps) {
           onClick={() => page.chooseAgent(isChosen ? null : index)}
         >
           <AgentDot look={page.looks.value.get(agent.id)} />
-          {agent.id}
+          <Name of={agent.id} />
         </button>
       </th>
       <AgentFigures plan={plan} closed={page.results.plans.value.before?.plan ?? null} id={agent.id} units={page.units.value} />

@@ -27,6 +27,7 @@ import { MapNotes } from "./map_notes";
 import { Attribution, Gone, Invitation, NoticeBar } from "./messages";
 import { ObstacleCard } from "./obstacle_card";
 import { areBuildings } from "./obstacle_words";
+import { Printed } from "./printed";
 import { Removals } from "./removals";
 import { RemovedTable } from "./removed_table";
 import { Search } from "./search";
@@ -58,6 +59,7 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
         {studio && <Settings studio={studio} />}
         {studio && <TakeAlong studio={studio} />}
       </main>
+      <Printed linked={studio !== null} />
       <NoticeBar page={page} />
       {studio && <DropTarget studio={studio} />}
       {studio && <ImportDialog importer={studio.importer} />}

@@ -8,6 +8,7 @@ import { cellCount } from "../mission/run_set";
 import type { Studio } from "../mission/studio";
 import { Section } from "./controls";
 import { Icon, type IconName } from "./icons";
+import { Name } from "./name";
 import { nameOfKey } from "./obstacle_words";
 
 const words: Record<Said, string> = {
@@ -107,10 +108,10 @@ function Choice({ icon, text, onUndo, onPoint, onShow }: ChoiceProps) {
       <Icon name={icon} />
       {onShow ? (
         <button type="button" class="obstacle-name" onClick={onShow}>
-          {text}
+          <Name of={text} />
         </button>
       ) : (
-        <span>{text}</span>
+        <Name of={text} />
       )}
       <button
         type="button"

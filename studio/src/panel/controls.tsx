@@ -1,6 +1,6 @@
 // Small parts that panels are made of.
 import type { ComponentChildren } from "preact";
-import { useId, useState } from "preact/hooks";
+import { useId } from "preact/hooks";
 import { Icon, type IconName } from "./icons";
 
 interface ButtonProps {
@@ -59,60 +59,6 @@ export function Segmented<T extends string>({ legend, choices, value, onChange }
         ))}
       </div>
     </fieldset>
-  );
-}
-
-interface NumberFieldProps {
-  label: string;
-  unit: string;
-  value: number;
-  min: number;
-  max: number;
-  step: number | "any";
-  onInput: (value: number) => void;
-  onDone: () => void;
-}
-
-// Input outside the range is not accepted: the field says what is, and has the last value again when it is left.
-export function NumberField({ label, unit, value, min, max, step, onInput, onDone }: NumberFieldProps) {
-  const id = useId();
-  const [wrong, setWrong] = useState<string | null>(null); // what was typed instead
-  const usual = String(Number(value.toPrecision(6)));
-  return (
-    <div class={`number-field ${wrong === null ? "" : "wrong"}`}>
-      <label for={id}>{label}</label>
-      <span class="number-box">
-        <input
-          id={id}
-          type="number"
-          inputMode="decimal"
-          min={min}
-          max={max}
-          step={step}
-          value={wrong ?? usual}
-          aria-invalid={wrong !== null}
-          aria-describedby={`${id}-unit ${id}-range`}
-          onInput={(event) => {
-            const { valueAsNumber: given, value: typed } = event.currentTarget;
-            const fits = given >= min && given <= max;
-            setWrong(fits ? null : typed);
-            if (fits) onInput(given);
-          }}
-          onChange={onDone}
-          onBlur={(event) => {
-            if (wrong !== null) event.currentTarget.value = usual; // what is no number at all has no text to compare
-            setWrong(null);
-            onDone();
-          }}
-        />
-        <span id={`${id}-unit`} class="unit">
-          {unit}
-        </span>
-      </span>
-      <span id={`${id}-range`} class="range-note" role="status">
-        {wrong !== null && `From ${min} to ${max} ${unit}. Planned with ${usual}.`}
-      </span>
-    </div>
   );
 }
 

@@ -2,6 +2,7 @@
 import { useMemo, useRef, useState } from "preact/hooks";
 import { type Extract, type ImportRequest, leastWindow } from "../domain/extract";
 import type { Box, Point } from "../domain/geometry";
+import { plainName } from "../domain/plain_name";
 import { length } from "../domain/units";
 
 interface ExtractMapProps {
@@ -87,7 +88,7 @@ export function ExtractMap({ extract, request, onChange }: ExtractMapProps) {
         ))}
         {extract.placesIn(view).map(({ name, at }) => (
           <text key={name} class="extract-name" x={at[0]} y={at[1] - shown / 50} font-size={shown / 32}>
-            {name}
+            {plainName(name)}
           </text>
         ))}
         <g

@@ -5,11 +5,13 @@ import type { Point } from "../domain/geometry";
 import { mostRemovals } from "../domain/mission";
 import { isUnknown, type Objective, valueOf } from "../domain/plan";
 import { clockTime, duration, squareMetres, type Units } from "../domain/units";
+import { onPrinting } from "../map/viewport/printing";
 import type { PageState } from "../mission/page_state";
 import type { Front } from "../planning/curve";
 import { keyOf } from "../planning/request";
 import { placeFigures } from "./front_labels";
 
+const onPaper = 320; // pixels of a column (style/print.css)
 const thumb = 22; // width of the slider's knob: its middle is what the columns are aligned with
 
 interface Column {
@@ -55,13 +57,16 @@ const top = 26; // room for the figures over the points
 const bottom = 10;
 
 export function FrontChart({ page, count, onChoose }: ChartProps) {
-  const [width, setWidth] = useState(340);
+  const [room, setRoom] = useState(340);
+  const [printing, setPrinting] = useState(false);
   const box = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const watch = new ResizeObserver(([entry]) => entry && setWidth(entry.contentRect.width));
+    const watch = new ResizeObserver(([entry]) => entry && setRoom(entry.contentRect.width));
     if (box.current) watch.observe(box.current);
     return () => watch.disconnect();
   }, []);
+  useEffect(() => onPrinting(setPrinting), []);
+  const width = printing ? onPaper : room; // nobody measures paper
 
   const front = page.results.front.value;
   const question = page.results.answered.value;

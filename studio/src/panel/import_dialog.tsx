@@ -2,10 +2,13 @@
 import { useMemo } from "preact/hooks";
 import { cellsOf, Extract, type ImportRequest, leastWindow, type Profile } from "../domain/extract";
 import type { Importer, ImportState } from "../mission/importer";
-import { NumberField, Segmented } from "./controls";
+import { Segmented } from "./controls";
 import { useModal } from "./dialogs";
 import { ExtractMap } from "./extract_map";
 import { Icon } from "./icons";
+import { Name } from "./name";
+import { NumberField } from "./number_field";
+import { Shielded } from "./shielded";
 
 const profiles: { profile: Profile; name: string; text: string }[] = [
   { profile: "rover", name: "Rover", text: "A small robot on wheels: pavements and open ground, no motorways, railways or steps." },
@@ -39,15 +42,21 @@ function ImportForm({ importer, state }: { importer: Importer; state: ImportStat
     <form
       onSubmit={(event) => {
         event.preventDefault();
-        void importer.finish();
+        const wrong = event.currentTarget.querySelector<HTMLElement>("[aria-invalid=true]");
+        if (wrong) wrong.focus();
+        else void importer.finish();
       }}
     >
-      <h2 id="import-title">Make a map from {state.name}</h2>
+      <h2 id="import-title">
+        Make a map from <Name of={state.name} />
+      </h2>
       {source && request && (
-        <fieldset class="import-choices" disabled={busy}>
-          <Window importer={importer} source={source} request={request} />
-          <Vehicle importer={importer} request={request} />
-        </fieldset>
+        <Shielded onFailure={() => importer.fail()}>
+          <fieldset class="import-choices" disabled={busy}>
+            <Window importer={importer} source={source} request={request} />
+            <Vehicle importer={importer} request={request} />
+          </fieldset>
+        </Shielded>
       )}
       <div class="import-status" role={failure ? "alert" : "status"}>
         {busy && (
@@ -84,8 +93,7 @@ interface WindowProps {
 function Window({ importer, source, request }: WindowProps) {
   const extract = useMemo(() => new Extract(source), [source]);
   const set = (part: Partial<ImportRequest>) => importer.choose(part);
-  const nothing = () => undefined;
-  const degrees = { unit: "°", min: -180, max: 180, step: "any" as const, onDone: nothing };
+  const degrees = { unit: "°", min: -180, max: 180 };
   const [lon, lat] = request.center;
   const cells = cellsOf(request);
   return (
@@ -103,20 +111,16 @@ function Window({ importer, source, request }: WindowProps) {
           unit="m"
           min={leastWindow}
           max={extract.mostSide}
-          step="any"
           value={request.size}
           onInput={(size) => set({ size })}
-          onDone={nothing}
         />
         <NumberField
           label="Size of a cell"
           unit="m"
           min={0.1}
           max={100}
-          step="any"
           value={request.cell}
           onInput={(cell) => set({ cell })}
-          onDone={nothing}
         />
       </div>
       <p class="import-note">
@@ -163,10 +167,8 @@ function Vehicle({ importer, request }: { importer: Importer; request: ImportReq
           unit="m"
           min={request.cell}
           max={1000}
-          step="any"
           value={request.section}
           onInput={(section) => set({ section })}
-          onDone={() => undefined}
         />
       )}
     </div>

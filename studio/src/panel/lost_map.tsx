@@ -4,6 +4,7 @@ import { restoreFrom } from "../mission/opening";
 import type { Studio } from "../mission/studio";
 import { FileButton } from "./file_button";
 import { Icon } from "./icons";
+import { Name } from "./name";
 
 export function LostMapCard({ studio }: { studio: Studio }) {
   const lost = studio.lost.value;
@@ -16,7 +17,7 @@ export function LostMapCard({ studio }: { studio: Studio }) {
           <Icon name="warning" />
           <p>
             <strong>
-              The server {isShown || file ? "no longer has" : "does not have"} the map “{lost.name}”.
+              The server {isShown || file ? "no longer has" : "does not have"} the map “<Name of={lost.name} />”.
             </strong>{" "}
             {isUpload(lost.id) && "It keeps maps that are sent to it until it ends, or until others need the room. "}
             {isShown ? "Your mission is kept." : "The mission is opened once the map is there."}

@@ -1,4 +1,5 @@
 // Which map: one of the server's, or a file of one's own.
+import { plainName } from "../domain/plain_name";
 import { openFiles } from "../mission/opening";
 import type { Studio } from "../mission/studio";
 import { FileButton } from "./file_button";
@@ -25,7 +26,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
         ))}
         {[...uploads].map(([id, file]) => (
           <option key={id} value={id}>
-            {file.name}
+            {plainName(file.name)}
           </option>
         ))}
       </select>

@@ -11,6 +11,7 @@ import { bestCorner, type Corner } from "./card_place";
 import { IconButton } from "./controls";
 import { Icon } from "./icons";
 import { MarkButtons } from "./mark_buttons";
+import { Name } from "./name";
 import { nameOf, osmPage } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
 
@@ -41,7 +42,9 @@ export function ObstacleCard({ page, marked }: CardProps) {
   return (
     <aside ref={card} class="card" data-corner={corner} style={{ "--below": `${below}px` }} aria-label={`About ${name.text}`}>
       <div class="card-head">
-        <h2>{name.text}</h2>
+        <h2>
+          <Name of={name.text} />
+        </h2>
         <IconButton icon="close" label="Close" onClick={() => (page.selected.value = null)} />
       </div>
       <p class="obstacle-facts">
@@ -84,7 +87,10 @@ function ProtectWhole({ page, obstacle }: { page: PageState; obstacle: Obstacle 
     <>
       {[...names].filter(isOneFilter).map((name) => (
         <button key={name} type="button" class="button" onClick={() => page.protectAll([{ key: "name", values: [name] }])}>
-          <Icon name="protect" /> Protect all of {name}
+          <Icon name="protect" />
+          <span>
+            Protect all of <Name of={name} />
+          </span>
         </button>
       ))}
     </>
@@ -104,7 +110,7 @@ function Structures({ of }: { of: readonly Structure[] }) {
     <ul class="structures" aria-label="Part of">
       {of.slice(0, mostListed).map((one, i) => (
         <li key={i}>
-          {one.name || kindWord(one.kind)}
+          <Name of={one.name || kindWord(one.kind)} />
           <OsmLink name={{ text: one.name ?? kindWord(one.kind), osm: osmPage(one.source_id ?? 0) }} />
         </li>
       ))}

@@ -5,8 +5,8 @@ import { duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
 import { Studio } from "../mission/studio";
 import { nounOf } from "../mission/words";
-import { NumberField } from "./controls";
 import { FrontChart } from "./front_chart";
+import { NumberField } from "./number_field";
 import { hasBuildings } from "./obstacle_words";
 
 export function Removals({ page }: { page: PageState }) {
@@ -48,7 +48,6 @@ export function Removals({ page }: { page: PageState }) {
           unit={page.units.value.metric ? "s" : "steps"}
           min={0}
           max={1_000_000}
-          step="any"
           value={mission.price}
           onInput={(price) => studio.change((old) => ({ ...old, price }), "price")}
           onDone={() => studio.endGesture()}

@@ -7,6 +7,7 @@ import { nounOf, savedBy } from "../mission/words";
 import { AgentDot } from "./agent_dot";
 import { Section } from "./controls";
 import { MarkButtons } from "./mark_buttons";
+import { Name } from "./name";
 import { areBuildings, nameOf } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
 
@@ -93,7 +94,7 @@ function Row({ page, removed, order, users }: RowProps) {
       </td>
       <th scope="row">
         <button type="button" class="obstacle-name" onClick={() => page.showObstacle(id)}>
-          {name.text}
+          <Name of={name.text} />
         </button>
         <span class="obstacle-facts">
           {area(removed.cells, units)}
@@ -150,7 +151,7 @@ function AgentNames({ page, ids }: { page: PageState; ids: readonly string[] }) 
       {ids.map((id) => (
         <span key={id}>
           <AgentDot look={looks.get(id)} />
-          {id}
+          <Name of={id} />
         </span>
       ))}
     </span>
@@ -206,7 +207,7 @@ function Next({ page }: { page: PageState }) {
             onPointerEnter={() => (page.highlighted.value = obstacle)}
             onPointerLeave={() => (page.highlighted.value = null)}
           >
-            {nameOf(shown, obstacle).text}
+            <Name of={nameOf(shown, obstacle).text} />
           </button>
         </>
       ))}{" "}

@@ -3,6 +3,7 @@ import { useId, useMemo, useRef, useState } from "preact/hooks";
 import type { Point } from "../domain/geometry";
 import { type Place, PlaceIndex } from "../domain/places";
 import type { PageState } from "../mission/page_state";
+import { Name } from "./name";
 
 interface SearchProps {
   page: PageState;
@@ -64,7 +65,7 @@ export function Search({ page, show }: SearchProps) {
             onPointerDown={(event) => event.preventDefault()} // the field keeps the focus
             onClick={() => take(place)}
           >
-            <span>{place.name}</span> <span class="search-what">{place.what}</span>
+            <Name of={place.name} /> <span class="search-what">{place.what}</span>
           </li>
         ))}
       </ul>

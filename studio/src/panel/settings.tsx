@@ -3,7 +3,8 @@ import { useId } from "preact/hooks";
 import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
 import type { Mission } from "../domain/mission";
 import type { Studio } from "../mission/studio";
-import { NumberField, Segmented } from "./controls";
+import { Segmented } from "./controls";
+import { NumberField } from "./number_field";
 import { ProtectAll } from "./protect_all";
 import { VehicleSize } from "./vehicle_size";
 
@@ -21,8 +22,8 @@ export function Settings({ studio }: { studio: Studio }) {
     onDone: () => studio.endGesture(),
   });
   const two = ofPair(mission.agents);
-  const speed = { unit: metric ? "m/s" : "cells/step", min: 0.01, max: 1000, step: "any" as const };
-  const time = { min: 0, max: 100_000, step: "any" as const };
+  const speed = { unit: metric ? "m/s" : "cells/step", min: 0.01, max: 1000 };
+  const time = { min: 0, max: 100_000 };
   const speedOf = (agent: Vehicle | Aircraft) => ({
     value: agent.speed,
     onInput: (value: number) => studio.changeAgent(mission.agents.indexOf(agent), { speed: value }, `${agent.kind} speed`),
@@ -93,7 +94,6 @@ function TeamFields({ studio }: { studio: Studio }) {
         unit={units.metric ? "m" : "cells"}
         min={0}
         max={32 * units.cell}
-        step="any"
         value={separation * units.cell}
         onInput={(value) => studio.change((old) => ({ ...old, separation: value / units.cell }), "separation")}
         onDone={() => studio.endGesture()}

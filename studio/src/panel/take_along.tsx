@@ -5,11 +5,13 @@ import { copyLink, downloadMap, downloadMission, downloadPlan } from "../mission
 import { Section } from "./controls";
 import { Icon } from "./icons";
 
-const formats: { format: ExportFormat; label: string; ending: string }[] = [
-  { format: "json", label: "Plan (JSON)", ending: "json" },
-  { format: "geojson", label: "GeoJSON", ending: "geojson" },
-  { format: "svg", label: "SVG", ending: "svg" },
-  { format: "csv", label: "CSV", ending: "csv" },
+const formats: { format: ExportFormat; label: string; hint?: string }[] = [
+  { format: "html", label: "Page (HTML)", hint: "One file that shows and plays the plan in any browser" },
+  { format: "png", label: "Picture (PNG)" },
+  { format: "svg", label: "SVG" },
+  { format: "json", label: "Plan (JSON)" },
+  { format: "geojson", label: "GeoJSON" },
+  { format: "csv", label: "CSV" },
 ];
 
 export function TakeAlong({ studio }: { studio: Studio }) {
@@ -24,14 +26,14 @@ export function TakeAlong({ studio }: { studio: Studio }) {
         <button type="button" class="button" onClick={() => void copyLink(studio)}>
           <Icon name="link" /> Copy link
         </button>
-        {formats.map(({ format, label, ending }) => (
+        {formats.map(({ format, label, hint }) => (
           <button
             key={format}
             type="button"
             class="button"
             disabled={!solved || studio.old.value || (format === "geojson" && !placed)}
-            title={format === "geojson" && !placed ? "The map does not say where on earth it lies" : undefined}
-            onClick={() => void downloadPlan(studio, format, ending)}
+            title={format === "geojson" && !placed ? "The map does not say where on earth it lies" : hint}
+            onClick={() => void downloadPlan(studio, format)}
           >
             <Icon name="download" /> {label}
           </button>

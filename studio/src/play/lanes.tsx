@@ -2,6 +2,7 @@
 // to that time; the slider below them does so for the keyboard.
 import { useEffect, useId, useMemo, useRef, useState } from "preact/hooks";
 import { type AgentLook, looksOf } from "../domain/agents";
+import { plainName } from "../domain/plain_name";
 import { type Lane, lanes } from "./activity";
 import type { Clock } from "./clock";
 import { spread } from "./spread";
@@ -91,7 +92,7 @@ function AgentLane({ lane, look, ...bars }: LaneProps) {
   return (
     <div class={`lane lane-${kind} ${look ? `agent-${look.kind}-${look.colour}` : ""}`}>
       <span class="lane-name" title={look && id}>
-        {look ? id : names[kind]}
+        {look ? <bdi>{plainName(id)}</bdi> : names[kind]}
       </span>
       <div class="lane-track">
         <LaneBars lane={lane} {...bars} />

@@ -1,6 +1,7 @@
 // Waits in words: "waits for heli to open 2", "lets truck pass".
 import { isPair } from "../domain/agents";
 import type { CellMap } from "../domain/cell_map";
+import { plainName } from "../domain/plain_name";
 import type { Agent, Plan } from "../domain/plan";
 import { breachOrder, type Wait, waits } from "./motion";
 import { Waiting } from "./waiting";
@@ -56,5 +57,5 @@ export class Story {
 
 // A number alone is no name.
 function nameOf(id: string, kind: Agent["kind"]): string {
-  return /^\d+$/.test(id) ? `${kind === "ground" ? "vehicle" : "aircraft"} ${id}` : id;
+  return /^\d+$/.test(id) ? `${kind === "ground" ? "vehicle" : "aircraft"} ${id}` : plainName(id);
 }

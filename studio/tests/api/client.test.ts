@@ -68,14 +68,34 @@ it("joins the parts of a large map, and says when there are too many", async () 
   expect(whole.runs).toEqual([1, 1, 2, 1, 3, 1]);
   expect(asked.map((one) => one.url)).toEqual(["", "?after=2", "?after=3"].map((q) => `/api/v1/maps/m/obstacles${q}`));
   answers = [json({ obstacles: new Array<number>(500_001).fill(0), runs: [], next: 7 })];
-  expect((await trouble(client.obstacles("m"))).message).toContain("more obstacles than a page can show");
+  expect((await trouble(client.obstacles("m"))).message).toContain("more obstacles than a page can show (500,000)");
 });
 
 it("says in words what the service refuses", async () => {
   answers = [problem(422, "the start lies inside obstacle 1")];
-  const error = await trouble(client.map("a b"));
-  expect(asked[0]!.url).toBe("/api/v1/maps/a%20b");
+  const error = await trouble(client.map("m.tif"));
+  expect(asked[0]!.url).toBe("/api/v1/maps/m.tif");
   expect([error.trouble, error.message]).toEqual(["refused", "The start lies inside obstacle 1."]);
+});
+
+it("refuses a map with too many obstacles by its description, before they are fetched", async () => {
+  answers = [json({ obstacles: { count: 500_000 } }), json({ obstacles: { count: 1_234_567 } })];
+  await client.map("m");
+  const error = await trouble(client.upload(new Blob(["map"])));
+  expect([error.trouble, error.message]).toEqual([
+    "refused",
+    "The map has 1,234,567 obstacles, more than a page can show (500,000). “waybreaker plan” takes it.",
+  ]);
+  expect(asked).toHaveLength(2);
+});
+
+it("does not ask for what no map can be called", async () => {
+  for (const id of ["../x", ".hidden", "a b", "", "a/b", "x".repeat(101), "m\u202e"]) {
+    expect((await trouble(client.map(id))).trouble).toBe("missing");
+    expect((await trouble(client.obstacles(id))).trouble).toBe("missing");
+    expect((await trouble(client.background(id))).trouble).toBe("missing");
+  }
+  expect(asked).toEqual([]);
 });
 
 it("knows a map that is not there by the type of the problem, not by its status", async () => {

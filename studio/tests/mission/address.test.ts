@@ -1,4 +1,4 @@
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import type { Run } from "../../src/domain/geometry";
 import { freshMission } from "../../src/domain/mission";
 import { fragmentOf, holdsMission, longestLink, missionAt } from "../../src/mission/address";
@@ -45,7 +45,30 @@ it("must be whole", async () => {
 
 it("is not unpacked without end", async () => {
   const bomb = await fragmentOf("map=".padEnd(20_000_000, "a"));
+  let unpacked = 0;
+  const Unpacking = DecompressionStream;
+  vi.stubGlobal(
+    "DecompressionStream",
+    class {
+      readonly writable;
+      readonly readable;
+      constructor(format: CompressionFormat) {
+        const own = new Unpacking(format);
+        this.writable = own.writable;
+        this.readable = own.readable.pipeThrough(
+          new TransformStream<Uint8Array, Uint8Array>({
+            transform(bytes, to) {
+              unpacked += bytes.length;
+              to.enqueue(bytes);
+            },
+          }),
+        );
+      }
+    },
+  );
   await expect(at(bomb)).rejects.toThrow("too large");
+  vi.unstubAllGlobals();
+  expect(unpacked).toBeLessThan(4_000_000);
 });
 
 it("knows what a mission is by map or places", () => {

@@ -44,6 +44,10 @@ it("says what a file is not", async () => {
   await expect(understood([file("x.json", half)])).rejects.toThrow(/neither a plan/);
   await expect(understood([file("x.json", '{"format": "waybreaker-pl')])).rejects.toThrow(/no complete JSON/);
   await expect(understood([file("a.map", "x"), file("b.map", "y")])).rejects.toThrow(/One at a time/);
+  const shape = file("roads.shp", new Uint8Array([0, 0, 0x27, 0x0a, 0, 0]));
+  await expect(understood([shape])).rejects.toThrow(/one of the files of a shapefile.*waybreaker import/);
+  await expect(understood([file("roads.dbf", new Uint8Array([3, 95]))])).rejects.toThrow(/ogr2ogr town\.geojson roads\.shp/);
+  await expect(understood([file("town.gpkg", "SQLite format 3\0")])).rejects.toThrow(/GeoPackage.*waybreaker import/);
   const folder = { name: "maps", arrayBuffer: () => Promise.reject(new Error("NotFound")) } as unknown as File;
   await expect(understood([folder])).rejects.toThrow(/cannot be read/);
 });

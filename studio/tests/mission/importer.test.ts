@@ -1,21 +1,33 @@
-import { beforeEach, expect, it } from "vitest";
+import { beforeEach, expect, it, vi } from "vitest";
 import { type Client, ServiceError } from "../../src/api/client";
 import type { ImportRequest, Source } from "../../src/domain/extract";
 import type { MapDescription } from "../../src/domain/map";
 import { Importer } from "../../src/mission/importer";
 import type { KeptFile } from "../../src/mission/kept_file";
 
-const source = { id: "source-1", name: "town.osm", densest: { center: [9, 50], size: 800 } } as unknown as Source;
+const source: Source = {
+  id: "source-1",
+  name: "town.osm",
+  bytes: 4,
+  bounds: [8.9, 49.9, 9.1, 50.1],
+  buildings: 1,
+  columns: 1,
+  rows: 1,
+  built: [0.5],
+  densest: { center: [9, 50], size: 800 },
+  places: [],
+};
 const town: KeptFile = { name: "town.osm.pbf", bytes: new Blob(["data"]) };
 
 class FakeClient {
   sent = 0;
   readonly imported: ImportRequest[] = [];
+  described = source;
   failure: ServiceError | null = null; // of the next request
   sendSource = async () => {
     this.#fail();
     ++this.sent;
-    return { ...source, id: `source-${this.sent}` };
+    return { ...this.described, id: `source-${this.sent}` };
   };
   importMap = async (request: ImportRequest) => {
     this.imported.push(request);
@@ -61,6 +73,24 @@ it("says what is wrong with the file, and with the window", async () => {
   importer.choose({ size: 500 });
   expect(importer.state.value?.failure).toBeNull();
   expect(opened).toEqual([]);
+});
+
+it("says so where a file's description is none, and takes the next file", async () => {
+  client.described = { ...source, bounds: [null, 1, null, 3] as unknown as Source["bounds"] };
+  await importer.begin(town);
+  expect(importer.state.value).toMatchObject({ stage: "failed", source: null, failure: expect.stringMatching(/cannot be shown/) });
+  client.described = source;
+  await importer.begin(town);
+  expect(importer.state.value).toMatchObject({ stage: "choosing", failure: null });
+});
+
+it("is not left waiting by a description that it does not understand at all", async () => {
+  const silent = vi.spyOn(console, "error").mockImplementation(() => undefined);
+  client.described = { id: "source-1" } as Source;
+  await importer.begin(town);
+  expect(importer.state.value).toMatchObject({ stage: "failed", source: null });
+  expect(silent).toHaveBeenCalledOnce();
+  silent.mockRestore();
 });
 
 it("sends the file once more where the service has forgotten it", async () => {

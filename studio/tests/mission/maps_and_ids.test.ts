@@ -59,13 +59,6 @@ describe("edits", () => {
     });
   });
 
-  it("take walls where nothing stands only, and on the map", () => {
-    expect(drawn(mission, "wall", [[1, 0, 20]], shownOf(base, base)).walls).toEqual([
-      [2, 0, 1],
-      [5, 0, 2],
-    ]);
-  });
-
   it("take obstacles and drawn walls away with one stroke", () => {
     const edited = mapOf("aa.bbww", "aa.bb..", "..ccccc");
     const after = drawn({ ...mission, walls: [[5, 0, 2]] }, "erase", [[4, 0, 2]], shownOf(base, edited));

@@ -3,7 +3,7 @@ import type { CellMap } from "../../domain/cell_map";
 import type { Point, Run } from "../../domain/geometry";
 import type { Scene } from "../../domain/scene";
 import { type Frame, inMapPoints } from "../viewport/frame";
-import { changed, strokeRuns } from "./stroke";
+import { blocked, strokeRuns } from "./stroke";
 
 export class Sketch {
   #points: Point[] = [];
@@ -20,9 +20,9 @@ export class Sketch {
   }
 
   finish(tool: "wall" | "erase", cells: CellMap): Run[] {
-    const runs = changed(strokeRuns(this.#points, this.#radius, cells), tool, cells);
+    const runs = strokeRuns(this.#points, this.#radius, cells);
     this.drop();
-    return runs;
+    return tool === "wall" ? runs : blocked(runs, cells);
   }
 
   drop(): void {

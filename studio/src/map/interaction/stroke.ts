@@ -16,13 +16,11 @@ export function strokeRuns(points: readonly Point[], radius: number, cells: Cell
   return runsOf([...covered].sort((a, b) => a - b), cells.width);
 }
 
-// Only cells that the stroke changes: free ones for a wall, blocked ones for the eraser.
-export function changed(runs: readonly Run[], tool: "wall" | "erase", cells: CellMap): Run[] {
+// Only blocked cells: what the eraser changes.
+export function blocked(runs: readonly Run[], cells: CellMap): Run[] {
   const found: number[] = [];
   for (const [x, y, length] of runs) {
-    for (let k = x; k < x + length; ++k) {
-      if ((cells.at(k, y) === 0) === (tool === "wall")) found.push(y * cells.width + k);
-    }
+    for (let k = x; k < x + length; ++k) if (cells.at(k, y) !== 0) found.push(y * cells.width + k);
   }
   return runsOf(found, cells.width);
 }

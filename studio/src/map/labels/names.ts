@@ -2,6 +2,7 @@
 import type { CellMap } from "../../domain/cell_map";
 import type { Box, Point } from "../../domain/geometry";
 import type { Background, Feature, Obstacle } from "../../domain/map";
+import { shortenedName } from "../../domain/plain_name";
 import { boundsOf, streetStyle } from "../tiles/ground_features";
 
 export type NameKind = "place" | "street" | "water" | "green" | "building";
@@ -18,6 +19,7 @@ export interface Name {
 }
 
 const longest = 16; // letters in a line of text
+const longestName = 60; // letters
 
 export function namesOf(background: Background, cells: CellMap): Name[] {
   const names: Name[] = [];
@@ -44,7 +46,7 @@ function lineNames(features: Feature[]): Name[] {
   const nearest = kind === "water" ? 0.2 : ([9, 3, 2, 0.9, 0.7, 0.45, 0.3, 0.2, 0.2][rank] ?? 1);
   return joined(features.flatMap((feature) => feature.points)).map((along) => ({
     kind: kind === "water" ? "water" : "street",
-    lines: [name],
+    lines: [shortenedName(name, longestName)],
     rank: kind === "water" ? 9 : rank,
     nearest,
     along,
@@ -97,7 +99,7 @@ function standing(at: Point): Pick<Name, "along" | "at" | "box"> {
 // Lines of text, broken at spaces where they get long.
 export function wrapped(text: string): string[] {
   const lines: string[] = [];
-  for (const word of text.split(" ")) {
+  for (const word of shortenedName(text, longestName).split(" ")) {
     const last = lines.at(-1);
     if (last !== undefined && last.length + 1 + word.length <= longest) lines[lines.length - 1] = `${last} ${word}`;
     else lines.push(word);

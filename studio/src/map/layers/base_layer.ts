@@ -7,10 +7,15 @@ import { type Frame, inMapPoints, place } from "../viewport/frame";
 
 const gridFrom = 14; // pixels per cell
 
-export function drawGround(frame: Frame, scene: Scene, tiles: TileCache): void {
-  const { context, theme, view } = frame;
+// Before there is a map: a canvas that nobody has drawn on is black.
+export function drawNothing({ context, theme, view }: Pick<Frame, "context" | "theme" | "view">): void {
   context.fillStyle = theme.outside;
   context.fillRect(0, 0, view.width, view.height);
+}
+
+export function drawGround(frame: Frame, scene: Scene, tiles: TileCache): void {
+  const { context, theme, view } = frame;
+  drawNothing(frame);
   const box = mapBox(scene.map);
   const [left, top] = place(frame, [box.left, box.top]);
   const [right, bottom] = place(frame, [box.right, box.bottom]);

@@ -1,6 +1,7 @@
 // The markers of a team: starts are filled, goals are rings, and names stand in them, where there is room for them.
 import { type Handle, isSameHandle } from "../../domain/agents";
 import { type Box, grown, type Point } from "../../domain/geometry";
+import { shortenedName } from "../../domain/plain_name";
 import type { Scene } from "../../domain/scene";
 import { type Frame, typeface } from "../viewport/frame";
 import { colourOf } from "../viewport/theme";
@@ -49,7 +50,7 @@ export function widthOfName(context: CanvasRenderingContext2D, id: string): numb
 
 // Who is meant, in playback and in lists: the name as far as there is room for it.
 export function shortened(id: string): string {
-  return id.length > longest ? `${id.slice(0, longest - 1)}…` : id;
+  return shortenedName(id, longest);
 }
 
 function isSeen({ view }: Frame, [x, y]: Point): boolean {

@@ -1,12 +1,13 @@
 // The canvas that is drawn on: as large and as fine as the screen has it, light or dark as the reader wants it, and
 // drawn anew when asked to, once a frame.
 import type { Size } from "../../domain/geometry";
+import { onPrinting } from "./printing";
 import { dark, light, type Theme } from "./theme";
 
 export interface SurfaceUser {
   resized(): void;
   themed(): void; // other colours, or other pixels
-  draw(now: number): void;
+  draw(now: number, whole: boolean): void; // whole: with all that otherwise comes in later frames
 }
 
 export class Surface {
@@ -18,6 +19,8 @@ export class Surface {
   readonly #stillness = matchMedia("(prefers-reduced-motion: reduce)");
   readonly #resizing: ResizeObserver;
   readonly #listening = new AbortController();
+  readonly #unprinted: () => void;
+  #printing = false;
   #frame: number | null = null;
 
   constructor(
@@ -32,6 +35,7 @@ export class Surface {
     this.#stillness.addEventListener("change", () => this.ask(), { signal });
     canvas.addEventListener("focus", () => this.ask(), { signal });
     canvas.addEventListener("blur", () => this.ask(), { signal });
+    this.#unprinted = onPrinting((printing) => this.#print(printing));
   }
 
   // On the page.
@@ -40,7 +44,7 @@ export class Surface {
   }
 
   get theme(): Theme {
-    return this.#darkness.matches ? dark : light;
+    return this.#darkness.matches && !this.#printing ? dark : light;
   }
 
   // Whether the reader asked for less motion.
@@ -66,6 +70,7 @@ export class Surface {
   destroy(): void {
     this.#resizing.disconnect();
     this.#listening.abort();
+    this.#unprinted();
     if (this.#frame !== null) cancelAnimationFrame(this.#frame);
   }
 
@@ -81,9 +86,19 @@ export class Surface {
     this.#draw(performance.now()); // at once: a resized canvas is blank
   }
 
-  #draw(now: number): void {
+  // At once: there are no frames on paper. What the paper gives the canvas is no other view.
+  #print(printing: boolean): void {
+    if (printing === this.#printing) return;
+    this.#printing = printing;
+    if (printing) this.#resizing.disconnect();
+    else this.#resizing.observe(this.canvas);
+    this.user.themed();
+    this.#draw(performance.now(), printing);
+  }
+
+  #draw(now: number, whole = false): void {
     if (this.view.width === 0 || this.view.height === 0) return;
     this.context.setTransform(this.pixelRatio, 0, 0, this.pixelRatio, 0, 0);
-    this.user.draw(now);
+    this.user.draw(now, whole);
   }
 }

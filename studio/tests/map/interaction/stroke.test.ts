@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Point } from "../../../src/domain/geometry";
-import { changed, strokeRuns } from "../../../src/map/interaction/stroke";
+import { blocked, strokeRuns } from "../../../src/map/interaction/stroke";
 import { draws, mapOf, pictureOf } from "../../domain/picture";
 
 describe("strokes", () => {
@@ -34,14 +34,10 @@ describe("strokes", () => {
     }
   });
 
-  it("change only what can be changed", () => {
+  it("erase only what stands there", () => {
     const map = mapOf("..aa..", "..aa..");
     const runs = strokeRuns([[0, 0], [5, 0]], 0.5, map);
-    expect(changed(runs, "wall", map)).toEqual([
-      [0, 0, 2],
-      [4, 0, 2],
-    ]);
-    expect(changed(runs, "erase", map)).toEqual([[2, 0, 2]]);
+    expect(blocked(runs, map)).toEqual([[2, 0, 2]]);
   });
 });
 

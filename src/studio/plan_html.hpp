@@ -1,4 +1,4 @@
-// A plan as a self-contained page: what `waybreaker plan --html` and `waybreaker export --html` write.
+// A plan as a self-contained page: what `waybreaker plan --html` and `waybreaker export --html` write, and the service.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 #include "io/map_file.hpp"
 
-namespace waybreaker::apps {
+namespace waybreaker::studio {
 
 // The text of a plan file, and the layer of the map that shows it: "plan", "before" (nothing removed) or "paper".
 struct NamedPlan {
@@ -17,4 +17,4 @@ struct NamedPlan {
 // `front`: a plan file that holds one, or nothing.
 std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front = "");
 
-}  // namespace waybreaker::apps
+}  // namespace waybreaker::studio

@@ -1,4 +1,4 @@
-#include "plan_html.hpp"
+#include "studio/plan_html.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,8 +8,9 @@
 #include "io/plan_file.hpp"
 #include "mapfile/map_info.hpp"
 #include "studio/plan_page.hpp"
+#include "studio/plan_picture.hpp"
 
-namespace waybreaker::apps {
+namespace waybreaker::studio {
 
 std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, const std::string& front) {
     using Json = nlohmann::ordered_json;
@@ -17,15 +18,22 @@ std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, 
     description["id"] = map.source;
     std::string data = "{\"map\": " + description.dump() + ",\"obstacles\": " + io::obstacles_json(map) +
                        ",\"background\": " + io::background_json(map.background) + ",\n\"plans\": [";
+    StillPlan still{.title = "Plan: " + (map.title.empty() ? map.source : map.title)};
     for (const NamedPlan& plan : plans) {
-        if (data.back() != '[') data += ',';
-        const std::string check = io::check_json(io::judge(io::parse_plan(plan.json, "the plan"), map));
+        const io::PlanFile file = io::parse_plan(plan.json, "the plan");
+        if (data.back() == '[') {
+            still.sentence = plan_sentence(map, file);
+            still.picture = plan_svg(map, file);
+        } else {
+            data += ',';
+        }
+        const std::string check = io::check_json(io::judge(file, map));
         data += R"({"name": ")" + plan.name + R"(", "plan": )" + plan.json + ", \"check\": " + check + "}";
     }
     data += "]";
     if (!front.empty()) data += ",\n\"front\": " + Json::parse(front)["front"].dump();
     data += "}";
-    return studio::plan_page("Plan: " + (map.title.empty() ? map.source : map.title), data);
+    return plan_page(still, data);
 }
 
-}  // namespace waybreaker::apps
+}  // namespace waybreaker::studio

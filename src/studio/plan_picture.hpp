@@ -1,0 +1,21 @@
+// The picture of a plan file on its map, and the plan in one sentence.
+#pragma once
+
+#include <string>
+
+#include "io/map_file.hpp"
+#include "io/plan_file.hpp"
+#include "render/picture.hpp"
+
+namespace waybreaker::studio {
+
+// How a plan on this map is drawn. `in_seconds`: a unit of the mission's time is a second.
+render::PictureOptions picture_options(const io::MapFile& map, Objective objective, bool in_seconds);
+
+// An SVG document.
+std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan);
+
+// Text of XML or HTML.
+std::string plan_sentence(const io::MapFile& map, const io::PlanFile& plan);
+
+}  // namespace waybreaker::studio
