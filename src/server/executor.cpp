@@ -45,7 +45,7 @@ Failure current_failure() {
     } catch (const InputError& error) {
         return {unprocessable, error.what()};
     } catch (const std::bad_alloc&) {
-        return {unavailable, "what others use leaves too little memory for this; ask again", "", "no-memory"};
+        return {unavailable, "too little memory is left for this; ask again", "", "no-memory"};
     } catch (...) {
         return {internal_error, "this is our fault; the log says more", message_in_flight()};
     }
@@ -76,21 +76,21 @@ Executor::Executor(const ServiceLimits& limits, Metrics& metrics, MemoryBudget& 
       queues_{std::make_unique<JobQueue>(limits.workers, limits.queue), std::make_unique<JobQueue>(1, limits.queue),
               std::make_unique<JobQueue>(1, limits.queue)} {}
 
-// Counts the time and the memory of a plan.
-Work Executor::counted(Work work) const {
-    return [this, work = std::move(work)](const Worker& worker) {
+// Counts the memory of a job, and the time of a plan.
+Work Executor::counted(Work work, Lane lane) const {
+    return [this, work = std::move(work), lane](const Worker& worker) {
         MemoryAccount account(budget_, MemoryBudget::Use::job);
         const MemoryAccount::Scope scope(&account);
         const auto began = std::chrono::steady_clock::now();
         Response result = work(worker);
-        metrics_.count_plan(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began;
+        if (lane == Lane::planning) metrics_.count_plan(seconds.count());
         return result;
     };
 }
 
 std::shared_ptr<Job> Executor::submit(Work work, Lane lane) {
-    if (lane == Lane::planning) work = counted(std::move(work));
-    auto job = queues_[std::size_t(lane)]->submit(std::move(work));
+    auto job = queues_[std::size_t(lane)]->submit(counted(std::move(work), lane));
     if (!job) {
         metrics_.count_refused();
         throw Problem(unavailable, "too many others wait for the same; ask again in a moment");

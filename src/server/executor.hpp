@@ -47,7 +47,7 @@ class Executor {
     const JobQueue& queue(Lane lane) const { return *queues_[std::size_t(lane)]; }
 
   private:
-    Work counted(Work work) const;
+    Work counted(Work work, Lane lane) const;
 
     ServiceLimits limits_;
     Metrics& metrics_;

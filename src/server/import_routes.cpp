@@ -5,6 +5,7 @@
 
 #include "mapfile/map_reader.hpp"
 #include "server/import_request.hpp"
+#include "server/memory_account.hpp"
 #include "server/problem.hpp"
 #include "server/responses.hpp"
 
@@ -48,6 +49,7 @@ Route forget_route(SourceStore& sources) {
 
 // Read back, so that it equals an upload of the file that the command would write.
 StoredMap stored(Importer::Import import, const MapLimits& limits) {
+    const MemoryAccount::Scope none(nullptr);  // the limits count the map
     io::MapFile file = mapfile::parse_map(import.tiff, "the map", Connectivity::four, {}, limits);
     file.notes = std::move(import.notes);
     return {.file = std::move(file), .bytes = std::move(import.tiff)};

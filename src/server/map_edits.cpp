@@ -8,6 +8,7 @@
 #include "mapfile/map_reader.hpp"
 #include "mapfile/map_writer.hpp"
 #include "mapfile/relabelled_map.hpp"
+#include "server/memory_account.hpp"
 #include "server/plan_request.hpp"
 #include "waybreaker/error.hpp"
 
@@ -87,6 +88,20 @@ std::vector<std::uint32_t> edited_labels(const Map& map, const MapEdits& edits, 
     return labels;
 }
 
+std::string drawn_file(const StoredMap& map, const MapEdits& edits) {
+    const Map& before = map.file.map;
+    const bool plain = are_connected_sets(map.file, map.connectivity);
+    io::MapFile drawn = map.file;
+    if (plain) {
+        drawn.map = Map(edited_grid(before, edits), map.connectivity);
+    } else {
+        mapfile::relabel(drawn, edited_labels(before, edits, std::uint32_t(before.obstacles().size()) + 1));
+    }
+    // MovingAI's format holds cells and nothing else.
+    const bool cells_alone = plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1;
+    return mapfile::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
+}
+
 }  // namespace
 
 MapEdits parse_map_edits(std::string_view bytes, const std::string& name) {
@@ -101,17 +116,9 @@ StoredMap edited_map(const StoredMap& map, const MapEdits& edits, const MapLimit
     const Map& before = map.file.map;
     require_fit(edits.block, before, "block");
     require_fit(edits.free, before, "free");
-    const bool plain = are_connected_sets(map.file, map.connectivity);
-    io::MapFile drawn = map.file;
-    if (plain) {
-        drawn.map = Map(edited_grid(before, edits), map.connectivity);
-    } else {
-        mapfile::relabel(drawn, edited_labels(before, edits, std::uint32_t(before.obstacles().size()) + 1));
-    }
-    // MovingAI's format holds cells and nothing else.
-    const bool cells_alone = plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1;
-    std::string bytes = mapfile::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
+    std::string bytes = drawn_file(map, edits);
     // Read back, so that it equals an upload of the file; then add what the file does not hold.
+    const MemoryAccount::Scope none(nullptr);  // the limits count the map
     io::MapFile file = mapfile::parse_map(bytes, "the map", map.connectivity, {}, limits);
     file.task = map.file.task;
     file.origin = map.file.origin;

@@ -212,7 +212,7 @@ SharedMap MapStore::if_loaded(const std::string& id) {
 }
 
 SharedMap MapStore::load(const std::string& id) {
-    const MemoryAccount::Scope none(nullptr);  // maps have memory of their own
+    const MemoryAccount::Scope none(nullptr);  // the limits count the map
     const std::shared_ptr<Slot> slot = slot_of(id);
     const std::scoped_lock reading(slot->reading);
     SharedMap map = touch(*slot);
@@ -240,6 +240,7 @@ MapStore::Upload MapStore::add(std::string bytes, Connectivity connectivity) {
     if (const auto known = existing(upload_id(bytes, connectivity))) return *known;
     try {
         return add([&](const MapLimits& limits) -> StoredMap {
+            const MemoryAccount::Scope none(nullptr);  // the limits count the map
             io::MapFile file = mapfile::parse_map(bytes, "the map", connectivity, {}, limits);
             return {.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)};
         });
@@ -251,7 +252,6 @@ MapStore::Upload MapStore::add(std::string bytes, Connectivity connectivity) {
 }
 
 MapStore::Upload MapStore::add(const std::function<StoredMap(const MapLimits&)>& make) {
-    const MemoryAccount::Scope none(nullptr);  // maps have memory of their own
     Reservation reservation(*this, true);
     return insert(make(reservation.limits()), reservation);
 }

@@ -46,8 +46,28 @@ void MemoryAccount::subtract(std::size_t bytes) {
 
 }  // namespace waybreaker::server
 
-// NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,readability-inconsistent-declaration-parameter-name):
-// this is operator new
+// NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp):
+// this is operator new, and the linker wants these names
+
+extern "C" {
+void* __real_calloc(std::size_t count, std::size_t size);
+void __real_free(void* memory);
+
+void* __wrap_calloc(std::size_t count, std::size_t size) {
+    using waybreaker::server::account_of_thread;
+    void* const memory = __real_calloc(count, size);
+    if (memory == nullptr || account_of_thread == nullptr || account_of_thread->add(malloc_usable_size(memory)))
+        return memory;
+    __real_free(memory);
+    return nullptr;
+}
+
+void __wrap_free(void* memory) {
+    using waybreaker::server::account_of_thread;
+    if (account_of_thread != nullptr && memory != nullptr) account_of_thread->subtract(malloc_usable_size(memory));
+    __real_free(memory);
+}
+}
 
 void* operator new(std::size_t size) {
     using waybreaker::server::account_of_thread;
@@ -59,20 +79,18 @@ void* operator new(std::size_t size) {
         memory = std::malloc(std::max<std::size_t>(size, 1));
     }
     if (account_of_thread != nullptr && !account_of_thread->add(malloc_usable_size(memory))) {
-        std::free(memory);
+        __real_free(memory);
         throw std::bad_alloc();
     }
     return memory;
 }
 
 void operator delete(void* memory) noexcept {
-    using waybreaker::server::account_of_thread;
-    if (account_of_thread != nullptr && memory != nullptr) account_of_thread->subtract(malloc_usable_size(memory));
-    std::free(memory);
+    __wrap_free(memory);
 }
 
 void operator delete(void* memory, std::size_t) noexcept {
-    operator delete(memory);
+    __wrap_free(memory);
 }
 
-// NOLINTEND(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,readability-inconsistent-declaration-parameter-name)
+// NOLINTEND(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)

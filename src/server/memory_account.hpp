@@ -2,7 +2,9 @@
 // Allocations that the budget has no room for throw std::bad_alloc, as those do that the system has no room for. So
 // what is limited is what searches really take, which no formula knows beforehand.
 //
-// Counts operator new and delete, which this file's source replaces for the whole program; not malloc.
+// Counts operator new and delete, which this file's source replaces for the whole program; and calloc and free where our
+// own code calls them (the linker's --wrap, see CMakeLists.txt): also pages that are not touched yet. Not what libraries
+// allocate in other ways.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +32,8 @@ class MemoryAccount {
         MemoryAccount* outer_;
     };
 
+    // Of the budget; not less than bytes().
+    std::size_t reserved() const { return share_.bytes(); }
     // Allocated and not freed. What other threads, or this one beyond its scopes, allocate or free is not counted.
     std::size_t bytes() const { return bytes_; }
     // With the last allocation that there was no room for; 0 if there was room for all.

@@ -19,11 +19,13 @@ bool same(const std::weak_ptr<const StoredMap>& one, const std::weak_ptr<const S
     return !one.owner_before(other) && !other.owner_before(one);
 }
 
-// `needed`: by the search when there was no more.
-Problem shortage(const MemoryBudget& budget, const std::weak_ptr<const StoredMap>& map, std::size_t needed) {
+// Why a search got no more memory. `own`: what the plan has reserved beside the planner.
+Problem shortage(const MemoryBudget& budget, const std::weak_ptr<const StoredMap>& map, const MemoryAccount& planner,
+                 std::size_t own) {
     const SharedMap there = map.lock();
-    const std::size_t alone = needed + (there && there->memory ? there->memory->bytes() : 0);
-    if (alone <= budget.most()) {
+    const std::size_t beside = own + (there && there->memory ? there->memory->bytes() : 0);
+    const bool others = budget.used() > beside + planner.reserved();
+    if (others && beside + planner.needed() <= budget.most()) {
         return {unavailable, "what others use leaves too little memory for this plan; ask again", "no-memory"};
     }
     return {too_large,
@@ -73,7 +75,8 @@ auto PlannerPool::Loan::metered(Call call) {
         return copy;
     } catch (const std::bad_alloc&) {
         if (planner_->account.needed() == 0) throw;
-        throw shortage(pool_->budget_, planner_->map, planner_->account.needed());
+        const MemoryAccount* const outer = scope.outer();
+        throw shortage(pool_->budget_, planner_->map, planner_->account, outer ? outer->reserved() : 0);
     }
 }
 

@@ -1,10 +1,17 @@
 // openapi.json and the service agree: every response that openapi.json lists is provoked here, and LiveServer checks
 // each against its schema.
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
 
 #include "live_server.hpp"
 #include "osm_yard.hpp"
+#include "server/extract_json.hpp"
 #include "streaming_client.hpp"
+#include "wire.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -46,12 +53,13 @@ class DescriptionTest : public LiveServer {
         post(with_id(path, "nowhere.map") + query, "{}", type);                    // 404
         post(with_id(path, "broken.map") + query, "{}", type);                     // 422
     }
-    std::string provoke_imports() const;
-    void provoke_busy(const Json& plan, const std::string& source) const;
+    void provoke_imports() const;
+    void provoke_busy(const Json& plan) const;
+    void provoke_busy_imports();
+    void provoke_shortage();
 };
 
-// Gives a source that stays behind.
-std::string DescriptionTest::provoke_imports() const {
+void DescriptionTest::provoke_imports() const {
     const auto send = [this] { return Json::parse(post(sources, osm_yard(), octets).body)["id"].get<std::string>(); };
     const std::string id = send();
     send();
@@ -60,20 +68,53 @@ std::string DescriptionTest::provoke_imports() const {
     post_json(imports, {{"source", id}}, 200);
     post_json(imports, {{"source", id}, {"center", {0, 0}}}, 422);
     remove(sources + "/" + id);
-    return send();
 }
 
-void DescriptionTest::provoke_busy(const Json& plan, const std::string& source) const {
+void DescriptionTest::provoke_busy(const Json& plan) const {
     const std::string house = maps + "/house.map";
     const StreamingClient busy(client(), maps + "/thicket.map/plan", long_mission(thicket_side));
     for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission, 503);
     post_json(house + "/check", plan, 503);
     post_json(house + "/export?format=json", plan, 503);
-    post_json(house + "/edits", Json::object(), 503);
-    post(maps, "type octile\nheight 1\nwidth 1\nmap\n.\n", octets);
-    post_json(imports, {{"source", source}}, 503);
-    post(sources, osm_yard(), octets);
     for (const char* route : {"", "/obstacles", "/background", "/file"}) get_json(maps + "/wall.map" + route, 503);
+}
+
+// The first source is read at once, the second until something is written to the gate.
+void DescriptionTest::provoke_busy_imports() {
+    const std::string gate = path("gate");
+    ASSERT_EQ(mkfifo(gate.c_str(), S_IRUSR | S_IWUSR), 0);
+    const geo::Extract extract{.buildings = 1, .columns = 1, .rows = 1, .built = {1}, .side = 10};
+    const std::string answer = R"({"bytes": 0, "extract": )" + extract_json(extract).dump() + "}\n";
+    put("extract.json", answer);
+    options_.import_worker = {"/bin/sh", "-c",
+                              "cd " + path(".") + "; mkdir first && exec cat extract.json; exec cat gate"};
+    begin();
+    const std::string first = Json::parse(post(sources, osm_yard(), octets).body)["id"].get<std::string>();
+    std::thread second([this] { post(sources + "?name=second", osm_yard(), octets); });
+    while (get("/metrics").body.find("waybreaker_imports_running 1\n") == std::string::npos) std::this_thread::yield();
+    post_json(imports, {{"source", first}}, 503);
+    EXPECT_EQ(post(sources + "?name=third", osm_yard(), octets).status, 503);
+    std::ofstream(gate) << answer;
+    second.join();
+    end();
+}
+
+// A client that has sent a large body, but not all of it, has the memory for another map.
+void DescriptionTest::provoke_shortage() {
+    constexpr std::size_t megabyte = std::size_t{1} << 20;
+    put("maps/large.map", thicket(600));
+    options_.limits.upload_bytes = 8 * megabyte;
+    options_.limits.memory = 10 * megabyte;
+    options_.limits.timeout = 60;
+    begin();
+    const Wire wire(port());
+    wire.send("POST /api/v1/maps HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/octet-stream\r\nContent-Length: " +
+              std::to_string(8 * megabyte) + "\r\n\r\n" + std::string(7 * megabyte, '.'));
+    const std::string sent = "waybreaker_memory_bytes{use=\"requests\"} " + std::to_string(7 * megabyte);
+    while (get("/metrics").body.find(sent) == std::string::npos) std::this_thread::yield();
+    EXPECT_EQ(post(maps, thicket(601), octets).status, 503);
+    post_json(maps + "/large.map/edits", Json::object(), 503);
+    end();
 }
 
 TEST_F(DescriptionTest, EveryListedResponseOccurs) {
@@ -107,8 +148,11 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     const Json edits = Json::parse(R"({"free": [[5, 0, 1]]})");
     post_json(house + "/edits", edits, 201);
     remove(maps + "/" + post_json(house + "/edits", edits)["id"].get<std::string>());
-    provoke_busy(plan, provoke_imports());
+    provoke_imports();
+    provoke_busy(plan);
     end();
+    provoke_busy_imports();
+    provoke_shortage();
     options_.token = "secret";
     begin();
     for (const auto& [path, item] : paths.items()) {

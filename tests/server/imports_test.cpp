@@ -202,7 +202,7 @@ TEST_F(ImportsTest, KeepNobodyWaiting) {
     EXPECT_EQ(post_json(maps + "/house.map/plan", house_mission)["status"], "solved");
     EXPECT_EQ(post(maps, thicket(20), octets).status, 201);
     post_json(maps + "/house.map/edits", {{"block", {{0, 0, 1}}}}, 201);
-    const std::string answer = extract_json({.buildings = 1, .columns = 1, .rows = 1, .built = {1}}).dump();
+    const std::string answer = extract_json({.buildings = 1, .columns = 1, .rows = 1, .built = {1}, .side = 10}).dump();
     for (int i = 0; i < 2; ++i) {
         std::ofstream(gate) << R"({"bytes": 0, "extract": )" << answer << "}\n";
         while (answered == i) std::this_thread::yield();

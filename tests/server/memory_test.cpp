@@ -1,6 +1,7 @@
 // The memory budget, and what counts in it.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -96,8 +97,19 @@ TEST(MemoryAccount, AllocatesNoMoreThanThereIs) {
     EXPECT_THROW(std::vector<char>(5 * megabyte), std::bad_alloc);
     EXPECT_GE(account.needed(), 11 * megabyte);
     EXPECT_NO_THROW(std::vector<char>(3 * megabyte));
-    first = {};
+    first = std::vector<char>();
     EXPECT_NO_THROW(std::vector<char>(8 * megabyte));
+}
+
+TEST(MemoryAccount, CountsWhatSearchesTakePastOperatorNew) {
+    MemoryBudget budget(10 * megabyte);
+    MemoryAccount account(budget, Use::planner);
+    const MemoryAccount::Scope scope(&account);
+    void* const zeroes = std::calloc(3, megabyte);  // NOLINT(cppcoreguidelines-no-malloc)
+    EXPECT_GE(account.bytes(), 3 * megabyte);
+    EXPECT_EQ(std::calloc(8, megabyte), nullptr);  // NOLINT(cppcoreguidelines-no-malloc)
+    std::free(zeroes);                             // NOLINT(cppcoreguidelines-no-malloc)
+    EXPECT_LT(account.bytes(), 1000U);
 }
 
 class MemoryTest : public LiveServer {
