@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/range.hpp"
 #include "io/option_words.hpp"
 #include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"

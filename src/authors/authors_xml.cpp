@@ -57,11 +57,9 @@ std::vector<Element> checked_rows(const Element& grid, int width, int height) {
 
 // A side of the map: an element of <map>, or as AA-SIPP(m) has it an attribute of <grid>.
 int side_of(const Element& map, const char* name) {
-    if (!map.find(name)) {
-        const auto attribute = map.get("grid").attribute(name);
-        if (attribute) return whole_number_of(*attribute, 1, max_side);
-    }
-    return whole_number_of(map.get(name), 1, max_side);
+    const auto grid = map.find(name) ? std::nullopt : map.find("grid");
+    const auto attribute = grid ? grid->attribute(name) : std::nullopt;
+    return attribute ? whole_number_of(*attribute, 1, max_side) : whole_number_of(map.get(name), 1, max_side);
 }
 
 Grid read_grid(const Element& map, int width, int height) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <limits>
 
 #include "site/tag_filter.hpp"
 #include "waybreaker/error.hpp"
@@ -10,7 +10,7 @@
 namespace waybreaker::experiment {
 
 Places places_of(const Experiment& experiment, const std::string& spec) {
-    constexpr std::size_t none = -1;
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     const std::vector<std::string>& patterns = experiment.places;
     Places places{std::vector<std::size_t>(experiment.maps.size(), none), patterns.size()};
     for (std::size_t p = 0; p < patterns.size(); ++p) {

@@ -110,7 +110,7 @@ std::optional<FileKind> json_kind(std::string_view head) {
     // The YAML of a ROS map may stand in braces.
     if (!has("\"") || (has("image") && has("resolution"))) return std::nullopt;
     return FileKind{"JSON, but no GeoJSON", "has the download failed? It begins with " + in_quotes(text.substr(first)),
-                    neither};
+                    perhaps_import};
 }
 
 }  // namespace

@@ -169,9 +169,9 @@ OGREnvelope bounds_in(const OGRSpatialReference& system, const Window& window, c
 void require_degrees(const OGREnvelope& box, const std::string& source) {
     const bool on_globe = box.MinX >= -360 && box.MaxX <= 360 && box.MinY >= -90 && box.MaxY <= 90;
     if (on_globe) return;
-    throw refusal(source, fmt::format("its coordinates are not longitude and latitude ({:.7g}, {:.7g}); GeoJSON has "
-                                      "degrees unless its 'crs' says otherwise: make some with 'ogr2ogr -s_srs "
-                                      "EPSG:25833 -t_srs EPSG:4326 degrees.geojson', with the system they are in",
+    throw refusal(source, fmt::format("its coordinates are not longitude and latitude ({:.7g}, {:.7g}), as GeoJSON has "
+                                      "them; convert them with 'ogr2ogr -s_srs EPSG:25833 -t_srs EPSG:4326 "
+                                      "degrees.geojson FILE', where EPSG:25833 is the system they are in",
                                       box.MinX, box.MinY));
 }
 

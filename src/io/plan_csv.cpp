@@ -44,7 +44,8 @@ std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat&
     constexpr double degrees = 1e9;
     const MapFrame frame(map);
     std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches,area_m2,time_unit,map_crs\n";
-    const std::string same = "," + std::string(time_unit(units)) + "," + field(units.crs) + "\n";
+    std::string same = ",";
+    same.append(time_unit(units)).append(",").append(field(units.crs)).append("\n");
     for (const Itinerary& agent : plan.agents) {
         const bool air = agent.kind == AgentKind::air;
         for (std::size_t i = 0; i < agent.path.size(); ++i) {

@@ -12,24 +12,24 @@
 namespace waybreaker::authors {
 namespace {
 
-XmlAgents read(const std::string& text) {
+XmlAgents agents_in(const std::string& text) {
     return parse_agents_xml(text, "a.xml");
 }
 
-std::string message(const std::string& text) {
-    return input_error([&] { read(text); });
+std::string refusal(const std::string& text) {
+    return input_error([&] { agents_in(text); });
 }
 
-constexpr const char* grid =
+constexpr const char* small_map =
     "<map type=\"grid\"><grid width=\"3\" height=\"2\"><row>0 0 1 </row><row>0 1 0 </row></grid></map>";
 
 TEST(AgentsXml, AreThoseOfAaSipp) {
-    const XmlAgents read_agents = read(
+    const XmlAgents listed = agents_in(
         "<root>\n<agents number=\"3\">\n<agent id=\"bus\" start.x=\"7\" start.y=\"35\" goal.x=\"0\" goal.y=\"12\"/>"
         "<agent start.x=\"0\" start.y=\"30\" goal.x=\"28\" goal.y=\"20\" size=\"0.5\" movespeed=\"3\"/>\n"
         "<defaultparameters size=\"0.4\" movespeed=\"0.25\"/></agents></root>");
-    EXPECT_FALSE(read_agents.turn);
-    const std::vector<Agent>& agents = read_agents.agents;
+    EXPECT_FALSE(listed.turn);
+    const std::vector<Agent>& agents = listed.agents;
     ASSERT_EQ(agents.size(), 2U);
     EXPECT_EQ(agents[0].id, "bus");
     EXPECT_EQ(agents[0].kind, AgentKind::ground);
@@ -46,8 +46,9 @@ TEST(AgentsXml, AreThoseOfAaSipp) {
 
 TEST(AgentsXml, SayWhetherTheyTurn) {
     const auto turn = [](const std::string& of_all, const std::string& of_one) {
-        return read("<root><agents><defaultparameters " + of_all +
-                    "/><agent start.x=\"0\" start.y=\"0\" goal.x=\"1\" goal.y=\"1\" " + of_one + "/></agents></root>")
+        return agents_in("<root><agents><defaultparameters " + of_all +
+                         "/><agent start.x=\"0\" start.y=\"0\" goal.x=\"1\" goal.y=\"1\" " + of_one +
+                         "/></agents></root>")
             .turn;
     };
     EXPECT_FALSE(turn("size=\"1\"", ""));
@@ -57,7 +58,7 @@ TEST(AgentsXml, SayWhetherTheyTurn) {
 
 // i counts rows, j columns.
 TEST(AgentsXml, AreThoseOfCcbs) {
-    const XmlAgents ccbs = read(
+    const XmlAgents ccbs = agents_in(
         "<root><agent start_i=\"4\" start_j=\"8\" goal_i=\"8\" goal_j=\"1\"/>"
         "<agent id=\"7\" start_i=\"5\" start_j=\"9\" goal_i=\"3\" goal_j=\"6\"/></root>");
     ASSERT_EQ(ccbs.agents.size(), 2U);
@@ -78,55 +79,55 @@ TEST(AgentsXml, StandOneAfterTheOtherInTasksOf2018) {
         "<agents>2</agents><startx>0</startx><starty>1</starty><finishx>2</finishx><finishy>1</finishy>"
         "<startx>1</startx><starty>0</starty><finishx>0</finishx><finishy>0</finishy>";
     for (const std::vector<Agent>& agents :
-         {read(of_2018(two)).agents, parse_authors_xml(of_2018(two), "a.xml").task.agents}) {
+         {agents_in(of_2018(two)).agents, parse_authors_xml(of_2018(two), "a.xml").task.agents}) {
         ASSERT_EQ(agents.size(), 2U);
         EXPECT_EQ(agents[0].id, "0");
         EXPECT_EQ(agents[0].goal, (Cell{2, 1}));
         EXPECT_EQ(agents[1].start, (Cell{1, 0}));
     }
-    EXPECT_EQ(message(of_2018("<agents>1</agents>\n<startx>0</startx><finishx>2</finishx>")),
+    EXPECT_EQ(refusal(of_2018("<agents>1</agents>\n<startx>0</startx><finishx>2</finishx>")),
               "a.xml:4: <starty> of agent 0 must stand before <finishx>");
-    EXPECT_EQ(message(of_2018("<agents>2</agents><startx>0</startx><starty>1</starty>")),
+    EXPECT_EQ(refusal(of_2018("<agents>2</agents><startx>0</startx><starty>1</starty>")),
               "a.xml:3: <agents> is 2, which takes 8 coordinates, but there are 2");
-    EXPECT_EQ(message(of_2018("<agents>many</agents>")),
+    EXPECT_EQ(refusal(of_2018("<agents>many</agents>")),
               "a.xml:3: agents is 'many', but must be a number from 1 to 10000");
 }
 
 TEST(AgentsXml, StandBesideTheirMap) {
     const std::string agent = "<agent start.x=\"0\" start.y=\"1\" goal.x=\"1\" goal.y=\"0\"/>";
     const AuthorsXml task =
-        parse_authors_xml("<root><agents>" + agent + "</agents>" + std::string(grid) + "</root>", "a.xml");
+        parse_authors_xml("<root><agents>" + agent + "</agents>" + std::string(small_map) + "</root>", "a.xml");
     EXPECT_EQ(task.grid.width(), 3);
     EXPECT_TRUE(task.grid.blocked({2, 0}));
     EXPECT_FALSE(task.grid.blocked({2, 1}));
     ASSERT_EQ(task.task.agents.size(), 1U);
     EXPECT_EQ(task.task.agents[0].goal, (Cell{1, 0}));
     EXPECT_FALSE(task.task.start || task.task.goal);
-    EXPECT_TRUE(parse_authors_xml("<root>" + std::string(grid) + "</root>", "a.xml").task.agents.empty());
+    EXPECT_TRUE(parse_authors_xml("<root>" + std::string(small_map) + "</root>", "a.xml").task.agents.empty());
 }
 
 TEST(AgentsXml, AreRefusedWithLineAndReason) {
     const auto agents = [](const std::string& in) { return "<root>\n<agents>\n" + in + "</agents></root>"; };
-    EXPECT_EQ(message("<root>"), "a.xml:1: not well-formed XML: Start-end tags mismatch");
-    EXPECT_EQ(message("<root/>"),
+    EXPECT_EQ(refusal("<root>"), "a.xml:1: not well-formed XML: Start-end tags mismatch");
+    EXPECT_EQ(refusal("<root/>"),
               "a.xml: holds no agents: <agent> elements are expected, as tasks of AA-SIPP(m) and CCBS have them");
-    EXPECT_EQ(message(agents("<agent start.x=\"1\" start.y=\"2\" goal.x=\"3\"/>")),
+    EXPECT_EQ(refusal(agents("<agent start.x=\"1\" start.y=\"2\" goal.x=\"3\"/>")),
               "a.xml:3: goal.y is missing in 'agent'");
-    EXPECT_EQ(message(agents("<agent start.x=\"1.5\" start.y=\"2\" goal.x=\"3\" goal.y=\"3\"/>")),
+    EXPECT_EQ(refusal(agents("<agent start.x=\"1.5\" start.y=\"2\" goal.x=\"3\" goal.y=\"3\"/>")),
               "a.xml:3: start.x is '1.5', but must be a number from 0 to 32767");
-    EXPECT_EQ(message(agents("<agent start.x=\"1\" start.y=\"2\" goal.x=\"-3\" goal.y=\"3\"/>")),
+    EXPECT_EQ(refusal(agents("<agent start.x=\"1\" start.y=\"2\" goal.x=\"-3\" goal.y=\"3\"/>")),
               "a.xml:3: goal.x is '-3', but must be a number from 0 to 32767");
-    EXPECT_EQ(message(agents("<agent size=\"0\" start.x=\"1\" start.y=\"2\" goal.x=\"3\" goal.y=\"3\"/>")),
+    EXPECT_EQ(refusal(agents("<agent size=\"0\" start.x=\"1\" start.y=\"2\" goal.x=\"3\" goal.y=\"3\"/>")),
               "a.xml:3: size is '0', but must be a number from 0.001 to 32");
-    EXPECT_EQ(message(agents("<agent movespeed=\"nan\" start.x=\"1\" start.y=\"2\" goal.x=\"3\" goal.y=\"3\"/>")),
+    EXPECT_EQ(refusal(agents("<agent movespeed=\"nan\" start.x=\"1\" start.y=\"2\" goal.x=\"3\" goal.y=\"3\"/>")),
               "a.xml:3: movespeed is 'nan', but must be a number from 1e-06 to 1e+06");
-    EXPECT_EQ(message(agents("<agent id=\"\" start.x=\"1\" start.y=\"2\" goal.x=\"3\" goal.y=\"3\"/>")),
+    EXPECT_EQ(refusal(agents("<agent id=\"\" start.x=\"1\" start.y=\"2\" goal.x=\"3\" goal.y=\"3\"/>")),
               "a.xml:3: the id of an agent must not be empty");
-    EXPECT_EQ(message("<root><agent start_id=\"136\" goal_id=\"50\"/></root>"),
+    EXPECT_EQ(refusal("<root><agent start_id=\"136\" goal_id=\"50\"/></root>"),
               "a.xml:1: this agent starts at a node of a roadmap, and maps are grids here: give a task for a grid");
     std::string crowd;
     for (int i = 0; i <= 10000; ++i) crowd += "<agent start.x=\"0\" start.y=\"0\" goal.x=\"1\" goal.y=\"1\"/>";
-    EXPECT_EQ(message(agents(crowd)), "a.xml:3: a mission has at most 10000 agents");
+    EXPECT_EQ(refusal(agents(crowd)), "a.xml:3: a mission has at most 10000 agents");
 }
 
 TEST(AgentsXml, AreNoMapAndAreToldFromOne) {

@@ -23,7 +23,7 @@ TEST(FileKinds, AreKnownByTheirFirstBytes) {
         {"<!-- a --><HTML>", "a web page (HTML)", Reader::neither},
         {"\xEF\xBB\xBF<!doctype HTML PUBLIC \"-//W3C\">", "a web page (HTML)", Reader::neither},
         {"<?xml version=\"1.0\"?><Error><Code>NoSuchKey</Code>", "the error message of a server", Reader::neither},
-        {"{\"error\": \"no such file\"}", "JSON, but no GeoJSON", Reader::neither},
+        {"{\"error\": \"no such file\"}", "JSON, but no GeoJSON", Reader::perhaps_import},
         {R"({"version":0.6,"generator":"Overpass API","elements":[]})", "JSON of the Overpass API", Reader::neither},
         {R"({"format": "waybreaker-plan/1"})", "a plan file", Reader::neither},
         {R"({"format": "waybreaker-mission/1"})", "a mission file", Reader::neither},

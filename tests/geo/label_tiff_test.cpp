@@ -382,7 +382,7 @@ TEST(LabelTiff, refuses_what_is_no_label_map_and_says_why) {
         {"header cut short", good.substr(0, 10), "is no GeoTIFF map"},
         {"two bands", foreign_tiff(GDT_Byte, 2), "has 2 bands"},
         {"floats", foreign_tiff(GDT_Float32, 1),
-         R"('gdal_calc.py -A IN.tif --outfile=OUT.tif --type=Byte --calc="A>0"', or with "~(A<=0)" if what is no)"},
+         "'gdal_calc.py -A IN.tif --outfile=OUT.tif --type=Byte --calc=\"A>0\"', or with \"~(A<=0)\" if what is no"},
         {"64 bits", foreign_tiff(GDT_Int64, 1), "-ot UInt32"},
         {"too wide", foreign_tiff(GDT_Byte, 1, {}, 40000, 2, "SPARSE_OK=YES"), "-srcwin"},
         {"too many cells", foreign_tiff(GDT_Byte, 1, {}, 20000, 20000, "SPARSE_OK=YES"), "-srcwin"},

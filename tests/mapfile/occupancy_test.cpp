@@ -46,7 +46,7 @@ TEST(Occupancy, TableOfModes) {
              {100, unknown, "91", "100", unknown},
              {101, unknown, "90", unknown, unknown},
              {127, unknown, "67", unknown, unknown},
-             {128, unknown, "66", unknown, unknown},
+             {128, unknown, "67", unknown, unknown},
              {147, unknown, "50", unknown, unknown},
              {165, unknown, "35", unknown, unknown},
              {166, unknown, "34", unknown, "100"},

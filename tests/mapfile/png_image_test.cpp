@@ -47,23 +47,31 @@ std::string png(const Header& header, const std::string& rows, const std::string
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", start) + others + chunk("IDAT", deflated(rows)) + chunk("IEND", "");
 }
 
-// What map savers write for unknown is free where an image says how opaque its pixels are, or in mode scale; the note
-// says what helps.
+// What map savers write for unknown is free in mode scale, and to nav2 Humble where an image says how opaque its pixels
+// are; the note says what helps.
 TEST(PngImage, WithTransparencyFreesTheUnknownOfRosMaps) {
     constexpr int grey_and_alpha = 4;
     const std::string opaque = png({.width = 1, .height = 1}, std::string("\0\xCD", 2));
     const std::string clear = png({1, 1, 8, grey_and_alpha}, std::string("\0\xCD\xFF", 3));
-    const auto note = [](const std::string& members, const std::string& image) {
+    const auto note = [](const std::string& members, const std::string& image, io::Nav2 nav2) {
         const std::string yaml = "image: a.png\nresolution: 1\norigin: [0, 0, 0]\n" + members + "...\n";
-        const io::MapFile file = parse_map(yaml + image, "m", Connectivity::four, {});
+        const io::MapFile file = parse_map(yaml + image, "m", Connectivity::four, {.nav2 = nav2});
         return file.notes.empty() ? "" : file.notes[0].substr(file.notes[0].find("for free"));
     };
-    EXPECT_EQ(note("", opaque), "");
-    EXPECT_EQ(note("free_thresh: 0.25\n", opaque), "for free; with 0.196 it is unknown");
-    EXPECT_EQ(note("", clear), "for free; with no transparency and 0.196 it is unknown");
-    EXPECT_EQ(note("mode: scale\n", opaque), "for free; with mode trinary and 0.196 it is unknown");
-    EXPECT_EQ(note("mode: scale\n", clear), "for free; with mode trinary and no transparency and 0.196 it is unknown");
-    EXPECT_EQ(note("occupied_thresh: 0.15\nfree_thresh: 0.15\n", clear), "for free");
+    for (const io::Nav2 nav2 : {io::Nav2::jazzy, io::Nav2::humble}) {
+        EXPECT_EQ(note("", opaque, nav2), "");
+        EXPECT_EQ(note("free_thresh: 0.25\n", opaque, nav2), "for free; with 0.196 it is unknown");
+        EXPECT_EQ(note("mode: scale\n", opaque, nav2), "for free; with mode trinary and 0.196 it is unknown");
+    }
+    EXPECT_EQ(note("", clear, io::Nav2::jazzy), "");
+    EXPECT_EQ(note("mode: scale\n", clear, io::Nav2::jazzy), "for free; with mode trinary and 0.196 it is unknown");
+    EXPECT_EQ(note("occupied_thresh: 0.2\nfree_thresh: 0.2\n", clear, io::Nav2::jazzy),
+              "for free; with 0.196 it is unknown");
+    EXPECT_EQ(note("occupied_thresh: 0.196\nfree_thresh: 0.196\nmode: scale\n", clear, io::Nav2::jazzy), "");
+    EXPECT_EQ(note("", clear, io::Nav2::humble), "for free; with no transparency and 0.196 it is unknown");
+    EXPECT_EQ(note("mode: scale\n", clear, io::Nav2::humble),
+              "for free; with mode trinary and no transparency and 0.196 it is unknown");
+    EXPECT_EQ(note("occupied_thresh: 0.15\nfree_thresh: 0.15\n", clear, io::Nav2::humble), "for free");
 }
 
 TEST(PngImage, WithMorePixelsThanItsHeaderSaysIsRefused) {

@@ -102,7 +102,7 @@ export class Importer {
   }
 }
 
-// The service begins with the name of the file: "town.osm: has no buildings."
+// The service begins with the name of the file: "town.osm: has no buildings." Here it stands above.
 function aboutTheFile(message: string): string {
-  return message.replace(/^[\w.-]+: (?=(has|is|cannot|does) )/, "The file ");
+  return message.replace(/^[\w.-]+: its /, "Its ").replace(/^[\w.-]+: (?=(has|is|cannot|does) )/, "The file ");
 }
