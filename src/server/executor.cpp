@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "server/client_address.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
 
@@ -71,17 +72,15 @@ std::string problem_event(const Failure& failure) {
 Executor::Executor(const ServiceLimits& limits, Metrics& metrics)
     : limits_(limits), metrics_(metrics), queue_(limits.workers, limits.queue) {}
 
-std::shared_ptr<Job> Executor::submit(Work work) {
-    auto job = queue_.submit([this, work = std::move(work)](const Worker& worker) {
+std::shared_ptr<Job> Executor::submit(Work work, const std::string& client) {
+    auto measured = [this, work = std::move(work)](const Worker& worker) {
         const auto began = std::chrono::steady_clock::now();
         Response result = work(worker);
         metrics_.count_plan(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
         return result;
-    });
-    if (!job) {
-        metrics_.count_refused();
-        throw Problem(unavailable, "too many plans are waiting; ask again in a moment");
-    }
+    };
+    auto job = queue_.submit(std::move(measured), client_of(client));
+    if (!job) throw Problem(unavailable, "too many plans are waiting; ask again in a moment");
     return job;
 }
 

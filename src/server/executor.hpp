@@ -30,8 +30,8 @@ class Executor {
   public:
     Executor(const ServiceLimits& limits, Metrics& metrics);
 
-    // Throws Problem if the queue is full.
-    std::shared_ptr<Job> submit(Work work);
+    // Throws Problem if the queue is full. `client`: the address of who asks.
+    std::shared_ptr<Job> submit(Work work, const std::string& client);
     // Stops the job if it takes too long. To be called from time to time until the job is done.
     void enforce_time_limit(Job& job);
     // The result is no longer needed.
@@ -39,6 +39,7 @@ class Executor {
 
     std::size_t waiting() const { return queue_.waiting(); }
     std::size_t running() const { return queue_.running(); }
+    std::size_t refused() const { return queue_.refused(); }
 
   private:
     ServiceLimits limits_;

@@ -47,11 +47,6 @@ void Metrics::count_plan(double seconds) {
     plans_.add(seconds);
 }
 
-void Metrics::count_refused() {
-    const std::scoped_lock lock(mutex_);
-    ++refused_;
-}
-
 void Metrics::count_stopped() {
     const std::scoped_lock lock(mutex_);
     ++stopped_;
@@ -74,7 +69,7 @@ std::string Metrics::text(const Gauges& gauges) const {
     text += single("waybreaker_plans_running", "gauge", "Plans that workers are at.", gauges.running);
     text += single("waybreaker_maps_loaded", "gauge", "Maps held in memory.", gauges.maps);
     text += single("waybreaker_maps_bytes", "gauge", "Memory that maps take.", gauges.map_bytes);
-    text += single("waybreaker_refused_total", "counter", "Plans refused because too many waited.", refused_);
+    text += single("waybreaker_refused_total", "counter", "Plans refused because too many waited.", gauges.refused);
     return text + single("waybreaker_stopped_total", "counter",
                          "Plans stopped because the client went away or time was up.", stopped_);
 }

@@ -28,12 +28,12 @@ class Metrics {
     // `route` is a route's path, never the client's input.
     void count_request(const std::string& method, const std::string& route, int status, double seconds);
     void count_plan(double seconds);
-    void count_refused();  // the queue was full
     void count_stopped();  // the client disconnected, or the time limit was reached
 
     struct Gauges {
         std::size_t waiting = 0;
         std::size_t running = 0;
+        std::size_t refused = 0;  // since the start: for want of room in the queue
         std::size_t maps = 0;
         std::size_t map_bytes = 0;
     };
@@ -44,7 +44,6 @@ class Metrics {
     std::map<std::tuple<std::string, std::string, int>, std::uint64_t> requests_;
     std::map<std::string, Histogram> latency_;
     Histogram plans_;
-    std::uint64_t refused_ = 0;
     std::uint64_t stopped_ = 0;
 };
 

@@ -251,6 +251,7 @@ std::string metrics_text(const MapStore& store, const Executor& executor, const 
     const auto loaded = std::count_if(maps.begin(), maps.end(), [](const auto& entry) { return entry.loaded; });
     return metrics.text({.waiting = executor.waiting(),
                          .running = executor.running(),
+                         .refused = executor.refused(),
                          .maps = std::size_t(loaded),
                          .map_bytes = store.memory()});
 }

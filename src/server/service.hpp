@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "server/limits.hpp"
 
@@ -19,6 +20,8 @@ struct ServiceOptions {
     int port = 0;  // 0: any that is free
     std::string token;
     bool insecure = false;  // serve other machines without a token
+    // What clients call the server; then it answers to no other name but this machine's own.
+    std::vector<std::string> names = {};
     ServiceLimits limits;
     std::function<void(const std::string&)> log = [](const std::string&) {
     };  // one JSON object a line; called from any thread
@@ -33,6 +36,7 @@ class Service {
     Service& operator=(const Service&) = delete;
 
     int port() const;
+    std::string url() const;  // of the page
     // Call once. stop() may be called from any thread.
     void run();
     void stop();

@@ -89,7 +89,10 @@ std::unique_ptr<MapStore::Reservation> SourceStore::make_room(std::size_t bytes)
 SourceStore::Added SourceStore::add(std::string bytes, const std::string& name, const StopToken& stop) {
     const std::string id = id_of(bytes, name);
     const std::scoped_lock reading(reading_);
-    if (const SharedSource known = existing(id)) return {id, known, false};
+    if (const SharedSource known = existing(id)) {
+        if (*known->bytes == bytes && known->name == name) return {id, known, false};
+        throw Problem(unprocessable, "another source has the id " + id + " here; delete it first");
+    }
     bytes.shrink_to_fit();
     auto room = make_room(bytes.size());
     const auto shared = std::make_shared<const std::string>(std::move(bytes));
