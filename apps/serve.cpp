@@ -45,11 +45,10 @@ void run(server::ServiceOptions options) {
     const EndSignals signals;
     options.log = log;
     options.import_worker = {"/proc/self/exe", server::import_worker_word};
-    const std::string host = options.host;
     server::Service service(std::move(options));
     // For a person at a terminal; programs read the log.
     if (isatty(STDOUT_FILENO) == 1) {
-        fmt::print("The page is at http://{}:{}/ - Ctrl-C ends the server\n", host, service.port());
+        fmt::print("The page is at {}/ - Ctrl-C ends the server\n", service.url());
         std::fflush(stdout);
     }
     std::atomic<bool> ended = false;
@@ -133,6 +132,12 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
              "users of the machine do not see)")
         ->envname("WAYBREAKER_TOKEN");
     command->add_flag("--insecure", options->insecure, "Let other machines ask without a token");
+    command
+        ->add_option_function<std::string>(
+            "--name", [options](const std::string& given) { options->names = CLI::detail::split(given, ','); },
+            "What clients call the server: then it answers to no other name but localhost and addresses, and a page of "
+            "another site cannot reach it by a name of its own (default: localhost, with --host any name)")
+        ->type_name("HOST,...");
     add_limits(*command, options->limits);
     set_examples(*command, {"waybreaker serve --maps data",
                             "waybreaker serve --maps data --host 0.0.0.0 --token \"$(openssl rand -hex 16)\""});

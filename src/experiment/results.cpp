@@ -7,6 +7,7 @@
 
 #include "experiment/spec.hpp"
 #include "experiment/words.hpp"
+#include "io/csv_field.hpp"
 #include "io/mission_json.hpp"
 #include "waybreaker/error.hpp"
 
@@ -39,15 +40,11 @@ Result result(SQLite::Statement& row, int at) {
             .seconds = row.getColumn(at + 19).getDouble()};
 }
 
-// A cell of CSV: quoted where it must be.
+// A cell of CSV.
 std::string cell(const SQLite::Column& column) {
     if (column.isNull()) return "";
     if (column.isFloat()) return fmt::format("{}", column.getDouble());
-    std::string text = column.getString();
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-    return quoted + "\"";
+    return io::csv_field(column.getString());
 }
 
 bool is_measured(std::string_view column) {

@@ -8,16 +8,13 @@
 #include <charconv>
 #include <utility>
 
+#include "core/control_character.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geo {
 namespace {
 
 constexpr std::size_t longest_name = 250;  // bytes; OpenStreetMap's values have up to 255 characters
-
-bool is_control(char c) {
-    return static_cast<unsigned char>(c) < ' ' || c == 0x7F;
-}
 
 bool continues_character(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
@@ -31,8 +28,13 @@ std::string_view trimmed(std::string_view text) {
 }  // namespace
 
 std::string clean_name(std::string_view text) {
-    std::string name(text);
-    std::replace_if(name.begin(), name.end(), is_control, ' ');
+    std::string name;
+    while (!text.empty()) {
+        const std::size_t control = control_length(text);
+        // Those of one byte separate words; others are between the letters of one.
+        if (control <= 1) name += control == 0 ? text.front() : ' ';
+        text.remove_prefix(std::max<std::size_t>(control, 1));
+    }
     if (!CPLIsUTF8(name.c_str(), int(name.size()))) {
         std::replace_if(
             name.begin(), name.end(), [](unsigned char c) { return c >= 0x80U; }, '?');

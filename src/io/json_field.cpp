@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/byte_order_mark.hpp"
+#include "core/control_character.hpp"
 #include "core/in_quotes.hpp"
 #include "io/json_position.hpp"
 #include "waybreaker/error.hpp"
@@ -99,8 +100,9 @@ std::int64_t JsonField::whole_number(std::int64_t least, std::int64_t most) cons
 std::string JsonField::text() const {
     if (!json_->is_string()) fail("is not a text");
     const auto& text = json_->get_ref<const std::string&>();
-    const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7F; };
-    if (std::any_of(text.begin(), text.end(), is_control)) fail("holds control characters");
+    for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(1)) {
+        if (control_length(rest) > 0) fail("holds control characters");
+    }
     return text;
 }
 

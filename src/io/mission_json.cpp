@@ -17,7 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto format = "waybreaker-mission/1";
-constexpr double most_radius = 32;  // cells
+constexpr double most_radius = 32;       // cells
+constexpr std::size_t longest_id = 100;  // characters
 
 template <class Value>
 void read_word(const JsonField& object, const char* key, const Words<Value>& words, Value& target) {
@@ -71,7 +72,7 @@ void read_protected(const JsonField& object, std::vector<ObstacleId>& ids, std::
 Agent read_agent(const JsonField& field) {
     field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "breaches"});
     Agent agent;
-    agent.id = field["id"].text();
+    agent.id = read_agent_id(field["id"]);
     agent.kind = field["kind"].one_of(agent_words);
     agent.start = read_cell(field["start"]);
     agent.goal = read_cell(field["goal"]);
@@ -192,6 +193,15 @@ Cell read_cell(const JsonField& field) {
 
 ObstacleId read_obstacle(const JsonField& field, std::uint32_t least) {
     return {std::uint32_t(field.whole_number(least, UINT32_MAX))};
+}
+
+std::string read_agent_id(const JsonField& field) {
+    std::string id = field.text();
+    const auto begins_character = [](unsigned char c) { return (c & 0xC0U) != 0x80U; };
+    if (std::size_t(std::ranges::count_if(id, begins_character)) > longest_id) {
+        field.fail("has more than " + std::to_string(longest_id) + " characters");
+    }
+    return id;
 }
 
 double read_not_negative(const JsonField& field) {

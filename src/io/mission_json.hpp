@@ -56,6 +56,7 @@ Cell read_cell(const JsonField& field);
 nlohmann::ordered_json cell_json(Cell c);
 // `least`: 0 where a wrong id is judged, not refused.
 ObstacleId read_obstacle(const JsonField& field, std::uint32_t least = 1);
+std::string read_agent_id(const JsonField& field);
 double read_not_negative(const JsonField& field);
 double read_share(const JsonField& field);  // 0 to 1
 // Members of `field` that are rules, under the names of Rules, over what is there; budget_m2 is a budget of square

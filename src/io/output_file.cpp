@@ -143,13 +143,18 @@ std::string read_whole(const std::string& path, std::size_t limit, const HeadChe
     std::string bytes(std::min(head_size, limit + 1), '\0');
     std::size_t size = fill(file, bytes, 0, name);
     if (check_head) check_head(std::string_view(bytes).substr(0, size));
+    const auto refuse = [&] {
+        throw InputError("cannot read " + name + ": it has over " + std::to_string(limit) + " bytes");
+    };
+    // The size of another kind of file says nothing.
+    if (S_ISREG(status.st_mode) && status.st_size > off_t(limit)) refuse();
     // One byte more than there should be, so that the end shows without growing.
     const std::size_t expected = std::size_t(std::max<off_t>(status.st_size, 0)) + 1;
     if (size == bytes.size()) bytes.resize(std::clamp(expected, size, limit + 1));
     while ((size = fill(file, bytes, size, name)) == bytes.size() && size <= limit) {
         bytes.resize(std::min(2 * size, limit + 1));
     }
-    if (size > limit) throw InputError("cannot read " + name + ": it has over " + std::to_string(limit) + " bytes");
+    if (size > limit) refuse();
     bytes.resize(size);
     return bytes;
 }

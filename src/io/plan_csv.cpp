@@ -3,19 +3,12 @@
 #include <cmath>
 #include <optional>
 
+#include "io/csv_field.hpp"
 #include "io/map_frame.hpp"
 #include "io/shortest_text.hpp"
 
 namespace waybreaker::io {
 namespace {
-
-// A name as CSV (RFC 4180) has it.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
-}
 
 std::string decimals(double value, double per_unit) {
     return shortest_text(std::round(value * per_unit) / per_unit);
@@ -51,7 +44,7 @@ std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat&
         for (std::size_t i = 0; i < agent.path.size(); ++i) {
             const Waypoint& point = agent.path[i];
             const Point place = frame.metres({point.x, point.y});
-            text += field(agent.id) + (air ? ",air," : ",ground,") + shortest_text(point.t) + "," +
+            text += csv_field(agent.id) + (air ? ",air," : ",ground,") + shortest_text(point.t) + "," +
                     shortest_text(point.x) + "," + shortest_text(point.y) + "," + decimals(place.x, micrometres) + "," +
                     decimals(place.y, micrometres) + ",";
             if (to_lon_lat) {

@@ -59,7 +59,8 @@ std::vector<Route> routes(const JsonField& list, const Mission& mission) {
     if (fields.size() != mission.agents.size()) list.fail("does not have a route for each agent of the mission");
     std::vector<Route> routes;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (fields[i]["id"].text() != mission.agents[i].id) fields[i]["id"].fail("is not that of the mission's agent");
+        if (read_agent_id(fields[i]["id"]) != mission.agents[i].id)
+            fields[i]["id"].fail("is not that of the mission's agent");
         Route& route = routes.emplace_back();
         route.kind = mission.agents[i].kind;
         route.length = fields[i]["length"].number_or_null();
@@ -93,7 +94,7 @@ Breach breach(const JsonField& field) {
     if (const auto id = field.find("source_id")) result.source_id = id->whole_number(INT64_MIN, INT64_MAX);
     if (const auto hits = field.find("hits")) result.hits = std::uint32_t(hits->whole_number(0, UINT32_MAX));
     result.saves = number_or_null(field.find("saves"));
-    if (const auto agent = field.find("by")) result.by = agent->text();
+    if (const auto agent = field.find("by")) result.by = read_agent_id(*agent);
     result.begun_at = number_or_null(field.find("begun_at"));
     return result;
 }
@@ -122,13 +123,13 @@ Wait wait(const JsonField& field) {
     result.until = field["until"].number();
     result.reason = field["reason"].one_of(wait_words);
     if (const auto obstacle = field.find("obstacle")) result.obstacle = read_obstacle(*obstacle, 0);
-    if (const auto who = field.find("agent")) result.agent = who->text();
+    if (const auto who = field.find("agent")) result.agent = read_agent_id(*who);
     return result;
 }
 
 Itinerary agent(const JsonField& field) {
     Itinerary result;
-    result.id = field["id"].text();
+    result.id = read_agent_id(field["id"]);
     result.kind = field["kind"].one_of(agent_words);
     result.speed = field["speed"].number();
     for (const JsonField& point : field["path"].items()) {

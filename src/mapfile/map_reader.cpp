@@ -256,11 +256,19 @@ io::MapFile read(std::string& bytes, const std::string& path, Connectivity conne
     return file;
 }
 
+std::string name_of(const std::string& path) {
+    return io::is_standard_input(path) ? io::input_name(path) : path;
+}
+
 }  // namespace
 
+std::string read_map_bytes(const std::string& path) {
+    return io::read_whole(path, most_map_bytes, [&](std::string_view head) { require_map(head, name_of(path)); });
+}
+
 io::MapFile read_map_file(const std::string& path, Connectivity connectivity, const io::ImageReading& image) {
-    const std::string name = io::is_standard_input(path) ? io::input_name(path) : path;
-    std::string bytes = io::read_whole(path, most_map_bytes, [&](std::string_view head) { require_map(head, name); });
+    const std::string name = name_of(path);
+    std::string bytes = read_map_bytes(path);
     std::string digest = sha256_digest(bytes);
     io::MapFile file = read(bytes, name, connectivity, image, {});
     file.source = std::filesystem::path(name).filename().string();

@@ -13,6 +13,9 @@ namespace waybreaker::mapfile {
 io::MapFile read_map_file(const std::string& path, Connectivity connectivity = Connectivity::four,
                           const io::ImageReading& image = {});
 
+// The bytes of such a file.
+std::string read_map_bytes(const std::string& path);
+
 // Parses a map from bytes alone: no other file is opened, so a ROS map must be in one piece
 // (ros_pieces). `name` is what errors call it. Throws SizeError for a map of too many cells, before it allocates memory
 // for them.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "server/client_address.hpp"
 #include "server/memory_account.hpp"
 #include "server/problem.hpp"
 #include "waybreaker/error.hpp"
@@ -89,13 +90,16 @@ Work Executor::counted(Work work, Lane lane) const {
     };
 }
 
-std::shared_ptr<Job> Executor::submit(Work work, Lane lane) {
-    auto job = queues_[std::size_t(lane)]->submit(counted(std::move(work), lane));
-    if (!job) {
-        metrics_.count_refused();
-        throw Problem(unavailable, "too many others wait for the same; ask again in a moment");
-    }
+std::shared_ptr<Job> Executor::submit(Work work, Lane lane, const std::string& client) {
+    auto job = queues_[std::size_t(lane)]->submit(counted(std::move(work), lane), client_of(client));
+    if (!job) throw Problem(unavailable, "too many others wait for the same; ask again in a moment");
     return job;
+}
+
+std::size_t Executor::refused() const {
+    std::size_t sum = 0;
+    for (const auto& queue : queues_) sum += queue->refused();
+    return sum;
 }
 
 void Executor::enforce_time_limit(Job& job) {

@@ -37,14 +37,16 @@ class Executor {
     // Keeps the references.
     Executor(const ServiceLimits& limits, Metrics& metrics, MemoryBudget& budget);
 
-    // Throws Problem if the lane's queue is full.
-    std::shared_ptr<Job> submit(Work work, Lane lane);
+    // Throws Problem if the lane's queue is full. `client`: the address of who asks.
+    std::shared_ptr<Job> submit(Work work, Lane lane, const std::string& client);
     // Stops the job if it takes too long. To be called from time to time until the job is done.
     void enforce_time_limit(Job& job);
     // The result is no longer needed.
     void cancel(Job& job);
 
     const JobQueue& queue(Lane lane) const { return *queues_[std::size_t(lane)]; }
+    // Jobs of all lanes for which there was no room.
+    std::size_t refused() const;
 
   private:
     Work counted(Work work, Lane lane) const;

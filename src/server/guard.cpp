@@ -1,8 +1,10 @@
 #include "server/guard.hpp"
 
 #include <algorithm>
+#include <boost/asio/ip/address.hpp>
 
 #include "server/header_list.hpp"
+#include "server/target.hpp"
 
 namespace waybreaker::server {
 namespace {
@@ -22,6 +24,31 @@ bool is_loopback(const std::string& address) {
 bool names_loopback(std::string_view host) {
     const std::string_view name = without_port(host);
     return same_word(name, "localhost") || name == "127.0.0.1" || name == "[::1]";
+}
+
+bool is_host_name(std::string_view name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return is_letter_or_digit(c) || c == '-' || c == '.' || c == '_';
+    });
+}
+
+bool is_bearer_token(std::string_view token) {
+    constexpr char del = 127;
+    return !token.empty() && trimmed(token) == token &&
+           std::all_of(token.begin(), token.end(), [](char c) { return (c < 0 || c >= ' ') && c != del; });
+}
+
+bool names_one_of(std::string_view host, const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [name = without_port(host)](const std::string& one) { return same_word(name, one); });
+}
+
+bool is_address(std::string_view host) {
+    std::string_view name = without_port(host);
+    if (name.starts_with('[') && name.ends_with(']')) name = name.substr(1, name.size() - 2);
+    boost::system::error_code error;
+    boost::asio::ip::make_address(std::string(name), error);
+    return !error;
 }
 
 bool same_site(std::string_view origin, std::string_view host) {

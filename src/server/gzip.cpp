@@ -55,6 +55,7 @@ std::string gzip(std::string_view bytes, int level) {
     return packed;
 }
 
+// Programs that compress in parallel write several members, one after the other (RFC 1952, 2.2).
 std::string gunzip(std::string_view packed, std::size_t most) {
     z_stream stream{};
     if (inflateInit2(&stream, gzip_window) != Z_OK) throw std::bad_alloc();
@@ -64,7 +65,8 @@ std::string gunzip(std::string_view packed, std::size_t most) {
     std::string bytes;
     std::array<char, 65536> piece{};
     int outcome = Z_OK;
-    while (outcome == Z_OK) {
+    while (outcome == Z_OK || (outcome == Z_STREAM_END && stream.avail_in > 0)) {
+        if (outcome == Z_STREAM_END) inflateReset(&stream);
         stream.next_out = reinterpret_cast<Bytef*>(piece.data());
         stream.avail_out = uInt(piece.size());
         outcome = inflate(&stream, Z_NO_FLUSH);
@@ -74,8 +76,7 @@ std::string gunzip(std::string_view packed, std::size_t most) {
         }
         bytes.append(piece.data(), count);
     }
-    if (outcome != Z_STREAM_END || stream.avail_in > 0)
-        throw Problem(bad_request, "the body is not gzip, or not all of it");
+    if (outcome != Z_STREAM_END) throw Problem(bad_request, "the body is not gzip, or not all of it");
     return bytes;
 }
 

@@ -67,7 +67,7 @@ bool HeadCheck::end_line(std::string_view line) {
         return false;
     }
     if (line.empty()) {
-        check_whole();
+        if (part_ == Part::head) check_whole();
         return true;
     }
     check_field(line);
@@ -98,6 +98,7 @@ void HeadCheck::check_field(std::string_view line) {
     if (colon == std::string_view::npos) refuse("a header has no colon");
     const std::string_view name = line.substr(0, colon);
     if (!is_token(name)) refuse("a header has a name that is none");
+    if (part_ == Part::trailers) return;  // their values are ignored
     const std::string_view value = trimmed(line.substr(colon + 1));
     if (same_word(name, "Host")) {
         if (std::exchange(has_host_, true)) refuse("a request has one Host header");

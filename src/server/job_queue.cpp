@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/problem.hpp"
+
 namespace waybreaker::server {
 
 Job::State Job::state() const {
@@ -70,6 +72,17 @@ void Job::run() {
     failure_ = failure;
 }
 
+// The job never starts, as others need its room.
+void Job::displace() {
+    work_ = nullptr;
+    {
+        const std::scoped_lock lock(mutex_);
+        failure_ = std::make_exception_ptr(Problem(
+            unavailable, "many plans of this client are waiting, and others have their turn; ask again in a moment"));
+    }
+    finish();
+}
+
 void Job::finish() {
     std::function<void()> call;
     {
@@ -90,30 +103,77 @@ JobQueue::~JobQueue() {
     for (std::jthread& worker : workers_) worker.request_stop();
     {
         const std::scoped_lock lock(mutex_);
-        for (const auto& job : queue_) job->stop();
+        for (const Line& line : lines_) {
+            for (const auto& job : line.jobs) job->stop();
+        }
         for (const auto& job : running_) job->stop();
     }
     workers_.clear();  // joins while the other members still exist
 }
 
-std::shared_ptr<Job> JobQueue::submit(Work work) {
+void JobQueue::forget_stopped() {
+    for (Line& line : lines_) {
+        std::erase_if(line.jobs, [](const auto& job) { return job->stop_.stop_requested(); });
+    }
+    std::erase_if(lines_, [](const Line& line) { return line.jobs.empty(); });
+}
+
+std::size_t JobQueue::waiting_jobs() const {
+    std::size_t jobs = 0;
+    for (const Line& line : lines_) jobs += line.jobs.size();
+    return jobs;
+}
+
+// The job that leaves the queue for one of the client's; null if no client has more than that one has with it.
+std::shared_ptr<Job> JobQueue::make_room(const std::string& client) {
+    const auto own = std::ranges::find(lines_, client, &Line::client);
+    const auto longest = std::ranges::max_element(lines_, {}, [](const Line& line) { return line.jobs.size(); });
+    const std::size_t wanted = own == lines_.end() ? 1 : own->jobs.size() + 1;
+    if (longest == lines_.end() || longest->jobs.size() <= wanted) return nullptr;
+    std::shared_ptr<Job> job = std::move(longest->jobs.back());
+    longest->jobs.pop_back();
+    return job;
+}
+
+std::shared_ptr<Job> JobQueue::submit(Work work, const std::string& client) {
     auto job = std::make_shared<Job>(std::move(work));
+    std::shared_ptr<Job> displaced;
     {
         const std::scoped_lock lock(mutex_);
-        // Cancelled jobs do not count, nor do jobs that an idle worker is about to take.
-        const auto waits = [](const auto& other) { return !other->stop_.stop_requested(); };
-        const auto waiting = std::size_t(std::count_if(queue_.begin(), queue_.end(), waits));
+        forget_stopped();
+        // Jobs that an idle worker is about to take do not count.
         const std::size_t idle = workers_.size() - std::min(workers_.size(), running_.size());
-        if (waiting >= waiting_limit_ + idle) return nullptr;
-        queue_.push_back(job);
+        if (waiting_jobs() >= waiting_limit_ + idle) {
+            ++refused_;
+            displaced = make_room(client);
+            if (!displaced) return nullptr;
+        }
+        const auto line = std::ranges::find(lines_, client, &Line::client);
+        (line == lines_.end() ? lines_.emplace_back(client) : *line).jobs.push_back(job);
     }
+    if (displaced) displaced->displace();
     ready_.notify_one();
+    return job;
+}
+
+// The client whose turn it was goes to the end.
+std::shared_ptr<Job> JobQueue::take_next() {
+    Line line = std::move(lines_.front());
+    lines_.pop_front();
+    std::shared_ptr<Job> job = std::move(line.jobs.front());
+    line.jobs.pop_front();
+    if (!line.jobs.empty()) lines_.push_back(std::move(line));
     return job;
 }
 
 std::size_t JobQueue::waiting() const {
     const std::scoped_lock lock(mutex_);
-    return queue_.size();
+    return waiting_jobs();
+}
+
+std::size_t JobQueue::refused() const {
+    const std::scoped_lock lock(mutex_);
+    return refused_;
 }
 
 std::size_t JobQueue::running() const {
@@ -126,9 +186,12 @@ void JobQueue::serve(const std::stop_token& stop) {
         std::shared_ptr<Job> job;
         {
             std::unique_lock lock(mutex_);
-            if (!ready_.wait(lock, stop, [this] { return !queue_.empty(); })) return;
-            job = std::move(queue_.front());
-            queue_.pop_front();
+            const auto has_work = [this] {
+                forget_stopped();
+                return !lines_.empty();
+            };
+            if (!ready_.wait(lock, stop, has_work)) return;
+            job = take_next();
             running_.push_back(job);
         }
         job->run();

@@ -1,7 +1,7 @@
-// Job queue: a few worker threads and a bounded queue.
+// Job queue: a few worker threads, and a bounded queue in which clients take turns.
 //
 //     JobQueue queue(2, 16);
-//     const auto job = queue.submit([&](const Worker& worker) { return answer_until(worker.stop); });
+//     const auto job = queue.submit([&](const Worker& worker) { return answer_until(worker.stop); }, "192.0.2.7");
 //     if (!job) ...;                            // the queue is full
 //     job->when_done([job] { answer(job->result()); });    // or job->stop()
 #pragma once
@@ -54,6 +54,7 @@ class Job {
   private:
     friend class JobQueue;
     void run();
+    void displace();
     void finish();
 
     Work work_;
@@ -74,18 +75,30 @@ class JobQueue {
     // Stops running jobs and waits for them.
     ~JobQueue();
 
-    // Null if the queue is full.
-    std::shared_ptr<Job> submit(Work work);
+    // Null if the queue is full. Workers take one job of each client after the other, and where a client has fewer jobs
+    // in a full queue than another, the newest one of the client that has most makes room: its result is a Problem.
+    std::shared_ptr<Job> submit(Work work, const std::string& client = "");
     std::size_t waiting() const;
     std::size_t running() const;
+    std::size_t refused() const;  // jobs for which there was no room
 
   private:
+    struct Line {
+        std::string client;
+        std::deque<std::shared_ptr<Job>> jobs;  // never empty
+    };
     void serve(const std::stop_token& stop);
+    // With mutex_ locked:
+    void forget_stopped();
+    std::size_t waiting_jobs() const;
+    std::shared_ptr<Job> make_room(const std::string& client);
+    std::shared_ptr<Job> take_next();
 
     std::size_t waiting_limit_;
     mutable std::mutex mutex_;
     std::condition_variable_any ready_;
-    std::deque<std::shared_ptr<Job>> queue_;
+    std::deque<Line> lines_;  // whose turn it is comes first
+    std::size_t refused_ = 0;
     std::vector<std::shared_ptr<Job>> running_;
     std::vector<std::jthread> workers_;
 };

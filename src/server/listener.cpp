@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/client_address.hpp"
 #include "server/session.hpp"
 #include "waybreaker/error.hpp"
 
@@ -43,15 +44,6 @@ tcp::acceptor bound(asio::io_context& context, const ListenerOptions& options) {
         if (!error) return acceptor;
     }
     fail(options);
-}
-
-// An IPv6 client has a whole /64 network, so it is identified by that.
-asio::ip::address client_of(const asio::ip::address& address) {
-    if (!address.is_v6() || address.is_loopback()) return address;
-    if (address.to_v6().is_v4_mapped()) return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
-    auto bytes = address.to_v6().to_bytes();
-    std::fill(bytes.begin() + bytes.size() / 2, bytes.end(), std::uint8_t(0));
-    return asio::ip::address_v6(bytes);
 }
 
 }  // namespace
@@ -127,7 +119,7 @@ void Listener::Impl::accepted(const Error& error, tcp::socket socket) {
     if (draining_) return;
     if (!error) return admit(std::move(socket));
     // No file descriptor is left, or the client is gone already.
-    close_one_of(largest_group());
+    if (close_one_of(largest_group())) return accept();
     pause_.expires_after(pause);
     pause_.async_wait([this](const Error&) { accept(); });
 }

@@ -17,7 +17,7 @@ namespace {
 
 using io::JsonField;
 
-constexpr int max_depth = 4;
+constexpr int max_edits_depth = 4;
 
 std::vector<CellRun> runs(const std::optional<JsonField>& field) {
     std::vector<CellRun> result;
@@ -106,7 +106,7 @@ std::string drawn_file(const StoredMap& map, const MapEdits& edits) {
 
 MapEdits parse_map_edits(std::string_view bytes, const std::string& name) {
     if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
-    const auto document = io::parse_json(bytes, name, max_depth);
+    const auto document = io::parse_json(bytes, name, max_edits_depth);
     const JsonField root(document);
     root.allow({"block", "free"});
     return {.block = runs(root.find("block")), .free = runs(root.find("free"))};

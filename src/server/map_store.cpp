@@ -197,7 +197,9 @@ void MapStore::fill(Slot& slot, SharedMap map) {
 StoredMap MapStore::read(const std::string& id, const MapLimits& limits) const {
     const std::string path = path_of(id);
     const BuiltInMap* const built_in = path.empty() ? built_in_map(id) : nullptr;
-    std::string bytes = built_in ? std::string(built_in->bytes()) : io::read_whole(path);
+    std::error_code error;
+    if (const std::uintmax_t size = fs::file_size(path, error); !error) limits.admit(size);
+    std::string bytes = built_in ? std::string(built_in->bytes()) : mapfile::read_map_bytes(path);
     if (fs::path(path).extension() == ".yaml" && mapfile::is_ros_yaml(bytes)) {
         require_image_inside(bytes, path, folder_);
         return {.file = mapfile::read_map_file(path)};
@@ -228,16 +230,20 @@ SharedMap MapStore::load(const std::string& id) {
     return map;
 }
 
-std::optional<MapStore::Upload> MapStore::existing(const std::string& id) {
+// The bytes decide: an id has a quarter of their digest, and with some effort two files of one id can be made.
+std::optional<MapStore::Upload> MapStore::existing(const std::string& id, const std::string& bytes) {
     const std::scoped_lock lock(mutex_);
     const auto known = slots_.find(id);
     if (known == slots_.end() || !known->second->map) return std::nullopt;
+    if (known->second->map->bytes != bytes) {
+        throw Problem(unprocessable, "another map has the id " + id + " here; delete it first");
+    }
     known->second->used = ++uses_;
     return Upload{id, known->second->map, false};
 }
 
 MapStore::Upload MapStore::add(std::string bytes, Connectivity connectivity) {
-    if (const auto known = existing(upload_id(bytes, connectivity))) return *known;
+    if (const auto known = existing(upload_id(bytes, connectivity), bytes)) return *known;
     try {
         return add([&](const MapLimits& limits) -> StoredMap {
             const MemoryAccount::Scope none(nullptr);  // the limits count the map
@@ -258,6 +264,7 @@ MapStore::Upload MapStore::add(const std::function<StoredMap(const MapLimits&)>&
 
 MapStore::Upload MapStore::insert(StoredMap map, Reservation& reservation) {
     const std::string id = upload_id(map.bytes, map.connectivity);
+    if (const auto known = existing(id, map.bytes)) return *known;
     map.file.source = id;
     const SharedMap shared = reservation.settled(std::move(map));
     const auto slot = std::make_shared<Slot>();

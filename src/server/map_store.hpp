@@ -56,7 +56,7 @@ class MapStore {
         bool is_new = false;
     };
     // Keeps a map in memory. The same bytes get the same id. Throws Problem if they are not a map, the map is too
-    // large, or the maps in use leave no memory for it.
+    // large, the maps in use leave no memory for it, or another map has its id.
     Upload add(std::string bytes, Connectivity connectivity);
     // The same for the map that `make` returns; `make` must respect the limits. Holds no lock meanwhile.
     Upload add(const std::function<StoredMap(const MapLimits&)>& make);
@@ -78,7 +78,7 @@ class MapStore {
     std::string path_of(const std::string& id) const;
     StoredMap read(const std::string& id, const MapLimits& limits) const;
     std::shared_ptr<Slot> slot_of(const std::string& id);
-    std::optional<Upload> existing(const std::string& id);
+    std::optional<Upload> existing(const std::string& id, const std::string& bytes);
     SharedMap touch(Slot& slot);
     Upload insert(StoredMap map, Reservation& reservation);
     void fill(Slot& slot, SharedMap map);

@@ -15,8 +15,11 @@ auto is_named(std::string_view name) {
 }  // namespace
 
 std::optional<std::string> Fields::find(std::string_view name) const {
-    const auto field = std::find_if(fields_.begin(), fields_.end(), is_named(name));
-    return field == fields_.end() ? std::nullopt : std::optional(field->second);
+    std::optional<std::string> joined;
+    for (const Field& field : fields_) {
+        if (is_named(name)(field)) joined = joined ? *joined + ", " + field.second : field.second;
+    }
+    return joined;
 }
 
 std::string Fields::get(std::string_view name) const {

@@ -19,7 +19,8 @@ class Fields {
     Fields() = default;
     Fields(std::initializer_list<Field> fields) : fields_(fields) {}
 
-    // The first value of that name (case-insensitive); "" if there is none.
+    // The values of that name (case-insensitive), joined with ", " where there are several, as lines of a header are
+    // one list (RFC 9110, 5.3); "" if there is none.
     std::string get(std::string_view name) const;
     std::optional<std::string> find(std::string_view name) const;
     std::size_t count(std::string_view name) const;

@@ -47,11 +47,6 @@ void Metrics::count_plan(double seconds) {
     plans_.add(seconds);
 }
 
-void Metrics::count_refused() {
-    const std::scoped_lock lock(mutex_);
-    ++refused_;
-}
-
 void Metrics::count_stopped() {
     const std::scoped_lock lock(mutex_);
     ++stopped_;
@@ -85,7 +80,7 @@ std::string Metrics::text(const Gauges& gauges) const {
         text += fmt::format("waybreaker_memory_bytes{{use=\"{}\"}} {}\n", use, bytes);
     }
     text += single("waybreaker_memory_limit_bytes", "gauge", "The most memory that may be in use.", gauges.most_memory);
-    text += single("waybreaker_refused_total", "counter", "Requests refused because too many waited.", refused_);
+    text += single("waybreaker_refused_total", "counter", "Requests refused because too many waited.", gauges.refused);
     return text + single("waybreaker_stopped_total", "counter",
                          "Plans stopped because the client went away or time was up.", stopped_);
 }

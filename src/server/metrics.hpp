@@ -30,7 +30,6 @@ class Metrics {
     // `route` is a route's path, never the client's input.
     void count_request(const std::string& method, const std::string& route, int status, double seconds);
     void count_plan(double seconds);
-    void count_refused();  // the queue was full
     void count_stopped();  // the client disconnected, or the time limit was reached
 
     struct Lane {
@@ -41,6 +40,7 @@ class Metrics {
         Lane plans = {};
         Lane uploads = {};
         Lane imports = {};
+        std::size_t refused = 0;  // since the start: for want of room in a queue
         std::size_t maps = 0;
         std::size_t map_bytes = 0;
         std::vector<std::pair<std::string, std::size_t>> memory = {};  // by what it is used for
@@ -53,7 +53,6 @@ class Metrics {
     std::map<std::tuple<std::string, std::string, int>, std::uint64_t> requests_;
     std::map<std::string, Histogram> latency_;
     Histogram plans_;
-    std::uint64_t refused_ = 0;
     std::uint64_t stopped_ = 0;
 };
 

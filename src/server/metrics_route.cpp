@@ -18,6 +18,7 @@ Route metrics_route(const Metrics& metrics, const MapStore& store, const Executo
         Metrics::Gauges gauges{.plans = lane(Lane::planning),
                                .uploads = lane(Lane::uploading),
                                .imports = lane(Lane::importing),
+                               .refused = executor.refused(),
                                .maps = std::size_t(loaded),
                                .map_bytes = budget.used(Use::map) + budget.used(Use::source),
                                .most_memory = budget.most()};

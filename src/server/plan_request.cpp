@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <set>
 
 #include "io/json_field.hpp"
 #include "io/option_words.hpp"
@@ -49,10 +50,12 @@ void set_weights(const JsonField& field, OptionsRequest& result) {
     result.weights.clear();
     result.weights_of_cells = field.json() == "cells";
     if (result.weights_of_cells) return;
+    std::set<ObstacleId> weighed;
     for (const JsonField& pair : field.items()) {
         const std::vector<JsonField> parts = pair.items();
         if (parts.size() != 2) pair.fail("is not [obstacle, weight]");
         result.weights.push_back({io::read_obstacle(parts[0]), positive(parts[1])});
+        if (!weighed.insert(result.weights.back().obstacle).second) parts[0].fail("has a weight already");
     }
 }
 
@@ -138,6 +141,7 @@ void set_document(const JsonField& field, PlanRequest& request) {
 
 std::vector<Variant> variants(const JsonField& field, const OptionsRequest& common) {
     const std::vector<JsonField> items = field.items();
+    if (items.empty()) field.fail("names no method; leave it out for the usual ones");
     if (items.size() > most_methods) field.fail("has more than " + std::to_string(most_methods) + " methods");
     std::vector<Variant> result;
     for (const JsonField& item : items) {

@@ -23,8 +23,14 @@ std::string text(StringView view) {
     return {view.data(), view.size()};
 }
 
-// Longest line of a chunked body, and longest trailer section.
-constexpr std::size_t longest_line = HeadCheck::most_bytes;
+// The line before a chunk: the chunk's size, and extensions, which are ignored.
+constexpr std::size_t longest_chunk_line = HeadCheck::most_bytes;
+
+// As Beast reads the size: hexadecimal digits up to the first character that is none.
+bool is_last_chunk(std::string_view line) {
+    const std::size_t digits = std::min(line.find_first_not_of("0123456789ABCDEFabcdef"), line.size());
+    return digits > 0 && line.substr(0, digits).find_first_not_of('0') == std::string_view::npos;
+}
 
 }  // namespace
 
@@ -38,7 +44,11 @@ class RequestReader::Parser : public http::basic_parser<true> {
     }
 
     // Returns the number of bytes parsed.
-    std::size_t read(std::string_view bytes) { return is_header_done() ? pass_on(bytes) : read_head(bytes); }
+    std::size_t read(std::string_view bytes) {
+        if (!is_header_done()) return read_head(bytes);
+        if (chunked() && chunk_left_ == 0) check_chunk(bytes);
+        return pass_on(bytes);
+    }
     void drop_body() { dropped_ = true; }
 
     const Request& request() const { return request_; }
@@ -48,6 +58,7 @@ class RequestReader::Parser : public http::basic_parser<true> {
   private:
     std::size_t read_head(std::string_view bytes);
     std::size_t pass_on(std::string_view bytes);
+    void check_chunk(std::string_view bytes);
     void expect(std::uint64_t size);
     std::size_t add(StringView piece) {
         if (!dropped_) request_.body.append(piece.data(), piece.size());
@@ -63,14 +74,24 @@ class RequestReader::Parser : public http::basic_parser<true> {
         if (!dropped_) request_.body.reserve(std::size_t(*length));  // no pages are touched until bytes arrive
     }
     std::size_t on_body_impl(StringView piece, Error&) override { return add(piece); }
-    void on_chunk_header_impl(std::uint64_t size, StringView, Error&) override { expect(size); }
-    std::size_t on_chunk_body_impl(std::uint64_t, StringView piece, Error&) override { return add(piece); }
+    void on_chunk_header_impl(std::uint64_t size, StringView, Error&) override {
+        expect(size);
+        has_chunk_ = true;
+        chunk_left_ = size;
+    }
+    std::size_t on_chunk_body_impl(std::uint64_t, StringView piece, Error&) override {
+        chunk_left_ -= piece.size();
+        return add(piece);
+    }
     void on_finish_impl(Error&) override {}
     void on_response_impl(int, StringView, int, Error&) override {}
 
     std::size_t most_;
     std::size_t expected_ = 0;  // bytes of the body announced so far
+    bool has_chunk_ = false;
+    std::uint64_t chunk_left_ = 0;  // bytes of the chunk that are still to come
     HeadCheck check_;
+    HeadCheck trailer_check_{HeadCheck::Part::trailers};
     bool has_head_ = false;
     bool is_old_ = false;  // HTTP/1.0
     bool dropped_ = false;
@@ -85,8 +106,25 @@ std::size_t RequestReader::Parser::read_head(std::string_view bytes) {
     if (head.starts_with("\r\n")) head.remove_prefix(2);  // one empty line is allowed
     if (pass_on(head) != head.size() || !is_header_done()) throw Problem(bad_request, "the request cannot be read");
     if (!host_.empty()) request_.headers.set("Host", host_);
-    eager(true);
     return *end;
+}
+
+// Before a chunk. Beast reads the trailers after the last one in one piece, and joins folded lines, so they are checked
+// first.
+void RequestReader::Parser::check_chunk(std::string_view bytes) {
+    if (has_chunk_) {
+        if (!bytes.starts_with("\r\n")) return;  // Beast waits for it, and takes nothing else
+        bytes.remove_prefix(2);
+    }
+    const std::size_t end = bytes.find("\r\n");
+    if (std::min(end, bytes.size()) > longest_chunk_line) {
+        throw Problem(bad_request, "a chunk begins and does not end");
+    }
+    if (end == std::string_view::npos || !is_last_chunk(bytes.substr(0, end))) return;
+    if (bytes.substr(0, end).find_first_of("\r\n") != std::string_view::npos) {
+        throw Problem(bad_request, "a line ends with CR LF, and neither is anywhere else");
+    }
+    trailer_check_.end_of_head(bytes.substr(end + 2));
 }
 
 std::size_t RequestReader::Parser::pass_on(std::string_view bytes) {
@@ -140,7 +178,6 @@ RequestReader::State RequestReader::advance() {
     waiting_.erase(0, begin);
     if (parser_->is_done()) return State::whole;
     if (!parser_->is_header_done()) return waiting_.empty() ? State::idle : State::head;
-    if (waiting_.size() > longest_line) throw Problem(bad_request, "a chunk begins and does not end");
     return State::body;
 }
 
@@ -159,12 +196,8 @@ std::optional<std::uint64_t> RequestReader::length() const {
 
 bool RequestReader::may_be_followed() const {
     if (parser_->is_old()) return false;
-    const Fields& headers = head().headers;
-    return std::none_of(headers.begin(), headers.end(), [](const Fields::Field& field) {
-        if (!same_word(field.first, "Connection")) return false;
-        const std::vector<std::string> items = header_list(field.second);
-        return std::find(items.begin(), items.end(), "close") != items.end();
-    });
+    const std::vector<std::string> items = header_list(head().headers.get("Connection"));
+    return std::find(items.begin(), items.end(), "close") == items.end();
 }
 
 bool RequestReader::takes_chunks() const {

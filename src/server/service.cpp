@@ -1,5 +1,7 @@
 #include "server/service.hpp"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -10,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/in_quotes.hpp"
 #include "server/exchange.hpp"
 #include "server/executor.hpp"
 #include "server/guard.hpp"
@@ -56,6 +59,13 @@ const Fields safe_headers{
     {"Cache-Control", "no-store"}};
 
 void require_safe(const ServiceOptions& options) {
+    for (const std::string& name : options.names) {
+        if (!is_host_name(name))
+            throw InputError("--name takes the name of a host, without a port, not " + in_quotes(name));
+    }
+    if (!options.token.empty() && !is_bearer_token(options.token)) {
+        throw InputError("--token has blanks at an end, or control characters: no client can send it; give a word");
+    }
     if (is_loopback(options.host) || !options.token.empty() || options.insecure) return;
     throw InputError("other machines can reach " + options.host +
                      ": give a --token that they must bring, or say --insecure");
@@ -102,6 +112,7 @@ class Service::Impl : public RequestHandler {
     explicit Impl(ServiceOptions options);
 
     int port() const { return listener_.port(); }
+    std::string url() const;
     void run();
     void stop();
 
@@ -116,6 +127,7 @@ class Service::Impl : public RequestHandler {
     // Throws Problem if no route has that path and method.
     const Route& route_of(const Request& request) const;
     void guard(const Route& route, const Request& request) const;
+    bool is_mine(const std::string& host) const;
     void wait(Deferred deferred, const std::shared_ptr<Exchange>& exchange, const SharedRecord& record);
     // Counts and logs the response, once.
     void close(AccessRecord& record, int status, const std::string& detail = "");
@@ -180,6 +192,17 @@ Response Service::Impl::counted(Response response) {
     return response;
 }
 
+// Whether a Host may be asked for: any, if neither is said what the server is called nor that it is for this machine.
+bool Service::Impl::is_mine(const std::string& host) const {
+    if (names_loopback(host) || names_one_of(host, options_.names)) return true;
+    return !is_loopback(options_.host) && (options_.names.empty() || is_address(host));
+}
+
+std::string Service::Impl::url() const {
+    const bool has_colons = options_.host.find(':') != std::string::npos;  // IPv6
+    return fmt::format("http://{}:{}", has_colons ? "[" + options_.host + "]" : options_.host, port());
+}
+
 ListenerOptions Service::Impl::listener_options() {
     const ServiceLimits& limits = options_.limits;
     return {.host = options_.host,
@@ -196,8 +219,9 @@ ListenerOptions Service::Impl::listener_options() {
 
 void Service::Impl::guard(const Route& route, const Request& request) const {
     const std::string host = request.headers.get("Host");
-    if (is_loopback(options_.host) && !names_loopback(host)) {
-        throw Problem(misdirected, "this server is called localhost");
+    if (!is_mine(host)) {
+        throw Problem(misdirected,
+                      "this server is not called that; --name tells it what it is called beside localhost");
     }
     if (const auto origin = request.headers.find("Origin"); origin && !same_site(*origin, host)) {
         throw Problem(forbidden, "pages of other sites may not ask");
@@ -267,7 +291,7 @@ void Service::Impl::serve(Request request, std::shared_ptr<Exchange> exchange) {
 // Responds when the work is done, and stops it when the client disconnects.
 void Service::Impl::wait(Deferred deferred, const std::shared_ptr<Exchange>& exchange, const SharedRecord& record) {
     const bool events = deferred.events;
-    const std::shared_ptr<Job> job = executor_.submit(std::move(deferred.work), deferred.lane);
+    const std::shared_ptr<Job> job = executor_.submit(std::move(deferred.work), deferred.lane, record->client);
     const auto tick = [this, job, events] {
         executor_.enforce_time_limit(*job);
         return events ? progress_event(*job) : std::string();
@@ -303,7 +327,7 @@ void Service::Impl::close(AccessRecord& record, int status, const std::string& d
 }
 
 void Service::Impl::run() {
-    options_.log(log_line("listening", "http://" + options_.host + ":" + std::to_string(port())));
+    options_.log(log_line("listening", url()));
     listener_.run();
     options_.log(log_line("stopped", "all requests are answered"));
 }
@@ -317,6 +341,9 @@ Service::Service(ServiceOptions options) : impl_(std::make_unique<Impl>(std::mov
 Service::~Service() = default;
 int Service::port() const {
     return impl_->port();
+}
+std::string Service::url() const {
+    return impl_->url();
 }
 void Service::run() {
     impl_->run();

@@ -20,6 +20,8 @@ struct ServiceOptions {
     int port = 0;  // 0: any that is free
     std::string token;
     bool insecure = false;  // serve other machines without a token
+    // What clients call the server; then it answers to no other name but this machine's own.
+    std::vector<std::string> names = {};
     ServiceLimits limits;
     // A program and its arguments, which calls run_import_worker() (import_worker.hpp) with those that are added.
     // Empty: nothing can be imported.
@@ -37,6 +39,7 @@ class Service {
     Service& operator=(const Service&) = delete;
 
     int port() const;
+    std::string url() const;  // of the page
     // Call once. stop() may be called from any thread.
     void run();
     void stop();

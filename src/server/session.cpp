@@ -103,19 +103,21 @@ void Session::receive() {
     receiving_ = true;
     socket_.async_read_some(asio::buffer(buffer_), [self = shared_from_this()](const Error& error, std::size_t count) {
         self->receiving_ = false;
-        self->received(count, bool(error));
+        self->received(count, error);
     });
 }
 
-void Session::received(std::size_t count, bool failed) {
+void Session::received(std::size_t count, const Error& error) {
     if (phase_ == Phase::closed) return;
     if (phase_ == Phase::closing) {
         discarded_ += count;
-        return failed || discarded_ > most_discarded ? close() : receive();
+        return error || discarded_ > most_discarded ? close() : receive();
     }
-    if (failed) {
+    if (error) {
         input_ended_ = true;
         if (phase_ == Phase::idle || phase_ == Phase::reading) return close();
+        if (error == asio::error::eof) return end_input();
+        gone_ = true;
         if (waits_) close();
         return;
     }
@@ -123,6 +125,17 @@ void Session::received(std::size_t count, bool failed) {
     if (phase_ == Phase::idle || phase_ == Phase::reading) return advance();
     // Keep reading while a response is made, to notice when the client disconnects.
     if (reader_.waiting() < most_ahead) receive();
+}
+
+// The client has closed its sending side, and may still want its response. One that has closed the connection looks the
+// same, but resets it as soon as something is sent: tick() does that.
+void Session::end_input() {
+    if (waits_) expire_in(before_probe);
+    socket_.async_wait(asio::ip::tcp::socket::wait_error, [self = shared_from_this()](const Error& error) {
+        if (error) return;
+        self->gone_ = true;
+        if (self->waits_) self->close();
+    });
 }
 
 void Session::advance() {
@@ -207,8 +220,7 @@ void Session::take_memory() {
 
 void Session::send_continue() {
     sent_continue_ = true;
-    static constexpr std::string_view text = "HTTP/1.1 100 Continue\r\n\r\n";
-    asio::async_write(socket_, asio::buffer(text.data(), text.size()),
+    asio::async_write(socket_, asio::buffer(continue_text.data(), continue_text.size()),
                       [self = shared_from_this()](const Error& error, std::size_t) {
                           if (self->phase_ != Phase::reading) return;
                           return error ? self->close() : self->advance();

@@ -6,7 +6,9 @@
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "server/exchange.hpp"
 #include "server/listener.hpp"
@@ -15,6 +17,11 @@
 namespace waybreaker::server {
 
 class Session;
+
+// How long a response may take before it is asked whether a client that sends nothing more is still there.
+inline constexpr std::chrono::milliseconds before_probe(20);
+
+inline constexpr std::string_view continue_text = "HTTP/1.1 100 Continue\r\n\r\n";
 
 // The owner of sessions.
 class SessionHost {
@@ -60,7 +67,8 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
     void expire_in(std::chrono::milliseconds time);
     void expired();
     void receive();
-    void received(std::size_t count, bool failed);
+    void received(std::size_t count, const boost::system::error_code& error);
+    void end_input();
 
     void advance();
     bool proceed();  // whether there is more to do with the bytes received
@@ -78,7 +86,9 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
 
     void begin_events();
     void tick();
+    void probe();
     void send_piece(const std::string& piece);
+    void write_piece();
     void piece_sent(bool failed);
 
     boost::asio::ip::tcp::socket socket_;
@@ -88,7 +98,8 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
     RequestReader reader_;
     std::array<char, 16384> buffer_{};
     bool receiving_ = false;
-    bool input_ended_ = false;
+    bool input_ended_ = false;  // the client has closed its sending side, or is gone
+    bool gone_ = false;
     std::size_t discarded_ = 0;  // bytes after the last response
     Phase phase_ = Phase::idle;
     Clock::time_point since_;
@@ -108,12 +119,14 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
     // The response:
     Waiting waiting_;
     bool waits_ = false;
+    bool probed_ = false;
+    std::optional<Response> late_;  // made while a probe is being written
     std::string head_;
     Body body_;
     std::size_t sent_ = 0;  // of the body
     Clock::time_point write_began_;
     Clock::duration waited_{0};  // time spent writing
-    std::string piece_;          // events being written
+    std::string piece_;          // events, or a probe, being written
     bool sending_piece_ = false;
     std::optional<Body> last_piece_;
 };

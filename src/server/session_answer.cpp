@@ -27,6 +27,10 @@ std::string chunk(const std::string& piece) {
 void Session::answer(Response response) {
     asio::dispatch(socket_.get_executor(), [self = shared_from_this(), response = std::move(response)]() mutable {
         if (self->phase_ != Phase::serving) return;
+        if (!self->waiting_.events && self->sending_piece_) {
+            self->late_ = std::move(response);
+            return;
+        }
         if (!self->waiting_.events) return self->start(std::move(response));
         self->waits_ = false;
         self->last_piece_ = std::move(response.body);
@@ -94,14 +98,15 @@ void Session::close_gently() {
 
 void Session::wait(Waiting waiting) {
     asio::dispatch(socket_.get_executor(), [self = shared_from_this(), waiting = std::move(waiting)]() mutable {
-        if (self->phase_ != Phase::serving || self->input_ended_) {
+        if (self->phase_ != Phase::serving || self->gone_) {
             waiting.gone();
             return self->close();
         }
         self->waiting_ = std::move(waiting);
         self->waits_ = true;
+        self->probed_ = false;
         if (self->waiting_.events) return self->begin_events();
-        self->expire_in(between_ticks);
+        self->expire_in(self->input_ended_ ? before_probe : between_ticks);
     });
 }
 
@@ -124,12 +129,24 @@ void Session::tick() {
         if (Clock::now() - write_began_ > host_.options().timeouts.writing) close();
     } else if (!text.empty() || !head_.empty()) {
         send_piece(text);
+    } else if (input_ended_ && takes_chunks_ && !std::exchange(probed_, true)) {
+        probe();
     }
 }
 
+// Sends what every client of HTTP/1.1 skips (RFC 9110, 15.2), once, so that one that is gone resets the connection.
+void Session::probe() {
+    piece_ = continue_text;
+    write_piece();
+}
+
 void Session::send_piece(const std::string& piece) {
-    sending_piece_ = true;
     piece_ = std::exchange(head_, {}) + (takes_chunks_ ? chunk(piece) : piece);
+    write_piece();
+}
+
+void Session::write_piece() {
+    sending_piece_ = true;
     write_began_ = Clock::now();
     asio::async_write(socket_, asio::buffer(piece_),
                       [self = shared_from_this()](const Error& error, std::size_t) { self->piece_sent(bool(error)); });
@@ -139,6 +156,7 @@ void Session::piece_sent(bool failed) {
     sending_piece_ = false;
     if (phase_ != Phase::serving) return;
     if (failed) return close();
+    if (auto response = std::exchange(late_, {})) return start(std::move(*response));
     const std::optional<Body> last = std::exchange(last_piece_, {});
     if (!last) return;
     // The last piece is written like any other response.

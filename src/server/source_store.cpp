@@ -73,7 +73,10 @@ MemoryBudget::Share SourceStore::make_room(std::size_t bytes) {
 
 SourceStore::Added SourceStore::add(std::string bytes, const std::string& name, const StopToken& stop) {
     const std::string id = id_of(bytes, name);
-    if (const SharedSource known = existing(id)) return {id, known, false};
+    if (const SharedSource known = existing(id)) {
+        if (known->bytes == bytes && known->name == name) return {id, known, false};
+        throw Problem(unprocessable, "another source has the id " + id + " here; delete it first");
+    }
     bytes.shrink_to_fit();
     MemoryBudget::Share memory = make_room(bytes.size());
     geo::Extract extract = importer_.extract(name, bytes, stop);

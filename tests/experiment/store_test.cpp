@@ -149,8 +149,10 @@ TEST_F(StoreResults, AreMergedOnlyIfComplete) {
 TEST_F(StoreResults, ExportQuotesWhatCsvMustQuote) {
     {
         Store store(path("r.db"), experiment, {}, "1.2.3");
-        store.add(std::vector<Row>{{.job = 0, .result = {.message = "said \"no\", twice\n"}}});
+        store.add(std::vector<Row>{{.job = 0, .result = {.message = "said \"no\", twice\n"}},
+                                   {.job = 1, .result = {.message = "=1+1"}}});
     }
+    EXPECT_NE(csv_of("r.db").find(",'=1+1,"), std::string::npos) << "no formula to a spreadsheet";
     EXPECT_NE(csv_of("r.db").find(",\"said \"\"no\"\", twice\n\","), std::string::npos) << csv_of("r.db");
     EXPECT_EQ(csv_of("r.db").find("seconds"), std::string::npos);
     EXPECT_NE(Results(path("r.db")).csv(true).find("before_seconds"), std::string::npos);

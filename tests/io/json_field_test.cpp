@@ -62,6 +62,17 @@ TEST(JsonField, SaysWhereItStands) {
         << "the member's name";
 }
 
+TEST(JsonField, TextHoldsNoControlCharacters) {
+    const auto text = [](const std::string& value) {
+        return refusal("[" + nlohmann::json(value).dump() + "]", [](const JsonField& root) { root.items()[0].text(); });
+    };
+    for (const std::string value : {"\n", "a\x1b[31m", "\x7f", "\u0085", "a\u202eb", "\u2066", "\u2028"}) {
+        EXPECT_EQ(text(value), "f.json:1:2: [0] holds control characters") << value;
+    }
+    for (const std::string value : {"", "é", "\u05d0\u200f", "日本", "\u2027\u202f\u2065\u206a"})
+        EXPECT_EQ(text(value), "");
+}
+
 TEST(JsonField, AMemberTwiceIsRefused) {
     EXPECT_EQ(refusal("{\"a\": 1,\n \"\\u0061\": 2}"), "f.json:2:2: the member 'a' is there twice");
     EXPECT_EQ(refusal("[{\"b\": [{\"b\": 1}, \"b\"], \"c\": {\"b\": \"b\"},\n\"b\": 2}]"),

@@ -143,6 +143,14 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
         const std::string error = refusal(with(agents + (", " + members)));
         return error.substr(error.find(' ') + 1);
     };
+    const auto named = [](const std::string& id) {
+        return with(R"("agents": [{"id": ")" + id + R"(", "kind": "ground", "start": [1, 2], "goal": [3, 4]}])");
+    };
+    std::string hundred;
+    for (int i = 0; i < 100; ++i) hundred += "é";
+    EXPECT_EQ(refusal(named(hundred)), "");
+    EXPECT_EQ(refusal(named(hundred + "x")), "m.json:1:54: agents[0].id has more than 100 characters");
+    EXPECT_EQ(refusal(named("a\u202eb")), "m.json:1:54: agents[0].id holds control characters");
     EXPECT_EQ(says(R"("removals": 2)"),
               "the document has a member that is none of format, map, time_unit, agents, rules, method, limits, page");
     EXPECT_EQ(says(R"("rules": {"removals": -1})"), "rules.removals is not between 0 and 2147483647");

@@ -72,6 +72,16 @@ TEST_F(Files, EndAtALimit) {
     EXPECT_EQ(input_error([] { read_whole("/dev/zero", 300'000); }), "cannot read /dev/zero: it has over 300000 bytes");
 }
 
+TEST_F(Files, OverTheLimitAreRefusedBeforeTheyAreRead) {
+    const std::size_t head = 65536;
+    put("file", std::string(head, 'x'));
+    fs::resize_file(path("file"), 3 * head);
+    // Were it read on, it would not be over the limit any more.
+    const auto shorten = [&](std::string_view) { fs::resize_file(path("file"), head); };
+    EXPECT_EQ(input_error([&] { read_whole(path("file"), 2 * head, shorten); }),
+              "cannot read " + path("file") + ": it has over 131072 bytes");
+}
+
 TEST_F(Files, OfLongNamesAreNamedByTheirBeginning) {
     const std::string message = input_error([] { read_whole(std::string(5000, 'n')); });
     EXPECT_EQ(message, "cannot read " + std::string(200, 'n') + "...: File name too long");

@@ -271,6 +271,9 @@ TEST(PlanFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(plan_refusal(with("/removed/0/source_id", 1e300)), "removed[0].source_id is not a whole number");
     EXPECT_EQ(plan_refusal(with("/removed/0/at", {1, 2, 3})), "removed[0].at is not a cell, [x, y]");
     EXPECT_EQ(plan_refusal(with("/agents/1/id", "a\nb")), "agents[1].id holds control characters");
+    const std::string long_id(101, 'x');
+    EXPECT_EQ(plan_refusal(with("/agents/1/id", long_id)), "agents[1].id has more than 100 characters");
+    EXPECT_EQ(plan_refusal(with("/removed/0/by", long_id)), "removed[0].by has more than 100 characters");
     EXPECT_EQ(plan_refusal(with("/agents/1/kind", 3)), "agents[1].kind is none of ground, air");
     EXPECT_EQ(plan_refusal(with("/agents/1/path", Json::array())), "agents[1].path is empty");
     EXPECT_EQ(plan_refusal(with("/agents/1/path/1", {1, 2})), "agents[1].path[1] is not [x, y, t]");

@@ -54,8 +54,8 @@ TEST(SearchTrace, IsWhatTheFormatAsksFor) {
     for (const Json& event : trace["events"]) {
         // An id is a cell, a cell an id, and 0 is neither: the visualiser takes it for "no parent".
         EXPECT_GT(event["id"], 0);
-        const std::pair<int, int> cell{event["x"], event["y"]};
-        EXPECT_EQ(cell_of.emplace(event["id"], cell).first->second, cell);
+        const std::pair<int, int> at{event["x"], event["y"]};
+        EXPECT_EQ(cell_of.emplace(event["id"], at).first->second, at);
     }
 }
 

@@ -105,6 +105,57 @@ TEST_F(ConnectionTest, AcceptsWhatTheStandardsAllow) {
     EXPECT_TRUE(said(plan_head("Content-Length: 2\r\nExpect: a-pony\r\n")).starts_with("HTTP/1.1 417 "));
 }
 
+TEST_F(ConnectionTest, SecondLinesOfAHeaderCount) {
+    begin();
+    const auto status = [this](const std::string& more) {
+        return said(plan_head("Content-Length: 2\r\n" + more) + "{}").substr(9, 3);
+    };
+    EXPECT_EQ(status("Expect: 100-continue\r\nExpect: a-pony\r\n"), "417");
+    EXPECT_EQ(status("Content-Encoding: identity\r\nContent-Encoding: gzip\r\n"), "415");
+    EXPECT_EQ(status("Content-Type: text/plain\r\n"), "415");
+    EXPECT_EQ(status("Origin: http://localhost\r\nOrigin: http://evil.example\r\n"), "403");
+    const auto compressed = [this](const std::string& accepted) {
+        return said("GET /api/v1/maps/berlin-mitte.tif/obstacles HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" +
+                    accepted + "\r\n")
+                   .find("Content-Encoding: gzip") != std::string::npos;
+    };
+    EXPECT_TRUE(compressed("Accept-Encoding: br\r\nAccept-Encoding: gzip\r\n"));
+    EXPECT_FALSE(compressed("Accept-Encoding: br\r\n"));
+}
+
+TEST_F(ConnectionTest, AnswersAClientThatHasSentAllAndSaysSo) {
+    put("maps/thicket.map", thicket(300));
+    begin();
+    const auto answered = [this](const std::string& request) {
+        const Wire wire(port());
+        wire.send(request);
+        wire.end_sending();
+        return wire.rest();
+    };
+    EXPECT_TRUE(answered(health).ends_with(healthy));
+    EXPECT_NE(answered(plan(house_mission.dump())).find("\"status\": \"solved\""), std::string::npos);
+    EXPECT_EQ(count(answered(plan(house_mission.dump()) + plan(house_mission.dump()) + health), "HTTP/1.1 200 "), 3);
+    EXPECT_EQ(answered(plan(house_mission.dump()).substr(0, 200)), "") << "half a request";
+    // A plan that takes longer than the server waits before it looks whether the client is still there.
+    Json request{{"mission", {{"start", {0, 0}}, {"goal", {299, 299}}}},
+                 {"options", {{"removals", 20}, {"time_limit", 1}}}};
+    const std::string body = request.dump();
+    const std::string rest =
+        "Content-Type: application/json\r\nContent-Length: " + std::to_string(body.size()) + "\r\n";
+    const std::string path = "POST /api/v1/maps/thicket.map/plan HTTP/1.";
+    for (const char* version : {"1", "0"}) {
+        const std::string said = answered(path + version + "\r\nHost: localhost\r\n" + rest + "\r\n" + body);
+        EXPECT_EQ(count(said, "HTTP/1.1 200 "), 1) << said.substr(0, 1000);
+        EXPECT_EQ(said.starts_with("HTTP/1.1 100 Continue\r\n\r\nHTTP/1.1 200 "), *version == '1')
+            << said.substr(0, 100);
+        EXPECT_NE(said.find("\"limit_reached\": true"), std::string::npos);
+    }
+    const std::string events =
+        answered(path + "1\r\nHost: localhost\r\nAccept: text/event-stream\r\n" + rest + "\r\n" + body);
+    EXPECT_NE(events.find("event: plan\n"), std::string::npos);
+    EXPECT_EQ(count(events, "100 Continue"), 0);
+}
+
 TEST_F(ConnectionTest, BodiesMayBeCompressed) {
     options_.limits.upload_bytes = 100000;
     begin();
@@ -122,6 +173,11 @@ TEST_F(ConnectionTest, BodiesMayBeCompressed) {
     EXPECT_EQ(send("gzip", packed.substr(0, packed.size() - 1)), "HTTP/1.1 400");
     EXPECT_EQ(send("gzip", packed + "x"), "HTTP/1.1 400");
     EXPECT_EQ(send("gzip", ""), "HTTP/1.1 400");
+    const std::string text = house_mission.dump();
+    const std::string members = gzip(text.substr(0, 9), 9) + gzip("", 1) + gzip(text.substr(9), 1);
+    EXPECT_EQ(send("gzip", members), "HTTP/1.1 200") << "as programs that compress in parallel send it";
+    EXPECT_EQ(send("gzip", members.substr(0, members.size() - 1)), "HTTP/1.1 400");
+    EXPECT_EQ(send("gzip", gzip(std::string(60000, ' '), 9) + gzip(std::string(60000, ' '), 9)), "HTTP/1.1 413");
     EXPECT_EQ(send("gzip", gzip(std::string(100001, ' '), 9)), "HTTP/1.1 413");
     EXPECT_EQ(send("br", packed), "HTTP/1.1 415");
     EXPECT_EQ(send("gzip, gzip", packed), "HTTP/1.1 415");

@@ -6,6 +6,8 @@
 #include <future>
 #include <stdexcept>
 
+#include "server/problem.hpp"
+
 namespace waybreaker::server {
 namespace {
 
@@ -62,6 +64,60 @@ TEST(JobQueue, LetsSoManyWaitAndNoMore) {
     EXPECT_EQ(third->result().body.bytes(), "third");
     EXPECT_EQ(first->result().body.bytes(), "ended");
     EXPECT_EQ(second->result().body.bytes(), "");
+}
+
+// Work that notes that it was done.
+Work noted(std::string& order, char letter) {
+    return [&order, letter](const Worker&) {
+        order += letter;
+        return Response();
+    };
+}
+
+TEST(JobQueue, ClientsTakeTurns) {
+    std::atomic<bool> end = false;
+    std::string order;  // one worker writes it
+    JobQueue queue(1, 16);
+    const auto first = queue.submit(endless(end), "busy");
+    wait_for_state(*first, Job::State::running);
+    std::vector<std::shared_ptr<Job>> jobs;
+    for (int i = 0; i < 4; ++i) jobs.push_back(queue.submit(noted(order, 'a'), "busy"));
+    for (int i = 0; i < 2; ++i) jobs.push_back(queue.submit(noted(order, 'b'), "other"));
+    jobs.push_back(queue.submit(noted(order, 'c'), "third"));
+    // What was given up takes no turn.
+    EXPECT_TRUE(jobs[0]->stop());
+    end = true;
+    for (const std::size_t i : {1U, 2U, 3U, 4U, 5U, 6U}) wait_for(*jobs[i]);
+    EXPECT_EQ(order, "abcaba");
+}
+
+TEST(JobQueue, AClientThatFillsTheQueueMakesRoomForOthers) {
+    std::atomic<bool> end = false;
+    std::string order;
+    JobQueue queue(1, 4);
+    const auto first = queue.submit(endless(end), "busy");
+    wait_for_state(*first, Job::State::running);
+    std::vector<std::shared_ptr<Job>> busy;
+    for (int i = 0; i < 4; ++i) busy.push_back(queue.submit(noted(order, 'a'), "busy"));
+    EXPECT_EQ(queue.submit(noted(order, 'a'), "busy"), nullptr) << "no room for itself";
+    EXPECT_EQ(queue.refused(), 1U);
+    std::vector<std::shared_ptr<Job>> others;
+    for (int i = 0; i < 2; ++i) others.push_back(queue.submit(noted(order, 'b'), "other"));
+    ASSERT_TRUE(others[0] && others[1]);
+    EXPECT_EQ(queue.submit(noted(order, 'b'), "other"), nullptr) << "as many as the other has";
+    EXPECT_EQ(queue.waiting(), 4U);
+    EXPECT_EQ(queue.refused(), 4U);
+    // The last of them are refused.
+    for (const std::size_t i : {2U, 3U}) {
+        wait_for(*busy[i]);
+        EXPECT_THROW(busy[i]->result(), Problem);
+    }
+    const auto third = queue.submit(noted(order, 'c'), "third");
+    EXPECT_TRUE(third);
+    end = true;
+    for (const auto& job : {busy[0], others[0], third, others[1]}) wait_for(*job);
+    EXPECT_EQ(order, "abcb");
+    EXPECT_EQ(queue.refused(), 5U);
 }
 
 TEST(JobQueue, HasAWorkerFreeAsSoonAsTheAnswerIsThere) {

@@ -67,6 +67,16 @@ void hold_against_description(const std::string& method, const std::string& path
     EXPECT_EQ(answer.get_header_value("Retry-After"), answer.status == 503 ? "1" : "");
 }
 
+// What is not described must not be taken, or clients cannot be made from the description.
+void hold_request_against_description(const std::string& path, const std::string& body) {
+    const Json& operation = api()["paths"][described_path(path)]["post"];
+    const Json& content = resolved(api(), operation.at("requestBody")).at("content");
+    if (!content.contains("application/json")) return;
+    for (const std::string& fault : schema_faults(api(), content["application/json"]["schema"], Json::parse(body))) {
+        ADD_FAILURE() << path << " takes " << body.substr(0, 1000) << ": " << fault;
+    }
+}
+
 httplib::Response checked(const std::string& method, const std::string& path, const httplib::Result& result) {
     EXPECT_TRUE(result) << method << ' ' << path << ": " << httplib::to_string(result.error());
     if (!result) return {};
@@ -129,7 +139,9 @@ httplib::Response LiveServer::get(const std::string& path, const httplib::Header
 
 httplib::Response LiveServer::post(const std::string& path, const std::string& body, const std::string& type,
                                    const httplib::Headers& headers) const {
-    return checked("post", path, client().Post(path, headers, body, type));
+    const httplib::Response answer = checked("post", path, client().Post(path, headers, body, type));
+    if (answer.status == 200 || answer.status == 201) hold_request_against_description(path, body);
+    return answer;
 }
 
 httplib::Response LiveServer::remove(const std::string& path, const httplib::Headers& headers) const {

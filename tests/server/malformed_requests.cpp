@@ -192,17 +192,37 @@ Table chunks() {
             {"LF in an extension", chunked("2;a\nb\r\n{}\r\n0\r\n\r\n"), 400},
             {"CR in an extension", chunked("2;a\rb\r\n{}\r\n0\r\n\r\n"), 400},
             {"a line's end in quotes", chunked("2;a=\"\r\n{}\"\r\n0\r\n\r\n"), 400},
-            {"a trailer without a colon", chunked("2\r\n{}\r\n0\r\nX\r\n\r\n"), 400},
-            {"a trailer with a blank before the colon", chunked("2\r\n{}\r\n0\r\nX : 1\r\n\r\n"), 400},
-            {"a length in a trailer", chunked("2\r\n{}\r\n0\r\nContent-Length: 2\r\n\r\n"), 400},
             {"an extension without end", chunked("2;" + std::string(70000, 'a')), 400}};
+}
+
+// RFC 9112, 7.1.2: as headers.
+Table trailers() {
+    const auto with = [](const std::string& lines) { return chunked("2\r\n{}\r\n0\r\n" + lines + "\r\n"); };
+    std::string many;
+    for (int i = 0; i < 101; ++i) many += "X-" + std::to_string(i) + ": 1\r\n";
+    const std::string much = "X: " + std::string(40000, 'x') + "\r\n";
+    return {{"a trailer without a colon", with("X\r\n"), 400},
+            {"a trailer with a blank before the colon", with("X : 1\r\n"), 400},
+            {"a length in a trailer", with("Content-Length: 2\r\n"), 400},
+            {"a folded trailer", with("X: a\r\n b\r\n"), 400},
+            {"a folded trailer, by a tab", with("X: a\r\n\tb\r\n"), 400},
+            {"a folded first trailer", with(" X: a\r\n"), 400},
+            {"a folded trailer after a size of more digits", chunked("2\r\n{}\r\n000;a\r\nX: a\r\n b\r\n\r\n"), 400},
+            {"a folded trailer without a body", chunked("0\r\nX: a\r\n b\r\n\r\n"), 400},
+            {"a name that is none in a trailer", with("X/Y: 1\r\n"), 400},
+            {"a control character in a trailer", with("X: \x01\r\n"), 400},
+            {"LF in a trailer", with("X: a\nY: b\r\n"), 400},
+            {"too many trailers", with(many), 431},
+            {"a long trailer", with(much), 431},
+            {"trailers without end", chunked("0\r\n" + much + much), 431}};
 }
 
 }  // namespace
 
 std::vector<Malformed> malformed_requests() {
     Table all;
-    for (const Table& part : {request_lines(), versions(), addresses(), hosts(), headers(), lengths(), chunks()}) {
+    for (const Table& part :
+         {request_lines(), versions(), addresses(), hosts(), headers(), lengths(), chunks(), trailers()}) {
         all.insert(all.end(), part.begin(), part.end());
     }
     return all;

@@ -1,4 +1,7 @@
 // Clients that do not speak HTTP, are slow, never finish, or disconnect.
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <thread>
 
@@ -62,6 +65,43 @@ TEST_F(MisbehavingClientTest, ManyHalfRequestsDelayNobody) {
     const auto began = std::chrono::steady_clock::now();
     for (int i = 0; i < 60; ++i) EXPECT_EQ(get("/healthz").status, 200);
     EXPECT_LT(std::chrono::steady_clock::now() - began, 30s);
+}
+
+// No more files can be opened, but for a few.
+class FewFiles {
+  public:
+    explicit FewFiles(rlim_t more) {
+        ::getrlimit(RLIMIT_NOFILE, &before_);
+        const int next = ::dup(STDIN_FILENO);
+        ::close(next);
+        const rlimit lowered{rlim_t(next) + more, before_.rlim_max};
+        ::setrlimit(RLIMIT_NOFILE, &lowered);
+    }
+    FewFiles(const FewFiles&) = delete;
+    FewFiles& operator=(const FewFiles&) = delete;
+    ~FewFiles() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+
+  private:
+    rlimit before_{};
+};
+
+TEST_F(MisbehavingClientTest, IdleOnesGiveWayWhereFewFilesCanBeOpened) {
+    options_.limits.timeout = 600;
+    options_.limits.idle = 600;
+    Service service(options_);
+    // They are there before the server: its connections alone count against the limit.
+    std::vector<std::unique_ptr<Wire>> idle;
+    for (int i = 0; i < 800; ++i) idle.push_back(std::make_unique<Wire>(service.port()));
+    const Wire wire(service.port());
+    wire.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+    const FewFiles few(20);
+    std::thread running([&] { service.run(); });
+    const auto began = std::chrono::steady_clock::now();
+    EXPECT_TRUE(wire.rest().starts_with("HTTP/1.1 200 "));
+    // A pause for each that gives way would make 78 seconds.
+    EXPECT_LT(std::chrono::steady_clock::now() - began, 30s);
+    service.stop();
+    running.join();
 }
 
 TEST_F(MisbehavingClientTest, ConnectionsOfOneClientAreLimited) {

@@ -97,6 +97,9 @@ TEST(PlanRequest, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(refusal(R"({"options": {"removals": 33}})"), "request:1:26: options.removals is not between 0 and 32");
     EXPECT_EQ(refusal(R"({"plan": 1})"),
               "request:1:2: the document has a member that is none of mission, options, methods, no_timing");
+    EXPECT_EQ(refusal(R"({"methods": []})"), "request:1:13: methods names no method; leave it out for the usual ones");
+    EXPECT_EQ(refusal(R"({"options": {"weights": [[1, 2], [2, 1], [1, 3]]}})"),
+              "request:1:44: options.weights[2][0] has a weight already");
     EXPECT_EQ(refusal("{\n!"), "request:2:1: this is not JSON");
     EXPECT_EQ(refusal(R"({"format": "waybreaker-mission/2"})"), "request:1:12: format is not waybreaker-mission/1");
 }

@@ -69,7 +69,7 @@ TEST(RequestReader, ReadsOneRequestAfterTheOther) {
         EXPECT_EQ(requests[0].path, "/a");
         EXPECT_EQ(requests[0].query.get("y"), "A b");
         EXPECT_EQ(requests[0].query.find("z"), "");
-        EXPECT_EQ(requests[0].headers.get("ACCEPT"), "text/html");
+        EXPECT_EQ(requests[0].headers.get("ACCEPT"), "text/html, x") << "lines of one name are one list";
         EXPECT_EQ(requests[0].headers.count("Accept"), 2U);
         EXPECT_EQ(requests[1].body, "hello");
         EXPECT_EQ(requests[2].path, "/c d");
@@ -79,6 +79,21 @@ TEST(RequestReader, ReadsOneRequestAfterTheOther) {
         EXPECT_EQ(requests[3].path, "/");
         EXPECT_EQ(requests[3].headers.get("Host"), "Other.example:81") << "the address says it, not Host";
         EXPECT_EQ(requests[4].path, "/");
+    }
+}
+
+TEST(RequestReader, TakesAsManyTrailersAsHeaders) {
+    std::string trailers;
+    for (int i = 0; i < 99; ++i) trailers += "X-" + std::to_string(i) + ": 1\r\n";
+    trailers += "X: " + std::string(30000, 'x') + "\r\n\r\n";
+    const std::string bytes = "POST / HTTP/1.1\r\nHost: a\r\nTransfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n00\r\n" +
+                              trailers + "GET /next HTTP/1.1\r\nHost: a\r\n\r\n";
+    for (const std::size_t piece : {bytes.size(), std::size_t(1), std::size_t(7)}) {
+        const auto [requests, status] = outcome(bytes, piece);
+        EXPECT_EQ(status, 0);
+        ASSERT_EQ(requests.size(), 2U);
+        EXPECT_EQ(requests[0].body, "{}");
+        EXPECT_EQ(requests[1].path, "/next");
     }
 }
 

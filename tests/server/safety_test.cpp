@@ -28,6 +28,21 @@ TEST(Guard, KnowsThisMachine) {
     }
 }
 
+TEST(Guard, KnowsNamesAndAddresses) {
+    const std::vector<std::string> names{"robots.example", "base"};
+    for (const char* host : {"robots.example", "Robots.Example:8080", "base:80"})
+        EXPECT_TRUE(names_one_of(host, names));
+    for (const char* host : {"", "robots.example.evil", "evil.robots.example", "robots", "base.", "[base]"}) {
+        EXPECT_FALSE(names_one_of(host, names)) << host;
+    }
+    for (const char* host : {"192.0.2.7", "192.0.2.7:80", "[2001:db8::7]", "[2001:db8::7]:80"}) {
+        EXPECT_TRUE(is_address(host)) << host;
+    }
+    for (const char* host : {"", "192.0.2.7.evil.example", "evil.example", "192.0.2", "[evil]", "["}) {
+        EXPECT_FALSE(is_address(host)) << host;
+    }
+}
+
 TEST(Guard, TokenMustBeTheWholeToken) {
     for (const char* right : {"Bearer secret", "bearer secret", "BEARER  secret"}) {
         EXPECT_TRUE(brings_token(right, "secret")) << right;
@@ -49,6 +64,28 @@ TEST_F(SafetyTest, OtherMachinesNeedATokenOrAStatedRisk) {
     EXPECT_EQ(input_error([this] { Service service(options_); }), "");
 }
 
+TEST_F(SafetyTest, TokensThatNobodyCanSendAreRefused) {
+    for (const char* token : {" ", "\t", " secret", "secret ", "sec\nret", "\x7f"}) {
+        options_.token = token;
+        EXPECT_NE(input_error([this] { Service service(options_); }).find("no client can send it"), std::string::npos);
+    }
+    for (const char* token : {"x", "a secret", "schl\xc3\xbcssel", "~!@#$%^&*()"}) {
+        options_.token = token;
+        EXPECT_EQ(input_error([this] { Service service(options_); }), "");
+        EXPECT_TRUE(brings_token("Bearer " + options_.token, options_.token));
+    }
+}
+
+TEST_F(SafetyTest, TheLogSaysAnAddressThatCanBeOpened) {
+    options_.host = "::1";
+    try {
+        const Service service(options_);
+        EXPECT_EQ(service.url(), "http://[::1]:" + std::to_string(service.port()));
+    } catch (const InputError&) {
+        GTEST_SKIP() << "this machine has no IPv6";
+    }
+}
+
 TEST_F(SafetyTest, WithATokenOnlyHealthAndDescriptionAreOpen) {
     options_.token = "secret";
     begin();
@@ -68,6 +105,30 @@ TEST_F(SafetyTest, PagesOfOtherSitesGetNothing) {
     EXPECT_EQ(get(maps, {{"Origin", "http://evil.example"}}).status, 403);
     const std::string here = "127.0.0.1:" + std::to_string(port());
     EXPECT_EQ(get(maps, {{"Host", here}, {"Origin", "http://" + here}}).status, 200);
+}
+
+TEST_F(SafetyTest, AnswersToItsNamesAlone) {
+    options_.names = {"http://robots.example"};
+    EXPECT_NE(input_error([this] { Service service(options_); }).find("--name"), std::string::npos);
+    options_.names = {"robots.example", "base"};
+    begin();
+    for (const char* host : {"robots.example", "BASE:99", "localhost", "127.0.0.1"}) {
+        EXPECT_EQ(get(maps, {{"Host", host}}).status, 200) << host;
+    }
+    for (const char* host : {"evil.example", "192.0.2.7"}) EXPECT_EQ(get(maps, {{"Host", host}}).status, 421) << host;
+    end();
+    options_.host = "0.0.0.0";
+    options_.insecure = true;
+    begin();
+    // A page's name can be made to lead here; an address cannot be such a name.
+    for (const char* host : {"robots.example", "192.0.2.7:80", "[2001:db8::7]"}) {
+        EXPECT_EQ(get(maps, {{"Host", host}}).status, 200) << host;
+    }
+    EXPECT_EQ(get(maps, {{"Host", "evil.example"}}).status, 421);
+    end();
+    options_.names.clear();
+    begin();
+    EXPECT_EQ(get(maps, {{"Host", "any.example"}}).status, 200);
 }
 
 TEST_F(SafetyTest, NoNameLeadsOutOfTheMapsFolder) {

@@ -1,4 +1,4 @@
-// Whether a JSON value is what a schema of openapi.json says: the words of JSON Schema that it uses, and no others.
+// Whether a JSON value is what a schema says.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,11 +7,11 @@
 
 namespace waybreaker::server {
 
-// Where and why not, a line each.
-std::vector<std::string> schema_faults(const nlohmann::json& api, const nlohmann::json& schema,
-                                       const nlohmann::json& value, const std::string& place = "$");
+// Where and why not, a line each. `document`: what the schema stands in, for the references to its components.
+std::vector<std::string> schema_faults(const nlohmann::json& document, const nlohmann::json& schema,
+                                       const nlohmann::json& value);
 
 // The object that a "$ref" stands for, or the value itself.
-const nlohmann::json& resolved(const nlohmann::json& api, const nlohmann::json& value);
+const nlohmann::json& resolved(const nlohmann::json& document, const nlohmann::json& value);
 
 }  // namespace waybreaker::server

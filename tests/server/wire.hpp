@@ -26,6 +26,8 @@ class Wire {
     bool send(const std::string& text) const {
         return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == ssize_t(text.size());
     }
+    // Closes the sending side: the server learns that nothing more comes.
+    void end_sending() const { ::shutdown(socket_, SHUT_WR); }
     // All bytes until the server closes the connection.
     std::string rest() const {
         std::string all;
