@@ -38,7 +38,7 @@ std::string plan_csv(const Plan& plan, const MapFile& map, const site::ToLonLat&
     const MapFrame frame(map);
     std::string text = "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches,area_m2,time_unit,map_crs\n";
     std::string same = ",";
-    same.append(time_unit(units)).append(",").append(field(units.crs)).append("\n");
+    same.append(time_unit(units)).append(",").append(csv_field(units.crs)).append("\n");
     for (const Itinerary& agent : plan.agents) {
         const bool air = agent.kind == AgentKind::air;
         for (std::size_t i = 0; i < agent.path.size(); ++i) {

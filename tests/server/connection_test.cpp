@@ -135,7 +135,8 @@ TEST_F(ConnectionTest, AnswersAClientThatHasSentAllAndSaysSo) {
     EXPECT_TRUE(answered(health).ends_with(healthy));
     EXPECT_NE(answered(plan(house_mission.dump())).find("\"status\": \"solved\""), std::string::npos);
     EXPECT_EQ(count(answered(plan(house_mission.dump()) + plan(house_mission.dump()) + health), "HTTP/1.1 200 "), 3);
-    EXPECT_EQ(answered(plan(house_mission.dump()).substr(0, 200)), "") << "half a request";
+    const std::string whole = plan(house_mission.dump());
+    EXPECT_EQ(answered(whole.substr(0, whole.size() - 1)), "");
     // A plan that takes longer than the server waits before it looks whether the client is still there.
     Json request{{"mission", {{"start", {0, 0}}, {"goal", {299, 299}}}},
                  {"options", {{"removals", 20}, {"time_limit", 1}}}};

@@ -99,7 +99,7 @@ TEST(PlanRequest, SaysWhatIsWrongAndWhere) {
               "request:1:2: the document has a member that is none of mission, options, methods, no_timing");
     EXPECT_EQ(refusal(R"({"methods": []})"), "request:1:13: methods names no method; leave it out for the usual ones");
     EXPECT_EQ(refusal(R"({"options": {"weights": [[1, 2], [2, 1], [1, 3]]}})"),
-              "request:1:44: options.weights[2][0] has a weight already");
+              "request:1:43: options.weights[2][0] has a weight already");
     EXPECT_EQ(refusal("{\n!"), "request:2:1: this is not JSON");
     EXPECT_EQ(refusal(R"({"format": "waybreaker-mission/2"})"), "request:1:12: format is not waybreaker-mission/1");
 }
