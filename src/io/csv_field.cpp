@@ -7,7 +7,7 @@ namespace {
 
 bool is_formula(std::string_view text) {
     constexpr std::string_view begins = "=+-@\t\r";
-    return !text.empty() && begins.find(text.front()) != std::string_view::npos && !number<double>(text);
+    return !text.empty() && begins.find(text.front()) != std::string_view::npos && !waybreaker::number<double>(text);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ Agent read_agent(const JsonField& field) {
     return agent;
 }
 
-Json number_json(double value) {
+Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
@@ -92,11 +92,11 @@ Json agent_json(const Agent& agent) {
               {"kind", word_of(agent_words, agent.kind)},
               {"start", cell_json(agent.start)},
               {"goal", cell_json(agent.goal)},
-              {"speed", number_json(agent.speed)}};
-    if (agent.ready_at != 0) json["ready_at"] = number_json(agent.ready_at);
+              {"speed", number(agent.speed)}};
+    if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
     if (agent.breaches != any_number) json["breaches"] = agent.breaches;
     if (agent.kind == AgentKind::air) return json;
-    json["radius"] = number_json(agent.body.radius);
+    json["radius"] = number(agent.body.radius);
     json["corners"] = word_of(corner_words, agent.body.corners);
     return json;
 }
@@ -111,16 +111,16 @@ Json rules_json(const MissionDocument& document) {
     const Rules& rules = document.mission.rules;
     const bool area_budget = document.area_budget;
     Json json{{"removals", rules.removals}};
-    if (std::isfinite(rules.budget)) json[area_budget ? "budget_m2" : "budget"] = number_json(rules.budget);
+    if (std::isfinite(rules.budget)) json[area_budget ? "budget_m2" : "budget"] = number(rules.budget);
     json["protect"] = ids_json(rules.protect);
     for (const site::TagFilter& tag : document.protect_tags) json["protect"].push_back(tag.text());
     json["force"] = ids_json(rules.force);
-    json["breach_time"] = number_json(rules.breach_time.per_obstacle);
-    json["breach_time_per_cell"] = number_json(rules.breach_time.per_cell);
+    json["breach_time"] = number(rules.breach_time.per_obstacle);
+    json["breach_time_per_cell"] = number(rules.breach_time.per_cell);
     json["timing"] = word_of(timing_words, rules.timing);
     json["objective"] = word_of(objective_words, rules.objective);
-    if (rules.minimise_demolition) json["minimise_demolition"] = number_json(*rules.minimise_demolition);
-    if (rules.separation != 0) json["separation"] = number_json(rules.separation);
+    if (rules.minimise_demolition) json["minimise_demolition"] = number(*rules.minimise_demolition);
+    if (rules.separation != 0) json["separation"] = number(rules.separation);
     if (rules.at_goal != AtGoal::stay) json["at_goal"] = word_of(at_goal_words, rules.at_goal);
     return json;
 }
@@ -130,7 +130,7 @@ Json method_json(const Method& method) {
               {"flight", word_of(flight_words, method.flight)},
               {"planner", word_of(planner_words, method.planner)}};
     if (method.heuristic) json["heuristic"] = word_of(heuristic_words, *method.heuristic);
-    json["weight"] = number_json(method.weight);
+    json["weight"] = number(method.weight);
     json["tie_break"] = word_of(tie_break_words, method.tie_break);
     json["moves"] = method.diagonal ? 8 : 4;
     json["bound"] = method.bound;
@@ -139,9 +139,9 @@ Json method_json(const Method& method) {
 }
 
 Json limits_json(const Limits& limits) {
-    Json json{{"seconds", number_json(limits.seconds)}};
+    Json json{{"seconds", number(limits.seconds)}};
     if (limits.expansions < UINT64_MAX) json["expansions"] = limits.expansions;
-    if (limits.gap != 0) json["gap"] = number_json(limits.gap);
+    if (limits.gap != 0) json["gap"] = number(limits.gap);
     return json;
 }
 

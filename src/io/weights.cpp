@@ -17,8 +17,8 @@ std::vector<double> read_weights(const std::string& path, const Map& map) {
     for (TextLines lines(text, path); lines.next();) {
         const std::vector<std::string_view> found = words(lines.line().substr(0, lines.line().find('#')));
         if (found.empty()) continue;
-        const std::optional<std::uint32_t> id = number<std::uint32_t>(found.front());
-        const std::optional<double> weight = number<double>(found.back());
+        const std::optional<std::uint32_t> id = waybreaker::number<std::uint32_t>(found.front());
+        const std::optional<double> weight = waybreaker::number<double>(found.back());
         if (found.size() != 2 || !id || !weight) {
             throw lines.error("expected an obstacle and its weight, such as \"17 2.5\"");
         }
