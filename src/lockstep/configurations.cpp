@@ -10,6 +10,7 @@ namespace {
 
 using Who = std::uint32_t;
 constexpr Who nobody = UINT32_MAX;
+constexpr Site fork = nowhere - 1;
 
 // Some vehicles are told where to step to: the last one, and those of the parent.
 struct Constraint {
@@ -27,7 +28,8 @@ struct Node {
     std::size_t next = 0;  // of the constraints
 };
 
-// The next configuration by priority inheritance with backtracking (PIBT).
+// The next configuration by priority inheritance with backtracking (PIBT), and by swaps in corridors (Okumura:
+// Improving LaCAM for scalable eventually optimal multi-agent pathfinding, IJCAI 2023).
 class NextConfiguration {
   public:
     NextConfiguration(const Lattice& lattice, std::span<const std::vector<std::uint32_t>> left, std::uint64_t seed)
@@ -88,7 +90,59 @@ class NextConfiguration {
         return false;
     }
 
-    // Settles it somewhere, and those that it drives away. False if it stands where it is, for want of anything else.
+    // Where a corridor goes on for who comes from a site beside; `nowhere` where it ends, `fork` where it opens. Nobody
+    // turns aside into the end of another where somebody is at home.
+    Site onward(Site from, Site here) const {
+        Site on = nowhere;
+        for (Direction d = 0; d < directions; ++d) {
+            if (!lattice_.open(here, d)) continue;
+            const Site to = lattice_.next(here, d);
+            if (to == from || (lattice_.is_end(to) && now_at_[to] != nobody && left_[now_at_[to]][to] == 0)) continue;
+            if (on != nowhere) return fork;
+            on = to;
+        }
+        return on;
+    }
+
+    // Whether one that pushes another along a corridor would not get past it in the end, as it comes the other way.
+    bool must_swap(Who pusher, Who other, Site behind, Site before) const {
+        while (left_[pusher][before] < left_[pusher][behind]) {
+            const Site on = onward(behind, before);
+            if (on == fork) return false;
+            if (on == nowhere) break;
+            behind = std::exchange(before, on);
+        }
+        return left_[other][behind] < left_[other][before] &&
+               (left_[pusher][behind] == 0 || left_[pusher][before] < left_[pusher][behind]);
+    }
+
+    // Whether the corridor that leads there opens somewhere, so that two can pass each other.
+    bool can_swap(Site from, Site here) const {
+        for (const Site first = from; here != first;) {
+            const Site on = onward(from, here);
+            if (on == fork) return true;
+            if (on == nowhere) return false;
+            from = std::exchange(here, on);
+        }
+        return false;
+    }
+
+    // With whom it has to swap places: who stands where it wants to go, or wants to go where it would be pushed on.
+    Who to_swap_with(Who i, Site best) const {
+        const Site here = (*now_)[i];
+        if (best == here || !can_swap(best, here)) return nobody;
+        const Who there = now_at_[best];
+        if (there != nobody && next_[there] == nowhere && must_swap(i, there, here, best)) return there;
+        for (Direction d = 0; d < directions; ++d) {
+            const Site beside = lattice_.next(here, d);
+            if (!lattice_.open(here, d) || beside == best || now_at_[beside] == nobody) continue;
+            if (must_swap(now_at_[beside], i, here, best)) return now_at_[beside];
+        }
+        return nobody;
+    }
+
+    // Settles it somewhere, and those that it drives away. Who has to swap places with another goes back instead, to
+    // where the corridor opens, and draws that one along. False if it stands where it is, for want of anything else.
     bool move(Who i) {
         const Site here = (*now_)[i];
         std::array<Choice, directions + 1> choices{};  // the nearest to its goal first
@@ -103,12 +157,17 @@ class NextConfiguration {
         for (Direction d = 0; d < directions; ++d) {
             if (lattice_.open(here, d)) offer(lattice_.next(here, d));
         }
+        const Who partner = to_swap_with(i, choices[0].site);
+        if (partner != nobody) std::reverse(choices.begin(), choices.begin() + std::ptrdiff_t(count));
         for (std::size_t k = 0; k < count; ++k) {
             const Site to = choices[k].site;
             if (next_at_[to] != nobody || closes_circle(i, to)) continue;
             settle(i, to);
             const Who there = now_at_[to];
-            if (there == nobody || next_[there] != nowhere || move(there)) return true;
+            if (there != nobody && next_[there] == nowhere && !move(there)) continue;
+            const bool draws = k == 0 && partner != nobody && next_[partner] == nowhere;
+            if (draws && next_at_[here] == nobody && !closes_circle(partner, here)) settle(partner, here);
+            return true;
         }
         settle(i, here);
         return false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -51,6 +52,8 @@ class Lattice {
         return from + Site(ahead[d].x) + Site(ahead[d].y) * stride_;  // modulo 2^32
     }
     bool open(Site from, Direction d) const { return (steps_[from] >> d & 1U) != 0; }
+    // Whether one step leads away from there.
+    bool is_end(Site site) const { return std::has_single_bit(steps_[site]); }
     // Where a step in that direction can end.
     const Word* ends(Direction d) const { return ends_[d].data(); }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_sites = 1U << 16U;
 constexpr std::size_t most_distances = 1U << 24U;  // of all vehicles
 constexpr std::size_t most_occupied = 1U << 20U;   // words of what is taken when
-constexpr std::size_t most_configurations = 2000;  // of an attempt
+constexpr std::size_t most_configurations = 2000;  // of an attempt; of long trips as many as these take twice over
 constexpr std::uint64_t attempts = 20;
 
 // The routes of configurations, without the time that each stands at its goal in the end.
@@ -39,17 +39,20 @@ std::optional<std::vector<std::vector<Cell>>> move_in_lockstep(const OpenedMap& 
     const Lattice lattice(map, body);
     if (trips.size() * lattice.size() > most_distances) return std::nullopt;
     std::vector<std::vector<std::uint32_t>> left;
+    std::size_t most = most_configurations;
     Configuration starts;
     Configuration goals;
     for (const Trip& trip : trips) {
         starts.push_back(lattice.site(trip.start));
         goals.push_back(lattice.site(trip.goal));
         left.push_back(lattice.distances_to(goals.back()));
-        if (left.back()[starts.back()] == Lattice::unreachable) return std::nullopt;
+        const std::uint32_t steps = left.back()[starts.back()];
+        if (steps == Lattice::unreachable) return std::nullopt;
+        most = std::max(most, std::size_t{2} * steps);
     }
     std::optional<std::vector<Configuration>> configurations;
     for (std::uint64_t seed = 0; seed < attempts && !configurations && !due(); ++seed) {
-        configurations = move_all(lattice, starts, goals, left, seed, most_configurations, due);
+        configurations = move_all(lattice, starts, goals, left, seed, most, due);
     }
     if (!configurations) return std::nullopt;
     std::vector<Route> routes = routes_of(*configurations);
