@@ -63,15 +63,15 @@ TEST(Antimeridian, LeavesTheRestOfTheWorldAlone) {
     ASSERT_EQ(cut_line(line).size(), 1U);
     EXPECT_EQ(cut_line(line)[0].places, line.places);
     const LonLatPolygon square{{{1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}}};
-    EXPECT_EQ(cut_polygon(square), std::vector{square});
+    EXPECT_EQ(cut_polygon(square), std::vector<LonLatPolygon>{square});
 }
 
 TEST(Antimeridian, CutsASquareInTwo) {
     const auto parts = cut_polygon({{{179, 1}, {-178, 1}, {-178, 2}, {179, 2}, {179, 1}}});
     ASSERT_EQ(parts.size(), 2U);
     expect_on_one_side(parts);
-    EXPECT_DOUBLE_EQ(area(std::vector{parts[0]}), 1);
-    EXPECT_DOUBLE_EQ(area(std::vector{parts[1]}), 2);
+    EXPECT_DOUBLE_EQ(area(std::vector<LonLatPolygon>{parts[0]}), 1);
+    EXPECT_DOUBLE_EQ(area(std::vector<LonLatPolygon>{parts[1]}), 2);
 }
 
 // A comb whose teeth reach over the line, with a hole in its back and one across the line.
@@ -94,7 +94,7 @@ TEST(Antimeridian, CutsWhatIsCrossedOften) {
     EXPECT_EQ(parts[1].size(), 1U);
     EXPECT_NEAR(area(parts), 3 * 5 - 2 - 0.4 - 1, 1e-9);
     for (const LonLatPolygon& part : parts) {
-        for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(area(std::vector{LonLatPolygon{part[i]}}) > 0, i == 0);
+        for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(area(std::vector<LonLatPolygon>{LonLatPolygon{part[i]}}) > 0, i == 0);
     }
 }
 
