@@ -132,10 +132,10 @@ TEST_F(MapStoreTest, RefusesFilesByTheirSizeBeforeItReadsThem) {
     std::filesystem::resize_file(path("huge.map"), std::uintmax_t{1} << 40);
     put("none.map", "");
     std::filesystem::resize_file(path("none.map"), std::uintmax_t{1} << 16);
-    MapStore store(path("."), with_memory(200'000));
-    EXPECT_EQ(problem_of([&] { store.load("huge.map"); }), std::pair(422, std::string("map-beyond-memory")));
-    EXPECT_EQ(problem_of([&] { store.load("none.map"); }), std::pair(422, std::string("map-unreadable")));
-    EXPECT_EQ(store.memory(), 0U);
+    Store store(200'000, path("."));
+    EXPECT_EQ(problem_of([&] { store.maps.load("huge.map"); }), std::pair(422, std::string("map-beyond-memory")));
+    EXPECT_EQ(problem_of([&] { store.maps.load("none.map"); }), std::pair(422, std::string("map-unreadable")));
+    EXPECT_EQ(store.budget.used(), 0U);
 }
 
 }  // namespace

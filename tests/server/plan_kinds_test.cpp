@@ -92,15 +92,15 @@ TEST_F(PlanKindsTest, NoneAtAll) {
 }
 
 TEST_F(PlanKindsTest, WithoutTheTimeForThem) {
-    constexpr int side = 300;
-    put("maps/thicket.map", thicket(side));
+    constexpr int width = 300;
+    put("maps/thicket.map", thicket(width));
     begin();
     const std::string map = maps + "/thicket.map";
-    Json request = long_mission(side);
+    Json request = long_mission(width);
     request["options"]["time_limit"] = 0.05;
     EXPECT_EQ(post_json(map + "/plan", request)["limit_reached"], true);
     EXPECT_EQ(post_json(map + "/front", request)["format"], "waybreaker-plan/1");
-    const Json last{side - 1, side - 1};
+    const Json last{width - 1, width - 1};
     request = mission_of(
         {agent("a", "ground", {0, 0}, last), agent("b", "ground", last, {0, 0}), agent("c", "air", {0, 0}, last)}, 20);
     for (const double seconds : {1e-6, 0.05}) {
