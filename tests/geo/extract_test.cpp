@@ -134,17 +134,16 @@ TEST_F(ExtractTest, CoordinatesAreDegrees) {
     EXPECT_EQ(read_extract(path("town.geojson")).buildings, 1U);
 }
 
-TEST_F(ExtractTest, WhatIsNoBuildingHasDegreesToo) {
+TEST_F(ExtractTest, OtherThingsThatLieNowhereOnEarthDoNotMatter) {
     const auto with_point_at = [this](const std::string& longitude) {
         put("town.geojson", R"({"type":"FeatureCollection","features":[)" + building("[1,1],[2,1],[2,2],[1,1]") +
                                 R"(,{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[)" +
                                 longitude + ",1]}}]}");
     };
-    with_point_at("1000");
-    EXPECT_NE(input_error([&] { read_extract(path("town.geojson")); }).find("not longitude and latitude"),
-              std::string::npos);
-    with_point_at("1e308");  // no box can hold it
-    EXPECT_EQ(read_extract(path("town.geojson")).bounds, (std::array<double, 4>{1, 1, 2, 2}));
+    for (const char* const longitude : {"1000", "1e308"}) {
+        with_point_at(longitude);
+        EXPECT_EQ(read_extract(path("town.geojson")).bounds, (std::array<double, 4>{1, 1, 2, 2})) << longitude;
+    }
 }
 
 TEST_F(ExtractTest, SaysInWordsWhatTheReaderStumblesOver) {
