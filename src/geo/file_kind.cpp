@@ -103,8 +103,9 @@ std::optional<FileKind> json_kind(std::string_view head) {
         return FileKind{"JSON of the Overpass API",
                         "ask for XML: begin the query with [out:xml], end it with (._;>;); out;", neither};
     }
-    for (const std::string_view type : {"\"FeatureCollection\"", "\"Feature\"", "\"Topology\"", "\"Polygon\"",
-                                        "\"MultiPolygon\"", "\"GeometryCollection\""}) {
+    for (const std::string_view type :
+         {"\"FeatureCollection\"", "\"Feature\"", "\"Topology\"", "\"Polygon\"", "\"MultiPolygon\"", "\"LineString\"",
+          "\"MultiLineString\"", "\"Point\"", "\"MultiPoint\"", "\"GeometryCollection\""}) {
         if (has(type)) return FileKind{"GeoJSON", "", import};
     }
     // The YAML of a ROS map may stand in braces.

@@ -169,7 +169,7 @@ TEST_F(Sources, OfOpenStreetMapWithAnIndex) {
 
 TEST_F(Sources, PackedInAWayThatIsNotReadSaySo) {
     EXPECT_EQ(input_error([&] { open_source(put("a.osm.bz2", "BZh91AY&SY")); }),
-              path("a.osm.bz2") + ": is packed with bzip2; unpack it with 'bunzip2 -k'");
+              path("a.osm.bz2") + ": is packed with bzip2: unpack it with 'bunzip2 -k'");
     EXPECT_NE(input_error([&] {
                   open_source(put("a.osm.xz",
                                   "\xfd"

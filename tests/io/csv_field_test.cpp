@@ -31,9 +31,9 @@ TEST(PlanCsv, AgentsNamesAreNoFormulas) {
     Plan plan;
     plan.agents = {{.id = "=1+1", .kind = AgentKind::ground, .path = {{0, 0, 0}, {1, 0, 1}}}};
     EXPECT_EQ(plan_csv(plan, map, {}),
-              "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches,area_m2\n"
-              "'=1+1,ground,0,0,0,0.5,0.5,,,,\n"
-              "'=1+1,ground,1,1,0,1.5,0.5,,,,\n");
+              "agent,kind,t,x,y,map_x,map_y,lon,lat,breaches,area_m2,time_unit,map_crs\n"
+              "'=1+1,ground,0,0,0,0.5,0.5,,,,,cells at speed 1,\n"
+              "'=1+1,ground,1,1,0,1.5,0.5,,,,,cells at speed 1,\n");
 }
 
 }  // namespace
