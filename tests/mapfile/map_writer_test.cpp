@@ -42,7 +42,7 @@ io::MapFile labelled_yard() {
     attributes[2] = {.destructible = false, .source_id = -4711};
     return {.map = Map::from_labels(5, 3, {drawn.labels().begin(), drawn.labels().end()}, attributes),
             .cell_size = 2.5,
-            .georeference = site::Georeference{"LOCAL_CS[\"here\",UNIT[\"metre\",1]]", {100, 2.5, 0, 50, 0, -2.5}},
+            .origin = std::array{100.0, 42.5},
             .attribution = "(c) somebody",
             .title = "Yard"};
 }

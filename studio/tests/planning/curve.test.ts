@@ -20,7 +20,8 @@ it("a curve never rises, nor does what bounds it", () => {
 it("says nothing of what is not known, and goes on past it", () => {
   const unknown: FrontPoint = { ...point(null, null), status: "limit_reached" };
   const points = [point(120, 90), unknown, point(125, 80), unknown];
-  expect(consistent(points, "makespan")).toMatchObject([{ makespan: 120 }, unknown, { makespan: 120 }, unknown]);
+  const still = { makespan: null, status: "limit_reached" };
+  expect(consistent(points, "makespan")).toMatchObject([{ makespan: 120 }, still, { makespan: 120 }, still]);
   const curve = new Curve("", 0);
   curve.add(planOf({ after: null, status: "limit_reached" }));
   curve.add(planOf({ after: 95, removed: [1] }));
