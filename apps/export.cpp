@@ -60,7 +60,8 @@ void run(const ExportOptions& options) {
     require_valid(options, plan, map);
     auto files = export_plan(options.exports, plan.plan, map, search_options(plan.method, plan.mission.ground_body()),
                              plan.in_seconds);
-    if (!options.html.empty()) files.emplace_back(options.html, studio::plan_html(map, std::array{studio::NamedPlan{"plan", text}}));
+    if (!options.html.empty())
+        files.emplace_back(options.html, studio::plan_html(map, std::array{studio::NamedPlan{"plan", text}}));
     for (const auto& [path, bytes] : files) io::write_whole(path, bytes);
 }
 

@@ -79,9 +79,9 @@ std::string waits(const Plan& plan, const io::PlanContext& context) {
         if (agent.kind != AgentKind::ground) continue;
         for (const Wait& wait : explained ? agent.waits : stands(agent)) {
             all += wait.until - wait.from;
-            lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}{}\n", shortened(agent.id),
-                                        wait.until - wait.from, wait.at.x, wait.at.y, wait.from, wait.until,
-                                        explained ? reason(wait, context.map) : ""));
+            lines.push_back(fmt::format("{} agent waits {:.3f} at {:g},{:g}, from {:.3f} to {:.3f}{}\n",
+                                        shortened(agent.id), wait.until - wait.from, wait.at.x, wait.at.y, wait.from,
+                                        wait.until, explained ? reason(wait, context.map) : ""));
         }
     }
     if (lines.size() > 1 && !context.mission.is_team()) lines.push_back(fmt::format("it waits {:.3f} in all\n", all));

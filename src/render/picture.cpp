@@ -16,6 +16,7 @@
 #include "render/palette.hpp"
 #include "render/sample.hpp"
 #include "render/signs.hpp"
+#include "render/stops.hpp"
 #include "render/xml_text.hpp"
 #include "waybreaker/error.hpp"
 
@@ -103,25 +104,6 @@ std::string draw_paths(const Scene& scene) {
     if (before.air().path != after.air().path) out += draw(PathSign::air_before, before.air().path);
     if (before.ground().path != after.ground().path) out += draw(PathSign::ground_before, before.ground().path);
     return out + draw(PathSign::ground, after.ground().path) + draw(PathSign::air, after.air().path);
-}
-
-struct Wait {
-    waybreaker::Point at;
-    double time;
-};
-
-// Of the ground agent, in the order of its path.
-std::vector<Wait> waits(const Plan& plan) {
-    std::vector<Wait> found;
-    for (const Itinerary& agent : plan.agents) {
-        if (agent.kind != AgentKind::ground) continue;
-        for (std::size_t i = 1; i < agent.path.size(); ++i) {
-            const Waypoint& a = agent.path[i - 1];
-            const Waypoint& b = agent.path[i];
-            if (a.x == b.x && a.y == b.y && a.t < b.t) found.push_back({{a.x, a.y}, b.t - a.t});
-        }
-    }
-    return found;
 }
 
 // A few words beside a sign.

@@ -89,8 +89,8 @@ io::PlanContext context_of(const Task& task, const PreparedMission& prepared, st
             .in_seconds = prepared.document.in_seconds};
 }
 
-std::string plan_text(const Task& task, const OptionsRequest& wanted, const Worker& worker,
-                      PlannerPool::Loan& planner, double seconds) {
+std::string plan_text(const Task& task, const OptionsRequest& wanted, const Worker& worker, PlannerPool::Loan& planner,
+                      double seconds) {
     const PreparedMission prepared = prepare(task, wanted, worker, seconds);
     const io::MissionDocument& asked = prepared.document;
     const Plan plan = planner.plan(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);

@@ -93,8 +93,8 @@ class Talk {
 
   private:
     void tell() {
-        const ssize_t sent = send(wire_, told_.front().data() + sent_, told_.front().size() - sent_,
-                                  MSG_NOSIGNAL | MSG_DONTWAIT);
+        const ssize_t sent =
+            send(wire_, told_.front().data() + sent_, told_.front().size() - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
         if (sent < 0 && errno != EAGAIN && errno != EINTR) told_ = {};  // it does not listen
         if (sent > 0) sent_ += std::size_t(sent);
         skip_empty();

@@ -28,8 +28,8 @@ std::string progress_event(const Job& job);
 std::string plan_event(const Response& response);
 std::string problem_event(const Failure& failure);
 
-// Work of each kind has workers and a queue of its own, so that none waits for another: plans, and what else is asked of
-// a map; maps that are sent or edited; map data, and imports from it.
+// Work of each kind has workers and a queue of its own, so that none waits for another: plans, and what else is asked
+// of a map; maps that are sent or edited; map data, and imports from it.
 enum class Lane { planning, uploading, importing };
 
 class Executor {

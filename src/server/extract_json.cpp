@@ -8,12 +8,9 @@ nlohmann::ordered_json extract_json(const geo::Extract& extract) {
     using Json = nlohmann::ordered_json;
     Json places = Json::array();
     for (const geo::NamedPlace& place : extract.places) places.push_back({{"name", place.name}, {"at", place.at}});
-    return {{"bounds", extract.bounds},
-            {"buildings", extract.buildings},
-            {"columns", extract.columns},
-            {"rows", extract.rows},
-            {"built", extract.built},
-            {"densest", {{"center", extract.densest}, {"size", extract.side}}},
+    return {{"bounds", extract.bounds},   {"buildings", extract.buildings},
+            {"columns", extract.columns}, {"rows", extract.rows},
+            {"built", extract.built},     {"densest", {{"center", extract.densest}, {"size", extract.side}}},
             {"places", std::move(places)}};
 }
 

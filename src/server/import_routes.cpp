@@ -60,9 +60,9 @@ Route import_route(const Importer& importer, SourceStore& sources, MapStore& map
         const ImportRequest asked = read_request([&call] { return parse_import_request(call.request.body); });
         Work work = [&, asked, source = sources.find(asked.source)](const Worker& worker) {
             return upload_response(maps.add([&](const MapLimits& limits) {
-                return stored(importer.import(source->name, source->bytes, source->extract, asked, limits.cells,
-                                              worker.stop),
-                              limits);
+                return stored(
+                    importer.import(source->name, source->bytes, source->extract, asked, limits.cells, worker.stop),
+                    limits);
             }));
         };
         return Deferred{.work = std::move(work), .lane = Lane::importing};

@@ -4,7 +4,8 @@
 //     {"task": "extract", "name": "river.osm"}              {"extract": {...}, "bytes": 0}
 //     {"task": "import", "name": "river.osm",               {"notes": ["..."], "bytes": 1234}
 //      "request": "{...}", "densest": [9, 50], "side": 60}
-//                                                           {"problem": {"kind": "import-unfit", "detail": "..."}, "bytes": 0}
+//                                                           {"problem": {"kind": "import-unfit", "detail": "..."},
+//                                                           "bytes": 0}
 //
 // `bytes` are those of the file.
 #pragma once

@@ -2,9 +2,9 @@
 // Allocations that the budget has no room for throw std::bad_alloc, as those do that the system has no room for. So
 // what is limited is what searches really take, which no formula knows beforehand.
 //
-// Counts operator new and delete, which this file's source replaces for the whole program; and calloc and free where our
-// own code calls them (the linker's --wrap, see CMakeLists.txt): also pages that are not touched yet. Not what libraries
-// allocate in other ways.
+// Counts operator new and delete, which this file's source replaces for the whole program; and calloc and free where
+// our own code calls them (the linker's --wrap, see CMakeLists.txt): also pages that are not touched yet. Not what
+// libraries allocate in other ways.
 #pragma once
 
 #include <cstddef>

@@ -69,10 +69,10 @@ std::string Metrics::text(const Gauges& gauges) const {
     text += single("waybreaker_plans_running", "gauge", "Plans that workers are at.", gauges.plans.running);
     text += single("waybreaker_uploads_waiting", "gauge", "Maps sent or edited that wait.", gauges.uploads.waiting);
     text += single("waybreaker_uploads_running", "gauge", "Maps that are being made.", gauges.uploads.running);
-    text += single("waybreaker_imports_waiting", "gauge", "Imports, and map data sent, that wait.",
-                   gauges.imports.waiting);
-    text += single("waybreaker_imports_running", "gauge", "Imports, or map data read, at work.",
-                   gauges.imports.running);
+    text +=
+        single("waybreaker_imports_waiting", "gauge", "Imports, and map data sent, that wait.", gauges.imports.waiting);
+    text +=
+        single("waybreaker_imports_running", "gauge", "Imports, or map data read, at work.", gauges.imports.running);
     text += single("waybreaker_maps_loaded", "gauge", "Maps held in memory.", gauges.maps);
     text += single("waybreaker_maps_bytes", "gauge", "Memory that maps and map data take.", gauges.map_bytes);
     text += heading("waybreaker_memory_bytes", "gauge", "Memory in use, of waybreaker_memory_limit_bytes.");

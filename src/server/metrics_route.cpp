@@ -22,10 +22,10 @@ Route metrics_route(const Metrics& metrics, const MapStore& store, const Executo
                                .maps = std::size_t(loaded),
                                .map_bytes = budget.used(Use::map) + budget.used(Use::source),
                                .most_memory = budget.most()};
-        for (const auto& [name, use] : {std::pair("maps", Use::map), std::pair("sources", Use::source),
-                                        std::pair("planners", Use::planner), std::pair("jobs", Use::job),
-                                        std::pair("imports", Use::importer), std::pair("requests", Use::request),
-                                        std::pair("answers", Use::answer)}) {
+        for (const auto& [name, use] :
+             {std::pair("maps", Use::map), std::pair("sources", Use::source), std::pair("planners", Use::planner),
+              std::pair("jobs", Use::job), std::pair("imports", Use::importer), std::pair("requests", Use::request),
+              std::pair("answers", Use::answer)}) {
             gauges.memory.emplace_back(name, budget.used(use));
         }
         return ok_response(metrics.text(gauges), "text/plain; version=0.0.4; charset=utf-8");

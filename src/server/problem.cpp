@@ -11,8 +11,10 @@ namespace waybreaker::server {
 
 Problem body_too_large(std::size_t most, std::string_view when) {
     constexpr unsigned megabyte = 20;  // binary digits
-    const std::string size = most >> megabyte > 0 ? fmt::format("{} MB", most >> megabyte) : fmt::format("{} bytes", most);
-    return {too_large, fmt::format("the body has more than {}{}, the most that this server takes (--max-upload)", size, when)};
+    const std::string size =
+        most >> megabyte > 0 ? fmt::format("{} MB", most >> megabyte) : fmt::format("{} bytes", most);
+    return {too_large,
+            fmt::format("the body has more than {}{}, the most that this server takes (--max-upload)", size, when)};
 }
 
 std::string title_of(int status) {

@@ -140,8 +140,7 @@ std::size_t RequestReader::Parser::pass_on(std::string_view bytes) {
 void RequestReader::Parser::expect(std::uint64_t size) {
     constexpr std::uint64_t longest = 1'000'000'000'000'000'000;
     if (size >= longest) throw Problem(bad_request, "no chunk is as long");
-    if (size > most_ - expected_)
-        throw body_too_large(most_);
+    if (size > most_ - expected_) throw body_too_large(most_);
     expected_ += std::size_t(size);
 }
 

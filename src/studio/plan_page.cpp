@@ -40,8 +40,8 @@ std::string harmless(std::string_view json) {
 
 // A picture as wide as the window, without the styles of the page.
 std::string noscript(const StillPlan& still) {
-    return "<noscript>\n<div class=\"still\">\n<h1>" + escaped(still.title) + "</h1>\n<p>" + still.sentence +
-           "</p>\n" + still.picture +
+    return "<noscript>\n<div class=\"still\">\n<h1>" + escaped(still.title) + "</h1>\n<p>" + still.sentence + "</p>\n" +
+           still.picture +
            "<p>Where JavaScript may run, this page plays the plan: open it in a browser.</p>\n</div>\n</noscript>\n";
 }
 

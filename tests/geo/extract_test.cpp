@@ -121,8 +121,8 @@ TEST_F(ExtractTest, CoordinatesAreDegrees) {
         return input_error([&] { read_extract(path("town.geojson")); });
     };
     for (const char* const ring :
-         {"[1e308,1],[-1e308,2],[3,3],[1e308,1]",
-          "[392000,5820000],[392020,5820000],[392020,5820020],[392000,5820000]", "[1,95],[2,95],[2,96],[1,95]"}) {
+         {"[1e308,1],[-1e308,2],[3,3],[1e308,1]", "[392000,5820000],[392020,5820000],[392020,5820020],[392000,5820000]",
+          "[1,95],[2,95],[2,96],[1,95]"}) {
         const std::string error = refused(ring);
         EXPECT_NE(error.find("town.geojson: its coordinates are not longitude and latitude"), std::string::npos)
             << ring << ": " << error;

@@ -76,17 +76,10 @@ TEST(Antimeridian, CutsASquareInTwo) {
 
 // A comb whose teeth reach over the line, with a hole in its back and one across the line.
 TEST(Antimeridian, CutsWhatIsCrossedOften) {
-    const LonLatPolygon comb{{{178, 0},
-                              {-179, 0},
-                              {-179, 1},
-                              {179, 1},
-                              {179, 2},
-                              {-179, 2},
-                              {-179, 5},
-                              {178, 5},
-                              {178, 0}},
-                             {{178.2, 1}, {178.2, 2}, {178.6, 2}, {178.6, 1}, {178.2, 1}},
-                             {{179.5, 3}, {179.5, 4}, {-179.5, 4}, {-179.5, 3}, {179.5, 3}}};
+    const LonLatPolygon comb{
+        {{178, 0}, {-179, 0}, {-179, 1}, {179, 1}, {179, 2}, {-179, 2}, {-179, 5}, {178, 5}, {178, 0}},
+        {{178.2, 1}, {178.2, 2}, {178.6, 2}, {178.6, 1}, {178.2, 1}},
+        {{179.5, 3}, {179.5, 4}, {-179.5, 4}, {-179.5, 3}, {179.5, 3}}};
     const auto parts = cut_polygon(comb);
     expect_on_one_side(parts);
     ASSERT_EQ(parts.size(), 3U);
@@ -94,7 +87,8 @@ TEST(Antimeridian, CutsWhatIsCrossedOften) {
     EXPECT_EQ(parts[1].size(), 1U);
     EXPECT_NEAR(area(parts), 3 * 5 - 2 - 0.4 - 1, 1e-9);
     for (const LonLatPolygon& part : parts) {
-        for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(area(std::vector<LonLatPolygon>{LonLatPolygon{part[i]}}) > 0, i == 0);
+        for (std::size_t i = 0; i < part.size(); ++i)
+            EXPECT_EQ(area(std::vector<LonLatPolygon>{LonLatPolygon{part[i]}}) > 0, i == 0);
     }
 }
 
@@ -103,8 +97,9 @@ TEST(Antimeridian, InGeoJsonIsWhereLinesAndAreasHaveSeveralParts) {
         return std::array<double, 2>{p.x > 2 ? p.x - 182 : 178 + p.x, -p.y};
     };
     const LineJson line = line_json(along_the_equator, {{1, 1, 0}, {3, 1, 2}});
-    EXPECT_EQ(line.geometry.dump(),
-              R"({"type":"MultiLineString","coordinates":[[[179.0,-1.0],[180.0,-1.0]],[[-180.0,-1.0],[-179.0,-1.0]]]})");
+    EXPECT_EQ(
+        line.geometry.dump(),
+        R"({"type":"MultiLineString","coordinates":[[[179.0,-1.0],[180.0,-1.0]],[[-180.0,-1.0],[-179.0,-1.0]]]})");
     EXPECT_EQ(line.times.dump(), "[0.0,1.0,1.0,2.0]");
     EXPECT_EQ(line_json(along_the_equator, {{1, 1, 0}}).geometry.dump(),
               R"({"type":"LineString","coordinates":[[179.0,-1.0],[179.0,-1.0]]})");

@@ -144,7 +144,8 @@ TEST_F(MapFiles, OfMapDataAreForImport) {
     };
     EXPECT_TRUE(refusal("<osm version='0.6'></osm>")
                     .ends_with("city: is map data (OpenStreetMap data): waybreaker import makes a map of it"));
-    EXPECT_TRUE(refusal(R"({"type": "FeatureCollection", "features": []})").ends_with("waybreaker import makes a map of it"));
+    EXPECT_TRUE(
+        refusal(R"({"type": "FeatureCollection", "features": []})").ends_with("waybreaker import makes a map of it"));
     EXPECT_TRUE(refusal("<!doctype html><html>").find("is a web page (HTML)") != std::string::npos);
     EXPECT_TRUE(refusal("").ends_with("city: is empty: has the download failed?"));
     EXPECT_TRUE(refusal("PK\x03\x04").find("is a ZIP archive: unpack it") != std::string::npos);

@@ -33,7 +33,8 @@ TEST(MovingaiScenarios, HaveNineColumns) {
 }
 
 TEST(MovingaiScenarios, MayVaryInVersionLineSeparatorsAndLineEnds) {
-    for (const std::string version : {"", "version 1\n", "version 1.0\r\n", "\nversion\t1\n", "\xEF\xBB\xBFversion 1\n"}) {
+    for (const std::string version :
+         {"", "version 1\n", "version 1.0\r\n", "\nversion\t1\n", "\xEF\xBB\xBFversion 1\n"}) {
         for (const std::string separator : {" ", "\t", " \t "}) {
             for (const std::string end : {"\n", "\r\n", "", "\n\n"}) {
                 std::string line = "3";

@@ -108,8 +108,9 @@ void DescriptionTest::provoke_shortage() {
     options_.limits.timeout = 60;
     begin();
     const Wire wire(port());
-    wire.send("POST /api/v1/maps HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/octet-stream\r\nContent-Length: " +
-              std::to_string(8 * megabyte) + "\r\n\r\n" + std::string(7 * megabyte, '.'));
+    wire.send(
+        "POST /api/v1/maps HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/octet-stream\r\nContent-Length: " +
+        std::to_string(8 * megabyte) + "\r\n\r\n" + std::string(7 * megabyte, '.'));
     const std::string sent = "waybreaker_memory_bytes{use=\"requests\"} " + std::to_string(7 * megabyte);
     while (get("/metrics").body.find(sent) == std::string::npos) std::this_thread::yield();
     EXPECT_EQ(post(maps, thicket(601), octets).status, 503);

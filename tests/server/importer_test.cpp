@@ -136,7 +136,8 @@ TEST_F(ImporterTest, AShapeGetsNoMoreMemoryThanItsSizeAllows) {
         ring + "[9, 50]]]}}]}";
     ASSERT_EQ(problem_of(worker(), data), "");
     const Importer importer(worker(), limits_, budget_);
-    const ImportRequest request = parse_import_request(R"({"source": "tangle", "center": [9.005, 50.005], "size": 600})");
+    const ImportRequest request =
+        parse_import_request(R"({"source": "tangle", "center": [9.005, 50.005], "size": 600})");
     try {
         importer.import("tangle.geojson", data, extract_, request, 1'000'000, {});
         FAIL() << "it has enough memory";

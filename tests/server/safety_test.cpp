@@ -179,7 +179,8 @@ TEST_F(SafetyTest, HostileMapsAreRefused) {
 TEST(BodyTooLarge, IsMeasuredAsPeopleMeasureFiles) {
     const Problem problem = body_too_large(std::size_t{32} << 20);
     EXPECT_EQ(problem.status(), too_large);
-    EXPECT_EQ(std::string(problem.what()), "the body has more than 32 MB, the most that this server takes (--max-upload)");
+    EXPECT_EQ(std::string(problem.what()),
+              "the body has more than 32 MB, the most that this server takes (--max-upload)");
 }
 
 TEST_F(SafetyTest, LongBodiesAreCutShort) {
