@@ -61,12 +61,6 @@ struct Scene {
     }
 };
 
-std::string rectangle(Rectangle r, std::string_view more) {
-    return fmt::format(R"(<rect x="{:.6g}" y="{:.6g}" width="{:.6g}" height="{:.6g}" {}/>)"
-                       "\n",
-                       r.x, r.y, r.width, r.height, more);
-}
-
 std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
     std::string out =

@@ -196,4 +196,10 @@ std::string text(Point at, std::string_view content, double pixels, std::string_
                        content);
 }
 
+std::string rectangle(Rectangle r, std::string_view more) {
+    return fmt::format(R"(<rect x="{:.6g}" y="{:.6g}" width="{:.6g}" height="{:.6g}" {}/>)"
+                       "\n",
+                       r.x, r.y, r.width, r.height, more);
+}
+
 }  // namespace waybreaker::render

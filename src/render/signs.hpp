@@ -51,4 +51,6 @@ enum class Anchor { start, middle, end };
 std::string text(Point at, std::string_view content, double pixels, std::string_view colour,
                  Anchor anchor = Anchor::start, bool bold = false);
 
+std::string rectangle(Rectangle r, std::string_view more);
+
 }  // namespace waybreaker::render

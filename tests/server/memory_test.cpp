@@ -105,7 +105,8 @@ TEST(MemoryAccount, CountsWhatSearchesTakePastOperatorNew) {
     MemoryBudget budget(10 * megabyte);
     MemoryAccount account(budget, Use::planner);
     const MemoryAccount::Scope scope(&account);
-    void* const zeroes = std::calloc(3, megabyte);  // NOLINT(cppcoreguidelines-no-malloc)
+    // Volatile, or the compiler does without.
+    void* volatile zeroes = std::calloc(3, megabyte);  // NOLINT(cppcoreguidelines-no-malloc)
     EXPECT_GE(account.bytes(), 3 * megabyte);
     EXPECT_EQ(std::calloc(8, megabyte), nullptr);  // NOLINT(cppcoreguidelines-no-malloc)
     std::free(zeroes);                             // NOLINT(cppcoreguidelines-no-malloc)
