@@ -136,7 +136,7 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         ->add_option_function<std::string>(
             "--name", [options](const std::string& given) { options->names = CLI::detail::split(given, ','); },
             "What clients call the server: then it answers to no other name but localhost and addresses, and a page of "
-            "another site cannot reach it by a name of its own (default: localhost, with --host any name)")
+            "another site cannot reach it by a name of its own (default: localhost; with --host any name)")
         ->type_name("HOST,...");
     add_limits(*command, options->limits);
     set_examples(*command, {"waybreaker serve --maps data",
