@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "ascii_map.hpp"
+#include "lockstep/configurations.hpp"
 #include "random_map.hpp"
 
 namespace waybreaker {
@@ -171,6 +173,35 @@ TEST(Lockstep, MakesWayInABay) {
     EXPECT_TRUE(lockstep::move_in_lockstep(OpenedMap(map), {.radius = 0.35}, 0.7, trips, Aim::sum, never));
     const Map corridor(Grid(7, 1));
     EXPECT_FALSE(lockstep::move_in_lockstep(OpenedMap(corridor), {.radius = 0.35}, 0.7, trips, Aim::sum, never));
+}
+
+// Two come out of a dead end that a third wants to go into, and all the rest are at home: whoever looks for that by
+// chance moves these about.
+TEST(Lockstep, MakesWayInADeadEnd) {
+    const Map map = map_from_ascii(R"(
+        ..........#######
+        .................
+        ..........#######
+        ..........#######
+        ..........#######)");
+    std::vector<lockstep::Trip> trips{{{16, 1}, {14, 1}}, {{15, 1}, {12, 1}}, {{14, 1}, {15, 1}}};
+    for (int y = 0; y < 5; ++y) {
+        for (int x = 0; x < 6; ++x) trips.push_back({{x, y}, {x, y}});
+    }
+    std::vector<std::vector<std::uint32_t>> left;
+    const Lattice lattice(OpenedMap(map), {});
+    lockstep::Configuration starts;
+    lockstep::Configuration goals;
+    for (const lockstep::Trip& trip : trips) {
+        starts.push_back(lattice.site(trip.start));
+        goals.push_back(lattice.site(trip.goal));
+        left.push_back(lattice.distances_to(goals.back()));
+    }
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        const auto moves = lockstep::move_all(lattice, starts, goals, left, seed, 100, never);
+        ASSERT_TRUE(moves) << "seed " << seed;
+        EXPECT_EQ(moves->back(), goals);
+    }
 }
 
 }  // namespace
