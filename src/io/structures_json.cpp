@@ -4,9 +4,13 @@
 #include <utility>
 
 namespace waybreaker::io {
+namespace {
 
-nlohmann::ordered_json structures_json(ObstacleId id, const site::Sections& sections) {
-    using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+Json structures_json(ObstacleId id, const site::Sections& sections) {
     Json list = Json::array();
     for (const std::uint32_t position : site::structures_of(sections, std::span(&id, 1))) {
         const site::Structure& one = sections.structures[position];
