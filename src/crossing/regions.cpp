@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "crossing/lattice.hpp"
@@ -178,11 +179,12 @@ Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& inte
     }
     for (std::size_t obstacle = 1; obstacle < regions_of.size(); ++obstacle) shape->regions.add(regions_of[obstacle]);
     // It numbers what it finds row by row, as growing does.
-    shape->grown = Map::from_labels(map.width(), map.height(), growing.take_labels());
+    shape->grown = std::make_unique<const Map>(Map::from_labels(map.width(), map.height(), growing.take_labels()));
 }
 
 const Permanent& Regions::permanent() const {
-    std::call_once(shape_->permanent_made, [this] { shape_->permanent.emplace(find_permanent()); });
+    std::call_once(shape_->permanent_made,
+                   [this] { shape_->permanent = std::make_unique<const Permanent>(find_permanent()); });
     return *shape_->permanent;
 }
 

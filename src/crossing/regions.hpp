@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,10 +60,10 @@ struct Shape {
     bool relaxed = false;
     std::vector<int> half_widths;  // of the growth's rows, by distance from its middle row; empty: not grown
     bool complete = true;
-    std::optional<Map> grown;
-    Lists<ObstacleId> members;                   // by region
-    Lists<RegionId> regions;                     // by obstacle
-    mutable std::optional<Permanent> permanent;  // when first asked for
+    std::unique_ptr<const Map> grown;                    // none: not grown
+    Lists<ObstacleId> members;                           // by region
+    Lists<RegionId> regions;                             // by obstacle
+    mutable std::unique_ptr<const Permanent> permanent;  // when first asked for
     mutable std::once_flag permanent_made;
 };
 

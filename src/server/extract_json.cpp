@@ -3,9 +3,13 @@
 #include <nlohmann/json.hpp>
 
 namespace waybreaker::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 nlohmann::ordered_json extract_json(const geo::Extract& extract) {
-    using Json = nlohmann::ordered_json;
     Json places = Json::array();
     for (const geo::NamedPlace& place : extract.places) places.push_back({{"name", place.name}, {"at", place.at}});
     return {{"bounds", extract.bounds},   {"buildings", extract.buildings},

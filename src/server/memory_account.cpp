@@ -49,6 +49,10 @@ void MemoryAccount::subtract(std::size_t bytes) {
 // NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp):
 // this is operator new, and the linker wants these names
 
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wreserved-identifier"
+#endif
+
 extern "C" {
 void* __real_calloc(std::size_t count, std::size_t size);
 void __real_free(void* memory);
