@@ -5,6 +5,7 @@
 
 #include "ascii_map.hpp"
 #include "input_error.hpp"
+#include "waybreaker/place_error.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
@@ -51,6 +52,31 @@ TEST(ValidateMission, RefusesToStartInAWallAndNamesAFreeCell) {
     expect_words(refusal(wide), {"ground", "0,0", "0.75", "the map has no cell with room for the agent"});
     const Map full = map_from_ascii("###");
     expect_words(refusal(ground_and_air({0, 0}, {2, 0}), {}, full), {"obstacle 1", "no free cell"});
+}
+
+// The parts of that refusal, for programs that know places by other words.
+TEST(ValidateMission, SaysInPartsWhoHasNoRoom) {
+    const auto misplaced = [](const Map& map, const Mission& mission) -> Misplaced {
+        try {
+            validate(map, mission);
+        } catch (const PlaceError& error) {
+            const Misplaced& agent = error.misplaced;
+            expect_words(error.what(), {agent.what_for, agent.reason, agent.remedy});
+            return agent;
+        }
+        ADD_FAILURE() << "it has room";
+        return {};
+    };
+    const Misplaced in_wall = misplaced(small_map(), ground_and_air({0, 0}, {2, 1}));
+    EXPECT_EQ(in_wall.what_for, "the ground agent's goal");
+    EXPECT_EQ(in_wall.at, (Cell{2, 1}));
+    EXPECT_EQ(in_wall.obstacle, ObstacleId{1});
+    EXPECT_EQ(in_wall.nearest, (Cell{2, 0}));
+    Mission wide = ground_and_air({0, 0}, {3, 2});
+    wide.agents[0].body.radius = 0.75;
+    const Misplaced too_wide = misplaced(small_map(), wide);
+    EXPECT_EQ(too_wide.obstacle, ObstacleId{});
+    EXPECT_EQ(too_wide.nearest, std::nullopt);
 }
 
 // Which a program can make of any number.
