@@ -109,8 +109,8 @@ TEST_F(WrittenMaps, SayWhatIsLost) {
               (std::vector<std::string>{
                   "a MovingAI map does not hold that its 4 obstacles are not the 1 connected ones, source ids, which "
                   "obstacles cannot be destroyed",
-                  "a MovingAI map does not hold the coordinate system",
                   "a MovingAI map does not hold the size of a cell",
+                  "a MovingAI map does not hold the origin of the map",
                   "a MovingAI map does not hold the title",
                   "a MovingAI map does not hold the attribution, which must go with it: (c) somebody",
               }));

@@ -13,10 +13,10 @@ namespace {
 using Use = MemoryBudget::Use;
 using namespace std::chrono_literals;
 
-constexpr int side = 700;
+constexpr int map_side = 700;
 
 SharedMap thicket_map() {
-    return std::make_shared<const StoredMap>(StoredMap{.file = mapfile::parse_map(thicket(side), "thicket")});
+    return std::make_shared<const StoredMap>(StoredMap{.file = mapfile::parse_map(thicket(map_side), "thicket")});
 }
 
 class PlannerPoolTest : public testing::Test {
@@ -24,7 +24,7 @@ class PlannerPoolTest : public testing::Test {
     static Plan plan(PlannerPool& pool, const SharedMap& map) {
         Method method;
         method.planner = Planner::theta;
-        Mission mission = ground_and_air({0, 0}, {side - 1, side - 1});
+        Mission mission = ground_and_air({0, 0}, {map_side - 1, map_side - 1});
         mission.rules.removals = 0;
         return pool.borrow(map).plan(map->file.map, mission, method, {.expansions = 1000});
     }
@@ -36,7 +36,7 @@ TEST_F(PlannerPoolTest, KeepsItsMemoryForThePlansOfAMap) {
     const SharedMap map = thicket_map();
     plan(pool_, map);
     const std::size_t kept = budget_.used(Use::planner);
-    EXPECT_GT(kept, std::size_t{16} * side * side);
+    EXPECT_GT(kept, std::size_t{16} * map_side * map_side);
     for (int i = 0; i < 20; ++i) plan(pool_, map);
     EXPECT_EQ(budget_.used(Use::planner), kept);  // nothing of the plans is left in it
 }
