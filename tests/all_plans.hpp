@@ -115,7 +115,7 @@ class AllPlans {
     double earliest_arrival() const {
         std::vector<double> at(cells_.size(), none);
         std::vector<bool> done(cells_.size(), false);
-        at[index(driver_.start)] = 0;
+        at[index(driver_.start)] = driver_.ready_at;
         while (true) {
             std::size_t next = cells_.size();
             for (std::size_t i = 0; i < cells_.size(); ++i) {

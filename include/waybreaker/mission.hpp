@@ -38,10 +38,10 @@ struct Agent {
     Cell goal = {};
     double speed = 1;  // cells per unit of time, least_speed to most_speed
     Body body = {};    // of a ground agent; an air agent has none
-    // A ground agent of a team stands at its start until then, 0 to most_breach_time; it arrives no earlier, wherever
-    // its goal is.
+    // A ground agent stands at its start until then, 0 to most_breach_time; it arrives no earlier, wherever its goal
+    // is.
     double ready_at = 0;
-    int breaches = any_number;  // how many obstacles an air agent of a team may breach, >= 0
+    int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
 };
 
 // How long the air agent stays at a breach point until the obstacle is gone, in units of time: what the map says of the

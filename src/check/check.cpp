@@ -60,11 +60,14 @@ void validate(const Mission& mission, const Terms& terms) {
     }
 }
 
-// Of one ground and one air agent.
-Violations judge_explained(const Mission& mission, const Plan& plan, const Itinerary& agent, const Terms& terms) {
-    const auto is_it = [&](const Agent& one) { return one.kind == agent.kind; };
-    const auto known = std::find_if(mission.agents.begin(), mission.agents.end(), is_it);
-    const double ready_at = known == mission.agents.end() ? 0 : known->ready_at;
+// Of one ground and one air agent, when the ground agent is ready.
+double ready_at(const Mission& mission) {
+    const auto drives = [](const Agent& agent) { return agent.kind == AgentKind::ground; };
+    const auto known = std::find_if(mission.agents.begin(), mission.agents.end(), drives);
+    return known == mission.agents.end() ? 0 : known->ready_at;
+}
+
+Violations judge_explained(const Plan& plan, const Itinerary& agent, double ready_at, const Terms& terms) {
     Violations found = judge_waits(plan, agent, ready_at, terms);
     append(found, judge_gain(agent, ready_at, plan.before.ground().length, terms));
     return found;
@@ -89,7 +92,7 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
         }
     }
     if (plan.agents.empty()) {
-        append(all, judge_figures(plan, nullptr, nullptr, terms));
+        append(all, judge_figures(plan, nullptr, nullptr, 0, terms));
         return all;
     }
     const Itinerary* ground = only_agent(plan, AgentKind::ground, all);
@@ -111,9 +114,11 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
     }
     if (!broken(air_times)) append(all, judge_breaches(map, plan.breaches, *air, terms));
     if (!broken(ground_times) && !broken(air_times)) {
-        append(all, judge_figures(plan, ground, air, terms));
-        append(all, judge_explained(mission, plan, *ground, terms));
-        append(all, judge_explained(mission, plan, *air, terms));
+        const double ready = ready_at(mission);
+        append(all, judge_ready(*ground, ready, terms));
+        append(all, judge_figures(plan, ground, air, ready, terms));
+        append(all, judge_explained(plan, *ground, ready, terms));
+        append(all, judge_explained(plan, *air, 0, terms));
     }
     return all;
 }

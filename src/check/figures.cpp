@@ -6,7 +6,8 @@ namespace {
 
 class FiguresJudge {
   public:
-    FiguresJudge(const Plan& plan, const Terms& terms) : plan_(plan), terms_(terms) {}
+    FiguresJudge(const Plan& plan, double ready_at, const Terms& terms)
+        : plan_(plan), ready_at_(ready_at), terms_(terms) {}
 
     Violations judge(const Itinerary* ground, const Itinerary* air) {
         judge_status(ground != nullptr);
@@ -60,7 +61,7 @@ class FiguresJudge {
             report(Rule::before, "before removal the ground path, " + text(*length) +
                                      " long, is shorter than the straight line, " + text(straight(*ground)));
         }
-        const double drive = *length / ground->speed;
+        const double drive = ready_at_ + *length / ground->speed;
         const double flight = straight(*air) / air->speed;
         expect(Rule::before, "before removal the makespan", before.makespan, std::max(drive, flight));
         expect(Rule::before, "before removal the flowtime", before.flowtime, drive + flight);
@@ -92,6 +93,7 @@ class FiguresJudge {
     }
 
     const Plan& plan_;
+    double ready_at_;  // of the ground agent
     const Terms& terms_;
     Violations found_;
 };
@@ -155,8 +157,9 @@ void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
     }
 }
 
-Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Terms& terms) {
-    return FiguresJudge(plan, terms).judge(ground, air);
+Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, double ready_at,
+                         const Terms& terms) {
+    return FiguresJudge(plan, ready_at, terms).judge(ground, air);
 }
 
 }  // namespace waybreaker::checker

@@ -60,6 +60,9 @@ Violations judge_numbers(const Plan& plan);
 // A path from start to goal, in time and at the agent's speed.
 Violations judge_timetable(const Itinerary& agent, const Terms& terms);
 
+// That the agent stands at its start until it is ready, also if that is its goal.
+Violations judge_ready(const Itinerary& agent, double ready_at, const Terms& terms);
+
 // The first contact with each obstacle that is met.
 using Entries = std::map<ObstacleId, Contact>;
 
@@ -84,7 +87,9 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms);
 Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& air, const Terms& terms);
 
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
-Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Terms& terms);
+// `ready_at`: of the ground agent.
+Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, double ready_at,
+                         const Terms& terms);
 
 // What it explains of an agent. `alone`: how long its way is without removals. Preconditions: its timetable is in
 // order.

@@ -129,7 +129,7 @@ class TeamJudge {
                 const auto [known, is_new] = entries.emplace(obstacle, contact);
                 if (!is_new && contact.time < known->second.time) known->second = contact;
             }
-            judge_ready(agent, path);
+            append(found_, judge_ready(path, agent.ready_at, terms_));
             discs.push_back({&path, agent.body.reach()});
         }
         if (!broken && followed) append(found_, judge_entries(map_, plan_, entries, "", terms_));
@@ -149,23 +149,6 @@ class TeamJudge {
         std::copy_if(plan_.breaches.begin(), plan_.breaches.end(), std::back_inserter(own),
                      [&](const Breach& breach) { return breach.by == id; });
         return own;
-    }
-
-    // It stands at its start until then, also if that is its goal.
-    void judge_ready(const Agent& agent, const Itinerary& path) {
-        const auto moved = std::find_if(path.path.begin(), path.path.end(),
-                                        [&](const Waypoint& at) { return Point(at.x, at.y) != Point(agent.start); });
-        const Waypoint& at = moved == path.path.end() ? path.path.back() : *moved;
-        const double way = std::hypot(at.x - agent.start.x, at.y - agent.start.y);
-        const double left = at.t - way / agent.speed;
-        if (left + slack(terms_, at.t) >= agent.ready_at) return;
-        found_.push_back(
-            {Rule::start,
-             "the " + agent.id + " agent leaves at " + text(left) + ", before it is ready at " + text(agent.ready_at),
-             agent.id,
-             {},
-             Point(agent.start),
-             left});
     }
 
     void judge_figures() {

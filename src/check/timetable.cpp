@@ -68,4 +68,16 @@ Violations judge_timetable(const Itinerary& agent, const Terms& terms) {
     return found;
 }
 
+Violations judge_ready(const Itinerary& agent, double ready_at, const Terms& terms) {
+    const auto moved = std::find_if(agent.path.begin(), agent.path.end(),
+                                    [&](const Waypoint& at) { return place(at) != Point(agent.start); });
+    const Waypoint& at = moved == agent.path.end() ? agent.path.back() : *moved;
+    const double way = std::hypot(at.x - agent.start.x, at.y - agent.start.y);
+    const double left = at.t - way / agent.speed;
+    if (left + slack(terms, at.t) >= ready_at) return {};
+    const std::string message =
+        "the " + agent.id + " agent leaves at " + text(left) + ", before it is ready at " + text(ready_at);
+    return {{Rule::start, message, agent.id, {}, Point(agent.start), left}};
+}
+
 }  // namespace waybreaker::checker

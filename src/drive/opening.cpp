@@ -1,7 +1,6 @@
 #include "drive/opening.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "drive/fitted.hpp"
@@ -75,13 +74,14 @@ bool is_in_haste(const Trip& trip) {
 Opening open_for_disc(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed,
                       double shorter_than) {
     const Body& body = trip.driver.body;
-    std::optional<Opening> by_cells;
     const auto search_cells = [&] {
-        by_cells = open_by_cells(trip, searchers, removed);
-        const std::vector<Point> path = by_cells->ground.path;
-        if (!path.empty()) drive(trip, *by_cells, path, path_length(path));
+        Opening opening = open_by_cells(trip, searchers, removed);
+        const std::vector<Point> path = opening.ground.path;
+        if (!path.empty()) drive(trip, opening, path, path_length(path));
+        return opening;
     };
-    if (shorter_than == infinity && is_in_haste(trip)) search_cells();
+    const bool cells_first = shorter_than == infinity && is_in_haste(trip);
+    Opening by_cells = cells_first ? search_cells() : Opening{removed};
     CrossingOptions options = open_search(trip, removed);
     options.relaxed = true;
     options.length_limit = shorter_than;
@@ -92,8 +92,8 @@ Opening open_for_disc(const Trip& trip, const Searchers& searchers, std::vector<
         return opening.ground.length && *opening.ground.length <= guide.lower_bound * (1 + gap);
     };
     if (is_within(short_enough)) return opening;
-    if (!by_cells) search_cells();
-    opening = shorter(std::move(opening), std::move(*by_cells));
+    if (!cells_first) by_cells = search_cells();
+    opening = shorter(std::move(opening), std::move(by_cells));
     if (guide.best.path.empty() || is_within(short_enough)) return opening;
     const Stopwatch watch;
     const double known = std::min(shorter_than, opening.ground.length.value_or(infinity));

@@ -1,6 +1,7 @@
 #include "plan/idle.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "plan/timeline.hpp"
@@ -23,12 +24,9 @@ ActivePart::ActivePart(const Mission& mission) : whole_(mission), active_{{}, mi
     const auto drives = [](const Agent& agent) { return agent.kind == AgentKind::ground; };
     const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
     const bool one_drives = std::ranges::count_if(mission.agents, drives) == 1;
-    // A pair starts at once: a single vehicle that does not is planned as a team, with all aircraft.
-    const auto starts_later = [](const Agent& agent) { return agent.ready_at > 0; };
-    const bool keeps_all = one_drives && std::ranges::any_of(mission.agents, starts_later);
-    for (const Agent& agent : mission.agents) idle_.push_back(is_idle(agent) && !keeps_all);
+    for (const Agent& agent : mission.agents) idle_.push_back(is_idle(agent));
     const bool none_active = std::ranges::count_if(mission.agents, flies) == std::ranges::count(idle_, true);
-    if (one_drives && none_active && !keeps_all) {
+    if (one_drives && none_active) {
         const auto kept = std::ranges::find_if(mission.agents, flies);
         if (kept != mission.agents.end()) idle_[std::size_t(kept - mission.agents.begin())] = false;
     }
@@ -118,7 +116,8 @@ Plan ActivePart::whole(const Map& map, Plan plan) const {
     add_idle(plan.after);
     if (plan.bound) {
         plan.bound = with_idle(*plan.bound);
-        if (plan.gap) plan.gap = *plan.bound > 0 ? *value(plan.after, whole_.rules.objective) / *plan.bound - 1 : 0;
+        const std::optional<double> with_all = value(plan.after, whole_.rules.objective);
+        if (plan.gap && with_all) plan.gap = *plan.bound > 0 ? *with_all / *plan.bound - 1 : 0;
     }
     return plan;
 }

@@ -128,12 +128,12 @@ double standing_radius(const Body& body) {
     return body.passes() == Corners::cut ? hair : body.reach();
 }
 
-std::vector<Waypoint> timed(std::span<const Point> path, double speed) {
+std::vector<Waypoint> timed(std::span<const Point> path, double speed, double from) {
     std::vector<Waypoint> points;
     double driven = 0;
     for (std::size_t i = 0; i < path.size(); ++i) {
         if (i > 0) driven += distance(path[i - 1], path[i]);
-        points.push_back({path[i].x, path[i].y, driven / speed});
+        points.push_back({path[i].x, path[i].y, from + driven / speed});
     }
     return points;
 }

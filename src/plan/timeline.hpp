@@ -13,8 +13,8 @@ namespace waybreaker {
 // Length of a path, in cells.
 double path_length(std::span<const Point> path);
 
-// The path driven without a stop from time 0 on.
-std::vector<Waypoint> timed(std::span<const Point> path, double speed);
+// The path driven without a stop from that time on.
+std::vector<Waypoint> timed(std::span<const Point> path, double speed, double from = 0);
 
 // When an agent of that radius (cells; 0 for a point) first touches a cell of the obstacle: the first time after which
 // its open disc meets the closed cell, a point the open cell; a point that moves along a side between two blocked cells

@@ -9,7 +9,7 @@
 namespace waybreaker {
 
 Course::Course(const Map& map, const ScheduleTask& task) : task_(task), targets_(targets_of(map, task.removed)) {
-    const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed);
+    const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
     unhindered_ = driven.back().t;
     Drive drive{unhindered_};
     std::vector<double> stays;

@@ -1,8 +1,9 @@
 // Course: a ground path with the obstacles in its way, and when both agents finish if the air agent flies a certain
 // tour.
 //
-// With L the path's length, v the ground agent's speed and s the place on the path where it first touches an obstacle,
-// it finishes at max(L / v, cleared_at + (L - s) / v over all obstacles): it waits for the worst of them and no longer.
+// With r the ground agent's release time, v its speed, L the path's length and s the place on the path where it first
+// touches an obstacle, it finishes at max(r + L / v, cleared_at + (L - s) / v over all obstacles): it waits for the worst
+// of them and no longer.
 #pragma once
 
 #include <vector>

@@ -46,7 +46,7 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
 
     // The ground agent waits for each obstacle at the last turn before it touches it: how long it is delayed from each
     // turn on.
-    const std::vector<Waypoint> turns = timed(task.ground_path, task.driver.speed);
+    const std::vector<Waypoint> turns = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
     const auto turn_before = [&](double entry) {
         const auto after = std::ranges::upper_bound(turns, entry, {}, &Waypoint::t);
         return std::size_t(after - turns.begin()) - 1;
@@ -60,11 +60,11 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
     const double rounding = 1e-9 * (1 + schedule.air.back().t);
     double delay = 0;
     for (std::size_t i = 0; i < turns.size(); ++i) {
-        schedule.ground.push_back({turns[i].x, turns[i].y, turns[i].t + delay});
-        if (delays[i] > delay + rounding) {
-            delay = delays[i];
-            schedule.ground.push_back({turns[i].x, turns[i].y, turns[i].t + delay});
-        }
+        const double arrival = i == 0 ? 0 : turns[i].t + delay;
+        schedule.ground.push_back({turns[i].x, turns[i].y, arrival});
+        if (delays[i] > delay + rounding) delay = delays[i];
+        const double departure = turns[i].t + delay;
+        if (departure > arrival) schedule.ground.push_back({turns[i].x, turns[i].y, departure});
         delays[i] = delay;
     }
     for (std::size_t i = 0; i < breachings.size(); ++i) {
@@ -82,7 +82,7 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
 
 Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& flight) {
     validate(task);
-    const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed);
+    const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
     std::vector<Breaching> breachings;
     for (const BreachPoint& breach : flight.breaches) {
         breachings.push_back(breaching_of(map, task, driven, breach.obstacle));

@@ -27,11 +27,11 @@ double a_little_more(const Task& task) {
 
 double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
     const bool flight_apart = task.rules.objective == Objective::flowtime && !opening_times.matter();
-    return (flight_apart ? objective - task.least_flight : objective) * task.driver.speed;
+    return task.cells_until(flight_apart ? objective - task.least_flight : objective);
 }
 
 double least_objective(const Task& task, double path_cost, const OpeningTimes& opening_times) {
-    const double time = path_cost / task.driver.speed;
+    const double time = task.arrival(path_cost);
     return opening_times.matter() ? time : task.objective(time, task.least_flight);
 }
 
@@ -103,7 +103,7 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
     options.limits.expansions = std::min(options.limits.expansions, expansions);
     options.expected = dearest_path(task, proven, opening_times);
-    const auto least = [&](double path, double flight) { return task.objective(path / task.driver.speed, flight); };
+    const auto least = [&](double path, double flight) { return task.objective(task.arrival(path), flight); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, most_expanded_in_time);
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);

@@ -69,7 +69,7 @@ Selected HitsSelector::select(const Task& task, const Candidate& start) {
         return selected;
     }
     const double floor =
-        task.objective(distance(task.driver.start, task.driver.goal) / task.driver.speed, task.least_flight);
+        task.objective(task.arrival(distance(task.driver.start, task.driver.goal)), task.least_flight);
     double best = cost(task, start);
     for (std::size_t count = task.rules.force.size() + 1; count <= chosen.size(); ++count) {
         if (best <= floor * (1 + 1e-9) || task.deadline.passed()) break;

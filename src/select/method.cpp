@@ -77,15 +77,9 @@ void validate_capacity(const Mission& mission) {
     }
 }
 
-// What cannot be planned for a team, or only for one. REQUIRES: no aircraft is idle, or there is but one.
+// What cannot be planned for a team. REQUIRES: no aircraft is idle, or there is but one.
 void validate_team(const Mission& mission, const Method& method) {
-    if (!mission.is_team()) {
-        const auto is_ready_later = [](const Agent& agent) { return agent.ready_at > 0; };
-        if (std::ranges::any_of(mission.agents, is_ready_later)) {
-            throw InputError("ready_at is for several ground agents: leave it out for one ground and one air agent");
-        }
-        return;
-    }
+    if (!mission.is_team()) return;
     const bool flies = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind) > 0;
     if (flies && mission.rules.removals > 0) {
         if (method.select == Selection::hits || method.select == Selection::greedy) {

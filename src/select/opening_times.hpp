@@ -29,7 +29,8 @@ class OpeningTimes {
     // shortest flight past all of them, ending at any, with all their breach times. Grows with the set. O(2^n n^2) for
     // the first few obstacles of a set, remembered.
     double cells(std::span<const ObstacleId> obstacles);
-    // The same of the air agent's whole flight, past those that must be removed as well.
+    // The same of the air agent's whole flight, past those that must be removed as well; where the objective is the
+    // flowtime, its whole duration.
     double flight_cells(std::span<const ObstacleId> obstacles);
 
   private:

@@ -29,7 +29,7 @@ std::optional<Opening> other_path(const Task& task, const Searchers& searchers, 
     CrossingOptions options = options_for(task);
     options.crossings = int(known.opening.removed.size());
     options.only = known.opening.removed;
-    options.length_limit = schedule.ground.back().t * task.driver.speed * (1 - rounding);
+    options.length_limit = task.cells_until(schedule.ground.back().t) * (1 - rounding);
     options.opened_after = [&](std::span<const ObstacleId> obstacles) {
         double last = 0;
         for (std::size_t i = 0; i < schedule.cleared_at.size(); ++i) {
@@ -37,7 +37,7 @@ std::optional<Opening> other_path(const Task& task, const Searchers& searchers, 
                 std::ranges::find(obstacles, schedule.flight.breaches[i].obstacle) != obstacles.end();
             if (one_of_them) last = std::max(last, schedule.cleared_at[i]);
         }
-        return last * task.driver.speed;
+        return std::max(task.cells_until(last), 0.0);
     };
     const CrossingResult found = searchers.crossing.find(task.map, task.driver.start, task.driver.goal, options);
     known.opening.limited = known.opening.limited || found.status == SearchStatus::limit_reached;
@@ -69,7 +69,7 @@ std::vector<Point> bent_for(const Task& task, const Candidate& candidate) {
 
 bool waits(const Task& task, const Candidate& candidate) {
     if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
-    const double driven = *candidate.opening.ground.length / task.driver.speed;
+    const double driven = task.arrival(*candidate.opening.ground.length);
     return candidate.schedule.ground.back().t > driven * (1 + rounding);
 }
 

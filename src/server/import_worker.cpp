@@ -22,6 +22,7 @@
 #include "io/output_file.hpp"
 #include "server/extract_json.hpp"
 #include "server/import_request.hpp"
+#include "server/sanitizer.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::server {
@@ -34,7 +35,7 @@ void set_limit(__rlimit_resource_t resource, rlim_t most) {
     setrlimit(resource, &limit);
 }
 
-// What the program has already: its own data, and what a sanitizer keeps.
+// What the program has already.
 std::size_t memory_of_program() {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;) {
@@ -44,9 +45,12 @@ std::size_t memory_of_program() {
     return 0;
 }
 
+// What a sanitizer adds to each block, and what it holds back of those that were freed.
+constexpr std::size_t memory_of_sanitizer = sanitized ? std::size_t{1} << 30 : 0;
+
 // GEOS would leave out a shape that it has no memory for, and go on.
 void limit_memory(std::size_t bytes) {
-    set_limit(RLIMIT_DATA, memory_of_program() + bytes);
+    set_limit(RLIMIT_DATA, memory_of_program() + memory_of_sanitizer + bytes);
     set_limit(RLIMIT_CORE, 0);
     std::set_new_handler([] { _exit(worker_out_of_memory); });
 }

@@ -89,6 +89,15 @@ void* operator new(std::size_t size) {
     return memory;
 }
 
+// As the standard library's does, but not that of a sanitizer, which would miss its own operator delete.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    try {
+        return operator new(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+
 void operator delete(void* memory) noexcept {
     __wrap_free(memory);
 }

@@ -26,6 +26,9 @@ std::string text(StringView view) {
 // The line before a chunk: the chunk's size, and extensions, which are ignored.
 constexpr std::size_t longest_chunk_line = HeadCheck::most_bytes;
 
+// "0", CR LF, no trailers, CR LF: what Beast takes for granted once it has seen the size. More follows any other chunk.
+constexpr std::size_t shortest_last_chunk = 5;
+
 // As Beast reads the size: hexadecimal digits up to the first character that is none.
 bool is_last_chunk(std::string_view line) {
     const std::size_t digits = std::min(line.find_first_not_of("0123456789ABCDEFabcdef"), line.size());
@@ -46,7 +49,10 @@ class RequestReader::Parser : public http::basic_parser<true> {
     // Returns the number of bytes parsed.
     std::size_t read(std::string_view bytes) {
         if (!is_header_done()) return read_head(bytes);
-        if (chunked() && chunk_left_ == 0) check_chunk(bytes);
+        if (chunked() && chunk_left_ == 0) {
+            if (bytes.size() < shortest_last_chunk) return 0;
+            check_chunk(bytes);
+        }
         return pass_on(bytes);
     }
     void drop_body() { dropped_ = true; }

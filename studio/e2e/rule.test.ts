@@ -73,7 +73,7 @@ it("keeps a limit that it has no control for, plans as the command does, and dro
   const { page } = studio;
   await studio.settled();
   await page.getByLabel("File to open").setInputFiles(file);
-  await page.getByText("Left out: ready_at, which only a vehicle of a team has.").waitFor();
+  await page.getByText("Left out: ready_at, which the page has only for vehicles of a team.").waitFor();
   const choice = page.getByText("Also asked: budget 100\u00a0m²", { exact: true });
   await choice.waitFor();
   await studio.settled();

@@ -22,6 +22,7 @@ Mission any_pair(const PlainMap& plain) {
                       aircraft("heli", any_cell(plain), any_cell(plain), *rc::gen::element(0.5, 1.0, 4.0))};
     mission.agents[0].speed = *rc::gen::element(0.5, 1.0, 2.0);
     mission.agents[0].body.radius = *rc::gen::element(0.0, 0.5, 0.5);
+    mission.agents[0].ready_at = *rc::gen::element(0.0, 0.0, 3.0, 12.0);
     Rules& rules = mission.rules;
     rules.removals = *number(0, 3);
     rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);

@@ -59,6 +59,7 @@ World any_world() {
     if (*rc::gen::arbitrary<bool>()) air.goal = {*number(0, width - 1), *number(0, height - 1)};
     world.mission.agents[0].speed = *rc::gen::element(0.5, 1.0, 1.0, 2.0);
     air.speed = *rc::gen::element(0.5, 1.0, 1.0, 3.0);
+    if (*number(0, 2) == 0) world.mission.agents[0].ready_at = *rc::gen::element(0.5, 2.0, 7.5);
     Rules& rules = world.mission.rules;
     rules.removals = *number(1, 2);
     if (!world.map.obstacles().empty() && *number(0, 2) == 0) rules.protect = {ObstacleId{1}};

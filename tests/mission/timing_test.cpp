@@ -37,6 +37,7 @@ TimedMission any_timed_mission() {
     if (*rc::gen::arbitrary<bool>()) world.mission.agents[1].goal = any_cell(plain);
     world.mission.agents[0].speed = *rc::gen::element(0.3, 1.0, 1.0, 3.0);
     world.mission.agents[1].speed = *rc::gen::element(0.5, 1.0, 1.0, 4.0);
+    world.mission.agents[0].ready_at = *rc::gen::element(0.0, 0.0, 3.0, 15.0);
     world.method.select = Selection::hits;
     world.mission.rules.removals = *number(0, 4);
     world.method.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);

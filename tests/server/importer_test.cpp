@@ -16,21 +16,10 @@
 #include "server/child_process.hpp"
 #include "server/import_worker.hpp"
 #include "server/problem.hpp"
+#include "server/sanitizer.hpp"
 
 namespace waybreaker::server {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-#else
-constexpr bool sanitized = false;
-#endif
 
 std::vector<std::string> shell(const std::string& script) {
     return {"/bin/sh", "-c", script};

@@ -314,9 +314,6 @@ TEST(Team, RefusesWhatCannotBePlanned) {
     mission.rules.separation = 33;
     refused(mission, "separation");
     Mission pair = ground_and_air({0, 0}, {4, 0});
-    pair.agents[0].ready_at = 1;
-    refused(pair, "ready_at is for several ground agents");
-    pair.agents[0].ready_at = 0;
     pair.agents[0].breaches = 2;
     refused(pair, "breaches is for air agents");
 }

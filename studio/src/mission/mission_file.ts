@@ -182,8 +182,8 @@ export function leftOut({ agents, rules = {}, method = {} }: Pick<MissionDocumen
     ...of(rules, known.rules),
     ...of(method, known.method),
     ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),
-    ...(says("ready_at", "ground") ? ["ready_at, which only a vehicle of a team has"] : []),
-    ...(says("breaches", "air") ? ["breaches, which only an aircraft of a team has"] : []),
+    ...(says("ready_at", "ground") ? ["ready_at, which the page has only for vehicles of a team"] : []),
+    ...(says("breaches", "air") ? ["breaches, which the page has only for aircraft of a team"] : []),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
 }

@@ -193,15 +193,15 @@ it("a mission file says what is left out of it", () => {
   const open = (document: object) => missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, ...document }))!;
   expect(open({ rules: { removals: 12, noise: 1 } }).leftOut).toEqual([
     "noise",
-    "ready_at, which only a vehicle of a team has",
-    "breaches, which only an aircraft of a team has",
+    "ready_at, which the page has only for vehicles of a team",
+    "breaches, which the page has only for aircraft of a team",
     "12 removals: 8 are the most here",
   ]);
   expect(queryOfFile({ format: "waybreaker-mission/1", agents }, 2)?.names).toEqual(["truck", "heli"]);
   const two = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2" }, { ...agents[1], ready_at: 3 }];
   expect(open({ agents: two }).leftOut).toEqual([
     "corners, which differ between its vehicles",
-    "ready_at, which only a vehicle of a team has",
+    "ready_at, which the page has only for vehicles of a team",
   ]);
 });
 
