@@ -65,8 +65,9 @@ void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mis
         throw InputError(fmt::format("{} X,Y is missing, and {} does not say it", option, map.source));
     };
     if (mission.agents.empty()) {
-        mission = ground_and_air(place(places.start, &io::MapTask::start, "--start"),
-                                 place(places.goal, &io::MapTask::goal, "--goal"));
+        const Cell start = place(places.start, &io::MapTask::start, "--start");
+        const Cell goal = place(places.goal, &io::MapTask::goal, "--goal");
+        mission = ground_and_air(start, goal);
         if (map.task) mission.agents.front().body = map.task->search.body;
         share_out_flight(options, mission);
     }
