@@ -8,16 +8,20 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "authors/plan_xml.hpp"
 #include "geo/georeference.hpp"
 #include "io/check_report.hpp"
+#include "io/option_words.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_file.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_json.hpp"
 #include "io/plan_ros_path.hpp"
+#include "io/shortest_text.hpp"
 #include "mapfile/map_info.hpp"
 #include "raster/png.hpp"
 #include "server/problem.hpp"
@@ -108,6 +112,20 @@ std::vector<Variant> usual_variants(const OptionsRequest& common) {
     return {std::move(none), std::move(paper), Variant{"exact", common}};
 }
 
+// The options of the command that read a map as the plan does and the server does not.
+std::string other_reading(const io::PlanFile& plan, const StoredMap& map) {
+    std::vector<std::string> options;
+    if (plan.connectivity != map.connectivity) {
+        options.push_back(fmt::format("--connectivity {}", plan.connectivity == Connectivity::eight ? 8 : 4));
+    }
+    if (plan.image.threshold) options.push_back("--threshold " + io::shortest_text(*plan.image.threshold));
+    if (plan.image.unknown_free) options.emplace_back("--unknown-free");
+    if (plan.image.nav2 != io::Nav2()) {
+        options.push_back(fmt::format("--nav2 {}", io::word_of(io::nav2_words, plan.image.nav2)));
+    }
+    return fmt::format("{}", fmt::join(options, ", "));
+}
+
 io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
     io::PlanFile plan = [&] {
         try {
@@ -116,9 +134,8 @@ io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
             throw Problem(bad_request, error.what());
         }
     }();
-    if (plan.connectivity != map.connectivity || plan.image != io::ImageReading()) {
-        throw Problem(unprocessable,
-                      "the plan was made with another reading of the map (connectivity, threshold) than the server's",
+    if (const std::string options = other_reading(plan, map); !options.empty()) {
+        throw Problem(unprocessable, "the plan was made with another reading of the map than the server's: " + options,
                       "plan-invalid");
     }
     return plan;

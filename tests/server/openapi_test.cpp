@@ -117,6 +117,22 @@ TEST_F(ProblemTest, KindsDistinguishProblemsOfOneStatus) {
     EXPECT_EQ(Json::parse(remove(house).body)["type"], "/problems/map-not-removable");
 }
 
+TEST_F(ProblemTest, NamesHowAPlanReadItsMap) {
+    begin();
+    const std::string house = maps + "/house.map";
+    const Json plan = post_json(house + "/plan", house_mission);
+    const auto told = [&](const Json& reading, int connectivity) {
+        Json other = plan;
+        other["map"].update(reading);
+        other["options"]["connectivity"] = connectivity;
+        return post_json(house + "/check", other, 422)["detail"].get<std::string>();
+    };
+    const std::string message = "the plan was made with another reading of the map than the server's: ";
+    EXPECT_EQ(told({{"nav2", "humble"}}, 4), message + "--nav2 humble");
+    EXPECT_EQ(told({{"threshold", 0.65}, {"unknown", "free"}}, 8),
+              message + "--connectivity 8, --threshold 0.65, --unknown-free");
+}
+
 TEST_F(ProblemTest, SaysLineAndColumnOfTheBody) {
     begin();
     const std::string house = "/api/v1/maps/house.map";

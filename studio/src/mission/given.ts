@@ -93,10 +93,19 @@ function inJson(text: string, name: string): Given {
 async function rosMap(yaml: KeptFile, image: KeptFile | undefined): Promise<KeptFile> {
   const text = await yaml.bytes.text();
   if (!image) {
-    const named = /^image:\s*["']?([^"'\s#]+)/m.exec(text)?.[1];
+    const named = imageOf(text);
     throw new NotUnderstood(`“${yaml.name}” belongs to ${named ? `“${named}”` : "an image"}: choose both together.`);
   }
   return { name: yaml.name, bytes: new Blob([yaml.bytes, "\n...\n", image.bytes]) };
+}
+
+// The image that the YAML of a ROS map names, where it is written as usual: on a line of its own, or in one pair of braces.
+function imageOf(yaml: string): string | null {
+  const value = /(?:^|[{,])[ \t]*(?:image|"image"|'image')[ \t]*:[ \t]*(?:"([^"\n]+)"|'([^'\n]+)'|([^\s"'#][^\n]*))/m.exec(yaml);
+  if (!value) return null;
+  const [, double, single, plain] = value;
+  const end = yaml.trimStart().startsWith("{") ? /\s*([,}]|\s#)[^]*$|\s+$/ : /\s+#[^]*$|\s+$/;
+  return double ?? single ?? plain!.replace(end, "");
 }
 
 function isYaml(name: string): boolean {

@@ -42,7 +42,7 @@ function gain(plan: Plan, share: number): string {
 function unhelped(plan: Plan, vehicles: number, { isLooking }: Telling): string {
   if (String(plan.options.select) === "none") return unasked;
   const mayRemove = countOf(plan, "air") > 0 && plan.options.removals !== 0;
-  if (!mayRemove) return vehicles === 1 ? "The vehicle arrives" : `All ${vehicles} vehicles arrive, and none touches another`;
+  if (!mayRemove) return vehicles === 1 ? "The vehicle arrives" : `${vehicles === 2 ? "Both" : `All ${vehicles}`} vehicles arrive without touching`;
   const none = isProven(plan) && !isLooking ? "No removal" : "No removal was found that";
   const gains = {
     flowtime: "saves any of the agents’ time on the way",
@@ -74,7 +74,7 @@ export function teamArrivals(plan: Plan, units: Units): string | null {
   const alone = valueOf(plan.before, objective);
   const what = objective === "flowtime" ? "they would take" : "the last would arrive after";
   const said = valueOf(plan.after, objective) ?? 0; // by the headline
-  const compared = alone === null ? "" : ` Each alone, with nothing removed, ${what} ${durations([alone, said], units)[0]}.`;
+  const compared = alone === null ? "" : ` If each were alone, with nothing removed, ${what} ${durations([alone, said], units)[0]}.`;
   return `${nameOf(last)} arrives last${when}.${compared}`;
 }
 

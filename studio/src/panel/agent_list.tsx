@@ -21,7 +21,7 @@ export function AgentList({ page }: { page: PageState }) {
   return (
     <Section title="Vehicles and aircraft" kind="agents">
       {isTeam && <AgentTable page={page} studio={studio} agents={mission.agents} />}
-      {isTeam && <p class="agent-legend">On the map: filled where they start, a ring where they go to.</p>}
+      {isTeam && <p class="agent-legend">On the map, a start is filled and a goal is a ring.</p>}
       {studio && (
         <div class="agent-buttons">
           <button type="button" class="button" onClick={() => studio.addVehicle()}>

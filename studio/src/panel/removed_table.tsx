@@ -158,6 +158,10 @@ function AgentNames({ page, ids }: { page: PageState; ids: readonly string[] }) 
   );
 }
 
+function allOf(count: number): string {
+  return count === 2 ? "Both" : `All ${count}`;
+}
+
 // How much goes in all; one row says it of itself, unless it is a part of several.
 function Demolished({ page, plan }: { page: PageState; plan: Plan }) {
   const { removals, cells, structures } = plan.demolition ?? { removals: 0, cells: 0 };
@@ -165,7 +169,7 @@ function Demolished({ page, plan }: { page: PageState; plan: Plan }) {
   const of = structures === undefined ? "" : ` of ${structures === 1 ? "one structure" : `${structures} structures`}`;
   return (
     <p class="together">
-      {removals === 1 ? "It clears" : `All ${removals} together clear`} {area(cells, page.units.value)}
+      {removals === 1 ? "It clears" : `${allOf(removals)} together clear`} {area(cells, page.units.value)}
       {of}.
     </p>
   );
@@ -179,7 +183,7 @@ function Together({ page, plan }: { page: PageState; plan: Plan }) {
   const total = <strong>{saved}</strong>;
   return (
     <p class="together">
-      {count === 1 ? "It saves" : `All ${count} together save`} {total}. <em>If kept</em> is how much later it would be if{" "}
+      {count === 1 ? "It saves" : `${allOf(count)} together save`} {total}. <em>If kept</em> is how much later it would be if{" "}
       {count === 1 ? "it" : "only that one"} had to stay and the best other choice were made: another may take its place
       {count === 1 ? "." : ", so these do not add up."}
     </p>

@@ -66,7 +66,20 @@ it("puts the two files of a ROS map together, in whatever order they come", asyn
     const text = String.fromCharCode(...bytes);
     expect(text).toBe("image: floor.pgm\nresolution: 0.05\n...\nP5 1 1 255\n\u00cd");
   }
-  await expect(understood([yaml])).rejects.toThrow("“floor.yaml” belongs to “floor.pgm”: choose both together.");
+});
+
+it.each([
+  ["image: floor.pgm\nresolution: 0.05", "“floor.pgm”"],
+  ["resolution: 0.05\nimage: 'floor 2.pgm' # the second\n", "“floor 2.pgm”"],
+  ["  resolution: 0.05\r\n  image: maps/floor 2, north.pgm  # the second\r\n", "“maps/floor 2, north.pgm”"],
+  ["  image: floor.pgm", "“floor.pgm”"],
+  ["{resolution: 0.05, image: floor.pgm, origin: [0, 0, 0]}", "“floor.pgm”"],
+  ['{"image": "floor.pgm", "resolution": 0.05}', "“floor.pgm”"],
+  ["{\n  image: floor.pgm\n}", "“floor.pgm”"],
+  ["my_image: floor.pgm\n", "an image"],
+  ["# image: old.pgm\nresolution: 0.05\nimage: #\n", "an image"],
+])("names the image that the YAML of a ROS map lacks: %j", async (yaml, image) => {
+  await expect(understood([file("floor.yaml", yaml)])).rejects.toThrow(`“floor.yaml” belongs to ${image}: choose both together.`);
 });
 
 it("finds the mission of a link in a text", async () => {

@@ -83,7 +83,7 @@ describe("headline of a team", () => {
     const options = { removals: 3 };
     expect(title(teamOf([100, 70], { gap: 0, options }))).toBe("No removal ends the mission sooner");
     expect(title(teamOf([100, 70], { gap: 0.1, options }))).toBe("No removal was found that ends the mission sooner");
-    expect(title(teamOf([100, 70], { options: { removals: 0 } }))).toBe("All 2 vehicles arrive, and none touches another");
+    expect(title(teamOf([100, 70], { options: { removals: 0 } }))).toBe("Both vehicles arrive without touching");
   });
 
   it("says what can be done where there is no plan", () => {
@@ -95,10 +95,10 @@ describe("headline of a team", () => {
 
 it("names who arrives last, and what each would need alone", () => {
   expect(plain(teamArrivals(teamOf([90, 120]), city)!)).toBe(
-    "Vehicle 2 arrives last. Each alone, with nothing removed, the last would arrive after 1 min 40 s.",
+    "Vehicle 2 arrives last. If each were alone, with nothing removed, the last would arrive after 1 min 40 s.",
   );
   expect(plain(teamArrivals(teamOf([90, 70], { options: { objective: "flowtime" } }), city)!)).toBe(
-    "Vehicle 1 arrives last, after 1 min 30 s. Each alone, with nothing removed, they would take 2 min 40 s.",
+    "Vehicle 1 arrives last, after 1 min 30 s. If each were alone, with nothing removed, they would take 2 min 40 s.",
   );
 });
 
