@@ -2,8 +2,8 @@
 // tour.
 //
 // With r the ground agent's release time, v its speed, L the path's length and s the place on the path where it first
-// touches an obstacle, it finishes at max(r + L / v, cleared_at + (L - s) / v over all obstacles): it waits for the worst
-// of them and no longer.
+// touches an obstacle, it finishes at max(r + L / v, cleared_at + (L - s) / v over all obstacles): it waits for the
+// worst of them and no longer.
 #pragma once
 
 #include <vector>

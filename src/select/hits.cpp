@@ -68,8 +68,7 @@ Selected HitsSelector::select(const Task& task, const Candidate& start) {
         candidates.push_back(opened(task, searchers_.cells, chosen));
         return selected;
     }
-    const double floor =
-        task.objective(task.arrival(distance(task.driver.start, task.driver.goal)), task.least_flight);
+    const double floor = task.objective(task.arrival(distance(task.driver.start, task.driver.goal)), task.least_flight);
     double best = cost(task, start);
     for (std::size_t count = task.rules.force.size() + 1; count <= chosen.size(); ++count) {
         if (best <= floor * (1 + 1e-9) || task.deadline.passed()) break;
