@@ -11,6 +11,7 @@
 #include "core/stopwatch.hpp"
 #include "mission/explain.hpp"
 #include "mission/plan_status.hpp"
+#include "mission/team_demolition.hpp"
 #include "mission/team_plan.hpp"
 #include "plan/idle.hpp"
 #include "select/exact.hpp"
@@ -56,13 +57,33 @@ std::vector<Breach> breaches(const Task& task, const Schedule& schedule, std::sp
     return breaches;
 }
 
+// What is best, or demolishes the least of what is about as good.
+Plan planned_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+                  coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
+    if (!mission.rules.minimise_demolition) return plan_team(map, mission, method, limits, fewer, searcher, crossing);
+    const Stopwatch total;
+    const Deadline deadline(limits.seconds);
+    Limits first = limits;
+    first.seconds *= share_before_sparing;
+    const Plan best = plan_team(map, mission, method, first, fewer, searcher, crossing);
+    const TeamPlanner planned = [&](const Map& weighed, const Mission& frugal, double seconds) {
+        Limits left = limits;
+        left.seconds = std::max(seconds, 1e-3);
+        left.progress = nullptr;
+        return plan_team(weighed, frugal, method, left, fewer, searcher, crossing);
+    };
+    Plan plan = demolish_least_as_team(map, mission, deadline, planned, best);
+    plan.seconds.total = total.seconds();
+    return plan;
+}
+
 // The plan first, as if nothing were to be explained; that takes what time is left.
 Plan explained_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                     Searcher& searcher, CrossingSearcher& crossing) {
     using coalition::Fewer;
     const Stopwatch total;
     const Deadline deadline(limits.seconds);
-    Plan plan = plan_team(map, mission, method, limits, Fewer::tried, searcher, crossing);
+    Plan plan = planned_team(map, mission, method, limits, Fewer::tried, searcher, crossing);
     if (!method.explain || plan.status != PlanStatus::solved) return plan;
     explain_team(
         map, mission, deadline,
@@ -197,7 +218,7 @@ std::vector<Plan> MissionPlanner::front_of_active(const Map& map, const Mission&
         left.seconds = std::max(deadline.left(), 1e-3);
         // Those with fewer removals are here anyway.
         if (step.is_team() && !explained) {
-            return plan_team(map, step, how, left, coalition::Fewer::not_tried, searcher_, crossing_);
+            return planned_team(map, step, how, left, coalition::Fewer::not_tried, searcher_, crossing_);
         }
         return plan_active(map, step, how, left);
     };

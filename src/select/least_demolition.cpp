@@ -33,12 +33,6 @@ const Candidate* most_frugal(const Task& task, const Candidate& start, const Sel
     return frugal;
 }
 
-std::vector<double> cells_as_weights(const Map& map) {
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
-    return weights;
-}
-
 // Selections within budgets of cells.
 class Budgets {
   public:
@@ -79,35 +73,58 @@ class Budgets {
 
 }  // namespace
 
-LeastDemolition demolish_least(const Task& task, const Searchers& searchers, Selector& selector,
-                               const Candidate& baseline, const Candidate& start, const Selected& selected,
-                               const Candidate& best) {
-    const double limit = cost(task, best) * (1 + task.rules.minimise_demolition.value_or(0)) * (1 + rounding);
-    LeastDemolition result{*most_frugal(task, start, selected, best, limit), cells_of(task, task.rules.force)};
-    Budgets budgets(task, searchers, selector, baseline, limit);
+std::vector<double> cells_as_weights(const Map& map) {
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
+    return weights;
+}
+
+LeastCells least_cells(std::uint64_t forced, std::uint64_t known, const Deadline& deadline,
+                       const std::function<WithinBudget(std::uint64_t)>& within) {
+    LeastCells result{forced};
     const auto middle = [](std::uint64_t low, std::uint64_t high) { return low + (high - 1 - low) / 2; };
     std::uint64_t too_few = result.least;  // no plan was found with fewer
-    while (too_few < cells_of(task, result.candidate) && !task.deadline.passed()) {
-        const std::uint64_t cells = middle(too_few, cells_of(task, result.candidate));
-        Budgets::Outcome found = budgets.within(cells);
+    while (too_few < known && !deadline.passed()) {
+        const std::uint64_t cells = middle(too_few, known);
+        const WithinBudget found = within(cells);
         if (found.proven) result.least = cells + 1;
-        if (found.candidate) {
-            result.candidate = std::move(*found.candidate);
+        if (found.cells) {
+            known = *found.cells;
         } else {
             too_few = cells + 1;
         }
     }
     // A bound that is too weak near the least may do below.
-    std::uint64_t unproven = too_few;
-    while (result.least < unproven && !task.deadline.passed()) {
+    std::uint64_t unproven = std::min(too_few, known);
+    while (result.least < unproven && !deadline.passed()) {
         const std::uint64_t cells = middle(result.least, unproven);
-        if (budgets.within(cells).proven) {
+        if (within(cells).proven) {
             result.least = cells + 1;
         } else {
             unproven = cells;
         }
     }
-    result.limited = task.deadline.passed();
+    result.limited = deadline.passed();
+    return result;
+}
+
+LeastDemolition demolish_least(const Task& task, const Searchers& searchers, Selector& selector,
+                               const Candidate& baseline, const Candidate& start, const Selected& selected,
+                               const Candidate& best) {
+    const double limit = cost(task, best) * (1 + task.rules.minimise_demolition.value_or(0)) * (1 + rounding);
+    LeastDemolition result{*most_frugal(task, start, selected, best, limit)};
+    Budgets budgets(task, searchers, selector, baseline, limit);
+    const auto within = [&](std::uint64_t cells) {
+        Budgets::Outcome found = budgets.within(cells);
+        if (!found.candidate) return WithinBudget{std::nullopt, found.proven};
+        const std::uint64_t demolished = cells_of(task, *found.candidate);
+        if (demolished < cells_of(task, result.candidate)) result.candidate = std::move(*found.candidate);
+        return WithinBudget{demolished, found.proven};
+    };
+    const LeastCells found =
+        least_cells(cells_of(task, task.rules.force), cells_of(task, result.candidate), task.deadline, within);
+    result.least = found.least;
+    result.limited = found.limited;
     return result;
 }
 

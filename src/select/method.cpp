@@ -49,7 +49,6 @@ bool weighs_cells(const Map& map) {
 
 void validate_demolition(const Map& map, const Mission& mission, const Method& method) {
     if (!mission.rules.minimise_demolition) return;
-    if (mission.is_team()) throw InputError("demolition is minimised for one ground and one air agent only");
     if (method.select != Selection::exact) throw InputError("demolition is minimised by exact selection only");
     if (std::isfinite(mission.rules.budget) && !weighs_cells(map)) {
         throw InputError("demolition is minimised within a budget of square metres or cells, not of other weights");

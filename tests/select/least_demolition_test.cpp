@@ -13,6 +13,7 @@
 #include "checked_plan.hpp"
 #include "input_error.hpp"
 #include "random_map.hpp"
+#include "vehicle.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
@@ -83,9 +84,22 @@ Mission some_mission(const Map& map) {
     return mission;
 }
 
-RC_GTEST_PROP(LeastDemolition, IsAsGoodAsAskedForAndNothingAsGoodDemolishesLess, ()) {
-    const Map map = some_blocks();
+// The same for two vehicles, with one or two aircraft.
+Mission some_team(const Map& map) {
     Mission mission = some_mission(map);
+    mission.rules.removals = *number(0, 2);
+    Agent other = mission.agents[0];
+    other.id = "other";
+    other.start.y = *number(0, height - 1);
+    other.goal.y = *number(0, height - 1);
+    other.ready_at = *rc::gen::element(0.0, 3.0);
+    mission.agents.push_back(other);
+    if (*rc::gen::arbitrary<bool>()) mission.agents.push_back(aircraft("second", {0, 0}, {0, 0}, 2));
+    RC_PRE(input_error([&] { validate(map, mission); }).empty());
+    return mission;
+}
+
+void expect_frugal(const Map& map, Mission mission) {
     MissionPlanner planner;
     const Plan best = planner.plan(map, mission);
     const double tolerance = *rc::gen::element(0.0, 0.02, 0.1);
@@ -103,6 +117,16 @@ RC_GTEST_PROP(LeastDemolition, IsAsGoodAsAskedForAndNothingAsGoodDemolishesLess,
     for_each_set(map, mission, mission.rules.removals, [&](std::uint64_t cells, double objective) {
         if (objective <= limit) RC_ASSERT(cells >= *spares.least_demolition);
     });
+}
+
+RC_GTEST_PROP(LeastDemolition, IsAsGoodAsAskedForAndNothingAsGoodDemolishesLess, ()) {
+    const Map map = some_blocks();
+    expect_frugal(map, some_mission(map));
+}
+
+RC_GTEST_PROP(LeastDemolition, OfATeamIsAsGoodAsAskedForAndNothingAsGoodDemolishesLess, ()) {
+    const Map map = some_blocks();
+    expect_frugal(map, some_team(map));
 }
 
 // A thick block on the straight way; beside it a thin one, a little farther. Others are far away.
