@@ -5,22 +5,12 @@
 
 #include <vector>
 
+#include "plan/timeline.hpp"
 #include "render/caption.hpp"
 #include "table.hpp"
 
 namespace waybreaker::apps {
 namespace {
-
-// The waits of a path, without reasons.
-std::vector<Wait> stands(const Itinerary& agent) {
-    std::vector<Wait> waits;
-    for (std::size_t i = 1; i < agent.path.size(); ++i) {
-        const Waypoint& a = agent.path[i - 1];
-        const Waypoint& b = agent.path[i];
-        if (a.x == b.x && a.y == b.y && a.t != b.t) waits.push_back({{a.x, a.y}, a.t, b.t});
-    }
-    return waits;
-}
 
 double waited(const Itinerary& agent) {
     double all = 0;

@@ -19,9 +19,9 @@ namespace waybreaker {
 // A ground path, the obstacles that it needs open, and who drives and flies: views of what has to outlive the task.
 struct ScheduleTask {
     std::span<const Point> ground_path;  // turning points, at least one; waits happen there
-    const Agent& driver;
+    const Agent& driver;                 // stands at the first point until it is ready
     const Agent& flyer;
-    const Rules& rules;  // of which count breach_time, objective and timing (ignore: the ground agent never waits)
+    const Rules& rules;  // of which count breach_time, objective and timing (ignore: nobody waits for an obstacle)
     std::span<const ObstacleId> removed = {};  // what the path needs open
     // Seconds that best_schedule may take; then it gives the best flight found by then. It always finds one.
     double time_limit = std::numeric_limits<double>::infinity();

@@ -60,6 +60,16 @@ void validate(const Mission& mission, const Terms& terms) {
     }
 }
 
+// Of one ground and one air agent.
+Violations judge_capacity(const Mission& mission, const Plan& plan) {
+    const auto breaches_too_much = [&](const Agent& agent) {
+        return agent.kind == AgentKind::air && plan.breaches.size() > std::size_t(std::max(agent.breaches, 0));
+    };
+    const auto found = std::find_if(mission.agents.begin(), mission.agents.end(), breaches_too_much);
+    if (found == mission.agents.end()) return {};
+    return {{Rule::capacity, beyond_capacity(*found), found->id}};
+}
+
 // Of one ground and one air agent, when the ground agent is ready.
 double ready_at(const Mission& mission) {
     const auto drives = [](const Agent& agent) { return agent.kind == AgentKind::ground; };
@@ -82,6 +92,7 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
         return all;
     }
     all = judge_removals(map, plan, terms);
+    append(all, judge_capacity(mission, plan));
     append(all, judge_agents(mission, plan));
     for (const Outcome* outcome : {&plan.before, &plan.after}) {
         for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {

@@ -82,6 +82,9 @@ Violations judge_entries(const Map& map, const Plan& plan, const Entries& entrie
 // What is removed: whether it may be, and is as described.
 Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms);
 
+// What to say of an air agent that breaches more than it may.
+std::string beyond_capacity(const Agent& agent);
+
 // That the air agent is where it breaches, as long as it takes, one after the other. Precondition: its timetable is in
 // order.
 Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& air, const Terms& terms);

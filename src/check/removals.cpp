@@ -123,6 +123,10 @@ bool stays_there(const Itinerary& agent, Cell at, double from, double to, const 
 
 }  // namespace
 
+std::string beyond_capacity(const Agent& agent) {
+    return "the " + agent.id + " agent breaches more than " + std::to_string(agent.breaches) + " obstacles";
+}
+
 Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) {
     Violations found;
     const Ids protect(terms.rules.protect.begin(), terms.rules.protect.end());

@@ -60,8 +60,7 @@ class TeamJudge {
             if (agent == agents_.end() || agent->second->kind != AgentKind::air) {
                 fault(Rule::breach, what + " is breached by '" + breach.by + "', which is no air agent of the mission");
             } else if (++count[breach.by] == std::max(agent->second->breaches, 0) + 1LL) {
-                fault(Rule::capacity, "the " + breach.by + " agent breaches more than " +
-                                          std::to_string(agent->second->breaches) + " obstacles");
+                fault(Rule::capacity, beyond_capacity(*agent->second));
             }
             if (names_obstacle(map_, breach.obstacle)) {
                 const double time = terms_.rules.breach_time.of(map_.obstacle(breach.obstacle));

@@ -138,6 +138,16 @@ std::vector<Waypoint> timed(std::span<const Point> path, double speed, double fr
     return points;
 }
 
+std::vector<Wait> stands(const Itinerary& agent) {
+    std::vector<Wait> waits;
+    for (std::size_t i = 1; i < agent.path.size(); ++i) {
+        const Waypoint& a = agent.path[i - 1];
+        const Waypoint& b = agent.path[i];
+        if (a.x == b.x && a.y == b.y && a.t < b.t) waits.push_back({{a.x, a.y}, a.t, b.t});
+    }
+    return waits;
+}
+
 std::optional<double> first_touch(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path, double radius) {
     for (std::size_t i = 1; i < path.size(); ++i) {
         const Waypoint& a = path[i - 1];

@@ -16,6 +16,9 @@ double path_length(std::span<const Point> path);
 // The path driven without a stop from that time on.
 std::vector<Waypoint> timed(std::span<const Point> path, double speed, double from = 0);
 
+// Where an agent stands on its path, and for how long; without reasons.
+std::vector<Wait> stands(const Itinerary& agent);
+
 // When an agent of that radius (cells; 0 for a point) first touches a cell of the obstacle: the first time after which
 // its open disc meets the closed cell, a point the open cell; a point that moves along a side between two blocked cells
 // touches both. Empty if it never does.

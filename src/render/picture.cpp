@@ -16,7 +16,7 @@
 #include "render/palette.hpp"
 #include "render/sample.hpp"
 #include "render/signs.hpp"
-#include "render/stops.hpp"
+#include "render/waits.hpp"
 #include "render/xml_text.hpp"
 #include "waybreaker/error.hpp"
 
@@ -127,7 +127,7 @@ Name breach_note(const Scene& scene, Point sign, const Breach& breach) {
 }
 
 Name wait_note(const Scene& scene, Point sign, const Wait& wait) {
-    const std::string time = fmt::format("+{}", time_text(wait.time, scene.mission, scene.options));
+    const std::string time = fmt::format("+{}", time_text(wait.until - wait.from, scene.mission, scene.options));
     return note(scene, sign, time, time.size());
 }
 

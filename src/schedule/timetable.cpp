@@ -16,6 +16,7 @@ void validate(const ScheduleTask& task) {
     if (task.ground_path.empty()) throw InputError("the ground agent's path has no points");
     require_range(task.driver.speed, least_speed, most_speed, "the ground agent's speed");
     require_range(task.flyer.speed, least_speed, most_speed, "the air agent's speed");
+    require_range(task.driver.ready_at, 0, most_breach_time, "the time at which the ground agent is ready");
     require_range(task.rules.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
     require_range(task.rules.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
 }

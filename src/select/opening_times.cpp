@@ -37,13 +37,13 @@ OpeningTimes OpeningTimes::at_once(const Task& task) {
 }
 
 double OpeningTimes::cells(std::span<const ObstacleId> obstacles) {
-    return std::max(task_.cells_until(times(obstacles).open), 0.0);
+    return task_.cells_until(times(obstacles).open);
 }
 
 double OpeningTimes::flight_cells(std::span<const ObstacleId> obstacles) {
     const double done = obstacles.empty() ? task_.least_flight : std::max(times(obstacles).done, task_.least_flight);
     const bool adds = task_.rules.objective == Objective::flowtime;
-    return adds ? done * task_.driver.speed : std::max(task_.cells_until(done), 0.0);
+    return adds ? done * task_.driver.speed : task_.cells_until(done);
 }
 
 const OpeningTimes::Times& OpeningTimes::times(std::span<const ObstacleId> obstacles) {

@@ -1,6 +1,7 @@
 // Task: what all steps of a mission's planning work on.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <vector>
@@ -35,9 +36,9 @@ struct Task {
     }
     // When a ground path and a flight end, as the objective counts it.
     double objective(double ground_time, double air_time) const;
-    // When the ground agent arrives that drives so many cells and waits no more, and how many it can drive until then.
+    // When the ground agent arrives that drives so many cells without a wait, and how many it can drive until then.
     double arrival(double cells) const { return driver.ready_at + cells / driver.speed; }
-    double cells_until(double time) const { return (time - driver.ready_at) * driver.speed; }
+    double cells_until(double time) const { return std::max(time - driver.ready_at, 0.0) * driver.speed; }
     // How many obstacles may be removed beside those that must be.
     int spare_removals() const { return rules.removals - int(rules.force.size()); }
     // What the others may weigh.

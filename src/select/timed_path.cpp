@@ -37,7 +37,7 @@ std::optional<Opening> other_path(const Task& task, const Searchers& searchers, 
                 std::ranges::find(obstacles, schedule.flight.breaches[i].obstacle) != obstacles.end();
             if (one_of_them) last = std::max(last, schedule.cleared_at[i]);
         }
-        return std::max(task.cells_until(last), 0.0);
+        return task.cells_until(last);
     };
     const CrossingResult found = searchers.crossing.find(task.map, task.driver.start, task.driver.goal, options);
     known.opening.limited = known.opening.limited || found.status == SearchStatus::limit_reached;

@@ -54,6 +54,11 @@ TEST(Waits, NeedSpeedsAndTimesInRange) {
     Mission wrong = mission;
     wrong.rules.breach_time.per_cell = 1e10;
     EXPECT_THROW(best_schedule(two_walls(), task(wrong)), InputError);
+    for (const double ready_at : {-1.0, 1e10, std::nan("")}) {
+        wrong = mission;
+        wrong.agents[0].ready_at = ready_at;
+        EXPECT_THROW(best_schedule(two_walls(), task(wrong)), InputError) << ready_at;
+    }
 }
 
 TEST(Waits, NeedAPath) {
