@@ -190,7 +190,7 @@ std::string draw_written(const Scene& scene, const Moments& at, const std::vecto
     const auto begins = name_places(names, signs, size::small_text * scene.unit(), scene.layout.room());
     std::string out;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (begins[i]) out += words(*begins[i], names[i].text, scene.unit());
+        if (const auto& begin = begins[i]) out += words(*begin, names[i].text, scene.unit());
     }
     return out;
 }
