@@ -121,11 +121,13 @@ void validate_sources_of_agents(const PlanOptions& options, const io::MapFile& m
 
 void validate_team_options(const PlanOptions& options, const io::MapFile& map, const Mission& mission) {
     if (!mission.is_team()) return;
+    const auto vehicles = std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind);
+    const bool drives_alone = vehicles == 1 && mission.agents.size() > 1;
     const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
-    if (ways) {
+    if (ways && !drives_alone) {
         throw InputError(
             "--paper, --select, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground "
-            "and one air agent");
+            "agent with aircraft");
     }
     const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
     const bool removes = options.removals.value_or(0) > 0 || options.budget || !options.weights.empty();

@@ -65,7 +65,7 @@ struct Rules {
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;
     // Of the plans whose objective is at most this share above the best one's, the one that demolishes the fewest
-    // cells, 0 to 1; empty: the best plan, whatever it demolishes. For one ground and one air agent.
+    // cells, 0 to 1; empty: the best plan, whatever it demolishes.
     std::optional<double> minimise_demolition = {};
     // Of several ground agents: the room between any two of their discs, in cells, 0 to 32; and whether those that have
     // arrived are in the way of others.

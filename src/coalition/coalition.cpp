@@ -167,7 +167,7 @@ class Planning {
         relaxation.list(std::min(useless - plan_.bound, listed * reached()));
         plan_.bound = std::max(plan_.bound, relaxation.bound());
         if (!relaxation.proof().complete) return;
-        Joint joint(problem_, columns, relaxation.proof(), crew_.own().flights, useless);
+        Joint joint(problem_, columns, relaxation.proof(), crew_.own().openings, useless);
         const double enough = 1 + std::max(close, interrupts_.gap);
         for (int vain = 0; vain < most_vain_tries && reached() > joint.rest() * enough;) {
             const std::optional<Set> set = joint.next();

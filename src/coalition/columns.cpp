@@ -174,8 +174,8 @@ double Columns::late_arrival(const Agent& agent, const Obstacle& obstacle, doubl
 }
 
 // In cells that it could drive until then.
-double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, FlightLimits& flights) {
-    return (flights.of(Set(obstacles.begin(), obstacles.end())).open - agent.ready_at) * agent.speed;
+double Columns::opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, EarliestOpenings& openings) {
+    return (openings.of(obstacles).open - agent.ready_at) * agent.speed;
 }
 
 // As if an aircraft could have each of them open as early as if it were the only one.
@@ -312,7 +312,7 @@ Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> 
     }
     if (in_time()) {
         options.opened_after = [&](std::span<const ObstacleId> opened) {
-            return opened_after(agent, opened, hand.flights);
+            return opened_after(agent, opened, hand.openings);
         };
     }
     int told = 0;
@@ -340,11 +340,11 @@ void Columns::add_in_time(std::size_t vehicle, std::span<const ObstacleId> opene
     if (!timed_[vehicle].insert(set).second) return;
     double nearest = infinity;
     for (const ObstacleId id : set) nearest = std::min(nearest, gap(problem_.map().obstacle(id).bounds, agent.start));
-    if (opened_after(agent, set, hand.flights) <= nearest) return add(vehicle, set, length);
+    if (opened_after(agent, set, hand.openings) <= nearest) return add(vehicle, set, length);
     CrossingOptions options = options_for(agent);
     options.only = set;
     options.crossings = int(set.size());
-    options.opened_after = [&](std::span<const ObstacleId> ids) { return opened_after(agent, ids, hand.flights); };
+    options.opened_after = [&](std::span<const ObstacleId> ids) { return opened_after(agent, ids, hand.openings); };
     const CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
     if (found.status == SearchStatus::found) {
         add(vehicle, found.best.crossed, found.best.cost);

@@ -85,7 +85,7 @@ class Columns {
     bool in_time() const { return shape_ == Shape::relaxed && problem_.rules().timing == Timing::enforce; }
     CrossingOptions options_for(const Agent& agent) const;
     std::vector<ObstacleId> useless(const Agent& agent, std::span<const double> prices, double known) const;
-    static double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, FlightLimits& flights);
+    static double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, EarliestOpenings& openings);
     double each_opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) const;
     static double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
     double arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const;

@@ -13,10 +13,14 @@ Hand& Crew::own() {
 }
 
 void Crew::gather(std::size_t count) {
-    if (hands_.empty()) hands_.push_back({crossing_, crossing_.another(), theta_, FlightLimits(problem_)});
+    const auto openings = [this] {
+        return EarliestOpenings(problem_.map(), problem_.rules(),
+                                {problem_.aircraft().begin(), problem_.aircraft().end()});
+    };
+    if (hands_.empty()) hands_.push_back({crossing_, crossing_.another(), theta_, openings()});
     while (hands_.size() < std::min(most_, count)) {
         CrossingSearcher& crossing = crossings_.emplace_back(crossing_.another());
-        hands_.push_back({crossing, hands_.front().limits.another(), thetas_.emplace_back(), FlightLimits(problem_)});
+        hands_.push_back({crossing, hands_.front().limits.another(), thetas_.emplace_back(), openings()});
     }
 }
 

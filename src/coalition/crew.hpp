@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <deque>
 
-#include "coalition/flight_limits.hpp"
+#include "coalition/problem.hpp"
 #include "core/parallel.hpp"
+#include "schedule/earliest_openings.hpp"
 #include "waybreaker/crossing.hpp"
 #include "waybreaker/search.hpp"
 
@@ -16,7 +17,7 @@ struct Hand {
     CrossingSearcher& crossing;  // of the vehicles' own bodies
     CrossingSearcher limits;     // for lower limits: a searcher remembers more of one kind of body than of two in turn
     Searcher& theta;
-    FlightLimits flights;
+    EarliestOpenings openings;
 };
 
 // A vehicle's own memory, in use for as long as this lives: what comes out does not depend on whose hand it is in.

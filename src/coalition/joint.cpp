@@ -17,9 +17,9 @@ bool later(const auto& a, const auto& b) {
 
 }  // namespace
 
-Joint::Joint(const Problem& problem, const Columns& columns, const Relaxation::Proof& proof, FlightLimits& flights,
+Joint::Joint(const Problem& problem, const Columns& columns, const Relaxation::Proof& proof, EarliestOpenings& openings,
              double reached)
-    : problem_(problem), columns_(columns), proof_(proof), flights_(flights), reached_(reached) {
+    : problem_(problem), columns_(columns), proof_(proof), openings_(openings), reached_(reached) {
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         least_last_ = std::max(least_last_, columns.of(i).least);
@@ -71,11 +71,11 @@ void Joint::add_candidates(std::size_t vehicle) {
 
 // None if it is `reached` or more.
 std::optional<double> Joint::bound_of(const Node& node) const {
-    const FlightLimits::Limits& flights = flights_.of(united(problem_.forced(), node.opened));
+    const Returns& home = openings_.of(united(problem_.forced(), node.opened)).home;
     const double last_on_ground = std::max(node.last, least_last_);
-    double bound = problem_.objective(node.sum + least_sum_after_[node.depth] + flights.sum,
-                                      std::max(last_on_ground, flights.last), last_on_ground);
-    if (bound < reached_ && node.depth < order_.size()) bound = std::max(bound, bound_by_prices(node, flights.sum));
+    double bound = problem_.objective(node.sum + least_sum_after_[node.depth] + home.sum,
+                                      std::max(last_on_ground, home.last), last_on_ground);
+    if (bound < reached_ && node.depth < order_.size()) bound = std::max(bound, bound_by_prices(node, home.sum));
     return bound < reached_ ? std::optional(bound) : std::nullopt;
 }
 

@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "coalition/flight_limits.hpp"
 #include "coalition/relaxation.hpp"
 
 namespace waybreaker::coalition {
@@ -18,7 +17,7 @@ namespace waybreaker::coalition {
 class Joint {
   public:
     // All arguments must outlive it, and not change meanwhile. Nothing of what costs `reached` or more is told.
-    Joint(const Problem& problem, const Columns& columns, const Relaxation::Proof& proof, FlightLimits& flights,
+    Joint(const Problem& problem, const Columns& columns, const Relaxation::Proof& proof, EarliestOpenings& openings,
           double reached);
 
     // The next set in order of its limit, what must be removed aside. None if there is no other, or patience is over.
@@ -52,7 +51,7 @@ class Joint {
     const Problem& problem_;
     const Columns& columns_;
     const Relaxation::Proof& proof_;
-    FlightLimits& flights_;
+    EarliestOpenings& openings_;
     double reached_;
     std::vector<std::size_t> order_;                  // vehicles with candidates
     std::vector<std::vector<Candidate>> candidates_;  // in that order; the cheapest first

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "flight/target.hpp"
 #include "plan/objective.hpp"
+#include "schedule/sorties.hpp"
 
 namespace waybreaker::coalition {
 namespace {
 
-constexpr std::size_t few_targets = 4;  // all orders of inserting them are tried
+constexpr std::size_t few_targets = 4;  // the aircraft work in every order
 constexpr int most_rounds = 4;          // of ways for the times of sorties, and sorties for these ways
 
 }  // namespace
@@ -43,7 +47,7 @@ Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
 void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t enough) {
     const Set set = draft.set;
     if (set.size() > few_targets || could_cost(draft) >= worth) return;
-    std::vector<Sortie> sorties(problem_.aircraft().size());
+    Sorties sorties(problem_.aircraft().size());
     const auto give = [&](auto& self, std::size_t first, std::size_t given) -> void {
         if (ways_.effort() >= enough || problem_.interrupts().due()) return;
         if (given == targets_.size()) {
@@ -62,7 +66,7 @@ void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t eno
             const Cell from = sorties[a].empty() ? aircraft.start : sorties[a].back().at;
             for (std::size_t target = 0; target < targets_.size(); ++target) {
                 const auto is_target = [&](const Stop& stop) { return stop.target == target; };
-                if (std::ranges::any_of(sorties, [&](const Sortie& s) { return std::ranges::any_of(s, is_target); }))
+                if (std::ranges::any_of(sorties, [&](const Tour& s) { return std::ranges::any_of(s, is_target); }))
                     continue;
                 const auto away = [&](Cell c) { return distance(from, c); };
                 sorties[a].push_back({target, *std::ranges::min_element(targets_[target].cells, {}, away)});
@@ -146,27 +150,14 @@ Draft SortiePlanner::best_for(const Set& set) {
     prepare(set);
     Draft best;
     best.set = set;
-    const auto consider = [&](const std::vector<std::size_t>& order) {
-        std::vector<Sortie> sorties(problem_.aircraft().size());
-        for (const std::size_t target : order) {
-            if (!insert(sorties, target)) return;
-        }
-        const team::Cost cost = cost_of(sorties);
-        if (!best.sorties.empty() && !team::better(cost, best.cost)) return;
-        best.cost = cost;
-        best.sorties = std::move(sorties);
-    };
-    std::vector<std::size_t> order = by_need();
-    consider(order);
-    if (targets_.size() <= few_targets) {
-        std::ranges::sort(order);
-        do {
-            consider(order);
-        } while (!problem_.interrupts().due() && std::ranges::next_permutation(order).found);
-    }
-    if (best.sorties.empty() || best.cost.missing > 0) return best;
-    improve(best.sorties);
-    best.cost = cost_of(best.sorties);
+    const std::function<bool()> due = [this] { return problem_.interrupts().due(); };
+    const SortieSearch search(problem_.aircraft(), targets_, precedence_, problem_.rules().objective, due);
+    std::optional<Sorties> sorties = search.find(by_need());
+    if (!sorties) return best;
+    const Rank reached = search.rank_of(*sorties);
+    if (std::isinf(reached.first)) return best;
+    best.cost = {0, reached.first, reached.second};
+    best.sorties = std::move(*sorties);
     fill(best);
     return best;
 }
@@ -206,102 +197,6 @@ std::vector<std::size_t> SortiePlanner::by_need() const {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, need);
     return order;
-}
-
-team::Cost SortiePlanner::cost_of(const std::vector<Sortie>& sorties) const {
-    const Finish finish = precedence_.finish(sorties);
-    if (std::isinf(finish.ground)) return {1, infinity, infinity};
-    const Rank figures = rank(problem_.rules().objective, finish);
-    return {0, figures.first, figures.second};
-}
-
-// Where a stop may be: nearest to where the aircraft comes from, and with the least detour.
-std::vector<Cell> SortiePlanner::likely_cells(const Target& target, const Agent& aircraft, const Sortie& sortie,
-                                              std::size_t at) {
-    const Cell before = at > 0 ? sortie[at - 1].at : aircraft.start;
-    const Cell after = at < sortie.size() ? sortie[at].at : aircraft.goal;
-    Cell nearest;
-    Cell on_way;
-    double least = infinity;
-    double least_by = infinity;
-    for (const Cell c : target.cells) {
-        const double there = distance(before, c);
-        const double by = there + distance(c, after);
-        if (there < least) {
-            least = there;
-            nearest = c;
-        }
-        if (by < least_by) {
-            least_by = by;
-            on_way = c;
-        }
-    }
-    if (nearest == on_way) return {nearest};
-    return {nearest, on_way};
-}
-
-// Gives a target to the aircraft, and puts it in the place, where it costs least. False if no aircraft may breach more.
-bool SortiePlanner::insert(std::vector<Sortie>& sorties, std::size_t target) const {
-    team::Cost least{.missing = 2, .first = infinity, .second = infinity};
-    std::vector<Sortie> best;
-    for (std::size_t a = 0; a < sorties.size(); ++a) {
-        const Agent& aircraft = *problem_.aircraft()[a];
-        if (sorties[a].size() >= std::size_t(aircraft.breaches)) continue;
-        for (std::size_t at = 0; at <= sorties[a].size(); ++at) {
-            for (const Cell cell : likely_cells(targets_[target], aircraft, sorties[a], at)) {
-                std::vector<Sortie> changed = sorties;
-                changed[a].insert(changed[a].begin() + std::ptrdiff_t(at), {target, cell});
-                const team::Cost cost = cost_of(changed);
-                if (!best.empty() && !team::better(cost, least)) continue;
-                least = cost;
-                best = std::move(changed);
-            }
-        }
-    }
-    if (best.empty()) return false;
-    sorties = std::move(best);
-    return true;
-}
-
-void SortiePlanner::improve(std::vector<Sortie>& sorties) const {
-    team::Cost least = cost_of(sorties);
-    while (!problem_.interrupts().due() && (exchange_cells(sorties, least) || move_one(sorties, least))) {
-    }
-}
-
-bool SortiePlanner::move_one(std::vector<Sortie>& sorties, team::Cost& least) const {
-    for (std::size_t target = 0; target < targets_.size(); ++target) {
-        std::vector<Sortie> changed = sorties;
-        for (Sortie& sortie : changed) {
-            std::erase_if(sortie, [&](const Stop& stop) { return stop.target == target; });
-        }
-        if (!insert(changed, target)) continue;
-        const team::Cost cost = cost_of(changed);
-        if (!team::better(cost, least)) continue;
-        least = cost;
-        sorties = std::move(changed);
-        return true;
-    }
-    return false;
-}
-
-bool SortiePlanner::exchange_cells(std::vector<Sortie>& sorties, team::Cost& least) const {
-    bool any = false;
-    for (Sortie& sortie : sorties) {
-        for (Stop& stop : sortie) {
-            Cell best = stop.at;
-            for (const Cell cell : targets_[stop.target].cells) {
-                stop.at = cell;
-                const team::Cost cost = cost_of(sorties);
-                if (!team::better(cost, least)) continue;
-                least = cost;
-                best = cell;
-                any = true;
-            }
-            stop.at = best;
-        }
-    }
-    return any;
 }
 
 }  // namespace waybreaker::coalition

@@ -9,18 +9,17 @@
 
 #include "coalition/ways.hpp"
 #include "schedule/precedence.hpp"
+#include "schedule/sorties.hpp"
 #include "team/fleet.hpp"
 
 namespace waybreaker::coalition {
 
-using Sortie = Tour;  // its targets are positions in a set
-
 // A set put in time.
 struct Draft {
     Set set;
-    std::vector<Sortie> sorties;  // of each aircraft
-    Openings openings;            // when each of the set is gone
-    std::vector<Way> taken;       // by vehicle: the way that it drives
+    Sorties sorties;         // their targets are positions in the set
+    Openings openings;       // when each of the set is gone
+    std::vector<Way> taken;  // by vehicle: the way that it drives
     team::Cost cost{.missing = 1, .first = infinity, .second = infinity};
 };
 
@@ -40,17 +39,10 @@ class SortiePlanner {
     void prepare(const Set& set);
     void search_ways(const Set& set);
     Draft best_for(const Set& set);
-    team::Cost cost_of(const std::vector<Sortie>& sorties) const;
     void fill(Draft& draft) const;
     double could_cost(const Draft& draft) const;
     void try_all_orders(Draft& draft, double worth, std::uint64_t enough);
     bool find_timed_ways(const Draft& draft, bool thorough);
-    bool insert(std::vector<Sortie>& sorties, std::size_t target) const;
-    void improve(std::vector<Sortie>& sorties) const;
-    bool move_one(std::vector<Sortie>& sorties, team::Cost& least) const;
-    bool exchange_cells(std::vector<Sortie>& sorties, team::Cost& least) const;
-    static std::vector<Cell> likely_cells(const Target& target, const Agent& aircraft, const Sortie& sortie,
-                                          std::size_t at);
     std::vector<std::size_t> by_need() const;
 
     const Problem& problem_;

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "drive/opening.hpp"
+#include "drive/punctual.hpp"
 #include "drive/shortened.hpp"
 #include "plan/timeline.hpp"
-#include "select/punctual.hpp"
-#include "select/timed_path.hpp"
 
 namespace waybreaker::coalition {
 namespace {
@@ -266,11 +266,8 @@ std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, cons
     const CrossingResult found = hand.crossing.find(problem_.map(), agent.start, agent.goal, options);
     effort_[vehicle] += effort_of_label * found.expanded;
     if (found.best.path.empty()) return std::nullopt;
-    const Method method;
-    const Limits limits = options.limits;
-    const Task task{problem_.map(), agent,  *problem_.aircraft().front(),   problem_.rules(),
-                    method,         limits, problem_.interrupts().deadline, 0};
-    const Opening driven = drivable(task, {hand.theta, hand.crossing}, found.best, part);
+    const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts());
+    const Opening driven = drivable(trip, {hand.theta, hand.crossing}, found.best, part);
     if (driven.status != SearchStatus::found) return std::nullopt;
     // Not shortened: who bends may do so to come late.
     Way way = way_of(agent, driven.ground.path, part);

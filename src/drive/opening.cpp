@@ -160,4 +160,36 @@ Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleI
                     : open(trip, searchers, std::move(removed), shorter_than);
 }
 
+Opening drivable(const Trip& trip, const Searchers& searchers, const CrossingPath& path,
+                 std::vector<ObstacleId> removed) {
+    Opening opening{std::move(removed), SearchStatus::found, {}, false};
+    Route& ground = opening.ground;
+    ground.path.push_back(path.path.front());
+    ground.length = 0;
+    auto gate = path.gates.begin();
+    for (std::size_t i = 1; i < path.path.size(); ++i) {
+        const Point from = ground.path.back();
+        const Point to = path.path[i];
+        const bool waits_there = gate != path.gates.end() && gate->at == to;
+        if (!waits_there) {
+            if (from != to) ground.path.push_back(to);
+            *ground.length += distance(from, to);
+            continue;
+        }
+        CrossingOptions options;
+        options.body = trip.driver.body;
+        options.limits = trip.limits(trip.deadline.left());
+        options.removed = (gate++)->crossed;  // a gate may be where one of them stood
+        const CrossingResult leg = searchers.crossing.find(trip.map, cell_of(from), cell_of(to), options);
+        if (leg.best.path.empty()) {
+            return {std::move(opening.removed), leg.status, {}, leg.status == SearchStatus::limit_reached};
+        }
+        ground.path.insert(ground.path.end(), leg.best.path.begin() + 1, leg.best.path.end());
+        *ground.length += leg.best.length;
+        ground.expanded += leg.expanded;
+        ground.generated += leg.generated;
+    }
+    return opening;
+}
+
 }  // namespace waybreaker

@@ -59,4 +59,9 @@ Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleI
 Opening open(const Trip& trip, const Searchers& searchers, std::vector<ObstacleId> removed, const CrossingResult& found,
              double seconds, double shorter_than = std::numeric_limits<double>::infinity());
 
+// A path of the crossing search in time as the ground agent can drive it: the shortest ways to its gates. No path if a
+// limit comes first. `removed`: what is open in the end.
+Opening drivable(const Trip& trip, const Searchers& searchers, const CrossingPath& path,
+                 std::vector<ObstacleId> removed);
+
 }  // namespace waybreaker

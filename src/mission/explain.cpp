@@ -44,6 +44,7 @@ void explain(const Task& task, const Searchers& searchers, Selector& selector, c
         if (task.deadline.passed()) return;
         breach.saves = saves;
     }
+    if (task.capacity() <= task.rules.removals) return;
     Rules more = task.rules;
     ++more.removals;
     std::vector<ObstacleId> removed;

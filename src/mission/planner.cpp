@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "mission/agent_order.hpp"
 #include "mission/explain.hpp"
 #include "mission/plan_status.hpp"
 #include "mission/team_demolition.hpp"
 #include "mission/team_plan.hpp"
 #include "plan/idle.hpp"
+#include "plan/timeline.hpp"
 #include "select/exact.hpp"
 #include "select/least_demolition.hpp"
 #include "select/selector.hpp"
@@ -24,35 +26,72 @@ namespace {
 constexpr double share_before_sparing = 0.5;  // of the time: for the best plan, before one that demolishes less
 constexpr std::size_t most_grown_cells_kept = std::size_t{1} << 22U;  // for the next plan
 
-Outcome outcome(const Task& task, const Candidate& candidate) {
+// Whether one ground agent has aircraft that open its way: then nobody gets in anybody's way.
+bool drives_alone(const Mission& mission) {
+    const auto count = [&](AgentKind kind) { return std::ranges::count(mission.agents, kind, &Agent::kind); };
+    return count(AgentKind::ground) == 1 && count(AgentKind::air) > 0;
+}
+
+// Calls visit(agent, aircraft) for each agent; which of the task's aircraft it is, if it is one.
+void for_each_agent(const Mission& mission, const auto& visit) {
+    std::size_t aircraft = 0;
+    for (const Agent& agent : mission.agents) {
+        visit(agent, aircraft);
+        if (agent.kind == AgentKind::air) ++aircraft;
+    }
+}
+
+Route flight(const Agent& agent, std::size_t aircraft, std::span<const TimedBreach> breaches) {
+    Route route{AgentKind::air};
+    route.path.emplace_back(agent.start);
+    for (const TimedBreach& breach : breaches) {
+        if (breach.aircraft == aircraft) route.path.emplace_back(breach.at);
+    }
+    route.path.emplace_back(agent.goal);
+    route.length = path_length(route.path);
+    return route;
+}
+
+Outcome outcome(const Mission& mission, const Candidate& candidate) {
     Outcome result;
-    result.ground() = candidate.opening.ground;
-    Route& air = result.air();
-    air.length = candidate.schedule.flight.length;
-    air.path.emplace_back(task.flyer.start);
-    for (const BreachPoint& breach : candidate.schedule.flight.breaches) air.path.emplace_back(breach.at);
-    air.path.emplace_back(task.flyer.goal);
-    if (result.ground().length) {
-        result.makespan = candidate.schedule.makespan;
-        result.flowtime = candidate.schedule.flowtime;
-        result.ground_makespan = candidate.schedule.ground.back().t;
+    result.routes.clear();
+    for_each_agent(mission, [&](const Agent& agent, std::size_t aircraft) {
+        result.routes.push_back(agent.kind == AgentKind::ground ? candidate.opening.ground
+                                                                : flight(agent, aircraft, candidate.schedule.breaches));
+    });
+    if (candidate.opening.ground.length) {
+        const Finish finish = finish_of(candidate.schedule.arrival(), candidate.schedule.home);
+        result.makespan = finish.makespan();
+        result.flowtime = finish.flowtime;
+        result.ground_makespan = finish.ground;
     }
     return result;
 }
 
-std::vector<Breach> breaches(const Task& task, const Schedule& schedule, std::span<const std::uint32_t> hits) {
+std::vector<Itinerary> itineraries(const Mission& mission, const JointSchedule& schedule) {
+    std::vector<Itinerary> agents;
+    for_each_agent(mission, [&](const Agent& agent, std::size_t aircraft) {
+        const std::vector<Waypoint>& path = agent.kind == AgentKind::ground ? schedule.ground : schedule.air[aircraft];
+        agents.push_back({agent.id, agent.kind, agent.speed, path, agent.start, agent.goal});
+    });
+    return agents;
+}
+
+std::vector<Breach> breaches(const Task& task, const JointSchedule& schedule, std::span<const std::uint32_t> hits) {
     std::vector<Breach> breaches;
-    for (std::size_t i = 0; i < schedule.flight.breaches.size(); ++i) {
-        const BreachPoint& point = schedule.flight.breaches[i];
-        const Obstacle& obstacle = task.map.obstacle(point.obstacle);
-        breaches.push_back({.obstacle = obstacle.id,
-                            .source_id = obstacle.source_id,
-                            .cells = obstacle.cells,
-                            .hits = hits.empty() ? 0 : hits[obstacle.id.value],
-                            .at = point.at,
-                            .cleared_at = schedule.cleared_at[i],
-                            .entered_at = schedule.entered_at[i],
-                            .saves = std::nullopt});
+    for (const TimedBreach& made : schedule.breaches) {
+        const Obstacle& obstacle = task.map.obstacle(made.obstacle);
+        Breach& breach = breaches.emplace_back();
+        breach.obstacle = obstacle.id;
+        breach.source_id = obstacle.source_id;
+        breach.cells = obstacle.cells;
+        breach.hits = hits.empty() ? 0 : hits[obstacle.id.value];
+        breach.at = made.at;
+        breach.cleared_at = made.cleared_at;
+        breach.entered_at = made.entered_at;
+        if (task.aircraft.size() == 1) continue;  // nobody has to be told who
+        breach.by = task.aircraft[made.aircraft]->id;
+        breach.begun_at = made.begun_at;
     }
     return breaches;
 }
@@ -118,14 +157,15 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
 Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
     const ActivePart active(mission);
-    return active.whole(map, plan_active(map, active.mission(), method, limits));
+    const AgentOrder order(active.mission());
+    return active.whole(map, order.restored(plan_active(map, order.mission(), method, limits)));
 }
 
 Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     // What earlier missions have taught would change how much work this one is.
     CrossingMemory nothing;
     crossing_.exchange(nothing);
-    if (mission.is_team()) return explained_team(map, mission, method, limits, searcher_, crossing_);
+    if (!drives_alone(mission)) return explained_team(map, mission, method, limits, searcher_, crossing_);
     const Task task = task_of(map, mission, method, limits);
     const Stopwatch total;
     const Searchers searchers{searcher_, crossing_};
@@ -153,15 +193,11 @@ Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const M
     // Report both, without removal and with the best.
     Plan plan;
     plan.status = plan_status(best.opening.status);
-    plan.before = outcome(task, before);
-    plan.after = outcome(task, best);
+    plan.before = outcome(mission, before);
+    plan.after = outcome(mission, best);
     plan.breaches = breaches(task, best.schedule, selector->hits());
     if (plan.status == PlanStatus::solved) {
-        for (const Agent& agent : mission.agents) {
-            const std::vector<Waypoint>& path =
-                agent.kind == AgentKind::ground ? best.schedule.ground : best.schedule.air;
-            plan.agents.push_back({agent.id, agent.kind, agent.speed, path, agent.start, agent.goal});
-        }
+        plan.agents = itineraries(mission, best.schedule);
         const double reached = cost(task, best);
         if (selected.bound || method.bound) {
             const double bound =
@@ -198,8 +234,9 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
                                         const Limits& limits) {
     validate(map, mission, method, limits);
     const ActivePart active(mission);
-    std::vector<Plan> plans = front_of_active(map, active.mission(), method, limits);
-    for (Plan& plan : plans) plan = active.whole(map, std::move(plan));
+    const AgentOrder order(active.mission());
+    std::vector<Plan> plans = front_of_active(map, order.mission(), method, limits);
+    for (Plan& plan : plans) plan = active.whole(map, order.restored(std::move(plan)));
     return plans;
 }
 
@@ -217,7 +254,7 @@ std::vector<Plan> MissionPlanner::front_of_active(const Map& map, const Mission&
         Limits left = limits;
         left.seconds = std::max(deadline.left(), 1e-3);
         // Those with fewer removals are here anyway.
-        if (step.is_team() && !explained) {
+        if (!drives_alone(step) && !explained) {
             return planned_team(map, step, how, left, coalition::Fewer::not_tried, searcher_, crossing_);
         }
         return plan_active(map, step, how, left);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -174,8 +172,10 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
     return plan;
 }
 
-Plan plan_in_order(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-                   coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
+}  // namespace
+
+Plan plan_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
+               coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
     const bool has_aircraft = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind) > 0;
     if (has_aircraft && mission.rules.removals > 0) {
         return plan_coalition(map, mission, method, limits, fewer, searcher, crossing);
@@ -202,42 +202,6 @@ Plan plan_in_order(const Map& map, const Mission& mission, const Method& method,
     plan.limit_reached = team.limited || plan.status == PlanStatus::limit_reached;
     for (const team::Vehicle& vehicle : team.vehicles) plan.seconds.search += vehicle.seconds;
     plan.seconds.total = total.seconds();
-    return plan;
-}
-
-// By what agents are to do, whatever their order in the mission and their names.
-std::vector<std::size_t> order_of(const std::vector<Agent>& agents) {
-    std::vector<std::size_t> order(agents.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto key = [&](std::size_t i) {
-        const Agent& agent = agents[i];
-        return std::tuple(agent.kind, agent.start.y, agent.start.x, agent.goal.y, agent.goal.x, agent.speed,
-                          agent.body.radius, agent.body.corners, agent.ready_at, agent.breaches);
-    };
-    std::ranges::stable_sort(order, {}, key);
-    return order;
-}
-
-template <class Item>
-void put_back(std::vector<Item>& items, std::span<const std::size_t> order) {
-    if (items.empty()) return;
-    std::vector<Item> placed(items.size());
-    for (std::size_t i = 0; i < order.size(); ++i) placed[order[i]] = std::move(items[i]);
-    items = std::move(placed);
-}
-
-}  // namespace
-
-// Who comes first decides who gives way, so the same agents are planned in the same order.
-Plan plan_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
-               coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
-    const std::vector<std::size_t> order = order_of(mission.agents);
-    Mission ordered = mission;
-    for (std::size_t i = 0; i < order.size(); ++i) ordered.agents[i] = mission.agents[order[i]];
-    Plan plan = plan_in_order(map, ordered, method, limits, fewer, searcher, crossing);
-    put_back(plan.agents, order);
-    put_back(plan.before.routes, order);
-    put_back(plan.after.routes, order);
     return plan;
 }
 

@@ -6,7 +6,8 @@
 
 namespace waybreaker {
 
-// REQUIRES: the mission is a team's, and valid.
+// Who comes first decides who gives way: the same agents in another order may have another plan (agent_order.hpp).
+// REQUIRES: the mission is valid, and not one of a single ground agent with aircraft.
 Plan plan_team(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing);
 

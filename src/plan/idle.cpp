@@ -39,10 +39,15 @@ ActivePart::ActivePart(const Mission& mission) : whole_(mission), active_{{}, mi
         last_idle_ = std::max(last_idle_, flight_time(agent));
         sum_of_idle_ += flight_time(agent);
     }
-    if (active_.is_team() || active_.agents.empty()) return;
+    if (!one_drives) return;
+    const bool is_pair = active_.agents.size() == 2;
+    Rules more = active_.rules;
+    ++more.removals;
+    cut_ = Mission{active_.agents, more}.removals_allowed() < more.removals;
     active_.rules.removals = active_.removals_allowed();
-    cut_ = active_.rules.removals < whole_.rules.removals;
-    for (Agent& agent : active_.agents) agent.breaches = any_number;
+    for (Agent& agent : active_.agents) {
+        if (is_pair) agent.breaches = any_number;
+    }
 }
 
 double ActivePart::with_idle(double objective) const {

@@ -10,8 +10,8 @@
 
 namespace waybreaker {
 
-// A mission without its idle aircraft. A single ground agent keeps one aircraft, idle or not: the two are a pair, which
-// may remove no more than that one may breach.
+// A mission without its idle aircraft. A single ground agent keeps one aircraft, idle or not; its mission may remove no
+// more than its aircraft may breach.
 class ActivePart {
   public:
     explicit ActivePart(const Mission& mission);
@@ -31,7 +31,7 @@ class ActivePart {
     const Mission& whole_;
     Mission active_;
     std::vector<bool> idle_;  // by agent of the whole mission
-    bool cut_ = false;        // fewer may be removed than the rules allow
+    bool cut_ = false;        // the aircraft may not breach one obstacle more
     double last_idle_ = 0;    // at home
     double sum_of_idle_ = 0;
 };

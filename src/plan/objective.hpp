@@ -22,9 +22,19 @@ struct Finish {
     }
 };
 
+// When the aircraft are at their goals, in units of time.
+struct Returns {
+    double last = 0;
+    double sum = 0;
+};
+
+// Of one ground agent and the aircraft.
+inline Finish finish_of(double ground, const Returns& air) {
+    return {ground, air.last, ground + air.sum};
+}
 // Of one ground and one air agent.
 inline Finish finish_of_two(double ground, double air) {
-    return {ground, air, ground + air};
+    return finish_of(ground, {air, air});
 }
 
 // How good it is to finish so, the smaller the better: by the first figure, and of equals by the second. Ties of the

@@ -10,6 +10,7 @@
 
 #include "flight/local_search.hpp"
 #include "flight/long_tour.hpp"
+#include "schedule/best_tour.hpp"
 #include "schedule/course.hpp"
 #include "schedule/local_search.hpp"
 #include "schedule/rank.hpp"
@@ -109,12 +110,9 @@ class Best {
 
 }  // namespace
 
-Schedule best_schedule(const Map& map, const ScheduleTask& task) {
-    validate(task);
-    const Deadline deadline(task.time_limit);
-    const Course course(map, task);
-    const Cell start = task.flyer.start;
-    const Cell goal = task.flyer.goal;
+BestTour best_tour(const Course& course, const Deadline& deadline) {
+    const Cell start = course.start();
+    const Cell goal = course.goal();
     const bool few = course.targets().size() <= exact_flight_limit;
     const Tour nearest = nearest_tour(start, goal, course.targets());
     const Tour known = improved_tour(start, nearest, goal, course.targets());
@@ -123,10 +121,17 @@ Schedule best_schedule(const Map& map, const ScheduleTask& task) {
     Best best(course, shortest, deadline);
     if (!few) best.consider(nearest);
     const bool proven = few && best.prove();
+    return {best.tour(), proven};
+}
 
+Schedule best_schedule(const Map& map, const ScheduleTask& task) {
+    validate(task);
+    const Deadline deadline(task.time_limit);
+    const Course course(task, needs_of(map, task));
+    const auto [tour, proven] = best_tour(course, deadline);
     std::vector<Breaching> breachings;
-    for (const Stop& stop : best.tour()) breachings.push_back(course.breaching(stop.target));
-    Schedule schedule = timetable(task, flight_of(start, best.tour(), goal, course.targets()), breachings);
+    for (const Stop& stop : tour) breachings.push_back(course.breaching(stop.target));
+    Schedule schedule = timetable(task, flight_of(course.start(), tour, course.goal(), course.targets()), breachings);
     schedule.optimal = proven;
     return schedule;
 }

@@ -8,29 +8,44 @@
 
 namespace waybreaker {
 
-Course::Course(const Map& map, const ScheduleTask& task) : task_(task), targets_(targets_of(map, task.removed)) {
+Needs Needs::only(std::uint32_t subset) const {
+    Needs some{{}, {}, unhindered, across};
+    for (std::size_t target = 0; target < targets.size(); ++target) {
+        if ((subset >> target & 1U) == 0) continue;
+        some.targets.push_back(targets[target]);
+        some.breachings.push_back(breachings[target]);
+    }
+    return some;
+}
+
+Needs needs_of(const Map& map, const ScheduleTask& task) {
     const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
-    unhindered_ = driven.back().t;
-    Drive drive{unhindered_};
+    Needs needs{targets_of(map, task.removed), {}, driven.back().t, std::hypot(map.width(), map.height())};
+    for (const Target& target : needs.targets) {
+        needs.breachings.push_back(breaching_of(map, task, driven, target.obstacle));
+    }
+    return needs;
+}
+
+Course::Course(const ScheduleTask& task, Needs needs) : task_(task), needs_(std::move(needs)) {
+    Drive drive{needs_.unhindered};
     std::vector<double> stays;
-    for (std::size_t target = 0; target < targets_.size(); ++target) {
-        const Breaching& breaching =
-            breachings_.emplace_back(breaching_of(map, task, driven, targets_[target].obstacle));
+    for (std::size_t target = 0; target < needs_.targets.size(); ++target) {
+        const Breaching& breaching = needs_.breachings[target];
         if (!std::isinf(breaching.needed_by)) drive.passages.push_back({target, breaching.needed_by});
         stays.push_back(breaching.stay);
         stays_ += breaching.stay;
     }
     precedence_ = Precedence({&task.flyer}, std::move(stays));
     precedence_.add_vehicle({std::move(drive)});
-    const double across = std::hypot(map.width(), map.height());
-    longest_tour_ = across * double(targets_.size() + 1);
+    longest_tour_ = needs_.across * double(needs_.targets.size() + 1);
 }
 
 Deadlines Course::deadlines(double ground_finish) const {
     Deadlines deadlines;
-    for (const Breaching& breaching : breachings_) {
+    for (const Breaching& breaching : needs_.breachings) {
         deadlines.stay.push_back(breaching.stay * task_.flyer.speed);
-        deadlines.latest.push_back((breaching.needed_by + ground_finish - unhindered_) * task_.flyer.speed);
+        deadlines.latest.push_back((breaching.needed_by + ground_finish - needs_.unhindered) * task_.flyer.speed);
     }
     return deadlines;
 }

@@ -6,6 +6,7 @@
 // worst of them and no longer.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "flight/exact.hpp"
@@ -16,21 +17,34 @@
 
 namespace waybreaker {
 
+// What a ground path needs open, whoever flies.
+struct Needs {
+    std::vector<Target> targets;
+    std::vector<Breaching> breachings;  // as the targets
+    double unhindered = 0;              // when the ground agent finishes if it never waits
+    double across = 0;                  // the map's diagonal, cells
+
+    // Of those of the targets only that a set of bits names.
+    Needs only(std::uint32_t subset) const;
+};
+// Throws InputError for an obstacle that fills the whole map.
+Needs needs_of(const Map& map, const ScheduleTask& task);
+
 class Course {
   public:
-    // Throws InputError for an obstacle that fills the whole map.
-    Course(const Map& map, const ScheduleTask& task);
+    // The task must outlive it.
+    Course(const ScheduleTask& task, Needs needs);
 
-    std::span<const Target> targets() const { return targets_; }
+    std::span<const Target> targets() const { return needs_.targets; }
     Cell start() const { return task_.flyer.start; }
     Cell goal() const { return task_.flyer.goal; }
     const ScheduleTask& task() const { return task_; }
 
     // When the ground agent finishes if it never waits.
-    double unhindered() const { return unhindered_; }
-    const Breaching& breaching(std::size_t target) const { return breachings_[target]; }
+    double unhindered() const { return needs_.unhindered; }
+    const Breaching& breaching(std::size_t target) const { return needs_.breachings[target]; }
     // How long the ground agent would have to wait for a target; negative if it comes later.
-    double lateness(std::size_t target, double cleared_at) const { return cleared_at - breachings_[target].needed_by; }
+    double lateness(std::size_t target, double cleared_at) const { return cleared_at - breaching(target).needed_by; }
 
     Finish finish(const Tour& tour) const { return precedence_.finish(std::span(&tour, 1)); }
 
@@ -41,9 +55,7 @@ class Course {
 
   private:
     const ScheduleTask& task_;
-    std::vector<Target> targets_;
-    double unhindered_ = 0;
-    std::vector<Breaching> breachings_;
+    Needs needs_;
     Precedence precedence_;    // of one vehicle and one aircraft
     double stays_ = 0;         // of all together
     double longest_tour_ = 0;  // cells; no tour without a detour is longer

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/range.hpp"
 #include "plan/timeline.hpp"
@@ -33,20 +34,10 @@ Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const
     return breaching;
 }
 
-Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings) {
-    assert(!task.ground_path.empty() && breachings.size() == flight.breaches.size());
-    Schedule schedule;
-    schedule.flight = flight;
-
-    // The air agent stays at each breach point until the obstacle is gone.
-    Tour tour;
-    for (const BreachPoint& breach : flight.breaches) tour.push_back({tour.size(), breach.at});
-    const auto stay = [&](std::size_t target) { return breachings[target].stay; };
-    schedule.air = flown(task.flyer, tour, stay);
-    fly(task.flyer, tour, stay, [&](const Stop&, double, double cleared) { schedule.cleared_at.push_back(cleared); });
-
-    // The ground agent waits for each obstacle at the last turn before it touches it: how long it is delayed from each
-    // turn on.
+TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> breachings,
+                         std::span<const double> cleared, double rounding) {
+    TimedDrive driven;
+    // How long it is delayed from each turn on.
     const std::vector<Waypoint> turns = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
     const auto turn_before = [&](double entry) {
         const auto after = std::ranges::upper_bound(turns, entry, {}, &Waypoint::t);
@@ -56,25 +47,40 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
     for (std::size_t i = 0; i < breachings.size(); ++i) {
         if (std::isinf(breachings[i].needed_by)) continue;
         double& delay = delays[turn_before(breachings[i].needed_by)];
-        delay = std::max(delay, schedule.cleared_at[i] - breachings[i].needed_by);
+        delay = std::max(delay, cleared[i] - breachings[i].needed_by);
     }
-    const double rounding = 1e-9 * (1 + schedule.air.back().t);
     double delay = 0;
     for (std::size_t i = 0; i < turns.size(); ++i) {
         const double arrival = i == 0 ? 0 : turns[i].t + delay;
-        schedule.ground.push_back({turns[i].x, turns[i].y, arrival});
+        driven.path.push_back({turns[i].x, turns[i].y, arrival});
         if (delays[i] > delay + rounding) delay = delays[i];
         const double departure = turns[i].t + delay;
-        if (departure > arrival) schedule.ground.push_back({turns[i].x, turns[i].y, departure});
+        if (departure > arrival) driven.path.push_back({turns[i].x, turns[i].y, departure});
         delays[i] = delay;
     }
     for (std::size_t i = 0; i < breachings.size(); ++i) {
-        schedule.entered_at.push_back(breachings[i].touched);
-        std::optional<double>& entered = schedule.entered_at.back();
+        std::optional<double>& entered = driven.entered_at.emplace_back(breachings[i].touched);
         if (!entered) continue;
         *entered += delays[turn_before(*entered)];
-        if (task.rules.timing == Timing::enforce) entered = std::max(*entered, schedule.cleared_at[i]);
+        if (task.rules.timing == Timing::enforce) entered = std::max(*entered, cleared[i]);
     }
+    return driven;
+}
+
+Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings) {
+    assert(!task.ground_path.empty() && breachings.size() == flight.breaches.size());
+    Schedule schedule;
+    schedule.flight = flight;
+    // The air agent stays at each breach point until the obstacle is gone.
+    Tour tour;
+    for (const BreachPoint& breach : flight.breaches) tour.push_back({tour.size(), breach.at});
+    const auto stay = [&](std::size_t target) { return breachings[target].stay; };
+    schedule.air = flown(task.flyer, tour, stay);
+    fly(task.flyer, tour, stay, [&](const Stop&, double, double cleared) { schedule.cleared_at.push_back(cleared); });
+    const double rounding = 1e-9 * (1 + schedule.air.back().t);
+    TimedDrive driven = drive_in_time(task, breachings, schedule.cleared_at, rounding);
+    schedule.ground = std::move(driven.path);
+    schedule.entered_at = std::move(driven.entered_at);
 
     schedule.makespan = std::max(schedule.ground.back().t, schedule.air.back().t);
     schedule.flowtime = schedule.ground.back().t + schedule.air.back().t;

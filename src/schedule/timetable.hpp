@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "waybreaker/schedule.hpp"
 
@@ -20,6 +21,16 @@ void validate(const ScheduleTask& task);
 
 // `driven` is the ground path without waits.
 Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven, ObstacleId obstacle);
+
+// The ground agent of a task in time.
+struct TimedDrive {
+    std::vector<Waypoint> path;                     // with waits: a point twice
+    std::vector<std::optional<double>> entered_at;  // as the breachings: when it first touches each obstacle
+};
+// It waits for each obstacle at the last turn before it touches it. `cleared`: as the breachings; a delay is one that
+// is longer than `rounding`.
+TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> breachings,
+                         std::span<const double> cleared, double rounding);
 
 // `breachings` as flight.breaches.
 Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings);

@@ -27,7 +27,7 @@ double a_little_more(const Task& task) {
 
 double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
     const bool flight_apart = task.rules.objective == Objective::flowtime && !opening_times.matter();
-    return task.cells_until(flight_apart ? objective - task.least_flight : objective);
+    return task.cells_until(flight_apart ? objective - task.least_flight.sum : objective);
 }
 
 double least_objective(const Task& task, double path_cost, const OpeningTimes& opening_times) {
@@ -100,10 +100,15 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
                   OpeningTimes& opening_times, double proven, std::uint64_t expansions) {
     if (task.worth(reached) <= proven) return {proven};
+    if (opening_times.matter() && task.spare_removals() == 0) {
+        // Nothing is crossed; the search in time knows less of corners.
+        OpeningTimes at_once = OpeningTimes::at_once(task);
+        return prove_bound(task, crossing, reached, deadline, at_once, proven, expansions);
+    }
     CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
     options.limits.expansions = std::min(options.limits.expansions, expansions);
     options.expected = dearest_path(task, proven, opening_times);
-    const auto least = [&](double path, double flight) { return task.objective(task.arrival(path), flight); };
+    const auto least = [&](double path, const Returns& home) { return task.objective(task.arrival(path), home); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, most_expanded_in_time);
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
@@ -127,7 +132,7 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
             if (least(path.cost, task.least_flight) >= useless || tried == most_tried) return false;
             ++tried;
             const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
-            const double objective = least(path.cost, least_flight_time(task, removed));
+            const double objective = least(path.cost, least_return(task, removed));
             if (objective < best.objective) best = {objective, path.crossed};
             return true;
         });

@@ -6,33 +6,30 @@
 #include "drive/shortened.hpp"
 #include "map/line_of_sight.hpp"
 #include "plan/timeline.hpp"
-#include "waybreaker/flight.hpp"
 
 namespace waybreaker {
 namespace {
 
-Schedule scheduled(const Task& task, const Opening& opening) {
+JointSchedule scheduled(const Task& task, const Opening& opening) {
     const std::vector<Point> nowhere{task.driver.start};
-    const ScheduleTask asked{.ground_path = opening.ground.path.empty() ? nowhere : opening.ground.path,
-                             .driver = task.driver,
-                             .flyer = task.flyer,
-                             .rules = task.rules,
-                             .removed = opening.removed,
-                             .time_limit = task.deadline.left()};
-    return task.method.flight == FlightRule::optimal
-               ? best_schedule(task.map, asked)
-               : schedule_of(task.map, asked, fly_nearest(task.map, task.flyer.start, task.flyer.goal, asked.removed));
+    const JointTask asked{.ground_path = opening.ground.path.empty() ? nowhere : opening.ground.path,
+                          .driver = task.driver,
+                          .aircraft = task.aircraft,
+                          .rules = task.rules,
+                          .removed = opening.removed,
+                          .time_limit = task.deadline.left()};
+    const bool nearest = task.method.flight == FlightRule::nearest && task.aircraft.size() == 1;
+    return nearest ? nearest_schedule(task.map, asked) : best_joint_schedule(task.map, asked);
 }
 
 // Lets stand again what the ground path does without, but for what must be removed, which comes first. Whether it let
 // any.
-bool keep_needed(const Task& task, const Schedule& schedule, Opening& opening) {
+bool keep_needed(const Task& task, const JointSchedule& schedule, Opening& opening) {
     // The shortest path of a point needs all that it crosses.
     if (drives_by_crossing(task) && task.driver.body.is_point()) return false;
     const std::size_t before = opening.removed.size();
     for (std::size_t i = before; i-- > task.rules.force.size();) {
-        const auto breach = std::ranges::find(schedule.flight.breaches, opening.removed[i], &BreachPoint::obstacle);
-        if (schedule.entered_at[std::size_t(breach - schedule.flight.breaches.begin())]) continue;
+        if (std::ranges::find(schedule.breaches, opening.removed[i], &TimedBreach::obstacle)->entered_at) continue;
         std::vector<ObstacleId> others = opening.removed;
         others.erase(others.begin() + std::ptrdiff_t(i));
         const OpenedMap map(task.map, others);
@@ -53,7 +50,7 @@ bool drives_by_crossing(const Task& task) {
 
 Candidate candidate_of(const Task& task, Opening opening) {
     const Stopwatch watch;
-    Schedule schedule = scheduled(task, opening);
+    JointSchedule schedule = scheduled(task, opening);
     if (task.rules.timing == Timing::enforce && opening.ground.length && keep_needed(task, schedule, opening)) {
         schedule = scheduled(task, opening);
     }
@@ -62,7 +59,7 @@ Candidate candidate_of(const Task& task, Opening opening) {
 
 double cost(const Task& task, const Candidate& candidate) {
     if (!candidate.opening.ground.length) return infinity;
-    return task.objective(candidate.schedule.ground.back().t, candidate.schedule.air.back().t);
+    return task.objective(candidate.schedule.arrival(), candidate.schedule.home);
 }
 
 const Candidate& best_of(const Task& task, const Candidate& start, const std::vector<Candidate>& candidates) {

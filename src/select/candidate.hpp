@@ -1,4 +1,4 @@
-// Candidate: an opening put in time with both agents, so that candidates can be compared.
+// Candidate: an opening put in time with all agents, so that candidates can be compared.
 #pragma once
 
 #include <limits>
@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "drive/opening.hpp"
+#include "schedule/joint_schedule.hpp"
 #include "select/task.hpp"
 #include "waybreaker/crossing.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
 
@@ -18,8 +18,8 @@ bool drives_by_crossing(const Task& task);
 
 struct Candidate {
     Opening opening;
-    Schedule schedule = {};     // of the air agent alone where there is no ground path
-    double flight_seconds = 0;  // what it took to make the schedule
+    JointSchedule schedule = {};  // of the aircraft alone where there is no ground path
+    double flight_seconds = 0;    // what it took to make the schedule
 };
 
 // Flies as the method says, with the time that is left to find out how. What the ground path does without stands again,

@@ -127,7 +127,7 @@ void ExactSelection::try_in_time(const std::vector<ObstacleId>& removed) {
     options.budget = infinity;
     const CrossingResult found = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
     if (found.best.path.empty()) return;
-    Opening opening = drivable(task_, searchers_, found.best, removed);
+    Opening opening = drivable(task_.trip(), searchers_, found.best, removed);
     if (opening.status == SearchStatus::found) add_candidate(std::move(opening));
 }
 
@@ -170,7 +170,7 @@ void ExactSelection::try_out(const CrossingPath& path, const CrossingResult& sea
                            dearest_path(task_, best_, opening_times_)));
     } else {
         if (drives_by_crossing(task_) && !task_.driver.body.is_point()) {
-            Opening opening = drivable(task_, searchers_, path, removed);
+            Opening opening = drivable(task_.trip(), searchers_, path, removed);
             selected_.limited = selected_.limited || opening.limited;
             opening.ground.expanded += search.expanded;
             opening.ground.generated += search.generated;

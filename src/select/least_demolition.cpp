@@ -52,9 +52,7 @@ class Budgets {
     Outcome within(std::uint64_t cells) {
         Rules frugal = task_.rules;
         frugal.budget = double(cells);
-        const Deadline deadline = task_.deadline.share(share_of_selection);
-        const Task task{weighed_,     task_.driver, task_.flyer,        frugal, task_.method,
-                        task_.limits, deadline,     task_.least_flight, false};
+        const Task task = task_.within(share_of_selection).under(frugal, weighed_);
         const Candidate start = start_of(task, searchers_, baseline_);
         const Selected found = selector_.select(task, start);
         const Candidate& best = best_of(task, start, found.candidates);

@@ -78,14 +78,15 @@ void validate_capacity(const Mission& mission) {
 
 // What cannot be planned for a team. REQUIRES: no aircraft is idle, or there is but one.
 void validate_team(const Mission& mission, const Method& method) {
-    if (!mission.is_team()) return;
-    const bool flies = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind) > 0;
-    if (flies && mission.rules.removals > 0) {
-        if (method.select == Selection::hits || method.select == Selection::greedy) {
-            throw InputError("what is removed for a team is selected by exact, or none is");
-        }
-        if (method.flight != FlightRule::optimal)
-            throw InputError("the aircraft of a team fly by optimal, not nearest");
+    const auto aircraft = std::ranges::count(mission.agents, AgentKind::air, &Agent::kind);
+    const auto vehicles = std::ssize(mission.agents) - aircraft;
+    const bool removes = aircraft > 0 && mission.rules.removals > 0;
+    if (removes && (vehicles > 1 || aircraft > 1) && method.flight != FlightRule::optimal) {
+        throw InputError("the aircraft of a team fly by optimal, not nearest");
+    }
+    if (vehicles == 1 && aircraft > 0) return;
+    if (removes && (method.select == Selection::hits || method.select == Selection::greedy)) {
+        throw InputError("what is removed for several ground agents is selected by exact, or none is");
     }
     if (!method.diagonal) throw InputError("several ground agents move by eight neighbours, not by four");
 }

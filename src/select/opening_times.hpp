@@ -1,16 +1,12 @@
-// Opening times: how early a set of obstacles can be open at all, whatever the ground agent does.
+// Opening times: how early a set of obstacles can be open at all, as the crossing search asks for it.
 #pragma once
 
-#include <map>
 #include <span>
-#include <vector>
 
+#include "schedule/earliest_openings.hpp"
 #include "select/task.hpp"
 
 namespace waybreaker {
-
-// From a cell beside one obstacle to a cell beside another, at least: by their boxes.
-double hop(const Box& a, const Box& b);
 
 class OpeningTimes {
   public:
@@ -19,40 +15,24 @@ class OpeningTimes {
     // As if nobody ever waited: what is proven so holds with waits as well.
     static OpeningTimes at_once(const Task& task);
 
-    // Whether the ground agent may ever have to wait longer than the air agent's detour to a breach cell takes. Not if
-    // both start at the same place, the air agent is no slower, and breaches take no time.
+    // Whether the ground agent may ever have to wait longer than the detour to a breach cell takes. Not if breaches
+    // take no time, and an aircraft that may breach all that is removed starts with it and is no slower.
     bool matter() const { return matter_; }
     // Whether that is only as if nobody waited.
     bool are_at_once() const { return at_once_; }
 
-    // A lower limit of when the last of them is open, in cells that the ground agent could drive until then: the
-    // shortest flight past all of them, ending at any, with all their breach times. Grows with the set. O(2^n n^2) for
-    // the first few obstacles of a set, remembered.
+    // A lower bound of when the last of them is open, in cells that the ground agent could drive until then. Grows with
+    // the set.
     double cells(std::span<const ObstacleId> obstacles);
-    // The same of the air agent's whole flight, past those that must be removed as well; where the objective is the
-    // flowtime, its whole duration.
+    // The same of when all aircraft are home, past those that must be removed as well; where the objective is the
+    // flowtime, of the sum of their flights.
     double flight_cells(std::span<const ObstacleId> obstacles);
 
   private:
-    // Flights past one obstacle alone: from the start to it, from there to the goal, and both by way of one cell.
-    struct Legs {
-        double first;
-        double last;
-        double whole;
-    };
-    struct Times {
-        double open;
-        double done;
-    };
-    const Legs& legs(ObstacleId id);
-    const Times& times(std::span<const ObstacleId> obstacles);
-    Times times_of(std::span<const ObstacleId> obstacles);
-
     const Task& task_;
+    EarliestOpenings earliest_;
     bool matter_ = false;
     bool at_once_ = false;
-    std::map<ObstacleId, Legs> legs_;
-    std::map<std::vector<ObstacleId>, Times> times_;
 };
 
 }  // namespace waybreaker

@@ -2,32 +2,37 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
-#include "plan/objective.hpp"
+#include "schedule/earliest_openings.hpp"
 #include "waybreaker/flight.hpp"
 
 namespace waybreaker {
 
-double least_flight_time(const Task& task, std::span<const ObstacleId> removed) {
-    const Agent& flyer = task.flyer;
+Returns least_return(const Task& task, std::span<const ObstacleId> removed) {
+    if (task.aircraft.size() > 1) return EarliestOpenings(task.map, task.rules, task.aircraft).of(removed).home;
+    const Agent& flyer = *task.aircraft.front();
     // The flight past all of them is no shorter than the one past as many as are solved with proof.
     const auto solved = removed.first(std::min(removed.size(), exact_flight_limit));
     double time = fly_optimal(task.map, flyer.start, flyer.goal, solved).length / flyer.speed;
     for (const ObstacleId id : removed) time += task.rules.breach_time.of(task.map.obstacle(id));
-    return time;
+    return {time, time};
 }
 
 Task task_of(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+    std::vector<const Agent*> aircraft;
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::air) aircraft.push_back(&agent);
+    }
     const Agent& driver = mission.first(AgentKind::ground);
-    const Agent& flyer = mission.first(AgentKind::air);
-    Task task{map, driver, flyer, mission.rules, method, limits, Deadline(limits.seconds), 0};
-    task.least_flight = least_flight_time(task, task.rules.force);
+    Task task{map, driver, std::move(aircraft), mission.rules, method, limits, Deadline(limits.seconds), {}};
+    task.least_flight = least_return(task, task.rules.force);
     return task;
 }
 
-Task Task::under(const Rules& others) const {
-    Task task{map, driver, flyer, others, method, limits, deadline, 0, false};
-    task.least_flight = least_flight_time(task, others.force);
+Task Task::under(const Rules& others, const Map& weighed) const {
+    Task task{weighed, driver, aircraft, others, method, limits, deadline, {}, false};
+    task.least_flight = least_return(task, others.force);
     return task;
 }
 
@@ -37,8 +42,14 @@ Task Task::within(double share_of_time) const {
     return task;
 }
 
-double Task::objective(double ground_time, double air_time) const {
-    return rank(rules.objective, finish_of_two(ground_time, air_time)).first;
+double Task::objective(double ground_time, const Returns& home) const {
+    return rank(rules.objective, finish_of(ground_time, home)).first;
+}
+
+std::int64_t Task::capacity() const {
+    std::int64_t breaches = 0;
+    for (const Agent* agent : aircraft) breaches += agent->breaches;
+    return breaches;
 }
 
 double Task::spare_budget() const {

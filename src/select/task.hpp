@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "core/stopwatch.hpp"
 #include "drive/opening.hpp"
+#include "plan/objective.hpp"
 #include "waybreaker/method.hpp"
 
 namespace waybreaker {
@@ -19,13 +21,13 @@ inline constexpr double rounding = 1e-9;
 struct Task {
     const Map& map;
     const Agent& driver;
-    const Agent& flyer;
+    std::vector<const Agent*> aircraft;  // at least one
     const Rules& rules;
     const Method& method;
     const Limits& limits;
     Deadline deadline;  // of the whole call
-    // When the air agent ends at the earliest: straight, or past what must be removed.
-    double least_flight;
+    // When the aircraft are home at the earliest: straight, or past what must be removed.
+    Returns least_flight;
     bool reports = true;  // its progress
 
     // The planner that drives the ground agent.
@@ -34,11 +36,13 @@ struct Task {
     Trip trip() const {
         return {map, driver, search_options(method, driver.body), deadline, limits.expansions, limits.stop};
     }
-    // When a ground path and a flight end, as the objective counts it.
-    double objective(double ground_time, double air_time) const;
+    // When a ground path and the flights end, as the objective counts it.
+    double objective(double ground_time, const Returns& home) const;
     // When the ground agent arrives that drives so many cells without a wait, and how many it can drive until then.
     double arrival(double cells) const { return driver.ready_at + cells / driver.speed; }
     double cells_until(double time) const { return std::max(time - driver.ready_at, 0.0) * driver.speed; }
+    // How many obstacles the aircraft may breach together.
+    std::int64_t capacity() const;
     // How many obstacles may be removed beside those that must be.
     int spare_removals() const { return rules.removals - int(rules.force.size()); }
     // What the others may weigh.
@@ -53,14 +57,16 @@ struct Task {
     // The same task, with that share of the time that is left.
     Task within(double share_of_time) const;
     // The same mission under other rules, without reports of progress. The rules must outlive it.
-    Task under(const Rules& others) const;
+    Task under(const Rules& others) const { return under(others, map); }
+    // On a map whose obstacles weigh something else, as well. The map must outlive it.
+    Task under(const Rules& others, const Map& weighed) const;
 };
 
 // The task of a valid mission. The call's time begins now. All arguments must outlive it.
 Task task_of(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
 
-// A lower bound of the time that the air agent takes to breach all these, and to get home.
-double least_flight_time(const Task& task, std::span<const ObstacleId> removed);
+// A lower bound of when the aircraft have breached all these and are home.
+Returns least_return(const Task& task, std::span<const ObstacleId> removed);
 
 // The task's limits, with so many seconds.
 Limits limits_of(const Task& task, double seconds);

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "drive/punctual.hpp"
 #include "drive/shortened.hpp"
 #include "plan/timeline.hpp"
-#include "select/punctual.hpp"
 
 namespace waybreaker {
 namespace {
@@ -25,24 +25,23 @@ CrossingOptions options_for(const Task& task) {
 // The best path for the breaches of a schedule; says of the known candidate if a limit ended the search for it.
 std::optional<Opening> other_path(const Task& task, const Searchers& searchers, Candidate& known) {
     const Stopwatch watch;
-    const Schedule& schedule = known.schedule;
+    const JointSchedule& schedule = known.schedule;
     CrossingOptions options = options_for(task);
     options.crossings = int(known.opening.removed.size());
     options.only = known.opening.removed;
-    options.length_limit = task.cells_until(schedule.ground.back().t) * (1 - rounding);
+    options.length_limit = task.cells_until(schedule.arrival()) * (1 - rounding);
     options.opened_after = [&](std::span<const ObstacleId> obstacles) {
         double last = 0;
-        for (std::size_t i = 0; i < schedule.cleared_at.size(); ++i) {
-            const bool one_of_them =
-                std::ranges::find(obstacles, schedule.flight.breaches[i].obstacle) != obstacles.end();
-            if (one_of_them) last = std::max(last, schedule.cleared_at[i]);
+        for (const TimedBreach& breach : schedule.breaches) {
+            const bool is_one_of_them = std::ranges::find(obstacles, breach.obstacle) != obstacles.end();
+            if (is_one_of_them) last = std::max(last, breach.cleared_at);
         }
         return task.cells_until(last);
     };
     const CrossingResult found = searchers.crossing.find(task.map, task.driver.start, task.driver.goal, options);
     known.opening.limited = known.opening.limited || found.status == SearchStatus::limit_reached;
     if (found.best.path.empty()) return std::nullopt;
-    Opening opening = drivable(task, searchers, found.best, known.opening.removed);
+    Opening opening = drivable(task.trip(), searchers, found.best, known.opening.removed);
     known.opening.limited = known.opening.limited || opening.limited;
     if (opening.status != SearchStatus::found) return std::nullopt;
     opening.limited = known.opening.limited;
@@ -55,8 +54,8 @@ std::optional<Opening> other_path(const Task& task, const Searchers& searchers, 
 // The path of a candidate, bent so that the agent comes when obstacles open.
 std::vector<Point> bent_for(const Task& task, const Candidate& candidate) {
     std::vector<TimedOpening> openings;
-    for (std::size_t i = 0; i < candidate.schedule.cleared_at.size(); ++i) {
-        openings.push_back({candidate.schedule.flight.breaches[i].obstacle, candidate.schedule.cleared_at[i]});
+    for (const TimedBreach& breach : candidate.schedule.breaches) {
+        openings.push_back({breach.obstacle, breach.cleared_at});
     }
     std::vector<Cell> path;
     for (const Point p : candidate.opening.ground.path) path.push_back(cell_of(p));
@@ -70,37 +69,7 @@ std::vector<Point> bent_for(const Task& task, const Candidate& candidate) {
 bool waits(const Task& task, const Candidate& candidate) {
     if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
     const double driven = task.arrival(*candidate.opening.ground.length);
-    return candidate.schedule.ground.back().t > driven * (1 + rounding);
-}
-
-Opening drivable(const Task& task, const Searchers& searchers, const CrossingPath& path,
-                 std::vector<ObstacleId> removed) {
-    Opening opening{std::move(removed), SearchStatus::found, {}, false};
-    Route& ground = opening.ground;
-    ground.path.push_back(path.path.front());
-    ground.length = 0;
-    auto gate = path.gates.begin();
-    for (std::size_t i = 1; i < path.path.size(); ++i) {
-        const Point from = ground.path.back();
-        const Point to = path.path[i];
-        const bool waits_there = gate != path.gates.end() && gate->at == to;
-        if (!waits_there) {
-            if (from != to) ground.path.push_back(to);
-            *ground.length += distance(from, to);
-            continue;
-        }
-        CrossingOptions options = options_for(task);
-        options.removed = (gate++)->crossed;  // a gate may be where one of them stood
-        const CrossingResult leg = searchers.crossing.find(task.map, cell_of(from), cell_of(to), options);
-        if (leg.best.path.empty()) {
-            return {std::move(opening.removed), leg.status, {}, leg.status == SearchStatus::limit_reached};
-        }
-        ground.path.insert(ground.path.end(), leg.best.path.begin() + 1, leg.best.path.end());
-        *ground.length += leg.best.length;
-        ground.expanded += leg.expanded;
-        ground.generated += leg.generated;
-    }
-    return opening;
+    return candidate.schedule.arrival() > driven * (1 + rounding);
 }
 
 bool TimedPaths::is_new(const Opening& opening) {

@@ -11,11 +11,6 @@ namespace waybreaker {
 // Whether the ground agent stands somewhere before its goal.
 bool waits(const Task& task, const Candidate& candidate);
 
-// A path of the crossing search as the ground agent can drive it: the shortest ways to its gates. No path if a limit
-// comes first. `removed`: what is open in the end.
-Opening drivable(const Task& task, const Searchers& searchers, const CrossingPath& path,
-                 std::vector<ObstacleId> removed);
-
 // Puts openings in time.
 class TimedPaths {
   public:

@@ -10,7 +10,6 @@
 #include "ascii_map.hpp"
 #include "coalition/all_sets.hpp"
 #include "coalition/columns.hpp"
-#include "coalition/flight_limits.hpp"
 #include "coalition/offers.hpp"
 #include "random_map.hpp"
 #include "waybreaker/error.hpp"
@@ -80,80 +79,6 @@ RC_GTEST_PROP(Offers, AreFreeUpToALimit, ()) {
     RC_ASSERT(Offers(all).best(most) <= before + 1e-9);
 }
 
-// Flights that breach a set, each of the aircraft in turn: the least of each figure, the others aside.
-class Flights {
-  public:
-    Flights(const Problem& problem, const Set& set) : problem_(problem), set_(set), gone_(set.size(), false) {
-        fly(0, 0, problem.aircraft().front()->start, 0, {});
-    }
-    FlightLimits::Limits least{never, never, never};
-
-  private:
-    static constexpr double never = std::numeric_limits<double>::infinity();
-
-    void fly(std::size_t a, double time, Cell at, int breached, FlightLimits::Limits so_far) {
-        const Agent& agent = *problem_.aircraft()[a];
-        if (breached < agent.breaches) {
-            for (std::size_t j = 0; j < set_.size(); ++j) {
-                if (gone_[j]) continue;
-                gone_[j] = true;
-                for (const Cell c : problem_.map().boundary(set_[j])) {
-                    const double open = time + distance(at, c) / agent.speed + problem_.breach_time(set_[j]);
-                    FlightLimits::Limits more = so_far;
-                    more.open = std::max(more.open, open);
-                    fly(a, open, c, breached + 1, more);
-                }
-                gone_[j] = false;
-            }
-        }
-        const double home = time + distance(at, agent.goal) / agent.speed;
-        so_far.sum += home;
-        so_far.last = std::max(so_far.last, home);
-        if (a + 1 < problem_.aircraft().size()) {
-            fly(a + 1, 0, problem_.aircraft()[a + 1]->start, 0, so_far);
-        } else if (std::ranges::count(gone_, true) == std::ptrdiff_t(gone_.size())) {
-            least.sum = std::min(least.sum, so_far.sum);
-            least.last = std::min(least.last, so_far.last);
-            least.open = std::min(least.open, so_far.open);
-        }
-    }
-
-    const Problem& problem_;
-    const Set& set_;
-    std::vector<bool> gone_;
-};
-
-RC_GTEST_PROP(FlightLimits, AreBelowEveryFlight, ()) {
-    const PlainMap plain = *random_map(7, 7);
-    const Map map(plain.grid());
-    RC_PRE(!map.obstacles().empty());
-    Mission mission;
-    mission.rules.breach_time.per_obstacle = *number(0, 2);
-    const int aircraft = *number(1, 2);
-    for (int i = 0; i < aircraft; ++i) {
-        Agent& agent = mission.agents.emplace_back();
-        agent.kind = AgentKind::air;
-        agent.start = any_cell(plain);
-        agent.goal = any_cell(plain);
-        agent.speed = *rc::gen::element(0.5, 1.0, 2.0);
-        if (*number(0, 3) == 0) agent.breaches = *number(0, 2);
-    }
-    const team::Interrupts interrupts{Deadline(), {}};
-    const Problem problem(map, mission, interrupts);
-    const Set set = some_obstacles(map, 2);
-    const FlightLimits::Limits exact = Flights(problem, set).least;
-    const FlightLimits::Limits limits = FlightLimits(problem).of(set);
-    RC_ASSERT(limits.sum <= exact.sum + 1e-9);
-    RC_ASSERT(limits.last <= exact.last + 1e-9);
-    RC_ASSERT(limits.open <= exact.open + 1e-9);
-    RC_ASSERT(std::isinf(limits.sum) == std::isinf(exact.sum));
-    // One obstacle is by way of one cell.
-    if (set.size() > 1) return;
-    RC_ASSERT(limits.sum >= exact.sum - 1e-9);
-    RC_ASSERT(limits.last >= exact.last - 1e-9);
-    RC_ASSERT(set.empty() || limits.open >= exact.open - 1e-9);
-}
-
 // What was proven at other prices is a bound at these: the vehicle's square costs no less; and the relaxed body, for
 // which everything opens at once and costs nothing, hardly more.
 RC_GTEST_PROP(Columns, ProveLimitsOnePriceAfterTheOther, ()) {
@@ -178,14 +103,14 @@ RC_GTEST_PROP(Columns, ProveLimitsOnePriceAfterTheOther, ()) {
     Searcher theta;
     Crew crew(problem, crossing, theta);
     Columns columns(problem, crew, Shape::relaxed);
-    FlightLimits flights(problem);
+    EarliestOpenings openings(map, mission.rules, {problem.aircraft().begin(), problem.aircraft().end()});
     CrossingOptions driven;
     driven.crossings = mission.rules.removals;
     if (mission.rules.timing == Timing::enforce) {
         driven.opened_after = [&](std::span<const ObstacleId> crossed) {
             Set set(crossed.begin(), crossed.end());
             std::ranges::sort(set);
-            return flights.of(set).open;
+            return openings.of(set).open;
         };
     }
     for (int round = 0; round < 3; ++round) {

@@ -62,7 +62,11 @@ RC_GTEST_PROP(Coalition, PlansAreValid, ()) {
     } catch (const InputError&) {
         mission.rules.force.clear();
     }
-    const Plan plan = MissionPlanner().plan(map, mission);
+    Method method;
+    const bool drives_alone = std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind) == 1;
+    if (drives_alone) method.select = *rc::gen::element(Selection::exact, Selection::hits, Selection::none);
+    method.bound = true;
+    const Plan plan = MissionPlanner().plan(map, mission, method);
     RC_TAG(plan.status == PlanStatus::solved ? "solved" : "not solved");
     RC_TAG(std::to_string(plan.breaches.size()) + " removed");
     RC_ASSERT(plan_faults(map, mission, plan) == "");

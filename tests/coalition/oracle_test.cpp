@@ -185,7 +185,7 @@ double proven(const Map& map, const Mission& mission, double reached) {
         relaxation.list(margin);
         bound = std::max(bound, relaxation.bound());
         if (!relaxation.proof().complete) return;
-        coalition::Joint joint(problem, columns, relaxation.proof(), crew.own().flights, reached);
+        coalition::Joint joint(problem, columns, relaxation.proof(), crew.own().openings, reached);
         joint.next();
         bound = std::max(bound, joint.bound());
     };

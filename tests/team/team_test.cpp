@@ -304,6 +304,11 @@ TEST(Team, RefusesWhatCannotBePlanned) {
     Method nearest;
     nearest.flight = FlightRule::nearest;
     EXPECT_NE(refusal(map, mission, nearest).find("fly by optimal"), std::string::npos);
+    Mission alone = mission;
+    alone.agents.erase(alone.agents.begin());
+    alone.agents.push_back({"second", AgentKind::air, {0, 0}, {4, 0}});
+    EXPECT_EQ(refusal(map, alone, greedy), "");
+    EXPECT_NE(refusal(map, alone, nearest).find("fly by optimal"), std::string::npos);
     mission.agents[0].breaches = 1;
     refused(mission, "the a agent drives");
     mission.agents[0].breaches = any_number;

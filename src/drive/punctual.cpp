@@ -1,4 +1,4 @@
-#include "select/punctual.hpp"
+#include "drive/punctual.hpp"
 
 #include <algorithm>
 #include <cmath>

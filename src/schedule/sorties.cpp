@@ -1,0 +1,137 @@
+#include "schedule/sorties.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace waybreaker {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t few_targets = 4;  // all orders of inserting them are tried
+
+// Where a stop may be: nearest to where the aircraft comes from, and with the least detour.
+std::vector<Cell> likely_cells(const Target& target, const Agent& aircraft, const Tour& tour, std::size_t at) {
+    const Cell before = at > 0 ? tour[at - 1].at : aircraft.start;
+    const Cell after = at < tour.size() ? tour[at].at : aircraft.goal;
+    Cell nearest;
+    Cell on_way;
+    double least = infinity;
+    double least_by = infinity;
+    for (const Cell c : target.cells) {
+        const double there = distance(before, c);
+        const double by = there + distance(c, after);
+        if (there < least) {
+            least = there;
+            nearest = c;
+        }
+        if (by < least_by) {
+            least_by = by;
+            on_way = c;
+        }
+    }
+    if (nearest == on_way) return {nearest};
+    return {nearest, on_way};
+}
+
+}  // namespace
+
+bool is_better(const Rank& a, const Rank& b) {
+    const auto less = [](double x, double y) { return x < (y < infinity ? y - 1e-9 * std::max(y, 1.0) : y); };
+    if (less(a.first, b.first)) return true;
+    return !less(b.first, a.first) && less(a.second, b.second);
+}
+
+Rank SortieSearch::rank_of(const Sorties& sorties) const {
+    return rank(objective_, precedence_.finish(sorties));
+}
+
+std::optional<Sorties> SortieSearch::find(std::vector<std::size_t> order) const {
+    std::optional<Sorties> best;
+    Rank least;
+    const auto consider = [&] {
+        Sorties sorties(aircraft_.size());
+        for (const std::size_t target : order) {
+            if (!insert(sorties, target)) return;
+        }
+        const Rank reached = rank_of(sorties);
+        if (best && !is_better(reached, least)) return;
+        least = reached;
+        best = std::move(sorties);
+    };
+    consider();
+    if (order.size() <= few_targets) {
+        std::ranges::sort(order);
+        do {
+            consider();
+        } while (!due_() && std::ranges::next_permutation(order).found);
+    }
+    if (best) improve(*best);
+    return best;
+}
+
+// Gives a target to the aircraft, and puts it in the place, where it costs least. False if no aircraft may breach more.
+bool SortieSearch::insert(Sorties& sorties, std::size_t target) const {
+    Rank least;
+    Sorties best;
+    for (std::size_t a = 0; a < sorties.size(); ++a) {
+        const Agent& aircraft = *aircraft_[a];
+        if (sorties[a].size() >= std::size_t(aircraft.breaches)) continue;
+        for (std::size_t at = 0; at <= sorties[a].size(); ++at) {
+            for (const Cell cell : likely_cells(targets_[target], aircraft, sorties[a], at)) {
+                Sorties changed = sorties;
+                changed[a].insert(changed[a].begin() + std::ptrdiff_t(at), {target, cell});
+                const Rank reached = rank_of(changed);
+                if (!best.empty() && !is_better(reached, least)) continue;
+                least = reached;
+                best = std::move(changed);
+            }
+        }
+    }
+    if (best.empty()) return false;
+    sorties = std::move(best);
+    return true;
+}
+
+void SortieSearch::improve(Sorties& sorties) const {
+    Rank least = rank_of(sorties);
+    while (!due_() && (exchange_cells(sorties, least) || move_one(sorties, least))) {
+    }
+}
+
+bool SortieSearch::move_one(Sorties& sorties, Rank& least) const {
+    for (std::size_t target = 0; target < targets_.size(); ++target) {
+        Sorties changed = sorties;
+        for (Tour& tour : changed) {
+            std::erase_if(tour, [&](const Stop& stop) { return stop.target == target; });
+        }
+        if (!insert(changed, target)) continue;
+        const Rank reached = rank_of(changed);
+        if (!is_better(reached, least)) continue;
+        least = reached;
+        sorties = std::move(changed);
+        return true;
+    }
+    return false;
+}
+
+bool SortieSearch::exchange_cells(Sorties& sorties, Rank& least) const {
+    bool any = false;
+    for (Tour& tour : sorties) {
+        for (Stop& stop : tour) {
+            Cell best = stop.at;
+            for (const Cell cell : targets_[stop.target].cells) {
+                stop.at = cell;
+                const Rank reached = rank_of(sorties);
+                if (!is_better(reached, least)) continue;
+                least = reached;
+                best = cell;
+                any = true;
+            }
+            stop.at = best;
+        }
+    }
+    return any;
+}
+
+}  // namespace waybreaker

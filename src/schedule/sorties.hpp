@@ -1,0 +1,49 @@
+// Sorties: who of several aircraft breaches which target, in which order and from which cells. Local search: good
+// sorties fast, without proof.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "flight/target.hpp"
+#include "plan/objective.hpp"
+#include "schedule/precedence.hpp"
+
+namespace waybreaker {
+
+// The tours of all aircraft, in their order.
+using Sorties = std::vector<Tour>;
+
+// By more than rounding: 1e-9 of the figure.
+bool is_better(const Rank& a, const Rank& b);
+
+class SortieSearch {
+  public:
+    // `due`: whether time is over. All arguments must outlive it.
+    SortieSearch(std::span<const Agent* const> aircraft, std::span<const Target> targets, const Precedence& precedence,
+                 Objective objective, const std::function<bool()>& due)
+        : aircraft_(aircraft), targets_(targets), precedence_(precedence), objective_(objective), due_(due) {}
+
+    // By the objective; infinity where a vehicle has no drive.
+    Rank rank_of(const Sorties& sorties) const;
+    // The best of those that insert one target after the other, each where it costs least: in the order given, and,
+    // where they are few, in every order; then improved. None if the aircraft may not breach as many.
+    std::optional<Sorties> find(std::vector<std::size_t> order) const;
+    // Moves single targets and exchanges cells while that gains.
+    void improve(Sorties& sorties) const;
+
+  private:
+    bool insert(Sorties& sorties, std::size_t target) const;
+    bool move_one(Sorties& sorties, Rank& least) const;
+    bool exchange_cells(Sorties& sorties, Rank& least) const;
+
+    std::span<const Agent* const> aircraft_;
+    std::span<const Target> targets_;
+    const Precedence& precedence_;
+    Objective objective_;
+    const std::function<bool()>& due_;
+};
+
+}  // namespace waybreaker
