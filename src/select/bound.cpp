@@ -94,20 +94,20 @@ CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double 
 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
     OpeningTimes opening_times(task);
-    return prove_bound(task, crossing, reached, deadline, opening_times, 0);
+    return prove_bound(task, crossing, reached, deadline, opening_times, 0, 0);
 }
 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
-                  OpeningTimes& opening_times, double proven, std::uint64_t expansions) {
+                  OpeningTimes& opening_times, double proven, double expected, std::uint64_t expansions) {
     if (task.worth(reached) <= proven) return {proven};
     if (opening_times.matter() && task.spare_removals() == 0) {
         // Nothing is crossed; the search in time knows less of corners.
         OpeningTimes at_once = OpeningTimes::at_once(task);
-        return prove_bound(task, crossing, reached, deadline, at_once, proven, expansions);
+        return prove_bound(task, crossing, reached, deadline, at_once, proven, expected, expansions);
     }
     CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
     options.limits.expansions = std::min(options.limits.expansions, expansions);
-    options.expected = dearest_path(task, proven, opening_times);
+    options.expected = std::max(dearest_path(task, proven, opening_times), expected);
     const auto least = [&](double path, const Returns& home) { return task.objective(task.arrival(path), home); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, most_expanded_in_time);

@@ -22,9 +22,10 @@ struct Bound {
 // Of a point, the air agent on its shortest way. `reached`: the objective of a plan; the bound is never above. A proof
 // that a limit ends is a bound as well.
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline);
-// `proven`: no plan is below that. `expansions`: of the search, at most.
+// `proven`: no plan is below that. `expected`: about what the best path costs, in cells. `expansions`: of the search,
+// at most.
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline,
-                  OpeningTimes& opening_times, double proven, std::uint64_t expansions = UINT64_MAX);
+                  OpeningTimes& opening_times, double proven, double expected, std::uint64_t expansions = UINT64_MAX);
 
 // What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the
 // whole objective.

@@ -23,6 +23,14 @@ constexpr double share_of_relaxed = 0.5;
 // Likewise, where obstacles open in time: for what can be said as if they did not.
 constexpr double share_of_waitless = 0.3;
 
+// Whether the square's best set comes before the bound, which is found sooner then. With more removals paths are nearly
+// straight, and it is the bound that makes the square's search short.
+bool begins_with_square(const Task& task, const OpeningTimes& opening_times) {
+    constexpr int few_removals = 2;
+    return drives_by_steps(task, opening_times) && !opening_times.are_at_once() && !in_haste(task) &&
+           task.spare_removals() > 0 && task.spare_removals() <= few_removals;
+}
+
 }  // namespace
 
 Selected ExactSelector::select(const Task& task, const Candidate& start) {
@@ -52,6 +60,7 @@ Selected ExactSelector::select(const Task& task, const Candidate& start, Selecte
     Begun begun = begin(task, start, reached, first.bound.value_or(0), deadline, share_of_relaxed, opening_times);
     std::ranges::move(begun.likely.candidates, std::back_inserter(first.candidates));
     ExactSelection selection(task, searchers_, start, begun.reached, begun.bound, deadline, opening_times);
+    selection.know_square(std::move(begun.square));
     selection.take_up(std::move(first.candidates));
     Selected selected = std::move(selection).run();
     selected.limited = selected.limited || begun.bound.limited;
@@ -62,9 +71,18 @@ ExactSelector::Begun ExactSelector::begin(const Task& task, const Candidate& sta
                                           const Deadline& deadline, double share_of_bound,
                                           OpeningTimes& opening_times) {
     Begun begun{.reached = reached};
+    double expected = 0;
+    if (begins_with_square(task, opening_times)) {
+        ExactSelection selection(task, searchers_, start, reached, begun.bound, deadline, opening_times);
+        auto [selected, square] = std::move(selection).run_square();
+        begun.likely = std::move(selected);
+        begun.square = std::move(square);
+        begun.reached = std::min(reached, cost(task, best_of(task, start, begun.likely.candidates)));
+        if (begun.square) expected = begun.square->best.length;
+    }
     const auto prove = [&](std::uint64_t expansions) {
         begun.bound = prove_bound(task, searchers_.crossing, begun.reached, deadline.share(share_of_bound),
-                                  opening_times, proven, expansions);
+                                  opening_times, proven, expected, expansions);
         begun.bound.objective = std::max(begun.bound.objective, proven);
         task.report(begun.reached, begun.bound.objective);
     };
@@ -81,10 +99,12 @@ ExactSelector::Begun ExactSelector::begin(const Task& task, const Candidate& sta
     if (is_good_enough()) begun.bound.limited = false;
     if (!begun.bound.limited || deadline.passed()) return begun;
     const Deadline soon = deadline.share(share_of_weighted);
-    ExactSelection likely(task, searchers_, start, reached, begun.bound, soon, opening_times);
-    begun.likely = hastes ? std::move(likely).run_weighted() : std::move(likely).run_by_steps();
-    begun.reached = std::min(reached, cost(task, best_of(task, start, begun.likely.candidates)));
-    proven = std::max(begun.bound.objective, begun.likely.bound.value_or(0));
+    ExactSelection selection(task, searchers_, start, begun.reached, begun.bound, soon, opening_times);
+    Selected likely = hastes ? std::move(selection).run_weighted() : std::move(selection).run_by_steps();
+    begun.reached = std::min(begun.reached, cost(task, best_of(task, start, likely.candidates)));
+    proven = std::max(begun.bound.objective, likely.bound.value_or(0));
+    std::ranges::move(likely.candidates, std::back_inserter(begun.likely.candidates));
+    begun.likely.limited = begun.likely.limited || likely.limited;
     begun.bound.objective = proven;
     if (!is_good_enough()) prove(UINT64_MAX);
     begun.bound.by_steps = !hastes;

@@ -1,6 +1,8 @@
 // The best obstacles to remove, with proof: docs/exact.md.
 #pragma once
 
+#include <optional>
+
 #include "select/bound.hpp"
 #include "select/opening_times.hpp"
 #include "select/selector.hpp"
@@ -23,6 +25,7 @@ class ExactSelector : public Selector {
     struct Begun {
         Bound bound = {};
         Selected likely = {};
+        std::optional<CrossingResult> square = {};  // of the search for the square's first set, if it was made
         double reached;
     };
     // `share_of_bound`: of the time that is left.

@@ -12,8 +12,9 @@ namespace waybreaker {
 namespace {
 
 constexpr std::uint64_t patient_expansions = 10'000;
-constexpr std::uint64_t least_patience = 1'000;  // for further sets, however short the search for the first
-constexpr double haste = 0.5;                    // seconds
+constexpr std::uint64_t quick_expansions = 5'000;  // for the square's first set, before the proof
+constexpr std::uint64_t least_patience = 1'000;    // for further sets, however short the search for the first
+constexpr double haste = 0.5;                      // seconds
 // Where obstacles open in time.
 constexpr std::uint64_t patient_expansions_in_time = 4'000;
 // Relative: where obstacles open in time, a plan so near to its bound is good enough.
@@ -70,6 +71,16 @@ ExactSelection::Tried ExactSelection::run_first() && {
     return {std::move(selected_), !is_cut(first.status) && !beaten};
 }
 
+ExactSelection::Square ExactSelection::run_square() && {
+    CrossingOptions options =
+        crossing_options(task_, false, task_.worth(best_) * (1 - rounding), deadline_.left(), opening_times_);
+    options.limits.expansions = std::min(options.limits.expansions, quick_expansions);
+    CrossingResult found = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
+    if (is_cut(found.status) || found.status == SearchStatus::stopped) return {};
+    if (!found.best.path.empty()) try_out(found.best, found);
+    return {std::move(selected_), std::move(found)};
+}
+
 Selected ExactSelection::run_by_steps() && {
     try_by_steps();
     selected_.bound = proven_;
@@ -84,6 +95,7 @@ Selected ExactSelection::run_weighted() && {
 void ExactSelection::try_sets() {
     if (!drives_by_crossing(task_)) try_for_other_planners();
     if (task_.limits.gap > 0 && is_near_bound()) return;
+    if (square_ && !beats_best(square_->best)) return raise_bound(*square_);
     // Most often the set that is best for a point cannot be beaten, and to know a good path makes the proof short.
     try_within(bound_.removed);
     if (is_near_bound()) return;
@@ -255,6 +267,7 @@ CrossingResult ExactSelection::find_first() {
     if (opening_times_.matter()) {
         options_.limits.expansions = std::min(options_.limits.expansions, patience_of_search());
     }
+    if (square_) return *square_;
     CrossingResult first = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options_);
     if (!first.best.path.empty() && beats_best(first.best)) try_out(first.best, first);
     return first;

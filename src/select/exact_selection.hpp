@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,11 +47,21 @@ class ExactSelection {
     };
     Tried run_first() &&;
 
+    // The set that is best for the square, and what its search found; none where that takes long.
+    struct Square {
+        Selected selected;
+        std::optional<CrossingResult> found = {};
+    };
+    Square run_square() &&;
+
     // What steps from cell to cell tell: a bound, and a good plan.
     Selected run_by_steps() &&;
 
     // What a weighted search finds: a good plan, soon.
     Selected run_weighted() &&;
+
+    // What run_square() has found.
+    void know_square(std::optional<CrossingResult> found) { square_ = std::move(found); }
 
     // Candidates found before. Lets a plan be found that is as good as theirs: with waits at obstacles, not long before
     // them.
@@ -120,10 +131,11 @@ class ExactSelection {
     const Deadline& deadline_;
     OpeningTimes& opening_times_;
     CrossingOptions options_;
-    Stopwatch since_last_;  // candidate
-    double reached_;        // of the best plan before
-    double best_;           // to be beaten
-    double proven_;         // no plan costs less
+    std::optional<CrossingResult> square_;  // of the search for the first set, if it was made before
+    Stopwatch since_last_;                  // candidate
+    double reached_;                        // of the best plan before
+    double best_;                           // to be beaten
+    double proven_;                         // no plan costs less
     Selected selected_;
     std::vector<Candidate> earlier_;               // found before
     std::vector<std::vector<ObstacleId>> opened_;  // their shortest paths have been tried
