@@ -1,5 +1,6 @@
-// All plans of a small mission: every set of obstacles, every order of the flight, every boundary cell, and the
-// earliest arrival of the ground agent among the centres of all cells, waits included.
+// All plans of a small mission of one ground agent: every set of obstacles, every way to share it among the aircraft,
+// every order of a flight, every boundary cell, and the earliest arrival of the ground agent among the centres of all
+// cells, waits included.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +16,10 @@ namespace waybreaker {
 class AllPlans {
   public:
     AllPlans(const Map& map, const Mission& mission)
-        : map_(map),
-          rules_(mission.rules),
-          driver_(mission.first(AgentKind::ground)),
-          flyer_(mission.first(AgentKind::air)) {
+        : map_(map), rules_(mission.rules), driver_(mission.first(AgentKind::ground)) {
+        for (const Agent& agent : mission.agents) {
+            if (agent.kind == AgentKind::air) aircraft_.push_back(&agent);
+        }
         for (Cell c; c.y < map.height(); ++c.y) {
             for (c.x = 0; c.x < map.width(); ++c.x) cells_.push_back(c);
         }
@@ -62,7 +63,7 @@ class AllPlans {
         if (std::ranges::all_of(rules_.force, chosen)) {
             std::vector<bool> visited(chosen_.size(), false);
             cleared_.assign(chosen_.size(), 0);
-            fly(flyer_.start, 0, visited);
+            fly({.at = aircraft_.front()->start}, visited);
         }
         if (int(chosen_.size()) == rules_.removals) return;
         for (std::size_t i = next; i < destructible_.size(); ++i) {
@@ -78,27 +79,47 @@ class AllPlans {
         return weight;
     }
 
-    void fly(Cell at, double t, std::vector<bool>& visited) {
-        if (std::ranges::count(visited, false) == 0) {
-            const double air = t + distance(at, flyer_.goal) / flyer_.speed;
-            if (objective(0, air) >= best_) return;
-            best_ = std::min(best_, objective(earliest_arrival(), air));
-            return;
-        }
+    // One aircraft in the air, those before it at home.
+    struct Flight {
+        std::size_t aircraft = 0;
+        Cell at = {};
+        double time = 0;
+        int breached = 0;
+        double last = 0;  // of those at home, and the sum
+        double sum = 0;
+    };
+
+    void fly(const Flight& flight, std::vector<bool>& visited) {
+        const Agent& agent = *aircraft_[flight.aircraft];
+        land(flight, visited);
+        if (flight.breached == agent.breaches) return;
         for (std::size_t i = 0; i < chosen_.size(); ++i) {
             if (visited[i]) continue;
             visited[i] = true;
             for (const Cell c : map_.boundary(chosen_[i])) {
-                cleared_[i] = t + distance(at, c) / flyer_.speed + rules_.breach_time.of(map_.obstacle(chosen_[i]));
-                fly(c, cleared_[i], visited);
+                const double there = flight.time + distance(flight.at, c) / agent.speed;
+                cleared_[i] = there + rules_.breach_time.of(map_.obstacle(chosen_[i]));
+                fly({flight.aircraft, c, cleared_[i], flight.breached + 1, flight.last, flight.sum}, visited);
             }
             visited[i] = false;
         }
     }
 
-    double objective(double ground, double air) const {
-        if (rules_.objective == Objective::makespan) return std::max(ground, air);
-        return rules_.objective == Objective::flowtime ? ground + air : ground;
+    // The next one takes off, or all are at home.
+    void land(const Flight& flight, std::vector<bool>& visited) {
+        const Agent& agent = *aircraft_[flight.aircraft];
+        const double home = flight.time + distance(flight.at, agent.goal) / agent.speed;
+        const double last = std::max(flight.last, home);
+        const double sum = flight.sum + home;
+        const std::size_t next = flight.aircraft + 1;
+        if (next < aircraft_.size()) return fly({next, aircraft_[next]->start, 0, 0, last, sum}, visited);
+        if (std::ranges::count(visited, false) > 0 || objective(0, last, sum) >= best_) return;
+        best_ = std::min(best_, objective(earliest_arrival(), last, sum));
+    }
+
+    double objective(double ground, double last, double sum) const {
+        if (rules_.objective == Objective::makespan) return std::max(ground, last);
+        return rules_.objective == Objective::flowtime ? ground + sum : ground;
     }
 
     // When a move ends that begins at t, waits before it included; infinity if it is not possible.
@@ -135,7 +156,7 @@ class AllPlans {
     const Map& map_;
     const Rules& rules_;
     const Agent& driver_;
-    const Agent& flyer_;
+    std::vector<const Agent*> aircraft_;
     std::vector<Cell> cells_;
     std::vector<Move> moves_;
     std::vector<ObstacleId> destructible_;

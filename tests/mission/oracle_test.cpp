@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -99,8 +101,7 @@ std::string picture(const World& world) {
     return text.str();
 }
 
-RC_GTEST_PROP(Oracle, NoPlanIsBelowTheBoundAndNoneBeatsAllPlans, ()) {
-    const World world = any_world();
+void expect_between_bound_and_plan(const World& world) {
     const Plan plan = MissionPlanner().plan(world.map, world.mission);
     RC_LOG() << picture(world);
     RC_ASSERT(plan_faults(world.map, world.mission, plan) == "");
@@ -116,6 +117,27 @@ RC_GTEST_PROP(Oracle, NoPlanIsBelowTheBoundAndNoneBeatsAllPlans, ()) {
     RC_CLASSIFY(reached <= best * 1.01, "within 1 %");
     RC_ASSERT(*plan.bound <= best * (1 + 1e-9));
     RC_ASSERT(reached >= best * (1 - 1e-6));
+}
+
+RC_GTEST_PROP(Oracle, NoPlanIsBelowTheBoundAndNoneBeatsAllPlans, ()) {
+    expect_between_bound_and_plan(any_world());
+}
+
+RC_GTEST_PROP(Oracle, TheSameForSeveralAircraft, ()) {
+    World world = any_world();
+    std::vector<Agent>& agents = world.mission.agents;
+    const int more = *number(1, 2);
+    for (int i = 0; i < more; ++i) {
+        Agent agent = agents[1];
+        agent.id += std::to_string(i);
+        if (*rc::gen::arbitrary<bool>()) {
+            agent.start = {*number(0, world.map.width() - 1), *number(0, world.map.height() - 1)};
+        }
+        agent.speed = *rc::gen::element(0.5, 1.0, 3.0);
+        agents.push_back(agent);
+    }
+    if (*number(0, 1) == 0) agents[1].breaches = *number(0, 1);
+    expect_between_bound_and_plan(world);
 }
 
 // Each world was once planned worse, for the reason given.
@@ -145,21 +167,26 @@ TEST(Oracle, NoneBeatsThePlan) {
     }
 }
 
+// The same worlds each time, so that what is measured is what is allowed.
 TEST(Oracle, HardlyAnyPlanIsBeaten) {
+    constexpr int most_beaten = 2;  // of 2000
+    const rc::Gen<World> worlds = rc::gen::exec([] { return any_world(); });
     int plans = 0;
     int beaten = 0;
-    rc::check([&] {
-        for (int i = 0; i < 20 && plans < 2000; ++i) {
-            const World world = any_world();
-            const Plan plan = MissionPlanner().plan(world.map, world.mission);
-            if (plan.status != PlanStatus::solved) continue;
-            ++plans;
-            const double reached = *value(plan.after, world.mission.rules.objective);
-            if (AllPlans(world.map, world.mission).best() < reached * (1 - 1e-9)) ++beaten;
+    for (std::uint64_t seed = 0; plans < 2000; ++seed) {
+        std::optional<World> world;
+        try {
+            world = worlds(rc::Random(seed), rc::kNominalSize).value();
+        } catch (const rc::detail::CaseResult&) {
+            continue;  // no free cell
         }
-    });
-    EXPECT_GT(plans, 1000);
-    EXPECT_LT(beaten, 0.007 * plans);  // 0.2 % of 12 000, see docs/exact.md
+        const Plan plan = MissionPlanner().plan(world->map, world->mission);
+        if (plan.status != PlanStatus::solved) continue;
+        ++plans;
+        const double reached = *value(plan.after, world->mission.rules.objective);
+        if (AllPlans(world->map, world->mission).best() < reached * (1 - 1e-9)) ++beaten;
+    }
+    EXPECT_LE(beaten, most_beaten);
 }
 
 RC_GTEST_PROP(Oracle, APlanLosesNoMoreThanTheGapAskedFor, ()) {
