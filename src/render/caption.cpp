@@ -70,25 +70,6 @@ std::string gap(const Plan& plan, const PictureOptions& options) {
     return fmt::format(", gap {:.1f} %", 100 * std::max(*reached / *plan.bound - 1, 0.0));
 }
 
-// ", gap of the flowtime 0.2 %": there are two times that it could be of.
-std::string gap_of_team(const Mission& mission, const Plan& plan, const PictureOptions& options) {
-    const std::string plain = gap(plan, options);
-    constexpr std::string_view begin = ", gap ";
-    return plain.empty()
-               ? ""
-               : fmt::format("{}of the {} {}", begin, name_of(options.objective, mission), plain.substr(begin.size()));
-}
-
-// "makespan 552.1, flowtime 1104.2", the objective first.
-std::string times_of_team(const Mission& mission, const Plan& plan, const PictureOptions& options) {
-    std::string times;
-    for (const Objective time : shown_times(options.objective)) {
-        times += fmt::format("{}{} {}", times.empty() ? "" : ", ", name_of(time, mission),
-                             number(value(plan.after, time), time_factor(mission, options)));
-    }
-    return times;
-}
-
 std::string capitalised(std::string_view words) {
     std::string text(words);
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
@@ -122,10 +103,9 @@ std::string headline(const Map& map, const Mission& mission, const Plan& plan, c
     if (plan.status != PlanStatus::solved) return why_no_plan(plan.status) + ", " + removals(map, plan, options);
     const double factor = time_factor(mission, options);
     if (mission.is_team()) {
-        return fmt::format("{} agents: {} {}{}{}", mission.agents.size(), times_of_team(mission, plan, options),
-                           time_unit(mission, options),
-                           plan.breaches.empty() ? "" : ", " + removals(map, plan, options),
-                           gap_of_team(mission, plan, options));
+        return fmt::format("{} agents: {} {} {}{}{}", mission.agents.size(), name_of(options.objective, mission),
+                           number(value(plan.after, options.objective), factor), time_unit(mission, options),
+                           plan.breaches.empty() ? "" : ", " + removals(map, plan, options), gap(plan, options));
     }
     const std::string what = capitalised(name_of(options.objective, mission));
     const std::optional<double> before = value(plan.before, options.objective);

@@ -273,7 +273,7 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     if (!scene.plan.breaches.empty()) {
         entries.push_back({swatch(Style::removed), "removed obstacle"});
         const bool has_opener = opener(scene, scene.plan.breaches.front()).has_value();
-        entries.push_back({breach_label(middle, "1", unit), has_opener ? "breach, when, by whom" : "breach, when"});
+        entries.push_back({breach_label(middle, "1", unit), has_opener ? "breach, when, who" : "breach, when"});
     }
     if (!waits(scene.plan).empty()) entries.push_back({wait_sign(middle, unit), "wait, how long"});
     return entries;

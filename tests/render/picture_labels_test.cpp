@@ -70,13 +70,13 @@ TEST(Picture, WhatWasToBeSmallComesFirstAndIsBold) {
                      "Flowtime 18.5 → 14.2 cells at speed 1 (−23.2 %), 1 obstacle removed"));
 
     world.mission.agents.push_back({.id = "2", .start = {0, 0}, .goal = {0, 6}});
-    const std::string begin = "3 agents: flowtime 14.2, makespan 7.2 ";
+    const std::string begin = "3 agents: flowtime 14.2 cells at speed 1, ";
     const auto team = parsed(svg_of(world, {.objective = Objective::flowtime}));
     EXPECT_TRUE(std::ranges::any_of(words(team), [&](const std::string& text) { return text.starts_with(begin); }));
     EXPECT_EQ(bold(team), "flowtime");
 
     world.plan.bound = 14.2 / 1.5;
-    const std::string end = ", gap of the flowtime 50.0 %";
+    const std::string end = ", gap 50.0 %";
     const auto bounded = words(parsed(svg_of(world, {.objective = Objective::flowtime})));
     EXPECT_TRUE(std::ranges::any_of(bounded, [&](const std::string& text) { return text.ends_with(end); }));
 }
