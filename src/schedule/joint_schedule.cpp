@@ -68,66 +68,83 @@ class SeveralAircraft {
         const SortieSearch search(task_.aircraft, needs_.targets, precedence_, task_.rules.objective, due_);
         const std::size_t targets = needs_.targets.size();
         const bool few = targets < 16 && (task_.aircraft.size() << targets) <= most_shares;
-        std::optional<Sorties> sorties = few ? best_shares() : search.find(in_order_of_need());
-        if (!sorties) sorties = search.find(in_order_of_need());
-        if (few && task_.rules.objective == Objective::flowtime) search.improve(*sorties);
-        return schedule_of(*sorties);
+        Sorties sorties;
+        if (few) sorties = best_shares(std::size_t{1} << targets);
+        if (sorties.empty()) {
+            sorties = search.find(in_order_of_need()).value_or(Sorties(task_.aircraft.size()));
+        } else if (task_.rules.objective == Objective::flowtime) {
+            search.improve(sorties);
+        }
+        return schedule_of(sorties);
     }
 
   private:
-    // Who breaches what: by aircraft, a set of bits.
+    // The best tour of one aircraft past its share, if it may breach so many.
+    struct Share {
+        bool possible = false;
+        Finish finish = {};
+        Tour tour = {};
+    };
+    // Of the aircraft so far: who breaches what, as sets of bits.
     struct Shares {
-        Finish finish;
-        std::vector<std::uint32_t> of;
+        bool possible = false;
+        Finish finish = {};
+        std::vector<std::uint32_t> of = {};
     };
 
-    Rank rank_of(const Finish& finish) const { return rank(task_.rules.objective, finish); }
+    // By the objective; the ground agent counts once, when the last aircraft is known.
+    Rank rank_of(Finish finish) const {
+        finish.flowtime += finish.ground;
+        return rank(task_.rules.objective, finish);
+    }
 
-    // None if time is over before.
-    std::optional<Sorties> best_shares() const {
-        const std::size_t subsets = std::size_t{1} << needs_.targets.size();
-        std::vector<std::vector<Tour>> tours(task_.aircraft.size(), std::vector<Tour>(subsets));
-        // Of the aircraft so far, by the subset that they breach.
-        std::vector<std::optional<Shares>> best(subsets);
-        best[0] = Shares{{needs_.unhindered, 0, 0}, {}};
+    // Empty if time is over before.
+    Sorties best_shares(std::size_t subsets) const {
+        std::vector<std::vector<Share>> all;
+        std::vector<Shares> best(subsets);  // by the subset that is breached
+        best[0] = {true, {needs_.unhindered, 0, 0}, {}};
         for (std::size_t a = 0; a < task_.aircraft.size(); ++a) {
-            const ScheduleTask alone = task_of(task_, a, deadline_);
-            std::vector<std::optional<Finish>> own(subsets);
-            for (std::uint32_t subset = 0; subset < subsets; ++subset) {
-                if (std::popcount(subset) > task_.aircraft[a]->breaches) continue;
-                if (deadline_.passed()) return std::nullopt;
-                const Course course(alone, needs_.only(subset));
-                Tour tour = best_tour(course, deadline_).tour;
-                own[subset] = course.finish(tour);
-                tours[a][subset] = named(std::move(tour), subset);
-            }
-            std::vector<std::optional<Shares>> more(subsets);
-            for (std::uint32_t all = 0; all < subsets; ++all) {
-                // Of equals, the first aircraft breaches the most.
-                for (std::uint32_t share = 0;; share = (share - all) & all) {
-                    if (best[all ^ share] && own[share]) consider(*best[all ^ share], *own[share], share, more[all]);
-                    if (share == all) break;
-                }
-            }
-            best = std::move(more);
+            all.push_back(shares_of(a, subsets));
+            best = with(best, all.back());
         }
-        if (!best.back()) return std::nullopt;
+        if (deadline_.passed() || !best.back().possible) return {};
         Sorties sorties;
-        for (std::size_t a = 0; a < tours.size(); ++a) sorties.push_back(tours[a][best.back()->of[a]]);
+        for (std::size_t a = 0; a < all.size(); ++a) sorties.push_back(all[a][best.back().of[a]].tour);
         return sorties;
     }
 
-    void consider(const Shares& others, const Finish& own, std::uint32_t share, std::optional<Shares>& best) const {
-        const Finish both{std::max(others.finish.ground, own.ground), std::max(others.finish.air, own.air),
-                          others.finish.flowtime + own.air};
-        // The ground agent counts once, when the last aircraft is known.
-        const auto counted = [this](Finish finish) {
-            finish.flowtime += finish.ground;
-            return rank_of(finish);
-        };
-        if (best && !is_better(counted(both), counted(best->finish))) return;
-        best = Shares{both, others.of};
-        best->of.push_back(share);
+    std::vector<Share> shares_of(std::size_t aircraft, std::size_t subsets) const {
+        const ScheduleTask alone = task_of(task_, aircraft, deadline_);
+        std::vector<Share> shares(subsets);
+        for (std::uint32_t subset = 0; subset < subsets && !deadline_.passed(); ++subset) {
+            if (std::popcount(subset) > alone.flyer.breaches) continue;
+            const Course course(alone, needs_.only(subset));
+            Tour tour = best_tour(course, deadline_).tour;
+            const Finish finish = course.finish(tour);
+            shares[subset] = {true, finish, named(std::move(tour), subset)};
+        }
+        return shares;
+    }
+
+    // One aircraft more. Of equals, the first one breaches the most.
+    std::vector<Shares> with(const std::vector<Shares>& others, const std::vector<Share>& own) const {
+        std::vector<Shares> best(others.size());
+        for (std::uint32_t all = 0; all < others.size(); ++all) {
+            for (std::uint32_t share = 0;; share = (share - all) & all) {
+                add(others[all ^ share], own[share], share, best[all]);
+                if (share == all) break;
+            }
+        }
+        return best;
+    }
+
+    void add(const Shares& others, const Share& own, std::uint32_t share, Shares& best) const {
+        if (!others.possible || !own.possible) return;
+        const Finish both{std::max(others.finish.ground, own.finish.ground),
+                          std::max(others.finish.air, own.finish.air), others.finish.flowtime + own.finish.air};
+        if (best.possible && !is_better(rank_of(both), rank_of(best.finish))) return;
+        best = {true, both, others.of};
+        best.of.push_back(share);
     }
 
     // With the targets of all in place of those of the subset.
