@@ -8,6 +8,19 @@
 
 namespace waybreaker {
 
+Precedence Needs::precedence(std::vector<const Agent*> aircraft) const {
+    Drive drive{unhindered};
+    std::vector<double> stays;
+    for (std::size_t target = 0; target < targets.size(); ++target) {
+        const Breaching& breaching = breachings[target];
+        if (!std::isinf(breaching.needed_by)) drive.passages.push_back({target, breaching.needed_by});
+        stays.push_back(breaching.stay);
+    }
+    Precedence precedence(std::move(aircraft), std::move(stays));
+    precedence.add_vehicle({std::move(drive)});
+    return precedence;
+}
+
 Needs Needs::only(std::uint32_t subset) const {
     Needs some{{}, {}, unhindered, across};
     for (std::size_t target = 0; target < targets.size(); ++target) {
@@ -28,16 +41,8 @@ Needs needs_of(const Map& map, const ScheduleTask& task) {
 }
 
 Course::Course(const ScheduleTask& task, Needs needs) : task_(task), needs_(std::move(needs)) {
-    Drive drive{needs_.unhindered};
-    std::vector<double> stays;
-    for (std::size_t target = 0; target < needs_.targets.size(); ++target) {
-        const Breaching& breaching = needs_.breachings[target];
-        if (!std::isinf(breaching.needed_by)) drive.passages.push_back({target, breaching.needed_by});
-        stays.push_back(breaching.stay);
-        stays_ += breaching.stay;
-    }
-    precedence_ = Precedence({&task.flyer}, std::move(stays));
-    precedence_.add_vehicle({std::move(drive)});
+    precedence_ = needs_.precedence({&task.flyer});
+    for (const Breaching& breaching : needs_.breachings) stays_ += breaching.stay;
     longest_tour_ = needs_.across * double(needs_.targets.size() + 1);
 }
 

@@ -24,6 +24,8 @@ struct Needs {
     double unhindered = 0;              // when the ground agent finishes if it never waits
     double across = 0;                  // the map's diagonal, cells
 
+    // The ground agent past the targets, and those that breach them.
+    Precedence precedence(std::vector<const Agent*> aircraft) const;
     // Of those of the targets only that a set of bits names.
     Needs only(std::uint32_t subset) const;
 };

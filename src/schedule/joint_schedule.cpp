@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <numeric>
@@ -52,17 +51,8 @@ class SeveralAircraft {
           deadline_(task.time_limit),
           first_(task_of(task, 0, deadline_)),
           needs_(needs_of(map, first_)),
-          due_([this] { return deadline_.passed(); }) {
-        Drive drive{needs_.unhindered};
-        std::vector<double> stays;
-        for (std::size_t target = 0; target < needs_.targets.size(); ++target) {
-            const Breaching& breaching = needs_.breachings[target];
-            if (!std::isinf(breaching.needed_by)) drive.passages.push_back({target, breaching.needed_by});
-            stays.push_back(breaching.stay);
-        }
-        precedence_ = Precedence({task.aircraft.begin(), task.aircraft.end()}, std::move(stays));
-        precedence_.add_vehicle({std::move(drive)});
-    }
+          precedence_(needs_.precedence({task.aircraft.begin(), task.aircraft.end()})),
+          due_([this] { return deadline_.passed(); }) {}
 
     JointSchedule best() const {
         const SortieSearch search(task_.aircraft, needs_.targets, precedence_, task_.rules.objective, due_);

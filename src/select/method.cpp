@@ -82,7 +82,8 @@ void validate_team(const Mission& mission, const Method& method) {
     const auto vehicles = std::ssize(mission.agents) - aircraft;
     const bool removes = aircraft > 0 && mission.rules.removals > 0;
     if (removes && (vehicles > 1 || aircraft > 1) && method.flight != FlightRule::optimal) {
-        throw InputError("the aircraft of a team fly by optimal, not nearest");
+        throw InputError(
+            "the aircraft of a team fly by optimal; nearest, the paper's rule, is for one vehicle and one aircraft");
     }
     if (vehicles == 1 && aircraft > 0) return;
     if (removes && (method.select == Selection::hits || method.select == Selection::greedy)) {
