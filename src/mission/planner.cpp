@@ -16,7 +16,7 @@
 #include "mission/team_plan.hpp"
 #include "plan/idle.hpp"
 #include "plan/timeline.hpp"
-#include "select/exact.hpp"
+#include "select/bound.hpp"
 #include "select/least_demolition.hpp"
 #include "select/selector.hpp"
 

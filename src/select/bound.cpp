@@ -4,25 +4,16 @@
 #include <utility>
 
 #include "select/candidate.hpp"
+#include "select/tuning.hpp"
 
 namespace waybreaker {
-namespace {
-
-constexpr std::uint64_t most_expanded_in_time = 40'000;  // where obstacles open in time
-constexpr double grace = 0.01;                           // seconds
-constexpr double good_weight = 1.15;
-constexpr std::uint64_t most_expanded_for_good = 4'000;
-constexpr std::uint64_t most_expanded_priced = 10'000;
-
-}  // namespace
-
-int patience(const Task& task) {
-    if (!drives_by_crossing(task)) return 8;
-    return task.rules.removals <= 3 ? 256 : 16;
+int most_sets(const Task& task) {
+    if (!drives_by_crossing(task)) return tuning::most_sets_of_others;
+    return task.rules.removals <= tuning::few_removals_to_enumerate ? tuning::most_sets : tuning::most_sets_of_many;
 }
 
 double a_little_more(const Task& task) {
-    return std::max(task.deadline.left(), grace);
+    return std::max(task.deadline.left(), tuning::overtime);
 }
 
 double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
@@ -73,8 +64,8 @@ CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::sp
 CrossingResult find_good(const Task& task, CrossingSearcher& crossing, double objective, double seconds,
                          OpeningTimes& opening_times) {
     CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective, seconds, opening_times);
-    options.weight = good_weight;
-    options.limits.expansions = std::min(options.limits.expansions, most_expanded_for_good);
+    options.weight = tuning::weight;
+    options.limits.expansions = std::min(options.limits.expansions, tuning::weighted);
     return crossing.find(task.map, task.driver.start, task.driver.goal, options);
 }
 
@@ -88,7 +79,7 @@ CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double 
     }
     if (std::ranges::max(prices) == 0) return {};
     options.prices = prices;
-    options.limits.expansions = std::min(options.limits.expansions, most_expanded_priced);
+    options.limits.expansions = std::min(options.limits.expansions, tuning::priced);
     return crossing.find(task.map, task.driver.start, task.driver.goal, options);
 }
 
@@ -110,12 +101,12 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     options.expected = std::max(dearest_path(task, proven, opening_times), expected);
     const auto least = [&](double path, const Returns& home) { return task.objective(task.arrival(path), home); };
     if (opening_times.matter()) {
-        options.limits.expansions = std::min(options.limits.expansions, most_expanded_in_time);
+        options.limits.expansions = std::min(options.limits.expansions, tuning::proof_in_time);
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
         const bool cut = found.status == SearchStatus::limit_reached;
-        const bool own_patience = cut && found.expanded >= most_expanded_in_time;
+        const bool own_budget = cut && found.expanded >= tuning::proof_in_time;
         return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
-                std::move(found.best.crossed), cut && !own_patience};
+                std::move(found.best.crossed), cut && !own_budget};
     }
     if (task.rules.objective != Objective::flowtime) {
         CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
@@ -124,7 +115,7 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     }
     // The flight past the obstacles of a set counts as well.
     Bound best{infinity, {}};
-    const int most_tried = opening_times.are_at_once() ? 1 : patience(task);  // the proof in time knows more
+    const int most_tried = opening_times.are_at_once() ? 1 : most_sets(task);  // the proof in time knows more
     int tried = 0;
     const CrossingResult rest =
         crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {

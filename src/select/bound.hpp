@@ -55,8 +55,7 @@ CrossingResult find_good(const Task& task, CrossingSearcher& crossing, double ob
 CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double share, double objective,
                            double seconds);
 
-// Sets to try after the first, and expansions to look for them. A search for each takes long, and so do schedules of
-// many obstacles; where breaching takes time, there are very many sets that could be better and hardly one that is.
-int patience(const Task& task);
+// How many sets of an enumeration are looked at: a search for each takes long, and so do schedules of many obstacles.
+int most_sets(const Task& task);
 
 }  // namespace waybreaker

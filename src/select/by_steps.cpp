@@ -5,15 +5,9 @@
 
 #include "crossing/step_bound.hpp"
 #include "select/candidate.hpp"
+#include "select/tuning.hpp"
 
 namespace waybreaker {
-namespace {
-
-// Each once for each number of obstacles crossed; then steps take half the time at most.
-constexpr double cells_per_second = 5e6;
-
-}  // namespace
-
 bool drives_by_steps(const Task& task, const OpeningTimes& opening_times) {
     return drives_by_crossing(task) && square_stands_for(task.driver.body) && !opening_times.matter();
 }
@@ -22,7 +16,8 @@ bool has_time_for_steps(const Task& task, const OpeningTimes& opening_times) {
     const double cells = double(task.map.grid().cell_count()) * (task.spare_removals() + 1);
     // More expansions must not prove less, and whether steps are taken depends on what is known by then.
     const bool counts = task.limits.expansions < Limits{}.expansions;
-    return !counts && cells <= task.limits.seconds * cells_per_second && drives_by_steps(task, opening_times);
+    return !counts && cells <= task.limits.seconds * tuning::cells_stepped_per_second &&
+           drives_by_steps(task, opening_times);
 }
 
 Bound prove_by_steps(const Task& task, double reached, double seconds, OpeningTimes& opening_times) {

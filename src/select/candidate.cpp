@@ -22,13 +22,13 @@ JointSchedule scheduled(const Task& task, const Opening& opening) {
     return nearest ? nearest_schedule(task.map, asked) : best_joint_schedule(task.map, asked);
 }
 
-// Lets stand again what the ground path does without, but for what must be removed, which comes first. Whether it let
-// any.
+// Lets stand again what the ground path does without, but for what must be removed. Whether it let any.
 bool keep_needed(const Task& task, const JointSchedule& schedule, Opening& opening) {
     // The shortest path of a point needs all that it crosses.
     if (drives_by_crossing(task) && task.driver.body.is_point()) return false;
     const std::size_t before = opening.removed.size();
-    for (std::size_t i = before; i-- > task.rules.force.size();) {
+    for (std::size_t i = before; i-- > 0;) {
+        if (std::ranges::find(task.rules.force, opening.removed[i]) != task.rules.force.end()) continue;
         if (std::ranges::find(schedule.breaches, opening.removed[i], &TimedBreach::obstacle)->entered_at) continue;
         std::vector<ObstacleId> others = opening.removed;
         others.erase(others.begin() + std::ptrdiff_t(i));

@@ -1,10 +1,6 @@
 // The best obstacles to remove, with proof: docs/exact.md.
 #pragma once
 
-#include <optional>
-
-#include "select/bound.hpp"
-#include "select/opening_times.hpp"
 #include "select/selector.hpp"
 
 namespace waybreaker {
@@ -20,21 +16,6 @@ class ExactSelector : public Selector {
     Selected select(const Task& task, const Candidate& start) override;
 
   private:
-    // What is known before sets are tried: a bound, what a quick search has found where there is little time or the
-    // proof is long, and what the best plan reaches.
-    struct Begun {
-        Bound bound = {};
-        Selected likely = {};
-        std::optional<CrossingResult> square = {};  // of the search for the square's first set, if it was made
-        double reached;
-    };
-    // `share_of_bound`: of the time that is left.
-    Begun begin(const Task& task, const Candidate& start, double reached, double proven, const Deadline& deadline,
-                double share_of_bound, OpeningTimes& opening_times);
-    // `first`: what is known before.
-    Selected select(const Task& task, const Candidate& start, Selected first, const Deadline& deadline,
-                    OpeningTimes& opening_times);
-
     Searchers searchers_;
 };
 

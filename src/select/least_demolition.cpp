@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
+#include "select/tuning.hpp"
+
 namespace waybreaker {
 namespace {
-
-constexpr double share_of_selection = 0.5;  // of the time that is left
 
 std::uint64_t cells_of(const Task& task, std::span<const ObstacleId> removed) {
     std::uint64_t cells = 0;
@@ -52,7 +52,7 @@ class Budgets {
     Outcome within(std::uint64_t cells) {
         Rules frugal = task_.rules;
         frugal.budget = double(cells);
-        const Task task = task_.within(share_of_selection).under(frugal, weighed_);
+        const Task task = task_.within(tuning::share_of_budget).under(frugal, weighed_);
         const Candidate start = start_of(task, searchers_, baseline_);
         const Selected found = selector_.select(task, start);
         const Candidate& best = best_of(task, start, found.candidates);

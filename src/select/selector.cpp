@@ -1,9 +1,10 @@
 #include "select/selector.hpp"
 
+#include "select/evaluation.hpp"
 #include "select/exact.hpp"
 #include "select/greedy.hpp"
 #include "select/hits.hpp"
-#include "select/timed_path.hpp"
+#include "select/opening_times.hpp"
 
 namespace waybreaker {
 namespace {
@@ -38,7 +39,8 @@ std::unique_ptr<Selector> selector_of(const Method& method, const Searchers& sea
 Candidate start_of(const Task& task, const Searchers& searchers, const Candidate& baseline) {
     const std::vector<ObstacleId>& force = task.rules.force;
     if (force.empty()) return baseline;
-    Candidate opened = TimedPaths().candidate(task, searchers, open(task.trip(), searchers, force), 0);
+    OpeningTimes opening_times(task);
+    Candidate opened = evaluate(task, searchers, opening_times, force);
     // An obstacle that falls late may better be driven around.
     Opening around = baseline.opening;
     around.removed = force;

@@ -1,0 +1,181 @@
+#include "select/evaluation.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/stopwatch.hpp"
+#include "drive/punctual.hpp"
+#include "drive/shortened.hpp"
+#include "plan/timeline.hpp"
+#include "select/bound.hpp"
+#include "select/tuning.hpp"
+
+namespace waybreaker {
+namespace {
+
+// Whether the ground agent stands somewhere before its goal.
+bool waits(const Task& task, const Candidate& candidate) {
+    if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
+    const double driven = task.arrival(*candidate.opening.ground.length);
+    return candidate.schedule.arrival() > driven * (1 + rounding);
+}
+
+// The path of a candidate, bent so that the agent comes when obstacles open.
+std::vector<Point> bent_for(const Task& task, const Candidate& candidate) {
+    std::vector<TimedOpening> openings;
+    for (const TimedBreach& breach : candidate.schedule.breaches) {
+        openings.push_back({breach.obstacle, breach.cleared_at});
+    }
+    std::vector<Cell> path;
+    for (const Point p : candidate.opening.ground.path) path.push_back(cell_of(p));
+    const OpenedMap opened(task.map, candidate.opening.removed);
+    const std::vector<Cell> bent = punctual(opened, task.driver, std::move(path), std::move(openings)).path;
+    return {bent.begin(), bent.end()};
+}
+
+// Paths past one set of obstacles whose openings come late.
+class PathsInTime {
+  public:
+    PathsInTime(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
+                std::span<const ObstacleId> removed, const Cutoff& cutoff)
+        : task_(task), searchers_(searchers), opening_times_(opening_times), removed_(removed), cutoff_(cutoff) {}
+
+    // The best of a path and of those that come after it, each the best one for the breaches of the schedule before.
+    Candidate improved(const Candidate& start) {
+        Candidate last = start;
+        for (int round = 0; round < tuning::most_rounds && may_gain(last); ++round) {
+            const double arrival = last.schedule.arrival();
+            if (!improve(last, search(options_for(last.schedule, arrival)))) break;
+        }
+        // The search moves a square, which touches obstacles before the disc does.
+        Candidate first = bent(start);
+        last = bent(std::move(last));
+        return cost(task_, first) < cost(task_, last) * (1 - rounding) ? first : last;
+    }
+
+    // The path that would be best if the obstacles opened as early as any set allows. No limit on its length: of
+    // equally good paths the same is found whatever the incumbent.
+    std::optional<Opening> for_earliest_openings() {
+        CrossingOptions options = crossing_options(task_, false, infinity, a_little_more(task_), opening_times_);
+        options.only = removed_;
+        options.removed = {};
+        options.crossings = int(removed_.size());
+        options.budget = infinity;
+        return search(options);
+    }
+
+    bool may_gain(const Candidate& best) const {
+        return waits(task_, best) && cost(task_, best) > cutoff_.enough && !task_.deadline.passed();
+    }
+    bool limited() const { return limited_; }
+
+  private:
+    CrossingOptions options_for(const JointSchedule& schedule, double arrival) const {
+        CrossingOptions options;
+        options.body = task_.driver.body;
+        options.limits = limits_of(task_, task_.deadline.left());
+        options.crossings = int(removed_.size());
+        options.only = removed_;
+        options.length_limit = task_.cells_until(arrival) * (1 - rounding);
+        options.opened_after = [&](std::span<const ObstacleId> obstacles) {
+            double last = 0;
+            for (const TimedBreach& breach : schedule.breaches) {
+                const bool is_one_of_them = std::ranges::find(obstacles, breach.obstacle) != obstacles.end();
+                if (is_one_of_them) last = std::max(last, breach.cleared_at);
+            }
+            return task_.cells_until(last);
+        };
+        return options;
+    }
+
+    std::optional<Opening> search(const CrossingOptions& options) {
+        const Stopwatch watch;
+        const CrossingResult found =
+            searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
+        limited_ = limited_ || found.status == SearchStatus::limit_reached;
+        if (found.best.path.empty()) return std::nullopt;
+        Opening opening = drivable(task_.trip(), searchers_, found.best, {removed_.begin(), removed_.end()});
+        limited_ = limited_ || opening.limited;
+        if (opening.status != SearchStatus::found) return std::nullopt;
+        opening.ground.expanded += found.expanded;
+        opening.ground.generated += found.generated;
+        opening.ground.seconds = watch.seconds();
+        return opening;
+    }
+
+    // Whether that path is better, by enough.
+    bool improve(Candidate& best, std::optional<Opening> other) {
+        if (!other || other->ground.path == best.opening.ground.path) return false;
+        Candidate next = candidate_of(task_, std::move(*other));
+        if (!(cost(task_, next) < cost(task_, best) * (1 - rounding))) return false;
+        best = std::move(next);
+        return true;
+    }
+
+    Candidate bent(Candidate best) {
+        while (may_gain(best)) {
+            Opening opening = best.opening;
+            opening.ground.path = bent_for(task_, best);
+            opening.ground.length = path_length(opening.ground.path);
+            if (!improve(best, std::move(opening))) break;
+        }
+        return best;
+    }
+
+    const Task& task_;
+    Searchers searchers_;
+    OpeningTimes& opening_times_;
+    std::span<const ObstacleId> removed_;
+    Cutoff cutoff_;
+    bool limited_ = false;
+};
+
+}  // namespace
+
+Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
+                   std::vector<ObstacleId> removed, const Cutoff& cutoff, const CrossingResult* found, double seconds) {
+    std::ranges::sort(removed);
+    const double dearest = dearest_path(task, cutoff.reached, opening_times);
+    const bool is_known = found != nullptr && !opening_times.matter();
+    Opening shortest = is_known ? open(task.trip(), searchers, removed, *found, seconds, dearest)
+                                : open(task.trip(), searchers, removed, dearest);
+    const std::optional<double> length = shortest.ground.length;
+    Candidate best = candidate_of(task, std::move(shortest));
+    const bool promises = length && least_objective(task, *length, opening_times) < cutoff.reached;
+    if (!promises || !drives_by_crossing(task) || task.driver.body.is_point()) return best;
+    PathsInTime paths(task, searchers, opening_times, removed, cutoff);
+    if (!paths.may_gain(best)) return best;
+    best = paths.improved(best);
+    if (opening_times.matter() && cost(task, best) > cutoff.enough && !task.deadline.passed()) {
+        if (std::optional<Opening> other = paths.for_earliest_openings()) {
+            Candidate in_time = paths.improved(candidate_of(task, std::move(*other)));
+            if (cost(task, in_time) < cost(task, best) * (1 - rounding)) best = std::move(in_time);
+        }
+    }
+    best.opening.limited = best.opening.limited || paths.limited();
+    return best;
+}
+
+Pool::Pool(const Task& task, const Searchers& searchers, OpeningTimes& opening_times, const Candidate& start)
+    : task_(task), searchers_(searchers), opening_times_(opening_times), least_(cost(task, start)) {}
+
+double Pool::add(std::span<const ObstacleId> others, const CrossingResult* found, double seconds) {
+    std::vector<ObstacleId> removed = task_.with_forced(others);
+    std::ranges::sort(removed);
+    if (const auto known = objectives_.find(removed); known != objectives_.end()) return known->second;
+    // So near to a bound, a plan differs from the best by where it waits, at places half a cell apart.
+    constexpr double near_bound = 1 + 1e-6;
+    candidates_.push_back(
+        evaluate(task_, searchers_, opening_times_, removed, {least_, enough_ * near_bound}, found, seconds));
+    double objective = cost(task_, candidates_.back());
+    objectives_[removed] = objective;
+    const bool gains = objective < least_ * (1 - rounding);
+    if (gains) least_ = objective;
+    // What stands again leaves another set.
+    const std::vector<ObstacleId> needed = candidates_.back().opening.removed;
+    if (gains && needed.size() < removed.size()) objective = std::min(objective, add(needed));
+    return objective;
+}
+
+}  // namespace waybreaker
