@@ -12,7 +12,7 @@
 #include "commands.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
-#include "server/import_worker.hpp"
+#include "service/import_worker.hpp"
 #include "usage_error.hpp"
 #include "version.hpp"
 #include "waybreaker/error.hpp"

@@ -10,10 +10,10 @@
 
 #include "commands.hpp"
 #include "help.hpp"
+#include "http/log_line.hpp"
 #include "option.hpp"
-#include "server/import_worker.hpp"
-#include "server/log_line.hpp"
-#include "server/service.hpp"
+#include "service/import_worker.hpp"
+#include "service/service.hpp"
 
 namespace waybreaker::apps {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "http/problem.hpp"
+#include "http/request_reader.hpp"
 #include "laws.hpp"
-#include "server/problem.hpp"
-#include "server/request_reader.hpp"
 
 namespace {
 

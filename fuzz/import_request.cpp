@@ -1,4 +1,4 @@
-#include "server/import_request.hpp"
+#include "service/import_request.hpp"
 
 #include <cmath>
 

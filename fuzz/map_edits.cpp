@@ -1,4 +1,4 @@
-#include "server/map_edits.hpp"
+#include "service/map_edits.hpp"
 
 #include "laws.hpp"
 #include "mapfile/map_reader.hpp"

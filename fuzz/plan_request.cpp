@@ -1,4 +1,4 @@
-#include "server/plan_request.hpp"
+#include "service/plan_request.hpp"
 
 #include "laws.hpp"
 #include "mapfile/map_reader.hpp"
