@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "authors/plan_xml.hpp"
-#include "geo/georeference.hpp"
+#include "geotiff/georeference.hpp"
 #include "http/problem.hpp"
 #include "io/check_report.hpp"
 #include "io/option_words.hpp"
@@ -158,8 +158,8 @@ const std::map<std::string, std::string> export_types{{"json", json_type},
 std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const std::string& bytes,
                         const std::string& format) {
     const io::ExportUnits units{.in_seconds = plan.in_seconds, .crs = mapfile::frame_crs(file)};
-    if (format == "geojson") return io::plan_geojson(plan.plan, file, geo::lon_lat_of(file.georeference), units);
-    if (format == "csv") return io::plan_csv(plan.plan, file, geo::lon_lat_of(file.georeference), units);
+    if (format == "geojson") return io::plan_geojson(plan.plan, file, geotiff::lon_lat_of(file.georeference), units);
+    if (format == "csv") return io::plan_csv(plan.plan, file, geotiff::lon_lat_of(file.georeference), units);
     if (format == "ros-path") return io::plan_ros_path(plan.plan, file);
     if (format == "xml")
         return authors::plan_xml(plan.plan, file, search_options(plan.method, plan.mission.ground_body()));

@@ -3,12 +3,12 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "geo/extract.hpp"
+#include "city/extract.hpp"
 
 namespace waybreaker::server {
 
-nlohmann::ordered_json extract_json(const geo::Extract& extract);
+nlohmann::ordered_json extract_json(const city::Extract& extract);
 // The same again. Throws nlohmann::json::exception if it is none.
-geo::Extract extract_of(const nlohmann::ordered_json& json);
+city::Extract extract_of(const nlohmann::ordered_json& json);
 
 }  // namespace waybreaker::server

@@ -38,7 +38,7 @@ std::array<double, count> degrees(const JsonField& field, const char* what) {
 }
 
 void set_window(const JsonField& root, ImportRequest& request) {
-    geo::ImportOptions& options = request.options;
+    city::ImportOptions& options = request.options;
     if (const auto center = root.find("center")) {
         const auto [longitude, latitude] = degrees<2>(*center, "[longitude, latitude]");
         options.longitude = longitude;
@@ -65,15 +65,15 @@ auto parsed(const JsonField& field, Parse parse) try {
     field.fail(std::string("cannot be read: ") + error.what());
 }
 
-void set_filters(const JsonField& root, const char* key, std::vector<geo::TagFilter>& filters) {
-    if (const auto field = root.find(key)) filters = parsed(*field, geo::parse_tag_filters);
+void set_filters(const JsonField& root, const char* key, std::vector<city::TagFilter>& filters) {
+    if (const auto field = root.find(key)) filters = parsed(*field, city::parse_tag_filters);
 }
 
-void set_quantity(const JsonField& root, const char* key, geo::Quantity& quantity) {
-    if (const auto field = root.find(key)) quantity = parsed(*field, geo::parse_quantity);
+void set_quantity(const JsonField& root, const char* key, city::Quantity& quantity) {
+    if (const auto field = root.find(key)) quantity = parsed(*field, city::parse_quantity);
 }
 
-void set_choice(const JsonField& root, geo::ObstacleChoice& choice) {
+void set_choice(const JsonField& root, city::ObstacleChoice& choice) {
     set_filters(root, "obstacles", choice.obstacles);
     set_filters(root, "destructible", choice.destructible);
     set_filters(root, "protected", choice.protect);
@@ -84,11 +84,11 @@ void set_choice(const JsonField& root, geo::ObstacleChoice& choice) {
 }
 
 // Who drives, and what one breach opens.
-void set_vehicle(const JsonField& root, geo::ImportOptions& options) {
-    using enum geo::Profile;
+void set_vehicle(const JsonField& root, city::ImportOptions& options) {
+    using enum city::Profile;
     if (const auto profile = root.find("profile")) {
         options.profile =
-            profile->one_of<geo::Profile>({{"rover", rover}, {"truck", truck}, {"walker", walker}, {"paper", paper}});
+            profile->one_of<city::Profile>({{"rover", rover}, {"truck", truck}, {"walker", walker}, {"paper", paper}});
     }
     if (const auto section = root.find("section")) {
         options.section = section->json() == "none" ? 0 : within(*section, 0, 1e6);
@@ -114,8 +114,8 @@ ImportRequest parse_import_request(std::string_view bytes, const std::string& na
     return request;
 }
 
-geo::ImportOptions window_of(const ImportRequest& request, const geo::Extract& extract) {
-    geo::ImportOptions options = request.options;
+city::ImportOptions window_of(const ImportRequest& request, const city::Extract& extract) {
+    city::ImportOptions options = request.options;
     if (request.placed) return options;
     options.longitude = extract.densest[0];
     options.latitude = extract.densest[1];
@@ -123,8 +123,8 @@ geo::ImportOptions window_of(const ImportRequest& request, const geo::Extract& e
     return options;
 }
 
-std::size_t cells_of(const ImportRequest& request, const geo::Extract& extract, std::size_t most) try {
-    const auto [width, height] = geo::import_cells(window_of(request, extract));
+std::size_t cells_of(const ImportRequest& request, const city::Extract& extract, std::size_t most) try {
+    const auto [width, height] = city::import_cells(window_of(request, extract));
     const std::size_t cells = std::size_t(width) * std::size_t(height);
     if (cells <= most) return cells;
     throw Problem(too_large,

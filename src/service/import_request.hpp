@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "geo/city_import.hpp"
-#include "geo/extract.hpp"
+#include "city/city_import.hpp"
+#include "city/extract.hpp"
 
 namespace waybreaker::server {
 
@@ -17,17 +17,17 @@ struct ImportRequest {
     std::string text;     // as it came
     bool placed = false;  // whether it says where; else the window is the source's densest
     bool sized = false;
-    geo::ImportOptions options;
+    city::ImportOptions options;
 };
 
 // Throws InputError that says where and what is wrong.
 ImportRequest parse_import_request(std::string_view bytes, const std::string& name = "import");
 
 // What it asks for, in the densest window of the source if it does not say where.
-geo::ImportOptions window_of(const ImportRequest& request, const geo::Extract& extract);
+city::ImportOptions window_of(const ImportRequest& request, const city::Extract& extract);
 
 // Throws Problem if its window has more cells than that, or there is no such window.
-std::size_t cells_of(const ImportRequest& request, const geo::Extract& extract, std::size_t most);
+std::size_t cells_of(const ImportRequest& request, const city::Extract& extract, std::size_t most);
 
 // A message about options of the command, as the service calls them.
 std::string without_dashes(std::string message);

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "geo/city_import.hpp"
-#include "geo/sent_source.hpp"
+#include "city/city_import.hpp"
+#include "city/sent_source.hpp"
 #include "io/output_file.hpp"
 #include "service/extract_json.hpp"
 #include "service/import_request.hpp"
@@ -77,15 +77,15 @@ std::string answer_of(Json line, const std::string& file = "") {
     return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" + file;
 }
 
-std::string extract_answer(const geo::SentSource& source) {
+std::string extract_answer(const city::SentSource& source) {
     try {
-        return answer_of({{"extract", extract_json(geo::read_extract(source.path()))}});
+        return answer_of({{"extract", extract_json(city::read_extract(source.path()))}});
     } catch (const InputError& error) {
         return answer_of(problem("source-unreadable", source.named(error.what())));
     }
 }
 
-std::vector<std::string> notes_of(const geo::ImportReport& report) {
+std::vector<std::string> notes_of(const city::ImportReport& report) {
     std::vector<std::string> notes = report.notes;
     constexpr double nearly_all = 0.995;
     if (report.covered < nearly_all) {
@@ -95,12 +95,12 @@ std::vector<std::string> notes_of(const geo::ImportReport& report) {
     return notes;
 }
 
-std::string import_answer(const geo::SentSource& source, const Json& asked) {
+std::string import_answer(const city::SentSource& source, const Json& asked) {
     try {
         const ImportRequest request = parse_import_request(asked.at("request").get<std::string>());
-        const geo::Extract extract{.densest = asked.at("densest"), .side = asked.at("side")};
-        const geo::ImportReport report = geo::import_city(source.path(), window_of(request, extract));
-        return answer_of({{"notes", notes_of(report)}}, geo::label_tiff_bytes(report.tiff));
+        const city::Extract extract{.densest = asked.at("densest"), .side = asked.at("side")};
+        const city::ImportReport report = city::import_city(source.path(), window_of(request, extract));
+        return answer_of({{"notes", notes_of(report)}}, geotiff::label_tiff_bytes(report.tiff));
     } catch (const InputError& error) {
         return answer_of(problem("import-unfit", without_dashes(source.named(error.what()))));
     }
@@ -117,7 +117,7 @@ int run_import_worker(const std::string& memory, const std::string& seconds) {
     if (end == std::string::npos) return 1;
     const Json asked = Json::parse(said.substr(0, end));
     said.erase(0, end + 1);
-    const geo::SentSource source(asked.at("name"), std::make_shared<const std::string>(std::move(said)));
+    const city::SentSource source(asked.at("name"), std::make_shared<const std::string>(std::move(said)));
     io::write_whole("-", asked.at("task") == "import" ? import_answer(source, asked) : extract_answer(source));
     return 0;
 }

@@ -97,12 +97,12 @@ Importer::Answer Importer::ask(const Json& task, std::string_view bytes, std::si
     return answer;
 }
 
-geo::Extract Importer::extract(const std::string& name, std::string_view bytes, const StopToken& stop) const {
+city::Extract Importer::extract(const std::string& name, std::string_view bytes, const StopToken& stop) const {
     const Json task{{"task", "extract"}, {"name", name}};
     return extract_of(ask(task, bytes, import_memory(bytes.size(), 0), stop).line.at("extract"));
 }
 
-Importer::Import Importer::import(const std::string& name, std::string_view bytes, const geo::Extract& extract,
+Importer::Import Importer::import(const std::string& name, std::string_view bytes, const city::Extract& extract,
                                   const ImportRequest& request, std::size_t most_cells, const StopToken& stop) const {
     const std::size_t cells = cells_of(request, extract, most_cells);
     const Json task{{"task", "import"},

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geo/extract.hpp"
+#include "city/extract.hpp"
 #include "service/import_request.hpp"
 #include "service/limits.hpp"
 #include "service/memory_budget.hpp"
@@ -28,14 +28,14 @@ class Importer {
 
     // What map data covers. Throws Problem if it cannot be read, needs more memory than it may take or there is, or a
     // stop comes before it is read.
-    geo::Extract extract(const std::string& name, std::string_view bytes, const StopToken& stop) const;
+    city::Extract extract(const std::string& name, std::string_view bytes, const StopToken& stop) const;
 
     struct Import {
         std::string tiff;
         std::vector<std::string> notes;  // what the user should know
     };
     // Throws Problem in the same cases, and if there is no such map in it, or it has more cells than `most_cells`.
-    Import import(const std::string& name, std::string_view bytes, const geo::Extract& extract,
+    Import import(const std::string& name, std::string_view bytes, const city::Extract& extract,
                   const ImportRequest& request, std::size_t most_cells, const StopToken& stop) const;
 
   private:

@@ -79,7 +79,7 @@ SourceStore::Added SourceStore::add(std::string bytes, const std::string& name, 
     }
     bytes.shrink_to_fit();
     MemoryBudget::Share memory = make_room(bytes.size());
-    geo::Extract extract = importer_.extract(name, bytes, stop);
+    city::Extract extract = importer_.extract(name, bytes, stop);
     const auto source = std::make_shared<const StoredSource>(
         StoredSource{name, std::move(bytes), std::move(extract), std::move(memory)});
     const std::scoped_lock lock(mutex_);

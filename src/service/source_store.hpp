@@ -10,7 +10,7 @@
 #include <mutex>
 #include <string>
 
-#include "geo/extract.hpp"
+#include "city/extract.hpp"
 #include "service/importer.hpp"
 #include "service/map_store.hpp"
 #include "service/memory_budget.hpp"
@@ -21,7 +21,7 @@ namespace waybreaker::server {
 struct StoredSource {
     std::string name;  // of its file
     std::string bytes;
-    geo::Extract extract;
+    city::Extract extract;
     MemoryBudget::Share memory;
 };
 using SharedSource = std::shared_ptr<const StoredSource>;

@@ -83,7 +83,7 @@ void DescriptionTest::provoke_busy(const Json& plan) const {
 void DescriptionTest::provoke_busy_imports() {
     const std::string gate = path("gate");
     ASSERT_EQ(mkfifo(gate.c_str(), S_IRUSR | S_IWUSR), 0);
-    const geo::Extract extract{.buildings = 1, .columns = 1, .rows = 1, .built = {1}, .side = 10};
+    const city::Extract extract{.buildings = 1, .columns = 1, .rows = 1, .built = {1}, .side = 10};
     const std::string answer = R"({"bytes": 0, "extract": )" + extract_json(extract).dump() + "}\n";
     put("extract.json", answer);
     options_.import_worker = {"/bin/sh", "-c",

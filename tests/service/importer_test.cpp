@@ -79,7 +79,7 @@ class ImporterTest : public testing::Test {
     ServiceLimits limits_;
     MemoryBudget budget_{std::size_t{1} << 30};
     StopSource stop_;
-    geo::Extract extract_;
+    city::Extract extract_;
 };
 
 TEST_F(ImporterTest, SaysWhatIsWrongWithTheData) {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <thread>
 
-#include "geo/city_import.hpp"
+#include "city/city_import.hpp"
 #include "live_server.hpp"
 #include "osm_yard.hpp"
 #include "service/extract_json.hpp"
@@ -50,9 +50,9 @@ TEST_F(ImportsTest, MakesTheMapThatTheCommandMakes) {
     const Json map = post_json(imports, request, 201);
     const std::string file = get("/api/v1/maps/" + map["id"].get<std::string>() + "/file").body;
     const std::string source = put("yard.osm", osm_yard());
-    const geo::ImportReport report =
-        geo::import_city(source, {.longitude = 9, .latitude = 50, .size = 100, .cell = 2, .section = 10});
-    EXPECT_EQ(file, geo::label_tiff_bytes(report.tiff));
+    const city::ImportReport report =
+        city::import_city(source, {.longitude = 9, .latitude = 50, .size = 100, .cell = 2, .section = 10});
+    EXPECT_EQ(file, geotiff::label_tiff_bytes(report.tiff));
     EXPECT_EQ(map["width"], 50);
     EXPECT_GT(map["obstacles"]["sections"], 2);
     EXPECT_EQ(map["title"], "yard, 100 m around 9.0000, 50.0000");

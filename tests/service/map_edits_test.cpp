@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "geo/label_tiff.hpp"
+#include "geotiff/label_tiff.hpp"
 #include "input_error.hpp"
 #include "live_server.hpp"
 #include "mapfile/map_reader.hpp"
@@ -39,15 +39,15 @@ StoredMap labelled(const std::string& rows) {
     attributes[2].destructible = false;
     const int height = int(labels.size()) / width;
     const std::string utm = stored(std::string(berlin_mitte_tif())).file.georeference.value().crs;
-    geo::LabelTiff tiff{.map = Map::from_labels(width, height, labels, attributes),
-                        .cell_size = 2.5,
-                        .georeference = site::Georeference{utm, {500000, 2.5, 0, 5800000, 0, -2.5}},
-                        .title = "Town"};
+    geotiff::LabelTiff tiff{.map = Map::from_labels(width, height, labels, attributes),
+                            .cell_size = 2.5,
+                            .georeference = site::Georeference{utm, {500000, 2.5, 0, 5800000, 0, -2.5}},
+                            .title = "Town"};
     tiff.names.resize(tiff.map.obstacles().size() + 1);
     for (const Obstacle& o : tiff.map.obstacles()) {
         if (o.source_id == 100) tiff.names[o.id.value] = "Alpha";
     }
-    return stored(geo::label_tiff_bytes(tiff));
+    return stored(geotiff::label_tiff_bytes(tiff));
 }
 
 // Obstacles by the last letter of their source ids, those without as digits in the order of their ids.

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <numeric>
 
-#include "geo/label_tiff.hpp"
+#include "geotiff/label_tiff.hpp"
 #include "http/problem.hpp"
 #include "temporary_folder.hpp"
 
@@ -67,7 +67,7 @@ TEST_F(MapStoreTest, RefusesAMapThatCannotFitAndEvictsNoOther) {
     // A file of a few bytes with another obstacle in every cell.
     std::vector<std::uint32_t> labels(256 * 256);
     std::iota(labels.begin(), labels.end(), 1U);
-    const std::string tiff = geo::label_tiff_bytes({.map = Map::from_labels(256, 256, std::move(labels))});
+    const std::string tiff = geotiff::label_tiff_bytes({.map = Map::from_labels(256, 256, std::move(labels))});
     std::string wide = "type octile\nheight 256\nwidth 256\nmap\n";
     for (int y = 0; y < 256; ++y) wide += std::string(256, '.') + '\n';
     for (const std::string& bytes : {tiff, wide}) {
