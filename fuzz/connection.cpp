@@ -12,9 +12,9 @@
 namespace {
 
 using waybreaker::law;
-using waybreaker::server::Problem;
-using waybreaker::server::Request;
-using waybreaker::server::RequestReader;
+using waybreaker::http::Problem;
+using waybreaker::http::Request;
+using waybreaker::http::RequestReader;
 
 struct Outcome {
     std::vector<std::string> requests;

@@ -8,7 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace waybreaker;
     read_or_refuse(data, size, [](std::string_view bytes) {
-        const server::ImportRequest request = server::parse_import_request(bytes, "input");
+        const service::ImportRequest request = service::parse_import_request(bytes, "input");
         const city::ImportOptions& options = request.options;
         law(std::abs(options.longitude) <= 180 && std::abs(options.latitude) <= 180);
         law(options.size > 0 && options.cell > 0 && std::isfinite(options.size) && std::isfinite(options.cell));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 namespace ip = boost::asio::ip;
 
@@ -21,4 +21,4 @@ std::string client_of(const std::string& address) {
     return error ? address : client_of(parsed).to_string();
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -4,7 +4,7 @@
 #include <boost/asio/ip/address.hpp>
 #include <string>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // The client that an address belongs to: itself, but of IPv6 the first address of its /64 network, as a client has all
 // of one.
@@ -12,4 +12,4 @@ boost::asio::ip::address client_of(const boost::asio::ip::address& address);
 // The same as text.
 std::string client_of(const std::string& address);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -5,7 +5,7 @@
 #include "http/header_list.hpp"
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 std::string entity_tag(const std::string& digest) {
     return "W/\"" + digest + "\"";
@@ -30,4 +30,4 @@ void add_tag(Response& response, const std::string& tag) {
     response.headers.set("Cache-Control", "private, no-cache");
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

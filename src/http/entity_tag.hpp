@@ -5,7 +5,7 @@
 
 #include "http/message.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // The tag for a digest of what the response depends on. Weak, as the response may be compressed or not.
 std::string entity_tag(const std::string& digest);
@@ -18,4 +18,4 @@ Response not_changed(const std::string& tag);
 // Lets a client cache the response, and revalidate it each time.
 void add_tag(Response& response, const std::string& tag);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -10,7 +10,7 @@
 #include "http/message.hpp"
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // What happens while a client waits for its response. Called on the I/O thread.
 struct Waiting {
@@ -45,4 +45,4 @@ class RequestHandler {
     virtual Response refuse(const Problem& problem, const std::string& client) = 0;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

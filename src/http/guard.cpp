@@ -6,7 +6,7 @@
 #include "http/header_list.hpp"
 #include "http/target.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 // "localhost:8080" and "[::1]:8080" without the port.
@@ -69,4 +69,4 @@ bool brings_token(std::string_view authorization, std::string_view token) {
     return difference == 0 && !token.empty();
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // Whether an address is reachable from this machine only.
 bool is_loopback(const std::string& address);
@@ -29,4 +29,4 @@ bool same_site(std::string_view origin, std::string_view host);
 // Whether an Authorization header holds the token. Constant time.
 bool brings_token(std::string_view authorization, std::string_view token);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

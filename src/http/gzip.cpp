@@ -10,7 +10,7 @@
 #include "http/header_list.hpp"
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 constexpr int gzip_window = 15 + 16;  // zlib: the largest window, in gzip's format
@@ -80,4 +80,4 @@ std::string gunzip(std::string_view packed, std::size_t most) {
     return bytes;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // Whether an Accept-Encoding header accepts gzip; a missing one does not.
 bool accepts_gzip(std::string_view accept_encoding);
@@ -15,4 +15,4 @@ std::string gzip(std::string_view bytes, int level);
 // Throws Problem if it is not gzip, or decompresses to more than `most` bytes.
 std::string gunzip(std::string_view packed, std::size_t most);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -6,7 +6,7 @@
 #include "http/problem.hpp"
 #include "http/target.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -134,4 +134,4 @@ void HeadCheck::check_whole() const {
     if (has_coding_ && is_old_) refuse("HTTP/1.0 has no Transfer-Encoding");
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 class HeadCheck {
   public:
@@ -50,4 +50,4 @@ class HeadCheck {
     bool has_coding_ = false;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

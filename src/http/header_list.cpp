@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 char lower(char c) {
@@ -34,4 +34,4 @@ std::vector<std::string> header_list(std::string_view value) {
     }
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

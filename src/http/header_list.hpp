@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // Without surrounding blanks.
 std::string_view trimmed(std::string_view text);
@@ -16,4 +16,4 @@ bool same_word(std::string_view one, std::string_view other);
 // Its items, in lower case.
 std::vector<std::string> header_list(std::string_view value);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -5,7 +5,7 @@
 
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 Job::State Job::state() const {
     const std::scoped_lock lock(mutex_);
@@ -196,4 +196,4 @@ void JobQueue::serve(const std::stop_token& stop) {
     }
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

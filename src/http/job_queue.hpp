@@ -22,7 +22,7 @@
 #include "http/message.hpp"
 #include "waybreaker/limits.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // What a job gets from the thread that runs it.
 struct Worker {
@@ -100,4 +100,4 @@ class JobQueue {
     std::vector<std::jthread> workers_;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

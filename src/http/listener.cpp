@@ -14,7 +14,7 @@
 #include "http/session.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 namespace asio = boost::asio;
@@ -228,4 +228,4 @@ void Listener::stop() {
     impl_->stop();
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -10,7 +10,7 @@
 
 #include "http/exchange.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 struct Timeouts {
     std::chrono::milliseconds reading{10000};  // for a whole request to arrive
@@ -50,4 +50,4 @@ class Listener {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -7,7 +7,7 @@
 
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -44,4 +44,4 @@ std::string log_line(const std::string& event, const std::string& detail) {
     return text_of(json);
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

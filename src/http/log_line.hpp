@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 struct RequestLine {
     std::string client;
@@ -18,4 +18,4 @@ std::string log_line(const RequestLine& line);
 // `event` is "listening", "stopped", ...
 std::string log_line(const std::string& event, const std::string& detail);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

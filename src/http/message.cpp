@@ -4,7 +4,7 @@
 
 #include "http/header_list.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 // Names are case-insensitive (RFC 9110, 5.1).
@@ -50,4 +50,4 @@ Body::Body(std::string bytes) {
     own_ = true;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

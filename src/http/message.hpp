@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // Header fields or query parameters, in order.
 class Fields {
@@ -76,4 +76,4 @@ struct Response {
     Body body = {};
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 Problem body_too_large(std::size_t most, std::string_view when) {
     constexpr unsigned megabyte = 20;  // binary digits
@@ -42,4 +42,4 @@ std::string title_of(int status) {
     return title == titles.end() ? "Error" : title->second;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // HTTP status codes the server gives.
 enum Status : int {
@@ -55,4 +55,4 @@ Problem body_too_large(std::size_t most, std::string_view when = "");
 // The name of a status, "Not Found".
 std::string title_of(int status);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

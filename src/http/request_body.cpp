@@ -7,7 +7,7 @@
 #include "http/header_list.hpp"
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 bool is_gzip(const std::string& coding) {
@@ -46,4 +46,4 @@ void unpack(Request& request, std::size_t most) {
     if (!codings.empty() && is_gzip(codings[0])) request.body = gunzip(request.body, most);
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -7,7 +7,7 @@
 
 #include "http/message.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // What a request may bring.
 enum class BodyType { none, json, bytes };
@@ -18,4 +18,4 @@ void require_body(const Request& head, std::optional<std::uint64_t> length, Body
 // Decompresses the body (RFC 9110, 8.4). Throws Problem if it is not what the head says.
 void unpack(Request& request, std::size_t most);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

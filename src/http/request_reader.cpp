@@ -11,7 +11,7 @@
 #include "http/problem.hpp"
 #include "http/target.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 namespace http = boost::beast::http;
@@ -227,4 +227,4 @@ Request RequestReader::take() {
     return request;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -15,7 +15,7 @@
 
 #include "http/message.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 class RequestReader {
   public:
@@ -63,4 +63,4 @@ class RequestReader {
     std::unique_ptr<Parser> parser_;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -4,7 +4,7 @@
 
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 // The current time in HTTP's format (RFC 9110, 5.6.7).
@@ -40,4 +40,4 @@ std::string response_head(const Response& response, const Delivery& delivery) {
     return head + "\r\n";
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -6,7 +6,7 @@
 
 #include "http/message.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 struct Delivery {
     const Fields& usual;  // default headers of every response
@@ -18,4 +18,4 @@ struct Delivery {
 // Including the empty line.
 std::string response_head(const Response& response, const Delivery& delivery);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 std::string server_event(std::string_view name, std::string_view data) {
     std::string text = "event: " + std::string(name) + "\n";
@@ -14,4 +14,4 @@ std::string server_event(std::string_view name, std::string_view data) {
     return text + "\n";
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 // `data` may have several lines.
 std::string server_event(std::string_view name, std::string_view data);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

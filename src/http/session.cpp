@@ -4,7 +4,7 @@
 #include <boost/asio/write.hpp>
 #include <utility>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 namespace asio = boost::asio;
@@ -240,4 +240,4 @@ void Session::serve() {
     quick_ ? serve() : host_.run_task(serve);
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -14,7 +14,7 @@
 #include "http/listener.hpp"
 #include "http/request_reader.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 class Session;
 
@@ -131,4 +131,4 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
     std::optional<Body> last_piece_;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -8,7 +8,7 @@
 #include "http/response_head.hpp"
 #include "http/session.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 namespace asio = boost::asio;
@@ -172,4 +172,4 @@ void Session::piece_sent(bool failed) {
     write_next();
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -6,7 +6,7 @@
 #include "http/header_list.hpp"
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 constexpr std::string_view sub_delimiters = "!$&'()*+,;=";
@@ -144,4 +144,4 @@ Target target_of(std::string_view target) {
     return result;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -6,7 +6,7 @@
 
 #include "http/message.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 bool is_digit(char c);
 bool is_letter_or_digit(char c);
@@ -25,4 +25,4 @@ struct Target {
 // Precondition: the target was checked.
 Target target_of(std::string_view target);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -30,7 +30,7 @@
 #include "studio/plan_picture.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -44,7 +44,7 @@ struct PreparedMission {
 // The time limit of a request, shared by all its plans.
 class TimeBudget {
   public:
-    TimeBudget(const Task& task, const Worker& worker)
+    TimeBudget(const Task& task, const http::Worker& worker)
         : seconds_(std::min(task.request.options.limits.seconds, task.seconds)) {
         worker.set_time_limit(seconds_);
     }
@@ -65,7 +65,8 @@ const io::MapFile& map_of(const Task& task, const PreparedMission& prepared) {
     return prepared.reweighted ? *prepared.reweighted : task.map->file;
 }
 
-PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const Worker& worker, double seconds) try {
+PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const http::Worker& worker,
+                        double seconds) try {
     const io::MapFile& file = task.map->file;
     PreparedMission prepared{document_of(task.request.mission, wanted, file), {}};
     if (const auto weights = weights_of(wanted, file)) {
@@ -79,7 +80,7 @@ PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const Wo
     validate(map_of(task, prepared).map, prepared.document.mission, prepared.document.method, limits);
     return prepared;
 } catch (const InputError& error) {
-    throw Problem(unprocessable, error.what(), "mission-unfit");
+    throw http::Problem(http::unprocessable, error.what(), "mission-unfit");
 }
 
 io::PlanContext context_of(const Task& task, const PreparedMission& prepared, std::span<const Plan> front = {}) {
@@ -93,8 +94,8 @@ io::PlanContext context_of(const Task& task, const PreparedMission& prepared, st
             .in_seconds = prepared.document.in_seconds};
 }
 
-std::string plan_text(const Task& task, const OptionsRequest& wanted, const Worker& worker, PlannerPool::Loan& planner,
-                      double seconds) {
+std::string plan_text(const Task& task, const OptionsRequest& wanted, const http::Worker& worker,
+                      PlannerPool::Loan& planner, double seconds) {
     const PreparedMission prepared = prepare(task, wanted, worker, seconds);
     const io::MissionDocument& asked = prepared.document;
     const Plan plan = planner.plan(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
@@ -131,18 +132,20 @@ io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
         try {
             return io::parse_plan(bytes, "the plan");
         } catch (const InputError& error) {
-            throw Problem(bad_request, error.what());
+            throw http::Problem(http::bad_request, error.what());
         }
     }();
     if (const std::string options = other_reading(plan, map); !options.empty()) {
-        throw Problem(unprocessable, "the plan was made with another reading of the map than the server's: " + options,
-                      "plan-invalid");
+        throw http::Problem(http::unprocessable,
+                            "the plan was made with another reading of the map than the server's: " + options,
+                            "plan-invalid");
     }
     return plan;
 }
 
 std::string drawn(const io::MapFile& file, const io::PlanFile& plan) {
-    if (plan.plan.agents.empty()) throw Problem(unprocessable, "the plan has no agents to draw", "plan-invalid");
+    if (plan.plan.agents.empty())
+        throw http::Problem(http::unprocessable, "the plan has no agents to draw", "plan-invalid");
     return studio::plan_svg(file, plan);
 }
 
@@ -194,12 +197,12 @@ std::string file_name(const std::string& id, const StoredMap& map) {
     return extension == extensions.end() ? id : id + extension->second;
 }
 
-std::string plan_answer(const Task& task, const Worker& worker) {
+std::string plan_answer(const Task& task, const http::Worker& worker) {
     PlannerPool::Loan planner = task.planners.borrow(task.map);
     return plan_text(task, task.request.options, worker, planner, TimeBudget(task, worker).share(1));
 }
 
-std::string front_answer(const Task& task, const Worker& worker) {
+std::string front_answer(const Task& task, const http::Worker& worker) {
     PreparedMission prepared = prepare(task, task.request.options, worker, TimeBudget(task, worker).share(1));
     io::MissionDocument& asked = prepared.document;
     PlannerPool::Loan planner = task.planners.borrow(task.map);
@@ -210,7 +213,7 @@ std::string front_answer(const Task& task, const Worker& worker) {
     return io::plan_json(plans.back(), context_of(task, prepared, plans));
 }
 
-std::string compare_answer(const Task& task, const Worker& worker) {
+std::string compare_answer(const Task& task, const http::Worker& worker) {
     const std::vector<Variant> variants =
         task.request.variants.empty() ? usual_variants(task.request.options) : task.request.variants;
     const TimeBudget budget(task, worker);
@@ -233,10 +236,11 @@ Document export_answer(const StoredMap& map, const std::string& plan, const std:
     const io::PlanFile file = plan_of(map, plan);
     const std::vector<Violation> violations = io::judge(file, map.file);
     if (!violations.empty())
-        throw Problem(unprocessable, "the plan is not valid: " + violations.front().message, "plan-invalid");
+        throw http::Problem(http::unprocessable, "the plan is not valid: " + violations.front().message,
+                            "plan-invalid");
     return {media_type_of(format), export_body(map.file, file, plan, format)};
 } catch (const InputError& error) {
-    throw Problem(unprocessable, error.what());
+    throw http::Problem(http::unprocessable, error.what());
 }
 
 bool is_export_format(const std::string& format) {
@@ -247,4 +251,4 @@ std::string media_type_of(const std::string& format) {
     return export_types.at(format);
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

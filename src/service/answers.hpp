@@ -11,7 +11,7 @@
 #include "service/planner_pool.hpp"
 #include "waybreaker/limits.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // A body and its media type.
 struct Document {
@@ -35,9 +35,9 @@ struct Task {
 };
 
 // Each throws Problem if the mission does not fit the map.
-std::string plan_answer(const Task& task, const Worker& worker);
-std::string front_answer(const Task& task, const Worker& worker);
-std::string compare_answer(const Task& task, const Worker& worker);
+std::string plan_answer(const Task& task, const http::Worker& worker);
+std::string front_answer(const Task& task, const http::Worker& worker);
+std::string compare_answer(const Task& task, const http::Worker& worker);
 
 // `plan` is the text of a plan file. Both throw Problem if it cannot be read; export_answer also if the plan is not
 // valid for the map.
@@ -48,4 +48,4 @@ Document export_answer(const StoredMap& map, const std::string& plan, const std:
 bool is_export_format(const std::string& format);
 std::string media_type_of(const std::string& format);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 std::string_view berlin_adlershof_tif();
 std::string_view berlin_mitte_tif();
@@ -25,4 +25,4 @@ constexpr const BuiltInMap* built_in_map(std::string_view name) {
     return nullptr;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

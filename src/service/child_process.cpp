@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 constexpr int between_looks = 20;  // milliseconds, at the stop
@@ -137,4 +137,4 @@ ChildEnd run_child(const std::vector<std::string>& command, std::span<const std:
     return end;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

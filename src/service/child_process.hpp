@@ -10,7 +10,7 @@
 
 #include "waybreaker/limits.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 struct ChildEnd {
     std::string said;  // on its standard output
@@ -23,4 +23,4 @@ struct ChildEnd {
 ChildEnd run_child(const std::vector<std::string>& command, std::span<const std::string_view> told, std::size_t most,
                    const StopToken& stop);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

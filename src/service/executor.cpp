@@ -8,7 +8,7 @@
 #include "http/problem.hpp"
 #include "service/memory_account.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 constexpr double grace = 1;  // seconds beyond its own time limit after which a planner is stopped
@@ -19,25 +19,25 @@ Executor::Executor(const ServiceLimits& limits, Metrics& metrics, MemoryBudget& 
     : limits_(limits),
       metrics_(metrics),
       budget_(budget),
-      queues_{std::make_unique<JobQueue>(limits.workers, limits.queue), std::make_unique<JobQueue>(1, limits.queue),
-              std::make_unique<JobQueue>(1, limits.queue)} {}
+      queues_{std::make_unique<http::JobQueue>(limits.workers, limits.queue),
+              std::make_unique<http::JobQueue>(1, limits.queue), std::make_unique<http::JobQueue>(1, limits.queue)} {}
 
 // Counts the memory of a job, and the time of a plan.
-Work Executor::counted(Work work, Lane lane) const {
-    return [this, work = std::move(work), lane](const Worker& worker) {
+http::Work Executor::counted(http::Work work, Lane lane) const {
+    return [this, work = std::move(work), lane](const http::Worker& worker) {
         MemoryAccount account(budget_, MemoryBudget::Use::job);
         const MemoryAccount::Scope scope(&account);
         const auto began = std::chrono::steady_clock::now();
-        Response result = work(worker);
+        http::Response result = work(worker);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began;
         if (lane == Lane::planning) metrics_.count_plan(seconds.count());
         return result;
     };
 }
 
-std::shared_ptr<Job> Executor::submit(Work work, Lane lane, const std::string& client) {
-    auto job = queues_[std::size_t(lane)]->submit(counted(std::move(work), lane), client_of(client));
-    if (!job) throw Problem(unavailable, "too many others wait for the same; ask again in a moment");
+std::shared_ptr<http::Job> Executor::submit(http::Work work, Lane lane, const std::string& client) {
+    auto job = queues_[std::size_t(lane)]->submit(counted(std::move(work), lane), http::client_of(client));
+    if (!job) throw http::Problem(http::unavailable, "too many others wait for the same; ask again in a moment");
     return job;
 }
 
@@ -47,12 +47,12 @@ std::size_t Executor::refused() const {
     return sum;
 }
 
-void Executor::enforce_time_limit(Job& job) {
+void Executor::enforce_time_limit(http::Job& job) {
     if (job.seconds() > std::min(limits_.seconds, job.time_limit()) + grace && job.stop()) metrics_.count_stopped();
 }
 
-void Executor::cancel(Job& job) {
+void Executor::cancel(http::Job& job) {
     if (job.stop()) metrics_.count_stopped();
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

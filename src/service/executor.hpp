@@ -10,7 +10,7 @@
 #include "service/memory_budget.hpp"
 #include "service/metrics.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // Work of each kind has workers and a queue of its own, so that none waits for another: plans, and what else is asked
 // of a map; maps that are sent or edited; map data, and imports from it.
@@ -22,23 +22,23 @@ class Executor {
     Executor(const ServiceLimits& limits, Metrics& metrics, MemoryBudget& budget);
 
     // Throws Problem if the lane's queue is full. `client`: the address of who asks.
-    std::shared_ptr<Job> submit(Work work, Lane lane, const std::string& client);
+    std::shared_ptr<http::Job> submit(http::Work work, Lane lane, const std::string& client);
     // Stops the job if it takes too long. To be called from time to time until the job is done.
-    void enforce_time_limit(Job& job);
+    void enforce_time_limit(http::Job& job);
     // The result is no longer needed.
-    void cancel(Job& job);
+    void cancel(http::Job& job);
 
-    const JobQueue& queue(Lane lane) const { return *queues_[std::size_t(lane)]; }
+    const http::JobQueue& queue(Lane lane) const { return *queues_[std::size_t(lane)]; }
     // Jobs of all lanes for which there was no room.
     std::size_t refused() const;
 
   private:
-    Work counted(Work work, Lane lane) const;
+    http::Work counted(http::Work work, Lane lane) const;
 
     ServiceLimits limits_;
     Metrics& metrics_;
     MemoryBudget& budget_;
-    std::array<std::unique_ptr<JobQueue>, 3> queues_;
+    std::array<std::unique_ptr<http::JobQueue>, 3> queues_;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

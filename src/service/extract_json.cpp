@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -30,4 +30,4 @@ city::Extract extract_of(const nlohmann::ordered_json& json) {
     return extract;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -5,10 +5,10 @@
 
 #include "city/extract.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 nlohmann::ordered_json extract_json(const city::Extract& extract);
 // The same again. Throws nlohmann::json::exception if it is none.
 city::Extract extract_of(const nlohmann::ordered_json& json);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

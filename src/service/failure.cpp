@@ -6,7 +6,7 @@
 #include "http/problem.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 std::string message_in_flight() {
@@ -24,15 +24,15 @@ std::string message_in_flight() {
 Failure current_failure() {
     try {
         throw;
-    } catch (const Problem& problem) {
+    } catch (const http::Problem& problem) {
         return {problem.status(), problem.what(), "", problem.kind()};
     } catch (const InputError& error) {
-        return {unprocessable, error.what()};
+        return {http::unprocessable, error.what()};
     } catch (const std::bad_alloc&) {
-        return {unavailable, "too little memory is left for this; ask again", "", "no-memory"};
+        return {http::unavailable, "too little memory is left for this; ask again", "", "no-memory"};
     } catch (...) {
-        return {internal_error, "this is our fault; the log says more", message_in_flight()};
+        return {http::internal_error, "this is our fault; the log says more", message_in_flight()};
     }
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

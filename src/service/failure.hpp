@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 struct Failure {
     int status;
@@ -16,4 +16,4 @@ struct Failure {
 // Of the exception being handled.
 Failure current_failure();
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -11,7 +11,7 @@
 #include "service/plan_request.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using io::JsonField;
@@ -127,13 +127,14 @@ std::size_t cells_of(const ImportRequest& request, const city::Extract& extract,
     const auto [width, height] = city::import_cells(window_of(request, extract));
     const std::size_t cells = std::size_t(width) * std::size_t(height);
     if (cells <= most) return cells;
-    throw Problem(too_large,
-                  fmt::format("the window has {} x {} cells, a map may have {} (--max-cells); make it smaller, or its "
-                              "cells larger",
-                              width, height, most),
-                  "map-too-large");
+    throw http::Problem(
+        http::too_large,
+        fmt::format("the window has {} x {} cells, a map may have {} (--max-cells); make it smaller, or its "
+                    "cells larger",
+                    width, height, most),
+        "map-too-large");
 } catch (const InputError& error) {
-    throw Problem(unprocessable, without_dashes(error.what()), "import-unfit");
+    throw http::Problem(http::unprocessable, without_dashes(error.what()), "import-unfit");
 }
 
 std::string without_dashes(std::string message) {
@@ -141,4 +142,4 @@ std::string without_dashes(std::string message) {
     return message;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -10,7 +10,7 @@
 #include "city/city_import.hpp"
 #include "city/extract.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 struct ImportRequest {
     std::string source;
@@ -35,4 +35,4 @@ std::string without_dashes(std::string message);
 // A message about options of the command, as the service calls them.
 std::string without_dashes(std::string message);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

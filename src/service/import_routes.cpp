@@ -9,42 +9,43 @@
 #include "service/memory_account.hpp"
 #include "service/responses.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
-std::string name_of(const Request& request) {
+std::string name_of(const http::Request& request) {
     std::string name = request.query.find("name").value_or("source");
     if (!SourceStore::is_name(name)) {
-        throw Problem(bad_request, "name has other characters than letters, digits, dots, dashes and underscores");
+        throw http::Problem(http::bad_request,
+                            "name has other characters than letters, digits, dots, dashes and underscores");
     }
     return name;
 }
 
 Route send_route(SourceStore& sources) {
     const auto handle = [&sources](Call call) -> Answer {
-        Work work = [&sources, name = name_of(call.request),
-                     bytes = std::move(call.request.body)](const Worker& worker) mutable {
+        http::Work work = [&sources, name = name_of(call.request),
+                           bytes = std::move(call.request.body)](const http::Worker& worker) mutable {
             const SourceStore::Added added = sources.add(std::move(bytes), name, worker.stop);
             return kept_response(source_json(added.id, *added.source), "/api/v1/sources/" + added.id, added.is_new);
         };
         return Deferred{.work = std::move(work), .lane = Lane::importing};
     };
-    return {"POST", "/api/v1/sources", BodyType::bytes, false, handle};
+    return {"POST", "/api/v1/sources", http::BodyType::bytes, false, handle};
 }
 
 Route describe_route(SourceStore& sources) {
     const auto handle = [&sources](const Call& call) -> Answer {
         return ok_response(source_json(call.id, *sources.find(call.id)));
     };
-    return {"GET", "/api/v1/sources/{id}", BodyType::none, false, handle};
+    return {"GET", "/api/v1/sources/{id}", http::BodyType::none, false, handle};
 }
 
 Route forget_route(SourceStore& sources) {
     const auto handle = [&sources](const Call& call) -> Answer {
         sources.remove(call.id);
-        return Response{.status = no_content};
+        return http::Response{.status = http::no_content};
     };
-    return {"DELETE", "/api/v1/sources/{id}", BodyType::none, false, handle};
+    return {"DELETE", "/api/v1/sources/{id}", http::BodyType::none, false, handle};
 }
 
 // Read back, so that it equals an upload of the file that the command would write.
@@ -58,7 +59,7 @@ StoredMap stored(Importer::Import import, const MapLimits& limits) {
 Route import_route(const Importer& importer, SourceStore& sources, MapStore& maps) {
     const auto handle = [&](const Call& call) -> Answer {
         const ImportRequest asked = read_request([&call] { return parse_import_request(call.request.body); });
-        Work work = [&, asked, source = sources.find(asked.source)](const Worker& worker) {
+        http::Work work = [&, asked, source = sources.find(asked.source)](const http::Worker& worker) {
             return upload_response(maps.add([&](const MapLimits& limits) {
                 return stored(
                     importer.import(source->name, source->bytes, source->extract, asked, limits.cells, worker.stop),
@@ -67,7 +68,7 @@ Route import_route(const Importer& importer, SourceStore& sources, MapStore& map
         };
         return Deferred{.work = std::move(work), .lane = Lane::importing};
     };
-    return {"POST", "/api/v1/imports", BodyType::json, false, handle};
+    return {"POST", "/api/v1/imports", http::BodyType::json, false, handle};
 }
 
 }  // namespace
@@ -76,4 +77,4 @@ std::vector<Route> import_routes(const Importer& importer, SourceStore& sources,
     return {send_route(sources), describe_route(sources), forget_route(sources), import_route(importer, sources, maps)};
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

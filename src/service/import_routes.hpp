@@ -6,9 +6,9 @@
 #include "service/routes.hpp"
 #include "service/source_store.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // The handlers keep the references.
 std::vector<Route> import_routes(const Importer& importer, SourceStore& sources, MapStore& maps);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -25,7 +25,7 @@
 #include "service/sanitizer.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -122,4 +122,4 @@ int run_import_worker(const std::string& memory, const std::string& seconds) {
     return 0;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

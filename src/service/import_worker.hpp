@@ -12,7 +12,7 @@
 
 #include <string>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // What programs call it that start themselves as one: PROGRAM import-worker MEMORY SECONDS.
 inline constexpr auto import_worker_word = "import-worker";
@@ -23,4 +23,4 @@ inline constexpr int worker_out_of_memory = 75;
 // `arguments`: bytes of memory beyond those of the program itself, seconds of the processor. Returns the exit status.
 int run_import_worker(const std::string& memory, const std::string& seconds);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -16,23 +16,24 @@
 #include "service/import_worker.hpp"
 #include "service/problem_kind.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Problem too_long() {
-    return {unprocessable, "it took too long: choose a smaller window or larger cells, or cut a piece out of the data",
+http::Problem too_long() {
+    return {http::unprocessable,
+            "it took too long: choose a smaller window or larger cells, or cut a piece out of the data",
             "import-too-long"};
 }
 
 // Why a worker has not answered.
-Problem failure(const ChildEnd& end, std::size_t memory) {
+http::Problem failure(const ChildEnd& end, std::size_t memory) {
     if (end.stopped || (WIFSIGNALED(end.status) && WTERMSIG(end.status) == SIGXCPU)) return too_long();
     const bool ran_out = WIFEXITED(end.status) ? WEXITSTATUS(end.status) == worker_out_of_memory
                                                : WTERMSIG(end.status) == SIGABRT || WTERMSIG(end.status) == SIGKILL;
     if (ran_out) {
-        return {unprocessable,
+        return {http::unprocessable,
                 fmt::format("it takes more than the {} MB of memory that an import of its size may take: choose a "
                             "smaller window, or cut a piece out of the data",
                             memory >> 20U),
@@ -54,7 +55,7 @@ void require_no_problem(const Json& line) {
     if (problem == line.end()) return;
     const ProblemKind* const kind = kind_of(std::string_view(problem->at("kind").get_ref<const std::string&>()));
     if (kind == nullptr) throw std::runtime_error("an import has a problem that is none of ours");
-    throw Problem(Status(kind->status), problem->at("detail"), kind->name);
+    throw http::Problem(http::Status(kind->status), problem->at("detail"), kind->name);
 }
 
 }  // namespace
@@ -74,13 +75,14 @@ Importer::Answer Importer::ask(const Json& task, std::string_view bytes, std::si
     MemoryBudget::Share share(budget_, MemoryBudget::Use::importer);
     if (!share.grow(memory)) {
         if (memory <= budget_.most()) {
-            throw Problem(unavailable, "what others use leaves no memory for this import; ask again", "no-memory");
+            throw http::Problem(http::unavailable, "what others use leaves no memory for this import; ask again",
+                                "no-memory");
         }
-        throw Problem(too_large,
-                      fmt::format("to read it may take {} MB of memory, all that is at work may take {} MB "
-                                  "(--max-memory)",
-                                  memory >> 20U, budget_.most() >> 20U),
-                      "source-too-large");
+        throw http::Problem(http::too_large,
+                            fmt::format("to read it may take {} MB of memory, all that is at work may take {} MB "
+                                        "(--max-memory)",
+                                        memory >> 20U, budget_.most() >> 20U),
+                            "source-too-large");
     }
     constexpr double grace = 1;  // the one who asks sees a limit of the processor's time later than his own
     std::vector<std::string> command = worker_;
@@ -114,4 +116,4 @@ Importer::Import Importer::import(const std::string& name, std::string_view byte
     return {.tiff = std::move(answer.file), .notes = answer.line.at("notes")};
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

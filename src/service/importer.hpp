@@ -14,7 +14,7 @@
 #include "service/memory_budget.hpp"
 #include "waybreaker/limits.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // What an import may take: so much for data of that size and a window of so many cells, twice what
 // cities take.
@@ -51,4 +51,4 @@ class Importer {
     MemoryBudget& budget_;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // Half of the machine's memory.
 std::size_t default_memory();
@@ -22,4 +22,4 @@ struct ServiceLimits {
     std::size_t connections_of_client = 0;  // 0: half of `connections`, all for clients on this machine
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

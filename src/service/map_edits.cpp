@@ -12,7 +12,7 @@
 #include "service/plan_request.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using io::JsonField;
@@ -127,4 +127,4 @@ StoredMap edited_map(const StoredMap& map, const MapEdits& edits, const MapLimit
     return {.file = std::move(file), .connectivity = map.connectivity, .bytes = std::move(bytes)};
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -11,7 +11,7 @@
 
 #include "service/map_store.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 struct CellRun {
     Cell first;
@@ -31,4 +31,4 @@ MapEdits parse_map_edits(std::string_view bytes, const std::string& name = "edit
 // cells, so are those of the edited map. Throws InputError if the edits do not fit the map.
 StoredMap edited_map(const StoredMap& map, const MapEdits& edits, const MapLimits& limits = {});
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -19,7 +19,7 @@
 #include "service/memory_account.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,8 +48,8 @@ std::optional<MapStore::Entry> entry_of(const fs::directory_entry& file, const f
     return MapStore::Entry{.id = name};
 }
 
-Problem no_such_map() {
-    return {not_found, "there is no map of that name; GET /api/v1/maps lists those there are", "map-not-found"};
+http::Problem no_such_map() {
+    return {http::not_found, "there is no map of that name; GET /api/v1/maps lists those there are", "map-not-found"};
 }
 
 constexpr std::size_t digest_characters = 16;
@@ -96,13 +96,14 @@ class MapStore::Reservation {
     void admit(std::size_t bytes) {
         if (share_.grow(bytes)) return;
         if (share_.bytes() + bytes <= store_.budget_.most()) {
-            throw Problem(unavailable, "what others use leaves no memory for this map; ask again", "no-memory");
+            throw http::Problem(http::unavailable, "what others use leaves no memory for this map; ask again",
+                                "no-memory");
         }
         const std::string detail =
             fmt::format("the map would take {} MB of memory, all that is at work may take {} MB (--max-memory)",
                         (share_.bytes() + bytes) >> 20U, store_.budget_.most() >> 20U);
-        throw uploaded_ ? Problem(too_large, detail, "map-too-large")
-                        : Problem(unprocessable, detail, "map-beyond-memory");
+        throw uploaded_ ? http::Problem(http::too_large, detail, "map-too-large")
+                        : http::Problem(http::unprocessable, detail, "map-beyond-memory");
     }
 
     MapStore& store_;
@@ -223,8 +224,8 @@ SharedMap MapStore::load(const std::string& id) {
     try {
         map = reservation.settled(read(id, reservation.limits()));
     } catch (const InputError&) {
-        throw Problem(unprocessable, id + " is not a map that can be read",
-                      "map-unreadable");  // the cause is left out: it would reveal paths of the server
+        throw http::Problem(http::unprocessable, id + " is not a map that can be read",
+                            "map-unreadable");  // the cause is left out: it would reveal paths of the server
     }
     fill(*slot, map);
     return map;
@@ -236,7 +237,7 @@ std::optional<MapStore::Upload> MapStore::existing(const std::string& id, const 
     const auto known = slots_.find(id);
     if (known == slots_.end() || !known->second->map) return std::nullopt;
     if (known->second->map->bytes != bytes) {
-        throw Problem(unprocessable, "another map has the id " + id + " here; delete it first");
+        throw http::Problem(http::unprocessable, "another map has the id " + id + " here; delete it first");
     }
     known->second->used = ++uses_;
     return Upload{id, known->second->map, false};
@@ -251,9 +252,9 @@ MapStore::Upload MapStore::add(std::string bytes, Connectivity connectivity) {
             return {.file = std::move(file), .connectivity = connectivity, .bytes = std::move(bytes)};
         });
     } catch (const SizeError& error) {
-        throw Problem(too_large, error.what(), "map-too-large");
+        throw http::Problem(http::too_large, error.what(), "map-too-large");
     } catch (const InputError& error) {
-        throw Problem(unprocessable, error.what(), "map-unreadable");
+        throw http::Problem(http::unprocessable, error.what(), "map-unreadable");
     }
 }
 
@@ -291,10 +292,10 @@ void MapStore::remove(const std::string& id) {
         removed = std::move(known->second);
         slots_.erase(known);
     } else if (known != slots_.end() || !path_of(id).empty() || built_in_map(id)) {
-        throw Problem(forbidden, "only maps that were sent here can be deleted", "map-not-removable");
+        throw http::Problem(http::forbidden, "only maps that were sent here can be deleted", "map-not-removable");
     } else {
         throw no_such_map();
     }
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

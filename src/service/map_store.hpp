@@ -18,7 +18,7 @@
 #include "service/limits.hpp"
 #include "service/memory_budget.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // A map, the connectivity its obstacles were labelled with, and the bytes it was read from (empty for a ROS map, which
 // is two files).
@@ -96,4 +96,4 @@ class MapStore {
     std::uint64_t uses_ = 0;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

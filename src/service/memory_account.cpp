@@ -7,7 +7,7 @@
 #include <new>
 #include <utility>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 // The budget is asked once for so much, not for each allocation.
@@ -44,7 +44,7 @@ void MemoryAccount::subtract(std::size_t bytes) {
     if (share_.bytes() - bytes_ > 8 * step) share_.shrink_to(bytes_ + step);
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service
 
 // NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp):
 // this is operator new, and the linker wants these names
@@ -58,7 +58,7 @@ void* __real_calloc(std::size_t count, std::size_t size);
 void __real_free(void* memory);
 
 void* __wrap_calloc(std::size_t count, std::size_t size) {
-    using waybreaker::server::account_of_thread;
+    using waybreaker::service::account_of_thread;
     void* const memory = __real_calloc(count, size);
     if (memory == nullptr || account_of_thread == nullptr || account_of_thread->add(malloc_usable_size(memory)))
         return memory;
@@ -67,14 +67,14 @@ void* __wrap_calloc(std::size_t count, std::size_t size) {
 }
 
 void __wrap_free(void* memory) {
-    using waybreaker::server::account_of_thread;
+    using waybreaker::service::account_of_thread;
     if (account_of_thread != nullptr && memory != nullptr) account_of_thread->subtract(malloc_usable_size(memory));
     __real_free(memory);
 }
 }
 
 void* operator new(std::size_t size) {
-    using waybreaker::server::account_of_thread;
+    using waybreaker::service::account_of_thread;
     void* memory = std::malloc(std::max<std::size_t>(size, 1));
     while (memory == nullptr) {
         const std::new_handler handler = std::get_new_handler();

@@ -11,7 +11,7 @@
 
 #include "service/memory_budget.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // For one thread at a time.
 class MemoryAccount {
@@ -51,4 +51,4 @@ class MemoryAccount {
     std::size_t needed_ = 0;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 MemoryBudget::MemoryBudget(std::size_t most) : most_(most) {}
 
@@ -87,4 +87,4 @@ void MemoryBudget::Share::shrink_to(std::size_t bytes) {
     bytes_ = bytes;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <vector>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 class MemoryBudget {
   public:
@@ -71,4 +71,4 @@ class MemoryBudget {
     std::size_t given_back_ = 0;  // since the last trim
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

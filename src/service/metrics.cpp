@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 std::string heading(const std::string& name, const std::string& type, const std::string& help) {
@@ -85,4 +85,4 @@ std::string Metrics::text(const Gauges& gauges) const {
                          "Plans stopped because the client went away or time was up.", stopped_);
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

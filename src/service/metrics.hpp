@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // Counts of durations, and their sum. Bounds are inclusive, in seconds.
 class Histogram {
@@ -56,4 +56,4 @@ class Metrics {
     std::uint64_t stopped_ = 0;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

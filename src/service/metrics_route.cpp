@@ -4,7 +4,7 @@
 
 #include "service/responses.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 Route metrics_route(const Metrics& metrics, const MapStore& store, const Executor& executor,
                     const MemoryBudget& budget) {
@@ -30,7 +30,7 @@ Route metrics_route(const Metrics& metrics, const MapStore& store, const Executo
         }
         return ok_response(metrics.text(gauges), "text/plain; version=0.0.4; charset=utf-8");
     };
-    return {"GET", "/metrics", BodyType::none, false, handle};
+    return {"GET", "/metrics", http::BodyType::none, false, handle};
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -7,10 +7,10 @@
 #include "service/metrics.hpp"
 #include "service/routes.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // The handler keeps the references.
 Route metrics_route(const Metrics& metrics, const MapStore& store, const Executor& executor,
                     const MemoryBudget& budget);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

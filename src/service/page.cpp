@@ -8,7 +8,7 @@
 #include "mapfile/digest.hpp"
 #include "studio/studio_files.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 // Scripts, styles and images of this server only; no requests to others, no framing.
@@ -26,20 +26,21 @@ struct Served {
 Served served(const studio::File& file) {
     constexpr int smallest = 9;
     const std::string bytes(file.bytes);
-    return {std::string(file.type), bytes, gzip(bytes, smallest), entity_tag(mapfile::sha256_digest(bytes))};
+    return {std::string(file.type), bytes, http::gzip(bytes, smallest),
+            http::entity_tag(mapfile::sha256_digest(bytes))};
 }
 
-Response given(const std::shared_ptr<const Served>& file, const Fields& headers) {
-    Response response;
+http::Response given(const std::shared_ptr<const Served>& file, const http::Fields& headers) {
+    http::Response response;
     response.headers = {{"Content-Security-Policy", policy},
                         {"Cache-Control", "no-cache"},  // cached, but revalidated each time
                         {"ETag", file->tag},
                         {"Vary", "Accept-Encoding"}};
-    if (has_already(headers, file->tag)) {
-        response.status = not_modified;
+    if (http::has_already(headers, file->tag)) {
+        response.status = http::not_modified;
         return response;
     }
-    const bool packed = accepts_gzip(headers.get("Accept-Encoding"));
+    const bool packed = http::accepts_gzip(headers.get("Accept-Encoding"));
     if (packed) response.headers.add("Content-Encoding", "gzip");
     response.type = file->type;
     response.body = {file, packed ? file->packed : file->bytes};
@@ -54,9 +55,9 @@ std::vector<Route> page_routes() {
         const auto handle = [ready = std::make_shared<const Served>(served(file))](const Call& call) {
             return given(ready, call.request.headers);
         };
-        routes.push_back({"GET", std::string(file.path), BodyType::none, true, handle, true});
+        routes.push_back({"GET", std::string(file.path), http::BodyType::none, true, handle, true});
     }
     return routes;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -5,8 +5,8 @@
 
 #include "service/routes.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 std::vector<Route> page_routes();
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

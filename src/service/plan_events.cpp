@@ -6,7 +6,7 @@
 #include "http/server_event.hpp"
 #include "service/problem_kind.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 void LastReport::set(const Progress& progress) {
     const std::scoped_lock lock(mutex_);
@@ -18,22 +18,22 @@ Progress LastReport::get() const {
     return progress_;
 }
 
-std::string progress_event(const Job& job, const Progress& progress) {
+std::string progress_event(const http::Job& job, const Progress& progress) {
     const auto [best, bound] = progress;
     const nlohmann::ordered_json json{
-        {"state", job.state() == Job::State::queued ? "queued" : "planning"},
+        {"state", job.state() == http::Job::State::queued ? "queued" : "planning"},
         {"seconds", job.seconds()},
         {"best", std::isfinite(best) ? nlohmann::ordered_json(best) : nlohmann::ordered_json()},
         {"bound", bound > 0 ? nlohmann::ordered_json(bound) : nlohmann::ordered_json()}};
-    return server_event("progress", json.dump());
+    return http::server_event("progress", json.dump());
 }
 
-std::string plan_event(const Response& response) {
-    return server_event("plan", response.body.bytes());
+std::string plan_event(const http::Response& response) {
+    return http::server_event("plan", response.body.bytes());
 }
 
 std::string problem_event(const Failure& failure) {
-    return server_event("problem", problem_json(failure.status, failure.detail, failure.kind));
+    return http::server_event("problem", problem_json(failure.status, failure.detail, failure.kind));
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -9,7 +9,7 @@
 #include "service/failure.hpp"
 #include "waybreaker/limits.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // What a planner has reported last. Thread-safe.
 class LastReport {
@@ -22,8 +22,8 @@ class LastReport {
     Progress progress_;
 };
 
-std::string progress_event(const Job& job, const Progress& progress);
-std::string plan_event(const Response& response);
+std::string progress_event(const http::Job& job, const Progress& progress);
+std::string plan_event(const http::Response& response);
 std::string problem_event(const Failure& failure);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

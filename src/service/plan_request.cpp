@@ -10,7 +10,7 @@
 #include "io/weights.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using io::JsonField;
@@ -250,4 +250,4 @@ std::optional<std::vector<double>> weights_of(const OptionsRequest& request, con
     return weights;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -16,7 +16,7 @@
 #include "io/mission_json.hpp"
 #include "waybreaker/method.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // Largest request that is parsed.
 inline constexpr std::size_t max_request_bytes = std::size_t{1} << 20;
@@ -73,4 +73,4 @@ io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequ
 // Weights of obstacles by id, if the request sets any. Throws InputError if they do not fit the map, or its budget.
 std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const io::MapFile& file);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -9,7 +9,7 @@
 
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 // A planner that has less is as good for another map.
@@ -20,15 +20,15 @@ bool same(const std::weak_ptr<const StoredMap>& one, const std::weak_ptr<const S
 }
 
 // Why a search got no more memory. `own`: what the plan has reserved beside the planner.
-Problem shortage(const MemoryBudget& budget, const std::weak_ptr<const StoredMap>& map, const MemoryAccount& planner,
-                 std::size_t own) {
+http::Problem shortage(const MemoryBudget& budget, const std::weak_ptr<const StoredMap>& map,
+                       const MemoryAccount& planner, std::size_t own) {
     const SharedMap there = map.lock();
     const std::size_t beside = own + (there && there->memory ? there->memory->bytes() : 0);
     const bool others = budget.used() > beside + planner.reserved();
     if (others && beside + planner.needed() <= budget.most()) {
-        return {unavailable, "what others use leaves too little memory for this plan; ask again", "no-memory"};
+        return {http::unavailable, "what others use leaves too little memory for this plan; ask again", "no-memory"};
     }
-    return {too_large,
+    return {http::too_large,
             fmt::format("the map and a plan on it take more than the {} MB of memory there are (--max-memory)",
                         budget.most() >> 20U),
             "map-too-large"};
@@ -133,4 +133,4 @@ void PlannerPool::release_rested(Clock::duration time) {
     resting_.erase(gone, resting_.end());
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -16,7 +16,7 @@
 #include "service/memory_budget.hpp"
 #include "waybreaker/planner.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 class PlannerPool {
   public:
@@ -67,4 +67,4 @@ class PlannerPool {
     std::vector<std::unique_ptr<Planner>> resting_;  // the one that rests longest first
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -6,7 +6,7 @@
 
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 constexpr std::array kinds{
@@ -83,10 +83,10 @@ const ProblemKind* kind_of(int status) {
 std::string problem_json(int status, const std::string& detail, std::string_view kind) {
     const ProblemKind* const known = kind.empty() ? kind_of(status) : kind_of(kind);
     const nlohmann::ordered_json json{{"type", known ? known->type() : "about:blank"},
-                                      {"title", known ? std::string(known->title) : title_of(status)},
+                                      {"title", known ? std::string(known->title) : http::title_of(status)},
                                       {"status", status},
                                       {"detail", detail}};
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

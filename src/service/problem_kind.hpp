@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 struct ProblemKind {
     std::string_view name;  // "map-not-found"
@@ -28,4 +28,4 @@ const ProblemKind* kind_of(int status);
 // "detail": "..."}.
 std::string problem_json(int status, const std::string& detail, std::string_view kind = "");
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

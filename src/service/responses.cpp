@@ -4,22 +4,22 @@
 
 #include "service/answers.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
-Response ok_response(Body body, const std::string& type) {
+http::Response ok_response(http::Body body, const std::string& type) {
     return {.type = type, .body = std::move(body)};
 }
 
-Response kept_response(std::string body, const std::string& location, bool is_new) {
-    Response response = ok_response(std::move(body));
+http::Response kept_response(std::string body, const std::string& location, bool is_new) {
+    http::Response response = ok_response(std::move(body));
     if (!is_new) return response;
-    response.status = created;
+    response.status = http::created;
     response.headers.add("Location", location);
     return response;
 }
 
-Response upload_response(const MapStore::Upload& added) {
+http::Response upload_response(const MapStore::Upload& added) {
     return kept_response(map_json(added.id, *added.map), "/api/v1/maps/" + added.id, added.is_new);
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

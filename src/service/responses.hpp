@@ -8,24 +8,24 @@
 #include "service/map_store.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 inline constexpr auto json_type = "application/json";
 
-Response ok_response(Body body, const std::string& type = json_type);
+http::Response ok_response(http::Body body, const std::string& type = json_type);
 
 // What is kept now under `location`: 201 with that, or 200 if it was there already.
-Response kept_response(std::string body, const std::string& location, bool is_new);
+http::Response kept_response(std::string body, const std::string& location, bool is_new);
 
 // A map that is kept now.
-Response upload_response(const MapStore::Upload& added);
+http::Response upload_response(const MapStore::Upload& added);
 
 // What `parse` makes of a request; its InputErrors are the client's fault.
 template <class Parse>
 auto read_request(Parse parse) try {
     return parse();
 } catch (const InputError& error) {
-    throw Problem(bad_request, error.what());
+    throw http::Problem(http::bad_request, error.what());
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

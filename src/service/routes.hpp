@@ -14,27 +14,27 @@
 #include "service/map_store.hpp"
 #include "service/planner_pool.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 struct Call {
-    Request request;
+    http::Request request;
     std::string id;  // the {id} of the path; empty where it has none
 };
 
 // A response that a worker makes.
 struct Deferred {
-    Work work;
+    http::Work work;
     // The event that says how far the work is; then the response, too, is sent as an event. Null: no events.
-    std::function<std::string(const Job&)> progress = {};
+    std::function<std::string(const http::Job&)> progress = {};
     Lane lane = Lane::planning;
 };
 
-using Answer = std::variant<Response, Deferred>;
+using Answer = std::variant<http::Response, Deferred>;
 
 struct Route {
     std::string method;
     std::string path;  // "/api/v1/maps/{id}", as in metrics and openapi.json
-    BodyType body = BodyType::none;
+    http::BodyType body = http::BodyType::none;
     bool open = false;  // needs no token
     std::function<Answer(Call)> answer;
     bool quick = false;  // reads no file and takes no time
@@ -46,4 +46,4 @@ struct Route {
 // The handlers keep the references.
 std::vector<Route> routes(MapStore& store, PlannerPool& planners, const ServiceLimits& limits);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -1,7 +1,7 @@
 // Whether the program is built with a sanitizer that takes memory of its own for each block.
 #pragma once
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool sanitized = true;
@@ -15,4 +15,4 @@ inline constexpr bool sanitized = false;
 inline constexpr bool sanitized = false;
 #endif
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -35,7 +35,7 @@
 #include "service/source_store.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -43,17 +43,17 @@ using Clock = std::chrono::steady_clock;
 // For requests that match no route.
 constexpr auto other_route = "other";
 
-class WrongMethod : public Problem {
+class WrongMethod : public http::Problem {
   public:
     explicit WrongMethod(const std::string& allowed)
-        : Problem(method_not_allowed, "this can only be asked with " + allowed), allowed_(allowed) {}
+        : http::Problem(http::method_not_allowed, "this can only be asked with " + allowed), allowed_(allowed) {}
     const std::string& allowed() const { return allowed_; }
 
   private:
     std::string allowed_;
 };
 
-const Fields safe_headers{
+const http::Fields safe_headers{
     {"Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
     {"X-Content-Type-Options", "nosniff"},
     {"X-Frame-Options", "DENY"},
@@ -63,22 +63,23 @@ const Fields safe_headers{
 
 void require_safe(const ServiceOptions& options) {
     for (const std::string& name : options.names) {
-        if (!is_host_name(name))
+        if (!http::is_host_name(name))
             throw InputError("--name takes the name of a host, without a port, not " + in_quotes(name));
     }
-    if (!options.token.empty() && !is_bearer_token(options.token)) {
+    if (!options.token.empty() && !http::is_bearer_token(options.token)) {
         throw InputError("--token has blanks at an end, or control characters: no client can send it; give a word");
     }
-    if (is_loopback(options.host) || !options.token.empty() || options.insecure) return;
+    if (http::is_loopback(options.host) || !options.token.empty() || options.insecure) return;
     throw InputError("other machines can reach " + options.host +
                      ": give a --token that they must bring, or say --insecure");
 }
 
-Response problem_response(int status, const std::string& detail, std::string_view kind = "") {
-    Response response{.status = status, .type = "application/problem+json", .body = problem_json(status, detail, kind)};
-    if (status == unavailable) response.headers.add("Retry-After", "1");
-    if (status == unsupported_type) response.headers.add("Accept-Encoding", "gzip");
-    if (status == unauthorized) response.headers.add("WWW-Authenticate", "Bearer");
+http::Response problem_response(int status, const std::string& detail, std::string_view kind = "") {
+    http::Response response{
+        .status = status, .type = "application/problem+json", .body = problem_json(status, detail, kind)};
+    if (status == http::unavailable) response.headers.add("Retry-After", "1");
+    if (status == http::unsupported_type) response.headers.add("Accept-Encoding", "gzip");
+    if (status == http::unauthorized) response.headers.add("WWW-Authenticate", "Bearer");
     return response;
 }
 
@@ -100,7 +101,7 @@ struct AccessRecord {
     std::atomic<bool> closed = false;
 
     AccessRecord() = default;
-    AccessRecord(std::string name, const Request& request)
+    AccessRecord(std::string name, const http::Request& request)
         : route(std::move(name)),
           method(request.method),
           path(request.path),
@@ -110,7 +111,7 @@ struct AccessRecord {
 
 }  // namespace
 
-class Service::Impl : public RequestHandler {
+class Service::Impl : public http::RequestHandler {
   public:
     explicit Impl(ServiceOptions options);
 
@@ -119,26 +120,26 @@ class Service::Impl : public RequestHandler {
     void run();
     void stop();
 
-    Admission admit(const Request& head, std::optional<std::uint64_t> length) override;
-    void serve(Request request, std::shared_ptr<Exchange> exchange) override;
-    Response refuse(const Problem& problem, const std::string& client) override;
+    http::Admission admit(const http::Request& head, std::optional<std::uint64_t> length) override;
+    void serve(http::Request request, std::shared_ptr<http::Exchange> exchange) override;
+    http::Response refuse(const http::Problem& problem, const std::string& client) override;
 
   private:
     using SharedRecord = std::shared_ptr<AccessRecord>;
 
-    ListenerOptions listener_options();
+    http::ListenerOptions listener_options();
     // Throws Problem if no route has that path and method.
-    const Route& route_of(const Request& request) const;
-    void guard(const Route& route, const Request& request) const;
+    const Route& route_of(const http::Request& request) const;
+    void guard(const Route& route, const http::Request& request) const;
     bool is_mine(const std::string& host) const;
-    void wait(Deferred deferred, const std::shared_ptr<Exchange>& exchange, const SharedRecord& record);
+    void wait(Deferred deferred, const std::shared_ptr<http::Exchange>& exchange, const SharedRecord& record);
     // Counts and logs the response, once.
     void close(AccessRecord& record, int status, const std::string& detail = "");
 
     // Lets the bodies being received count so many bytes in the budget; false if there is no room for more.
     bool hold(std::size_t bytes);
     // The response, whose memory counts until it is sent; or that there is none.
-    Response counted(Response response);
+    http::Response counted(http::Response response);
     // From time to time gives back what nobody has used for a while.
     void tidy(const std::stop_token& stop);
 
@@ -150,7 +151,7 @@ class Service::Impl : public RequestHandler {
     MapStore store_;
     Importer importer_;
     SourceStore sources_;
-    Listener listener_;  // outlives the executor, whose jobs answer through it
+    http::Listener listener_;  // outlives the executor, whose jobs answer through it
     Executor executor_;
     std::vector<Route> routes_;
     std::jthread tidying_;
@@ -191,14 +192,15 @@ bool Service::Impl::hold(std::size_t bytes) {
     return true;
 }
 
-Response Service::Impl::counted(Response response) {
+http::Response Service::Impl::counted(http::Response response) {
     constexpr std::size_t small = 65536;  // as of requests
     const std::size_t bytes = response.body.bytes().size();
     if (!response.body.is_own() || bytes <= small) return response;
     const auto share = std::make_shared<MemoryBudget::Share>(budget_, MemoryBudget::Use::answer);
     if (!share->grow(bytes)) {
-        throw Problem(unavailable, "answers on their way to slow clients leave no memory for this one; ask again",
-                      "no-memory");
+        throw http::Problem(http::unavailable,
+                            "answers on their way to slow clients leave no memory for this one; ask again",
+                            "no-memory");
     }
     response.body.keep(share);
     return response;
@@ -206,8 +208,8 @@ Response Service::Impl::counted(Response response) {
 
 // Whether a Host may be asked for: any, if neither is said what the server is called nor that it is for this machine.
 bool Service::Impl::is_mine(const std::string& host) const {
-    if (names_loopback(host) || names_one_of(host, options_.names)) return true;
-    return !is_loopback(options_.host) && (options_.names.empty() || is_address(host));
+    if (http::names_loopback(host) || http::names_one_of(host, options_.names)) return true;
+    return !http::is_loopback(options_.host) && (options_.names.empty() || http::is_address(host));
 }
 
 std::string Service::Impl::url() const {
@@ -215,7 +217,7 @@ std::string Service::Impl::url() const {
     return fmt::format("http://{}:{}", has_colons ? "[" + options_.host + "]" : options_.host, port());
 }
 
-ListenerOptions Service::Impl::listener_options() {
+http::ListenerOptions Service::Impl::listener_options() {
     const ServiceLimits& limits = options_.limits;
     return {.host = options_.host,
             .port = options_.port,
@@ -229,68 +231,69 @@ ListenerOptions Service::Impl::listener_options() {
             .hold = [this](std::size_t bytes) { return hold(bytes); }};
 }
 
-void Service::Impl::guard(const Route& route, const Request& request) const {
+void Service::Impl::guard(const Route& route, const http::Request& request) const {
     const std::string host = request.headers.get("Host");
     if (!is_mine(host)) {
-        throw Problem(misdirected,
-                      "this server is not called that; --name tells it what it is called beside localhost");
+        throw http::Problem(http::misdirected,
+                            "this server is not called that; --name tells it what it is called beside localhost");
     }
-    if (const auto origin = request.headers.find("Origin"); origin && !same_site(*origin, host)) {
-        throw Problem(forbidden, "pages of other sites may not ask");
+    if (const auto origin = request.headers.find("Origin"); origin && !http::same_site(*origin, host)) {
+        throw http::Problem(http::forbidden, "pages of other sites may not ask");
     }
     if (options_.token.empty() || route.open) return;
-    if (!brings_token(request.headers.get("Authorization"), options_.token)) {
-        throw Problem(unauthorized, "a token is needed: Authorization: Bearer TOKEN");
+    if (!http::brings_token(request.headers.get("Authorization"), options_.token)) {
+        throw http::Problem(http::unauthorized, "a token is needed: Authorization: Bearer TOKEN");
     }
 }
 
-const Route& Service::Impl::route_of(const Request& request) const {
+const Route& Service::Impl::route_of(const http::Request& request) const {
     std::string methods;
     for (const Route& route : routes_) {
         if (!route.id_in(request.path)) continue;
         if (route.method == request.method || (route.method == "GET" && request.method == "HEAD")) return route;
         methods += (methods.empty() ? "" : ", ") + route.method;
     }
-    if (methods.empty()) throw Problem(not_found, "there is nothing here; GET /api/v1/openapi.json describes it all");
+    if (methods.empty())
+        throw http::Problem(http::not_found, "there is nothing here; GET /api/v1/openapi.json describes it all");
     throw WrongMethod(methods);
 }
 
-Admission Service::Impl::admit(const Request& head, std::optional<std::uint64_t> length) {
+http::Admission Service::Impl::admit(const http::Request& head, std::optional<std::uint64_t> length) {
     AccessRecord record(other_route, head);
-    Response refusal;
+    http::Response refusal;
     std::string detail;
     try {
         const Route& route = route_of(head);
         record.route = route.path;
         guard(route, head);
-        require_body(head, length, route.body, options_.limits.upload_bytes);
-        return {.body = route.body != BodyType::none, .quick = route.quick};
+        http::require_body(head, length, route.body, options_.limits.upload_bytes);
+        return {.body = route.body != http::BodyType::none, .quick = route.quick};
     } catch (const WrongMethod& problem) {
         refusal = problem_response(problem.status(), detail = problem.what(), problem.kind());
         refusal.headers.add("Allow", problem.allowed());
-    } catch (const Problem& problem) {
+    } catch (const http::Problem& problem) {
         refusal = problem_response(problem.status(), detail = problem.what(), problem.kind());
     }
     close(record, refusal.status, detail);
     return {.refusal = std::move(refusal)};
 }
 
-Response Service::Impl::refuse(const Problem& problem, const std::string& client) {
+http::Response Service::Impl::refuse(const http::Problem& problem, const std::string& client) {
     AccessRecord record;
     record.client = client;
     close(record, problem.status(), problem.what());
     return problem_response(problem.status(), problem.what(), problem.kind());
 }
 
-void Service::Impl::serve(Request request, std::shared_ptr<Exchange> exchange) {
+void Service::Impl::serve(http::Request request, std::shared_ptr<http::Exchange> exchange) {
     const Route& route = route_of(request);
     const auto record = std::make_shared<AccessRecord>(route.path, request);
     try {
-        if (route.body != BodyType::none) unpack(request, options_.limits.upload_bytes);
+        if (route.body != http::BodyType::none) http::unpack(request, options_.limits.upload_bytes);
         std::string id = route.id_in(request.path).value_or("");
         Answer answer = route.answer({std::move(request), std::move(id)});
         if (auto* deferred = std::get_if<Deferred>(&answer)) return wait(std::move(*deferred), exchange, record);
-        Response response = counted(std::move(std::get<Response>(answer)));
+        http::Response response = counted(std::move(std::get<http::Response>(answer)));
         close(*record, response.status);
         exchange->answer(std::move(response));
     } catch (...) {
@@ -301,21 +304,22 @@ void Service::Impl::serve(Request request, std::shared_ptr<Exchange> exchange) {
 }
 
 // Responds when the work is done, and stops it when the client disconnects.
-void Service::Impl::wait(Deferred deferred, const std::shared_ptr<Exchange>& exchange, const SharedRecord& record) {
+void Service::Impl::wait(Deferred deferred, const std::shared_ptr<http::Exchange>& exchange,
+                         const SharedRecord& record) {
     const auto progress = std::move(deferred.progress);
     const bool events = bool(progress);
-    const std::shared_ptr<Job> job = executor_.submit(std::move(deferred.work), deferred.lane, record->client);
+    const std::shared_ptr<http::Job> job = executor_.submit(std::move(deferred.work), deferred.lane, record->client);
     const auto tick = [this, job, progress] {
         executor_.enforce_time_limit(*job);
         return progress ? progress(*job) : std::string();
     };
     const auto gone = [this, job, record] {
         executor_.cancel(*job);
-        close(*record, client_gone, "the client went away");
+        close(*record, http::client_gone, "the client went away");
     };
     exchange->wait({.events = events, .tick = tick, .gone = gone});
     job->when_done([this, job = job.get(), record, events, waiting = std::weak_ptr(exchange)] {
-        Response response;
+        http::Response response;
         try {
             response = job->result();
             if (events) response.body = plan_event(response);
@@ -336,17 +340,17 @@ void Service::Impl::close(AccessRecord& record, int status, const std::string& d
     const double seconds = std::chrono::duration<double>(Clock::now() - record.began).count();
     const bool known = record.route != other_route;
     metrics_.count_request(known ? record.method : other_route, record.route, status, seconds);
-    options_.log(log_line({record.client, record.method, record.path, status, seconds, detail}));
+    options_.log(http::log_line({record.client, record.method, record.path, status, seconds, detail}));
 }
 
 void Service::Impl::run() {
-    options_.log(log_line("listening", url()));
+    options_.log(http::log_line("listening", url()));
     listener_.run();
-    options_.log(log_line("stopped", "all requests are answered"));
+    options_.log(http::log_line("stopped", "all requests are answered"));
 }
 
 void Service::Impl::stop() {
-    options_.log(log_line("stopping", "what has begun is finished"));
+    options_.log(http::log_line("stopping", "what has begun is finished"));
     listener_.stop();
 }
 
@@ -365,4 +369,4 @@ void Service::stop() {
     impl_->stop();
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

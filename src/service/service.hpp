@@ -12,7 +12,7 @@
 
 #include "service/limits.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 struct ServiceOptions {
     std::string maps;  // a folder; empty: the built-in map and uploaded ones
@@ -54,4 +54,4 @@ std::string openapi_json();
 // JSON Schema of the mission file.
 std::string mission_schema();
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

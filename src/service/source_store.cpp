@@ -9,7 +9,7 @@
 #include "mapfile/digest.hpp"
 #include "service/extract_json.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 constexpr std::chrono::hours longest_unused{1};
@@ -20,8 +20,8 @@ std::string id_of(const std::string& bytes, const std::string& name) {
     return "source-" + digest.substr(digest.find(':') + 1, digest_characters);
 }
 
-Problem no_such_source() {
-    return {not_found, "there is no source of that name; POST /api/v1/sources sends one", "source-not-found"};
+http::Problem no_such_source() {
+    return {http::not_found, "there is no source of that name; POST /api/v1/sources sends one", "source-not-found"};
 }
 
 }  // namespace
@@ -57,8 +57,8 @@ SharedSource SourceStore::existing(const std::string& id) {
 MemoryBudget::Share SourceStore::make_room(std::size_t bytes) {
     const std::size_t most = budget_.most(MemoryBudget::Use::source);
     if (bytes > most) {
-        throw Problem(
-            too_large,
+        throw http::Problem(
+            http::too_large,
             fmt::format("the source has {} MB, all sources together may have {} MB (a quarter of --max-memory)",
                         bytes >> 20U, most >> 20U),
             "source-too-large");
@@ -66,7 +66,8 @@ MemoryBudget::Share SourceStore::make_room(std::size_t bytes) {
     MemoryBudget::Share share(budget_, MemoryBudget::Use::source);
     while (!share.grow(bytes)) {
         if (forget_one()) continue;
-        throw Problem(unavailable, "what others use leaves no memory for this map data; ask again", "no-memory");
+        throw http::Problem(http::unavailable, "what others use leaves no memory for this map data; ask again",
+                            "no-memory");
     }
     return share;
 }
@@ -75,7 +76,7 @@ SourceStore::Added SourceStore::add(std::string bytes, const std::string& name, 
     const std::string id = id_of(bytes, name);
     if (const SharedSource known = existing(id)) {
         if (known->bytes == bytes && known->name == name) return {id, known, false};
-        throw Problem(unprocessable, "another source has the id " + id + " here; delete it first");
+        throw http::Problem(http::unprocessable, "another source has the id " + id + " here; delete it first");
     }
     bytes.shrink_to_fit();
     MemoryBudget::Share memory = make_room(bytes.size());
@@ -105,4 +106,4 @@ std::string source_json(const std::string& id, const StoredSource& source) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -16,7 +16,7 @@
 #include "service/memory_budget.hpp"
 #include "waybreaker/limits.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 struct StoredSource {
     std::string name;  // of its file
@@ -70,4 +70,4 @@ class SourceStore {
 // The description of a source.
 std::string source_json(const std::string& id, const StoredSource& source);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -6,7 +6,7 @@
 #include "http/gzip.hpp"
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 TEST(Gzip, IsSentToClientsThatAcceptIt) {
@@ -26,4 +26,4 @@ TEST(BodyTooLarge, IsMeasuredAsPeopleMeasureFiles) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 TEST(Guard, KnowsThisMachine) {
@@ -49,4 +49,4 @@ TEST(Guard, TokenMustBeTheWholeToken) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

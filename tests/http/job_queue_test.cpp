@@ -8,7 +8,7 @@
 
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 using namespace std::chrono_literals;
@@ -142,4 +142,4 @@ TEST(JobQueue, EndsWithWorkersAtWork) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -1,6 +1,6 @@
 #include "http/malformed_requests.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 const std::string nul(1, '\0');
@@ -228,4 +228,4 @@ std::vector<Malformed> malformed_requests() {
     return all;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 
 struct Malformed {
     std::string why;
@@ -15,4 +15,4 @@ struct Malformed {
 
 std::vector<Malformed> malformed_requests();
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

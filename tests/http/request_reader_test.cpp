@@ -9,7 +9,7 @@
 #include "http/malformed_requests.hpp"
 #include "http/problem.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::http {
 namespace {
 
 constexpr std::size_t limit = 100000;
@@ -142,4 +142,4 @@ TEST(RequestReader, BrowsersLeaveMarksInQueriesAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::http

@@ -5,7 +5,7 @@
 #include "live_server.hpp"
 #include "wire.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using namespace std::chrono_literals;
@@ -157,7 +157,7 @@ TEST_F(ConnectionTest, BodiesMayBeCompressed) {
             body);
         return answer.substr(0, 12);
     };
-    const std::string packed = gzip(house_mission.dump(), 9);
+    const std::string packed = http::gzip(house_mission.dump(), 9);
     EXPECT_EQ(send("gzip", packed), "HTTP/1.1 200");
     EXPECT_EQ(send("X-GZip", packed), "HTTP/1.1 200");
     EXPECT_EQ(send("identity", house_mission.dump()), "HTTP/1.1 200");
@@ -166,11 +166,12 @@ TEST_F(ConnectionTest, BodiesMayBeCompressed) {
     EXPECT_EQ(send("gzip", packed + "x"), "HTTP/1.1 400");
     EXPECT_EQ(send("gzip", ""), "HTTP/1.1 400");
     const std::string text = house_mission.dump();
-    const std::string members = gzip(text.substr(0, 9), 9) + gzip("", 1) + gzip(text.substr(9), 1);
+    const std::string members = http::gzip(text.substr(0, 9), 9) + http::gzip("", 1) + http::gzip(text.substr(9), 1);
     EXPECT_EQ(send("gzip", members), "HTTP/1.1 200") << "as programs that compress in parallel send it";
     EXPECT_EQ(send("gzip", members.substr(0, members.size() - 1)), "HTTP/1.1 400");
-    EXPECT_EQ(send("gzip", gzip(std::string(60000, ' '), 9) + gzip(std::string(60000, ' '), 9)), "HTTP/1.1 413");
-    EXPECT_EQ(send("gzip", gzip(std::string(100001, ' '), 9)), "HTTP/1.1 413");
+    EXPECT_EQ(send("gzip", http::gzip(std::string(60000, ' '), 9) + http::gzip(std::string(60000, ' '), 9)),
+              "HTTP/1.1 413");
+    EXPECT_EQ(send("gzip", http::gzip(std::string(100001, ' '), 9)), "HTTP/1.1 413");
     EXPECT_EQ(send("br", packed), "HTTP/1.1 415");
     EXPECT_EQ(send("gzip, gzip", packed), "HTTP/1.1 415");
 }
@@ -222,4 +223,4 @@ TEST_F(ConnectionTest, BodiesThatAreRefusedAreNotAskedFor) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -13,7 +13,7 @@
 #include "streaming_client.hpp"
 #include "wire.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 constexpr int thicket_side = 300;
@@ -181,4 +181,4 @@ TEST_F(DescriptionTest, NoPathHasOtherMethodsThanItSays) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

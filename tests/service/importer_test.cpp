@@ -18,7 +18,7 @@
 #include "service/import_worker.hpp"
 #include "service/sanitizer.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 std::vector<std::string> shell(const std::string& script) {
@@ -69,7 +69,7 @@ class ImporterTest : public testing::Test {
         const Importer importer(worker, limits_, budget_);
         try {
             extract_ = importer.extract("yard", data, stop_.get_token());
-        } catch (const Problem& problem) {
+        } catch (const http::Problem& problem) {
             return std::string(problem.kind());
         }
         return "";
@@ -130,10 +130,10 @@ TEST_F(ImporterTest, AShapeGetsNoMoreMemoryThanItsSizeAllows) {
     try {
         importer.import("tangle.geojson", data, extract_, request, 1'000'000, {});
         FAIL() << "it has enough memory";
-    } catch (const Problem& problem) {
+    } catch (const http::Problem& problem) {
         EXPECT_EQ(problem.kind(), "import-beyond-memory");
     }
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -13,7 +13,7 @@
 #include "service/importer.hpp"
 #include "service/source_store.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 class ImportsTest : public LiveServer {
@@ -145,9 +145,9 @@ TEST(SourceStore, StaysWithinAQuarterOfTheMemory) {
     const std::string third = store.add(yard, "third.osm", {}).id;
     EXPECT_EQ(store.find(second), used);
     EXPECT_NE(store.find(third), nullptr);
-    EXPECT_THROW(store.find(first), Problem);
+    EXPECT_THROW(store.find(first), http::Problem);
     const auto large = [&] { store.add(std::string(budget.most() / 4 + 1, ' '), "large.osm", {}); };
-    EXPECT_THROW(large(), Problem);
+    EXPECT_THROW(large(), http::Problem);
     EXPECT_NE(store.find(third), nullptr);
 }
 
@@ -227,4 +227,4 @@ TEST_F(ImportsTest, ManyClientsImportAtATime) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -7,7 +7,7 @@
 #include "schema_check.hpp"
 #include "service/import_worker.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 const Json& api() {
@@ -173,4 +173,4 @@ std::string thicket(int side) {
     return text;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

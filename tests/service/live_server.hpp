@@ -15,7 +15,7 @@
 #include "service/service.hpp"
 #include "temporary_folder.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 using Json = nlohmann::json;
 
@@ -63,4 +63,4 @@ inline const Json house_mission{{"mission", {{"start", {1, 3}}, {"goal", {9, 3}}
 // A map on which every search takes long: a random thicket of many small obstacles.
 std::string thicket(int side);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -11,7 +11,7 @@
 #include "mapfile/map_reader.hpp"
 #include "service/built_in_maps.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 StoredMap stored(std::string bytes, Connectivity connectivity = Connectivity::four) {
@@ -204,4 +204,4 @@ TEST_F(MapEditsServiceTest, MakesMapsAsThoughTheyHadBeenSent) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

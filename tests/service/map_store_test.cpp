@@ -10,7 +10,7 @@
 #include "http/problem.hpp"
 #include "temporary_folder.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 // A store, and its memory.
@@ -38,7 +38,7 @@ template <class Call>
 std::pair<int, std::string> problem_of(Call call) {
     try {
         call();
-    } catch (const Problem& problem) {
+    } catch (const http::Problem& problem) {
         return {problem.status(), std::string(problem.kind())};
     }
     return {};
@@ -139,4 +139,4 @@ TEST_F(MapStoreTest, RefusesFilesByTheirSizeBeforeItReadsThem) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

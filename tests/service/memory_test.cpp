@@ -11,7 +11,7 @@
 #include "service/memory_budget.hpp"
 #include "wire.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using Use = MemoryBudget::Use;
@@ -168,4 +168,4 @@ TEST_F(MemoryTest, AnswersThatWaitForTheirClientsCount) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

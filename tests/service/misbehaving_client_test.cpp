@@ -10,7 +10,7 @@
 #include "streaming_client.hpp"
 #include "wire.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using namespace std::chrono_literals;
@@ -135,7 +135,7 @@ TEST_F(MisbehavingClientTest, UnreadResponsesTimeOut) {
 TEST_F(MisbehavingClientTest, MalformedRequestsAreRefusedAndNothingAfterThemIsRead) {
     begin();
     const std::string hidden = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
-    for (const auto& [why, bytes, status] : malformed_requests()) {
+    for (const auto& [why, bytes, status] : http::malformed_requests()) {
         const Wire wire(port());
         wire.send(bytes + hidden);
         const std::string said = wire.rest();
@@ -184,4 +184,4 @@ TEST_F(MisbehavingClientTest, NoiseAndHangingUpDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

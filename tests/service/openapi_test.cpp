@@ -6,7 +6,7 @@
 #include "schema_check.hpp"
 #include "service/problem_kind.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 const Json& api() {
@@ -180,4 +180,4 @@ TEST_F(ProblemTest, DescribesTheMissionFile) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

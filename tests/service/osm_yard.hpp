@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // A house, a church and a lane.
 inline std::string osm_yard() {
@@ -22,4 +22,4 @@ inline std::string osm_yard() {
            "</osm>\n";
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

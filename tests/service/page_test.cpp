@@ -2,7 +2,7 @@
 #include "live_server.hpp"
 #include "studio/studio_files.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 class PageTest : public LiveServer {
@@ -80,4 +80,4 @@ TEST_F(PageTest, IsSentAnewOnlyIfItHasChanged) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

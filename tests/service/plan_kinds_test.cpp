@@ -6,7 +6,7 @@
 #include "schema_check.hpp"
 #include "streaming_client.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 const std::string house = maps + "/house.map";
@@ -156,4 +156,4 @@ TEST_F(PlanKindsTest, TheDescriptionTakesNoMixtures) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

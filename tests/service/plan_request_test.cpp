@@ -6,7 +6,7 @@
 #include "input_error.hpp"
 #include "mapfile/map_reader.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 io::MapFile three_cells() {
@@ -166,4 +166,4 @@ TEST(PlanRequest, AVariantMayCountWhereTheOthersHaveABudget) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

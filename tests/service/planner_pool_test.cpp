@@ -7,7 +7,7 @@
 #include "live_server.hpp"
 #include "mapfile/map_reader.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using Use = MemoryBudget::Use;
@@ -71,22 +71,22 @@ TEST_F(PlannerPoolTest, SaysWhetherAskingAgainCanHelp) {
     const auto status = [&map](PlannerPool& pool) -> int {
         try {
             plan(pool, map);
-        } catch (const Problem& problem) {
+        } catch (const http::Problem& problem) {
             return problem.status();
         }
-        return ok;
+        return http::ok;
     };
     {
         MemoryBudget::Share others(budget_, Use::map);
         EXPECT_TRUE(others.grow(budget_.most() - 4'000'000));
-        EXPECT_EQ(status(pool_), unavailable);
+        EXPECT_EQ(status(pool_), http::unavailable);
     }
-    EXPECT_EQ(status(pool_), ok);
+    EXPECT_EQ(status(pool_), http::ok);
     MemoryBudget little(4'000'000);
     PlannerPool small(little);
-    EXPECT_EQ(status(small), too_large);
+    EXPECT_EQ(status(small), http::too_large);
     EXPECT_EQ(little.used(), 0U);  // one that ended in the middle is not used again
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -1,13 +1,14 @@
 // Strangers, hostile pages and hostile files get a problem document and nothing else.
 #include <filesystem>
 
+#include "http/guard.hpp"
 #include "input_error.hpp"
 #include "live_server.hpp"
 #include "mapfile/grey_image.hpp"
 #include "service/built_in_maps.hpp"
 #include "service/map_store.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 class SafetyTest : public LiveServer {};
@@ -30,7 +31,7 @@ TEST_F(SafetyTest, TokensThatNobodyCanSendAreRefused) {
     for (const char* token : {"x", "a secret", "schl\xc3\xbcssel", "~!@#$%^&*()"}) {
         options_.token = token;
         EXPECT_EQ(input_error([this] { Service service(options_); }), "");
-        EXPECT_TRUE(brings_token("Bearer " + options_.token, options_.token));
+        EXPECT_TRUE(http::brings_token("Bearer " + options_.token, options_.token));
     }
 }
 
@@ -179,4 +180,4 @@ TEST_F(SafetyTest, PartsOfAnswersAreNotGiven) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -6,7 +6,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 using Json = nlohmann::json;
 using valijson::adapters::NlohmannJsonAdapter;
@@ -32,4 +32,4 @@ std::vector<std::string> schema_faults(const Json& document, const Json& schema,
     return faults;
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 // Where and why not, a line each. `document`: what the schema stands in, for the references to its components.
 std::vector<std::string> schema_faults(const nlohmann::json& document, const nlohmann::json& schema,
@@ -14,4 +14,4 @@ std::vector<std::string> schema_faults(const nlohmann::json& document, const nlo
 // The object that a "$ref" stands for, or the value itself.
 const nlohmann::json& resolved(const nlohmann::json& document, const nlohmann::json& value);
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -4,7 +4,7 @@
 #include "live_server.hpp"
 #include "streaming_client.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 class ServiceTest : public LiveServer {};
@@ -296,4 +296,4 @@ TEST_F(ServiceTest, SaysWhatIsWrongWithARequest) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -12,7 +12,7 @@
 #include "waybreaker/error.hpp"
 #include "wire.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 namespace {
 
 using namespace std::chrono_literals;
@@ -142,4 +142,4 @@ TEST_F(StreamTest, EndingFinishesWhatHasBegun) {
 }
 
 }  // namespace
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

@@ -11,7 +11,7 @@
 
 #include "live_server.hpp"
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 class StreamingClient {
   public:
@@ -63,4 +63,4 @@ inline Json long_mission(int side) {
     return {{"mission", {{"start", {0, 0}}, {"goal", {side - 1, side - 1}}}}, {"options", {{"removals", 20}}}};
 }
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service

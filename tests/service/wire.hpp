@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace waybreaker::server {
+namespace waybreaker::service {
 
 class Wire {
   public:
@@ -52,4 +52,4 @@ class Wire {
     int socket_;
 };
 
-}  // namespace waybreaker::server
+}  // namespace waybreaker::service
