@@ -5,7 +5,7 @@
 #include "service/map_store.hpp"
 #include "service/memory_budget.hpp"
 #include "service/metrics.hpp"
-#include "service/routes.hpp"
+#include "service/route.hpp"
 
 namespace waybreaker::service {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "service/routes.hpp"
+#include "service/route.hpp"
 
 namespace waybreaker::service {
 
