@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "background_summary.hpp"
+#include "city/city_import.hpp"
+#include "city/ground_rules.hpp"
 #include "commands.hpp"
-#include "geo/city_import.hpp"
-#include "geo/ground_rules.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_info.hpp"
@@ -29,16 +29,16 @@ struct ImportOptions {
     std::string output;
     bool center = false;  // given
     std::optional<double> tile;
-    geo::ImportOptions window;
+    city::ImportOptions window;
 };
 
-geo::ImportReport import_with_progress(const ImportOptions& options) {
+city::ImportReport import_with_progress(const ImportOptions& options) {
     const Progress progress("reading " + options.source);
-    return geo::import_city(options.source, options.window);
+    return city::import_city(options.source, options.window);
 }
 
 // How many things have one: sections have those of their structures.
-std::size_t name_count(const geo::LabelTiff& tiff) {
+std::size_t name_count(const geotiff::LabelTiff& tiff) {
     const site::Sections& sections = tiff.sections;
     if (sections.empty()) return site::name_count(tiff.names);
     std::size_t count = 0;
@@ -52,7 +52,7 @@ std::size_t name_count(const geo::LabelTiff& tiff) {
 }
 
 // What helps a reader recognise the place: "; 120 names, 85 streets, 2 waters"; empty if the source has none.
-std::string kept(const geo::LabelTiff& tiff) {
+std::string kept(const geotiff::LabelTiff& tiff) {
     std::vector<std::string> counts = background_summary(tiff.background);
     const std::size_t names = name_count(tiff);
     if (names > 0) counts.insert(counts.begin(), fmt::format("{} {}", names, names == 1 ? "name" : "names"));
@@ -60,8 +60,8 @@ std::string kept(const geo::LabelTiff& tiff) {
 }
 
 // What a profile adds: ", 3.1 % water, 0.8 % forbidden; 4 protected (hospitals, ...; ...)".
-std::string ground_of(const geo::ImportReport& report) {
-    if (report.profile == geo::Profile::paper) return "";
+std::string ground_of(const city::ImportReport& report) {
+    if (report.profile == city::Profile::paper) return "";
     const Map& map = report.tiff.map;
     const auto cells = site::cells_by_kind(map, report.tiff.kinds);
     std::string text;
@@ -73,10 +73,10 @@ std::string ground_of(const geo::ImportReport& report) {
     }
     if (report.sheltered == 0) return text;
     return text + fmt::format("; {} protected ({}; --destructible and --protected choose others)", report.sheltered,
-                              geo::protection(report.profile).text);
+                              city::protection(report.profile).text);
 }
 
-std::string summary_line(const std::string& file, const geo::ImportReport& report, const char* things) {
+std::string summary_line(const std::string& file, const city::ImportReport& report, const char* things) {
     const Map& map = report.tiff.map;
     return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}{}, {} obstacles, {:.1f} % blocked{}{}\n", file,
                        map.width(), map.height(), report.tiff.cell_size, report.buildings, things,
@@ -98,9 +98,9 @@ void warn_of_gaps(const ImportOptions& options, double covered, const std::vecto
 }
 
 void import_one(const ImportOptions& options) {
-    const geo::ImportReport report = import_with_progress(options);
+    const city::ImportReport report = import_with_progress(options);
     warn_of_gaps(options, report.covered, report.notes);
-    io::write_whole(options.output, geo::label_tiff_bytes(report.tiff));
+    io::write_whole(options.output, geotiff::label_tiff_bytes(report.tiff));
     if (options.output != "-") io::write_whole("-", summary_line(options.output, report, things_of(options)));
 }
 
@@ -116,9 +116,9 @@ void import_folder(const ImportOptions& options, double tile_side) {
     std::size_t count = 0;
     double covered = 1;
     std::vector<std::string> notes;
-    const auto write = [&](const geo::ImportTile& tile) {
+    const auto write = [&](const city::ImportTile& tile) {
         const std::string name = fmt::format("{:02}_{:02}.tif", tile.row, tile.column);
-        io::write_whole((fs::path(options.output) / name).string(), geo::label_tiff_bytes(tile.report.tiff));
+        io::write_whole((fs::path(options.output) / name).string(), geotiff::label_tiff_bytes(tile.report.tiff));
         lines += summary_line(name, tile.report, things_of(options));
         covered = tile.report.covered;
         notes = tile.report.notes;
@@ -127,7 +127,7 @@ void import_folder(const ImportOptions& options, double tile_side) {
     std::size_t all = 0;
     {
         const Progress progress("reading " + options.source);
-        all = geo::import_tiles(options.source, options.window, tile_side, write);
+        all = city::import_tiles(options.source, options.window, tile_side, write);
     }
     warn_of_gaps(options, covered, notes);
     io::write_whole("-", lines + fmt::format("{}: {} maps; {} of {} tiles have no obstacle\n", options.output, count,
@@ -148,14 +148,14 @@ void run(const ImportOptions& options) {
     import_folder(options, *options.tile);
 }
 
-void add_filters(CLI::App& command, const std::string& name, std::vector<geo::TagFilter>& filters,
+void add_filters(CLI::App& command, const std::string& name, std::vector<city::TagFilter>& filters,
                  const std::string& text) {
     command
         .add_option_function<std::string>(
             name,
             [name, &filters](const std::string& given) {
                 try {
-                    for (geo::TagFilter& filter : geo::parse_tag_filters(given)) filters.push_back(std::move(filter));
+                    for (city::TagFilter& filter : city::parse_tag_filters(given)) filters.push_back(std::move(filter));
                 } catch (const InputError& error) {
                     throw CLI::ValidationError(name, error.what());
                 }
@@ -165,13 +165,13 @@ void add_filters(CLI::App& command, const std::string& name, std::vector<geo::Ta
         ->trigger_on_parse();
 }
 
-void add_quantity(CLI::App& command, const std::string& name, geo::Quantity& quantity, const std::string& text) {
+void add_quantity(CLI::App& command, const std::string& name, city::Quantity& quantity, const std::string& text) {
     command
         .add_option_function<std::string>(
             name,
             [name, &quantity](const std::string& given) {
                 try {
-                    quantity = geo::parse_quantity(given);
+                    quantity = city::parse_quantity(given);
                 } catch (const InputError& error) {
                     throw CLI::ValidationError(name, error.what());
                 }
@@ -181,7 +181,7 @@ void add_quantity(CLI::App& command, const std::string& name, geo::Quantity& qua
 }
 
 void add_window_options(CLI::App& command, const std::shared_ptr<ImportOptions>& options) {
-    geo::ImportOptions& window = options->window;
+    city::ImportOptions& window = options->window;
     add_lon_lat(command, "--center", window.longitude, window.latitude,
                 "Centre of the window, in degrees east and north")
         ->each([options](const std::string&) { options->center = true; });
@@ -197,9 +197,9 @@ void add_window_options(CLI::App& command, const std::shared_ptr<ImportOptions>&
         "Cut the window into squares of that side, and write a folder with a map of each, ROW_COLUMN.tif");
 }
 
-void add_profile(CLI::App& command, std::optional<geo::Profile>& profile) {
-    using enum geo::Profile;
-    add_choice<geo::Profile>(
+void add_profile(CLI::App& command, std::optional<city::Profile>& profile) {
+    using enum city::Profile;
+    add_choice<city::Profile>(
         command, "--profile", {{"rover", rover}, {"truck", truck}, {"walker", walker}, {"paper", paper}}, profile,
         "Who drives: for rover, truck and walker water, forbidden ground and barriers bar the way as well, for paper "
         "only buildings do; with a profile, --obstacles takes the place of its buildings and barriers (default: rover; "
@@ -215,7 +215,7 @@ void add_section(CLI::App& command, std::optional<double>& section) {
         ->transform([](const std::string& given) { return given == "none" ? "0" : given; });
 }
 
-void add_choice_options(CLI::App& command, geo::ObstacleChoice& choice) {
+void add_choice_options(CLI::App& command, city::ObstacleChoice& choice) {
     add_filters(
         command, "--obstacles", choice.obstacles,
         "What is an obstacle: tags such as building, natural=water and barrier=wall,fence, with commas between, "

@@ -12,7 +12,7 @@
 #include "commands.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
-#include "server/import_worker.hpp"
+#include "service/import_worker.hpp"
 #include "usage_error.hpp"
 #include "version.hpp"
 #include "waybreaker/error.hpp"
@@ -80,7 +80,7 @@ void fill_standard_streams() {
 
 // What `serve` starts for each import: no command for people.
 bool is_import_worker(int argc, const char* const* argv) {
-    return argc == 4 && std::string_view(argv[1]) == server::import_worker_word;
+    return argc == 4 && std::string_view(argv[1]) == service::import_worker_word;
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
     fill_standard_streams();
     std::signal(SIGPIPE, SIG_DFL);  // when our reader leaves (`| head`) we end quietly, as other commands do
     try {
-        if (is_import_worker(argc, argv)) return waybreaker::server::run_import_worker(argv[2], argv[3]);
+        if (is_import_worker(argc, argv)) return waybreaker::service::run_import_worker(argv[2], argv[3]);
         parse_and_run(argc, argv);
         return done;
     } catch (const NoPlan& error) {

@@ -10,7 +10,7 @@
 
 #include "background_summary.hpp"
 #include "commands.hpp"
-#include "geo/georeference.hpp"
+#include "geotiff/georeference.hpp"
 #include "help.hpp"
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
@@ -102,11 +102,11 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     text += line("background", fmt::format("{}", fmt::join(background_summary(file.background), ", ")));
     if (file.georeference) {
         const auto [longitude, latitude] = mapfile::center(file);
-        const std::string name = geo::crs_name(*file.georeference);
-        const std::string code = geo::crs_code(*file.georeference);
+        const std::string name = geotiff::crs_name(*file.georeference);
+        const std::string code = geotiff::crs_code(*file.georeference);
         text += line("projection", code == name ? name : fmt::format("{} ({})", name, code));
         text += line("centre", fmt::format("longitude {:.6f}, latitude {:.6f}", longitude, latitude));
-        if (const auto box = geo::lon_lat_box(*file.georeference, map.width(), map.height())) {
+        if (const auto box = geotiff::lon_lat_box(*file.georeference, map.width(), map.height())) {
             text += line("extent", fmt::format("longitude {:.6f} to {:.6f}, latitude {:.6f} to {:.6f}", box->at(0),
                                                box->at(2), box->at(1), box->at(3)));
         }

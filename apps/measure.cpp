@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/range.hpp"
-#include "geo/georeference.hpp"
+#include "geotiff/georeference.hpp"
 #include "io/map_frame.hpp"
 #include "waybreaker/error.hpp"
 
@@ -150,12 +150,12 @@ Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map) {
     if (!map.georeference) {
         throw InputError(fmt::format("--lonlat: {} does not say where on earth it lies", map.source));
     }
-    const geo::ToLonLat to_lon_lat(*map.georeference);
+    const geotiff::ToLonLat to_lon_lat(*map.georeference);
     const auto [west, north] = to_lon_lat(-0.5, -0.5);
     const auto [east, south] = to_lon_lat(map.map.width() - 0.5, map.map.height() - 0.5);
     const std::string extent =
         fmt::format("from {:.6f},{:.6f} in the south-west to {:.6f},{:.6f}", west, south, east, north);
-    const Point point = geo::FromLonLat(*map.georeference)({Point(lon, lat)}).front();
+    const Point point = geotiff::FromLonLat(*map.georeference)({Point(lon, lat)}).front();
     return cell_on(map, {std::floor(point.x + 0.5), std::floor(point.y + 0.5)}, place, extent);
 }
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "geo/georeference.hpp"
+#include "geotiff/georeference.hpp"
 #include "io/map_frame.hpp"
 #include "mapfile/unknown_cells.hpp"
 
@@ -11,7 +11,7 @@ namespace waybreaker::apps {
 std::string place_text(Cell cell, const PlanOptions& options, const io::MapFile& map) {
     const Point centre(cell.x, cell.y);
     if (options.lon_lat && map.georeference) {
-        const auto [lon, lat] = geo::ToLonLat(*map.georeference)(centre.x, centre.y);
+        const auto [lon, lat] = geotiff::ToLonLat(*map.georeference)(centre.x, centre.y);
         return fmt::format("{:.6f},{:.6f} (cell {},{})", lon, lat, cell.x, cell.y);
     }
     if (options.map_metres) {

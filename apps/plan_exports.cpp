@@ -4,7 +4,7 @@
 
 #include "authors/plan_xml.hpp"
 #include "format_losses.hpp"
-#include "geo/georeference.hpp"
+#include "geotiff/georeference.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_ros_path.hpp"
@@ -56,9 +56,9 @@ std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& 
     const io::ExportUnits units{.in_seconds = in_seconds, .crs = mapfile::frame_crs(map)};
     std::vector<std::pair<std::string, std::string>> files;
     if (!exports.geojson.empty())
-        files.emplace_back(exports.geojson, io::plan_geojson(plan, map, geo::lon_lat_of(map.georeference), units));
+        files.emplace_back(exports.geojson, io::plan_geojson(plan, map, geotiff::lon_lat_of(map.georeference), units));
     if (!exports.csv.empty())
-        files.emplace_back(exports.csv, io::plan_csv(plan, map, geo::lon_lat_of(map.georeference), units));
+        files.emplace_back(exports.csv, io::plan_csv(plan, map, geotiff::lon_lat_of(map.georeference), units));
     if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map, exports.step));
     if (!exports.xml.empty()) files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));
     if (!exports.opened_map.empty()) {

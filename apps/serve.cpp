@@ -10,10 +10,10 @@
 
 #include "commands.hpp"
 #include "help.hpp"
+#include "http/log_line.hpp"
 #include "option.hpp"
-#include "server/import_worker.hpp"
-#include "server/log_line.hpp"
-#include "server/service.hpp"
+#include "service/import_worker.hpp"
+#include "service/service.hpp"
 
 namespace waybreaker::apps {
 namespace {
@@ -41,11 +41,11 @@ void log(const std::string& line) {
     std::fputs(line.c_str(), stderr);
 }
 
-void run(server::ServiceOptions options) {
+void run(service::ServiceOptions options) {
     const EndSignals signals;
     options.log = log;
-    options.import_worker = {"/proc/self/exe", server::import_worker_word};
-    server::Service service(std::move(options));
+    options.import_worker = {"/proc/self/exe", service::import_worker_word};
+    service::Service service(std::move(options));
     // For a person at a terminal; programs read the log.
     if (isatty(STDOUT_FILENO) == 1) {
         fmt::print("The page is at {}/ - Ctrl-C ends the server\n", service.url());
@@ -57,7 +57,7 @@ void run(server::ServiceOptions options) {
         service.stop();
         signals.wait();
         if (ended) return;
-        log(server::log_line("stopped", "second signal: unfinished requests are lost"));
+        log(http::log_line("stopped", "second signal: unfinished requests are lost"));
         std::_Exit(0);  // without waiting for work that cannot be stopped; it writes nothing
     });
     service.run();
@@ -66,7 +66,7 @@ void run(server::ServiceOptions options) {
     waiting.join();
 }
 
-void add_limits(CLI::App& command, server::ServiceLimits& limits) {
+void add_limits(CLI::App& command, service::ServiceLimits& limits) {
     constexpr std::int64_t most = 1'000'000;
     constexpr std::size_t megabyte = std::size_t{1} << 20;
     add_count(
@@ -109,7 +109,7 @@ void add_limits(CLI::App& command, server::ServiceLimits& limits) {
 }  // namespace
 
 void setup_serve(CLI::App& root, Run& run_chosen) {
-    auto options = std::make_shared<server::ServiceOptions>();
+    auto options = std::make_shared<service::ServiceOptions>();
     options->port = 8080;
     CLI::App* command = root.add_subcommand(
         "serve",

@@ -5,16 +5,16 @@
 #include <string_view>
 #include <vector>
 
+#include "http/problem.hpp"
+#include "http/request_reader.hpp"
 #include "laws.hpp"
-#include "server/problem.hpp"
-#include "server/request_reader.hpp"
 
 namespace {
 
 using waybreaker::law;
-using waybreaker::server::Problem;
-using waybreaker::server::Request;
-using waybreaker::server::RequestReader;
+using waybreaker::http::Problem;
+using waybreaker::http::Request;
+using waybreaker::http::RequestReader;
 
 struct Outcome {
     std::vector<std::string> requests;

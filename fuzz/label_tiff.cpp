@@ -1,4 +1,4 @@
-#include "geo/label_tiff.hpp"
+#include "geotiff/label_tiff.hpp"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     waybreaker::read_or_refuse(data, size, [](std::string_view bytes) {
-        const waybreaker::geo::LabelTiff tiff = waybreaker::geo::read_label_tiff(bytes, "input");
+        const waybreaker::geotiff::LabelTiff tiff = waybreaker::geotiff::read_label_tiff(bytes, "input");
         waybreaker::law(tiff.cell_size > 0);
         waybreaker::law(!tiff.origin ||
                         (!tiff.georeference && std::isfinite(tiff.origin->at(0)) && std::isfinite(tiff.origin->at(1))));

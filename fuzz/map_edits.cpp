@@ -1,4 +1,4 @@
-#include "server/map_edits.hpp"
+#include "service/map_edits.hpp"
 
 #include "laws.hpp"
 #include "mapfile/map_reader.hpp"
@@ -7,16 +7,16 @@
 // line.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace waybreaker;
-    static const server::StoredMap map{
+    static const service::StoredMap map{
         .file = mapfile::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map")};
     read_or_refuse(data, size, [](std::string_view bytes) {
-        const server::MapEdits edits = server::parse_map_edits(bytes, "input");
+        const service::MapEdits edits = service::parse_map_edits(bytes, "input");
         law(edits.block.size() + edits.free.size() <= bytes.size());
         try {
-            const Map drawn = server::edited_map(map, edits).file.map;
+            const Map drawn = service::edited_map(map, edits).file.map;
             law(drawn.width() == 5 && drawn.height() == 2);
-            for (const server::CellRun& run : edits.block) law(drawn.obstacle_at(run.first).value != 0);
-            for (const server::CellRun& run : edits.free) {
+            for (const service::CellRun& run : edits.block) law(drawn.obstacle_at(run.first).value != 0);
+            for (const service::CellRun& run : edits.free) {
                 if (edits.block.empty()) law(drawn.obstacle_at(run.first).value == 0);
             }
         } catch (const InputError& error) {

@@ -1,4 +1,4 @@
-#include "server/plan_request.hpp"
+#include "service/plan_request.hpp"
 
 #include "laws.hpp"
 #include "mapfile/map_reader.hpp"
@@ -8,10 +8,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace waybreaker;
     static const io::MapFile map = mapfile::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map");
     read_or_refuse(data, size, [](std::string_view bytes) {
-        const server::PlanRequest request = server::parse_plan_request(bytes, "input");
+        const service::PlanRequest request = service::parse_plan_request(bytes, "input");
         law(request.variants.size() <= bytes.size() && request.options.rules.protect.size() <= bytes.size());
         try {
-            const io::MissionDocument asked = server::document_of(request.mission, request.options, map);
+            const io::MissionDocument asked = service::document_of(request.mission, request.options, map);
             validate(map.map, asked.mission, asked.method, asked.limits);
         } catch (const InputError& error) {
             for (const char c : std::string_view(error.what())) law(static_cast<unsigned char>(c) >= ' ');

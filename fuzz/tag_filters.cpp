@@ -1,9 +1,9 @@
-#include "geo/obstacle_choice.hpp"
+#include "city/obstacle_choice.hpp"
 #include "laws.hpp"
 
 // Errors name the option where there is one; here it is the input.
-static std::vector<waybreaker::geo::TagFilter> parsed(std::string_view text) try {
-    return waybreaker::geo::parse_tag_filters(std::string(text));
+static std::vector<waybreaker::city::TagFilter> parsed(std::string_view text) try {
+    return waybreaker::city::parse_tag_filters(std::string(text));
 } catch (const waybreaker::InputError& error) {
     throw waybreaker::InputError("input", 0, error.what());
 }
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto filters = parsed(bytes);
         law(!filters.empty());
         std::string text;
-        for (const geo::TagFilter& filter : filters) {
+        for (const city::TagFilter& filter : filters) {
             law(!filter.key.empty());
             if (!text.empty()) text += ',';
             text += filter.text();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "geo/georeference.hpp"
+#include "geotiff/georeference.hpp"
 
 namespace waybreaker::mapfile {
 
@@ -50,12 +50,12 @@ std::map<std::string, std::size_t> protected_tags(const io::MapFile& file) {
 }
 
 std::array<double, 2> center(const io::MapFile& file) {
-    return geo::lon_lat_of(file.georeference)({(file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0});
+    return geotiff::lon_lat_of(file.georeference)({(file.map.width() - 1) / 2.0, (file.map.height() - 1) / 2.0});
 }
 
 std::string frame_crs(const io::MapFile& file) {
     const bool in_metres = file.georeference && file.georeference->transform[1] == file.cell_size;
-    return in_metres && !file.cell_size_given ? geo::crs_code(*file.georeference) : "";
+    return in_metres && !file.cell_size_given ? geotiff::crs_code(*file.georeference) : "";
 }
 
 std::string map_info_json(const io::MapFile& file) {
@@ -100,10 +100,10 @@ std::string map_info_json(const io::MapFile& file) {
     json["origin"] = file.origin ? Json(*file.origin) : Json();
     json["georeference"] = nullptr;
     if (file.georeference) {
-        const auto affine = geo::affine_to_lon_lat(*file.georeference, file.map.width(), file.map.height());
-        const auto box = geo::lon_lat_box(*file.georeference, file.map.width(), file.map.height());
-        json["georeference"] = {{"crs", geo::crs_name(*file.georeference)},
-                                {"crs_code", geo::crs_code(*file.georeference)},
+        const auto affine = geotiff::affine_to_lon_lat(*file.georeference, file.map.width(), file.map.height());
+        const auto box = geotiff::lon_lat_box(*file.georeference, file.map.width(), file.map.height());
+        json["georeference"] = {{"crs", geotiff::crs_name(*file.georeference)},
+                                {"crs_code", geotiff::crs_code(*file.georeference)},
                                 {"center", center(file)},
                                 {"bbox", box ? Json(*box) : Json()},
                                 {"to_lon_lat", affine ? Json(*affine) : Json()}};

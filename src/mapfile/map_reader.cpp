@@ -11,8 +11,8 @@
 #include "authors/xml_element.hpp"
 #include "core/byte_order_mark.hpp"
 #include "core/range.hpp"
-#include "geo/file_kind.hpp"
-#include "geo/label_tiff.hpp"
+#include "geotiff/file_kind.hpp"
+#include "geotiff/label_tiff.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/digest.hpp"
 #include "mapfile/grey_image.hpp"
@@ -65,7 +65,7 @@ void release(std::string& bytes) {
 
 io::MapFile read_tiff(std::string_view bytes, const std::string& path, Connectivity connectivity,
                       const MapLimits& limits) {
-    geo::LabelTiff tiff = geo::read_label_tiff(bytes, path, connectivity, limits);
+    geotiff::LabelTiff tiff = geotiff::read_label_tiff(bytes, path, connectivity, limits);
     std::vector<std::string> notes;
     if (tiff.mask)
         notes.emplace_back("it has one value beside 0 and no list of obstacles: all cells but those of 0 are blocked");
@@ -185,12 +185,12 @@ io::MapFile read_ros_map(std::string& text, const std::string& path, Connectivit
 
 // Detected from the first bytes, so that files of other kinds are not read to their end.
 void require_map(std::string_view head, const std::string& path) {
-    using enum geo::FileKind::Reader;
-    const std::optional<geo::FileKind> kind = geo::file_kind(head);
+    using enum geotiff::FileKind::Reader;
+    const std::optional<geotiff::FileKind> kind = geotiff::file_kind(head);
     if (kind && kind->reader == import) {
         throw InputError(path, 0, "is map data (" + kind->what + "): waybreaker import makes a map of it");
     }
-    if (kind && kind->reader != map) throw InputError(path, 0, geo::description(*kind));
+    if (kind && kind->reader != map) throw InputError(path, 0, geotiff::description(*kind));
     if (is_tiff(head) || is_png(head) || is_netpbm(head) || is_xml(head) || is_ros_yaml(head) ||
         without_byte_order_mark(head).starts_with(movingai_start)) {
         return;

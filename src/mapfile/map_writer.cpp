@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "authors/authors_xml_writer.hpp"
-#include "geo/georeference.hpp"
-#include "geo/label_tiff.hpp"
+#include "geotiff/georeference.hpp"
+#include "geotiff/label_tiff.hpp"
 #include "io/map_frame.hpp"
 #include "io/map_geojson.hpp"
 #include "mapfile/grey_image.hpp"
@@ -174,21 +174,21 @@ io::MapTask task_of(const io::MapFile& map) {
 std::string bytes_of(const io::MapFile& map, std::string_view extension) {
     const Grid& grid = map.map.grid();
     if (extension == ".map") return movingai_bytes(grid);
-    if (extension == ".geojson") return io::map_geojson(map, geo::lon_lat_of(map.georeference));
+    if (extension == ".geojson") return io::map_geojson(map, geotiff::lon_lat_of(map.georeference));
     if (extension == ".xml") return authors::authors_xml_text(grid, task_of(map));
     if (extension == ".png") return png_bytes(grid.width(), grid.height(), grey(grid, white));
     if (extension == ".pgm") return pgm_bytes(grid.width(), grid.height(), grey(grid, white));
-    return geo::label_tiff_bytes({.map = map.map,
-                                  .cell_size = map.cell_size,
-                                  .georeference = map.georeference,
-                                  .origin = map.origin,
-                                  .attribution = map.attribution,
-                                  .title = map.title,
-                                  .names = map.names,
-                                  .background = map.background,
-                                  .kinds = map.kinds,
-                                  .tags = tags_with_unknown(map),
-                                  .sections = map.sections});
+    return geotiff::label_tiff_bytes({.map = map.map,
+                                      .cell_size = map.cell_size,
+                                      .georeference = map.georeference,
+                                      .origin = map.origin,
+                                      .attribution = map.attribution,
+                                      .title = map.title,
+                                      .names = map.names,
+                                      .background = map.background,
+                                      .kinds = map.kinds,
+                                      .tags = tags_with_unknown(map),
+                                      .sections = map.sections});
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "ascii_map.hpp"
-#include "geo/georeference.hpp"
+#include "geotiff/georeference.hpp"
 #include "input_error.hpp"
 #include "mapfile/map_reader.hpp"
 #include "project_folder.hpp"
@@ -39,7 +39,8 @@ class PlanGeojson : public TemporaryFolder {
         GDALAllRegister();
         plan = MissionPlanner().plan(map.map, ground_and_air({256, 434}, {118, 55}));
         file.reset(GDALDataset::Open(
-            put("plan.geojson", plan_geojson(plan, map, geo::lon_lat_of(map.georeference))).c_str(), GDAL_OF_VECTOR));
+            put("plan.geojson", plan_geojson(plan, map, geotiff::lon_lat_of(map.georeference))).c_str(),
+            GDAL_OF_VECTOR));
     }
 
     // The features of a role, their shapes in the map's own coordinate system.
@@ -169,7 +170,7 @@ TEST_F(PlanGeojson, HasALineAlsoForWhoStays) {
     MapFile here{.map = Map::from_labels(3, 1, {0, 0, 0}), .georeference = map.georeference};
     const Plan stay = MissionPlanner().plan(here.map, ground_and_air({1, 0}, {1, 0}));
     ASSERT_EQ(stay.status, PlanStatus::solved);
-    const std::string path = put("stay.geojson", plan_geojson(stay, here, geo::lon_lat_of(here.georeference)));
+    const std::string path = put("stay.geojson", plan_geojson(stay, here, geotiff::lon_lat_of(here.georeference)));
     const GDALDatasetUniquePtr read(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
     ASSERT_TRUE(read);
     EXPECT_EQ(read->GetLayer(0)->GetFeatureCount(), 2);

@@ -2,7 +2,7 @@
 #include "mapfile/map_reader.hpp"
 
 #include "ascii_map.hpp"
-#include "geo/label_tiff.hpp"
+#include "geotiff/label_tiff.hpp"
 #include "input_error.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/digest.hpp"
@@ -44,8 +44,8 @@ TEST_F(MapFiles, OfTheAuthors) {
 }
 
 TEST_F(MapFiles, WithLabels) {
-    const geo::LabelTiff tiff{.map = Map::from_labels(3, 1, {7, 7, 0}), .cell_size = 2, .title = "Town"};
-    const std::string bytes = geo::label_tiff_bytes(tiff);
+    const geotiff::LabelTiff tiff{.map = Map::from_labels(3, 1, {7, 7, 0}), .cell_size = 2, .title = "Town"};
+    const std::string bytes = geotiff::label_tiff_bytes(tiff);
     const io::MapFile file = read_map_file(put("city.tif", bytes), Connectivity::eight);
     EXPECT_EQ(file.format, "GeoTIFF label map");
     EXPECT_EQ(file.digest, sha256_digest(bytes));
@@ -57,7 +57,7 @@ TEST_F(MapFiles, WithLabels) {
 
 TEST_F(MapFiles, ThatAreMasks) {
     // A label layer, for it says who its obstacle is; then the same cells with nothing said.
-    const std::string labels = geo::label_tiff_bytes({.map = Map::from_labels(3, 1, {7, 0, 7})});
+    const std::string labels = geotiff::label_tiff_bytes({.map = Map::from_labels(3, 1, {7, 0, 7})});
     EXPECT_EQ(read_map_file(put("labels.tif", labels)).map.obstacles().size(), 1U);
     std::string mask = labels;
     mask.replace(mask.find("WAYBREAKER_OBSTACLES"), 10, "SOMETHING_");
@@ -154,8 +154,8 @@ TEST_F(MapFiles, OfMapDataAreForImport) {
 }
 
 TEST_F(MapFiles, WithNeighboursThatGisRead) {
-    const geo::LabelTiff plain{.map = Map::from_labels(3, 1, {7, 0, 7})};
-    std::string bytes = geo::label_tiff_bytes(plain);
+    const geotiff::LabelTiff plain{.map = Map::from_labels(3, 1, {7, 0, 7})};
+    std::string bytes = geotiff::label_tiff_bytes(plain);
     const std::string city = put("city.tif", bytes);
     EXPECT_EQ(read_map_file(city).notes, std::vector<std::string>{});
     put("floor.png", png_bytes(2, 1, {9, 200}));

@@ -5,7 +5,7 @@
 #include <png.h>
 
 #include "ascii_map.hpp"
-#include "geo/city_import.hpp"
+#include "city/city_import.hpp"
 #include "input_error.hpp"
 #include "io/output_file.hpp"
 #include "io/shortest_text.hpp"
@@ -131,9 +131,9 @@ TEST_F(WrittenMaps, AreStillKnownByTheirNames) {
     const std::string ground = "does not hold streets, water and what else lies around the obstacles";
     EXPECT_EQ(write(city, "b.geojson").losses,
               (std::vector<std::string>{"a GeoJSON does not hold the size of a cell", "a GeoJSON " + ground}));
-    geo::ImportOptions all_of_it{.longitude = 13.383, .latitude = 52.5213};
+    city::ImportOptions all_of_it{.longitude = 13.383, .latitude = 52.5213};
     all_of_it.choice.obstacles = {{.key = "*"}};
-    const geo::LabelTiff imported = geo::import_city(path("b.geojson"), all_of_it).tiff;
+    const geotiff::LabelTiff imported = city::import_city(path("b.geojson"), all_of_it).tiff;
     EXPECT_TRUE(imported.map.grid() == city.map.grid());
     EXPECT_EQ(imported.names, city.names);
 

@@ -1,0 +1,116 @@
+#include "city/feature_tags.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "city/ground_rules.hpp"
+#include "geotiff/obstacle_names.hpp"
+
+namespace waybreaker::city {
+namespace {
+
+// The text in quotes at a position, which moves past them; empty if there is none.
+std::optional<std::string> take_quoted(std::string_view text, std::size_t& at) {
+    if (at >= text.size() || text[at] != '"') return std::nullopt;
+    std::string value;
+    for (++at; at < text.size() && text[at] != '"'; ++at) {
+        if (text[at] == '\\' && at + 1 < text.size()) ++at;
+        value += text[at];
+    }
+    ++at;
+    return value;
+}
+
+}  // namespace
+
+std::optional<std::string> hstore_value(std::string_view pairs, std::string_view key) {
+    const std::string start = fmt::format(R"("{}"=>")", key);
+    for (std::size_t at = pairs.find(start); at != std::string_view::npos; at = pairs.find(start, at + 1)) {
+        if (at > 0 && pairs[at - 1] != ',') continue;  // within a value
+        std::size_t quote = at + start.size() - 1;
+        return take_quoted(pairs, quote);
+    }
+    return std::nullopt;
+}
+
+FeatureTags::FeatureTags(OGRLayer& layer)
+    : definition_(*layer.GetLayerDefn()),
+      way_(definition_.GetFieldIndex("osm_way_id")),
+      osm_(definition_.GetFieldIndex("osm_id")),
+      other_(definition_.GetFieldIndex("other_tags")) {}
+
+bool FeatureTags::can_have(const std::string& key) const {
+    return other_ >= 0 || definition_.GetFieldIndex(key.c_str()) >= 0;
+}
+
+std::string FeatureTags::condition(const std::vector<TagFilter>& filters) const {
+    std::string text;
+    for (const TagFilter& filter : filters) {
+        if (filter.key == "*") return "";
+        if (!can_have(filter.key)) continue;
+        if (!text.empty()) text += " OR ";
+        const bool own = definition_.GetFieldIndex(filter.key.c_str()) >= 0;
+        text += own ? fmt::format("\"{}\" IS NOT NULL", filter.key)
+                    : fmt::format("other_tags LIKE '%\"{}\"=>%'", filter.key);
+    }
+    return text;
+}
+
+std::optional<std::string> FeatureTags::value(const OGRFeature& feature, const std::string& key) const {
+    const int own = definition_.GetFieldIndex(key.c_str());
+    if (own >= 0 && feature.IsFieldSetAndNotNull(own)) return feature.GetFieldAsString(own);
+    if (own >= 0 || other_ < 0 || !feature.IsFieldSetAndNotNull(other_)) return std::nullopt;
+    return hstore_value(feature.GetFieldAsString(other_), key);
+}
+
+bool FeatureTags::matches_any(const OGRFeature& feature, const std::vector<TagFilter>& filters) const {
+    return std::any_of(filters.begin(), filters.end(), [&](const TagFilter& filter) {
+        if (filter.key == "*") return true;
+        const std::optional<std::string> text = value(feature, filter.key);
+        return text && filter.accepts(*text);
+    });
+}
+
+std::optional<double> FeatureTags::number(const OGRFeature& feature, const std::string& key) const {
+    const std::optional<std::string> text = value(feature, key);
+    return text ? leading_number(*text) : std::nullopt;
+}
+
+TagSet FeatureTags::all(const OGRFeature& feature) const {
+    std::vector<std::pair<std::string, std::string>> tags;
+    for (int i = 0; i < definition_.GetFieldCount(); ++i) {
+        if (i == other_ || !feature.IsFieldSetAndNotNull(i)) continue;
+        tags.emplace_back(definition_.GetFieldDefn(i)->GetNameRef(), feature.GetFieldAsString(i));
+    }
+    const std::string_view pairs =
+        other_ >= 0 && feature.IsFieldSetAndNotNull(other_) ? feature.GetFieldAsString(other_) : "";
+    for (std::size_t at = 0; at < pairs.size(); ++at) {  // past the comma
+        std::optional<std::string> key = take_quoted(pairs, at);
+        at += 2;  // =>
+        std::optional<std::string> value = take_quoted(pairs, at);
+        if (!key || !value) break;
+        tags.emplace_back(std::move(*key), std::move(*value));
+    }
+    return TagSet(std::move(tags));
+}
+
+std::vector<std::string> FeatureTags::kept(const OGRFeature& feature) const {
+    std::vector<std::string> tags;
+    for (const std::string_view key : kept_keys) {
+        const std::optional<std::string> said = value(feature, std::string(key));
+        const std::string text = geotiff::clean_name(said.value_or("no"));
+        if (!text.empty() && !site::says_no(text)) tags.push_back(fmt::format("{}={}", key, text));
+    }
+    return tags;
+}
+
+// GDAL's OSM driver gives ways and relations a field each; elsewhere osm_id is what it is. Lines have ways alone.
+std::int64_t FeatureTags::source_id(const OGRFeature& feature) const {
+    if (way_ >= 0 && feature.IsFieldSetAndNotNull(way_)) return feature.GetFieldAsInteger64(way_);
+    if (osm_ < 0 || !feature.IsFieldSetAndNotNull(osm_)) return 0;
+    const std::int64_t id = feature.GetFieldAsInteger64(osm_);
+    return way_ >= 0 ? -id : id;
+}
+
+}  // namespace waybreaker::city

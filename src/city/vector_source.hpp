@@ -1,0 +1,76 @@
+// Vector data in any format GDAL reads, and the transformation from its coordinates to a window's.
+#pragma once
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geotiff/gdal_scope.hpp"
+#include "site/background.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::city {
+
+// A rectangle on the ground, its sides parallel to the axes of a projected coordinate system.
+struct Window {
+    OGRSpatialReference system;
+    OGREnvelope bounds;
+};
+
+InputError refusal(const std::string& source, const std::string& message);
+
+// Also of gzipped files, and of OpenStreetMap's XML that begins with long comments. Throws InputError if it cannot be
+// read.
+GDALDatasetUniquePtr open_source(const std::string& source);
+
+// Thrown for OpenStreetMap files that GDAL's fast index of nodes does not support: nodes are not sorted by id, or have
+// negative ids, as editors give new ones.
+class NodesOutOfOrder : public InputError {
+  public:
+    using InputError::InputError;
+};
+
+// While it exists, GDAL does not use that index on this thread.
+class AnyOrderOfNodes {
+  public:
+    AnyOrderOfNodes();
+    ~AnyOrderOfNodes();
+    AnyOrderOfNodes(const AnyOrderOfNodes&) = delete;
+    AnyOrderOfNodes& operator=(const AnyOrderOfNodes&) = delete;
+
+  private:
+    std::optional<std::string> former_;
+};
+
+// Throws NodesOutOfOrder or InputError if GDAL has failed while it read the source.
+void require_read(const geotiff::GdalScope& gdal, const std::string& source);
+
+bool is_area(OGRwkbGeometryType type);
+bool is_line(OGRwkbGeometryType type);
+// Empty if it is none of these, or any.
+std::optional<site::Background::Shape> shape_of(OGRwkbGeometryType type);
+
+// Throws InputError if the layer does not state it.
+const OGRSpatialReference& system_of(OGRLayer& layer, const std::string& source);
+
+using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
+
+// Between coordinates in (east, north) order, whatever order the system's authority prefers.
+Transformation transformation(OGRSpatialReference from, OGRSpatialReference to);
+
+// The smallest box that holds the transformed one; the full range of longitudes if it crosses the date line.
+std::optional<OGREnvelope> transformed(const OGREnvelope& box, const OGRSpatialReference& from,
+                                       const OGRSpatialReference& to);
+
+// The bounds of the window in the system of a layer. Throws InputError if there is no way between them.
+OGREnvelope bounds_in(const OGRSpatialReference& system, const Window& window, const std::string& source);
+
+// Throws InputError unless the box lies on the globe. Longitudes may go on past 180, as those of the Pacific do.
+void require_degrees(const OGREnvelope& box, const std::string& source);
+
+OGRPolygon rectangle(const OGREnvelope& bounds);
+
+}  // namespace waybreaker::city

@@ -1,0 +1,52 @@
+// GeoTIFF label maps: obstacle id per cell, 0 = free, with coordinate system. The format `waybreaker import` writes.
+//
+// What GDAL's tools keep is kept in its own places: coordinate system and cell size, the title as TIFF image
+// description, the attribution as TIFF copyright. What they have no place for, who each obstacle is
+// (obstacle_metadata.hpp, obstacle_names.hpp, kinds_item.hpp, tags_item.hpp), of what it is a part (sections_item.hpp)
+// and what lies around them (background_item.hpp), stands in metadata items, which gdal_translate copies too: see
+// docs/data.md.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "geotiff/georeference.hpp"
+#include "geotiff/obstacle_names.hpp"
+#include "map/map_size.hpp"
+#include "site/background.hpp"
+#include "site/obstacle_kinds.hpp"
+#include "site/obstacle_tags.hpp"
+#include "site/sections.hpp"
+#include "waybreaker/map.hpp"
+
+namespace waybreaker::geotiff {
+
+struct LabelTiff {
+    Map map;
+    double cell_size = 1;  // metres per cell
+    std::optional<site::Georeference> georeference = {};
+    // Without a coordinate system: the lower-left corner, in metres of the frame that a robot knows the map in.
+    std::optional<std::array<double, 2>> origin = {};
+    std::string attribution = {};    // of the source data; may be empty
+    std::string title = {};          // place and window, for captions; may be empty
+    site::ObstacleNames names = {};  // what people call the obstacles
+    site::Background background = {};
+    site::ObstacleKinds kinds = {};  // what the obstacles are
+    site::ObstacleTags tags = {};    // what the source says of them
+    site::Sections sections = {};    // what they are parts of, where they are cut
+    bool mask = false;               // the file says which cells are blocked, but not by which obstacle
+};
+
+// The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. Where all that
+// is not 0 has one value, and nothing says who the obstacles are, it is a mask: its obstacles are connected sets of
+// cells. `name` is what errors call it. Throws InputError (name and remedy) on anything that is not such a map,
+// or too large for the limits of grid.hpp.
+LabelTiff read_label_tiff(std::string_view bytes, const std::string& name,
+                          Connectivity connectivity = Connectivity::four, const MapLimits& limits = {});
+
+// The bytes of such a file. Small: compressed, labels in the least type of 16 or 32 bits.
+std::string label_tiff_bytes(const LabelTiff& tiff);
+
+}  // namespace waybreaker::geotiff

@@ -1,0 +1,51 @@
+// The documents that responses carry, made by the library and the writers of src/io and src/render.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "http/job_queue.hpp"
+#include "service/map_store.hpp"
+#include "service/plan_request.hpp"
+#include "service/planner_pool.hpp"
+#include "waybreaker/limits.hpp"
+
+namespace waybreaker::service {
+
+// A body and its media type.
+struct Document {
+    std::string type;
+    std::string body;
+};
+
+std::string maps_json(const std::vector<MapStore::Entry>& entries);
+// As `waybreaker map info --json`, with id and connectivity.
+std::string map_json(const std::string& id, const StoredMap& map);
+// The file name of a map: its id, with an extension.
+std::string file_name(const std::string& id, const StoredMap& map);
+
+// What a worker plans.
+struct Task {
+    SharedMap map;
+    PlanRequest request;
+    PlannerPool& planners;
+    double seconds = 30;  // upper limit, whatever the request says
+    std::function<void(const Progress&)> report = {};
+};
+
+// Each throws Problem if the mission does not fit the map.
+std::string plan_answer(const Task& task, const http::Worker& worker);
+std::string front_answer(const Task& task, const http::Worker& worker);
+std::string compare_answer(const Task& task, const http::Worker& worker);
+
+// `plan` is the text of a plan file. Both throw Problem if it cannot be read; export_answer also if the plan is not
+// valid for the map.
+std::string check_answer(const StoredMap& map, const std::string& plan);
+Document export_answer(const StoredMap& map, const std::string& plan, const std::string& format);
+
+// Whether export_answer supports the format.
+bool is_export_format(const std::string& format);
+std::string media_type_of(const std::string& format);
+
+}  // namespace waybreaker::service

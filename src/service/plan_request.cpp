@@ -1,0 +1,253 @@
+#include "service/plan_request.hpp"
+
+#include <algorithm>
+#include <climits>
+#include <set>
+
+#include "io/json_field.hpp"
+#include "io/option_words.hpp"
+#include "io/tagged_obstacles.hpp"
+#include "io/weights.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::service {
+namespace {
+
+using io::JsonField;
+
+constexpr int max_depth = 8;
+constexpr int most_removals = 32;
+constexpr std::size_t most_methods = 8;
+
+std::optional<Cell> cell_if(const std::optional<JsonField>& field) {
+    return field ? std::optional(io::read_cell(*field)) : std::nullopt;
+}
+
+double positive(const JsonField& field) {
+    const double value = field.number();
+    if (!(value > 0)) field.fail("is not above 0");
+    return value;
+}
+
+void set_truth(const JsonField& object, const char* key, bool& target) {
+    if (const auto field = object.find(key)) target = field->truth();
+}
+
+MissionRequest short_mission(const JsonField& field) {
+    field.allow({"start", "goal", "air_start", "air_goal", "ground_speed", "air_speed", "time_unit"});
+    MissionRequest result;
+    result.start = cell_if(field.find("start"));
+    result.goal = cell_if(field.find("goal"));
+    result.air_start = cell_if(field.find("air_start"));
+    result.air_goal = cell_if(field.find("air_goal"));
+    if (const auto speed = field.find("ground_speed")) result.ground_speed = positive(*speed);
+    if (const auto speed = field.find("air_speed")) result.air_speed = positive(*speed);
+    return result;
+}
+
+// Pairs [id, weight], or the word cells.
+void set_weights(const JsonField& field, OptionsRequest& result) {
+    result.weights.clear();
+    result.weights_of_cells = field.json() == "cells";
+    if (result.weights_of_cells) return;
+    std::set<ObstacleId> weighed;
+    for (const JsonField& pair : field.items()) {
+        const std::vector<JsonField> parts = pair.items();
+        if (parts.size() != 2) pair.fail("is not [obstacle, weight]");
+        result.weights.push_back({io::read_obstacle(parts[0]), positive(parts[1])});
+        if (!weighed.insert(result.weights.back().obstacle).second) parts[0].fail("has a weight already");
+    }
+}
+
+void set_paper(const JsonField& field, OptionsRequest& result) {
+    bool paper = false;
+    set_truth(field, "paper", paper);
+    if (!paper) return;
+    follow_paper(result.rules, result.method);
+    result.planner_given = true;
+}
+
+bool has_search_words(const Method& method) {
+    return method.heuristic || method.weight != 1 || method.tie_break != TieBreak::g_max;
+}
+
+// What `field` says, over what was there.
+OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
+    field.allow({"paper",
+                 "removals",
+                 "select",
+                 "flight",
+                 "timing",
+                 "objective",
+                 "breach_time",
+                 "breach_time_per_cell",
+                 "protect",
+                 "force",
+                 "budget",
+                 "budget_m2",
+                 "weights",
+                 "bound",
+                 "explain",
+                 "time_limit",
+                 "gap",
+                 "planner",
+                 "heuristic",
+                 "weight",
+                 "tie_break",
+                 "corners",
+                 "radius",
+                 "moves",
+                 "minimise_demolition"});
+    if (const auto removals = field.find("removals")) {
+        result.rules.removals = int(removals->whole_number(0, most_removals));
+        result.removals_given = true;
+    }
+    set_paper(field, result);
+    for (const char* const key : {"budget", "budget_m2"}) {
+        const auto budget = field.find(key);
+        if (!budget) continue;
+        positive(*budget);
+        result.budget_given = true;
+    }
+    if (const auto weights = field.find("weights")) set_weights(*weights, result);
+    if (const auto limit = field.find("time_limit")) result.limits.seconds = positive(*limit);
+    if (const auto gap = field.find("gap")) result.limits.gap = io::read_share(*gap);
+    io::read_rules(field, result.rules, result.area_budget, result.protect_tags);
+    io::read_method(field, result.method);
+    result.planner_given = result.planner_given || field.find("planner");
+    // What only a search from cell to cell knows asks for one; a mission file names its planner itself.
+    const bool asks = field.find("heuristic") || field.find("weight") || field.find("tie_break");
+    if (asks && !result.planner_given && has_search_words(result.method)) result.method.planner = Planner::theta;
+    if (const auto radius = field.find("radius")) result.radius = io::read_not_negative(*radius);
+    if (const auto corners = field.find("corners")) result.corners = corners->one_of(io::corner_words);
+    return result;
+}
+
+// A mission file inside a request, or as one.
+void set_document(const JsonField& field, PlanRequest& request) {
+    io::MissionDocument document = io::read_mission(field);
+    if (document.mission.rules.removals > most_removals) {
+        field["rules"]["removals"].fail("is above " + std::to_string(most_removals));
+    }
+    request.mission.agents = std::move(document.mission.agents);
+    request.options.rules = std::move(document.mission.rules);
+    request.options.removals_given = true;
+    request.options.area_budget = document.area_budget;
+    request.options.in_seconds = document.in_seconds;
+    request.options.protect_tags = std::move(document.protect_tags);
+    request.options.method = document.method;
+    request.options.limits = document.limits;
+}
+
+std::vector<Variant> variants(const JsonField& field, const OptionsRequest& common) {
+    const std::vector<JsonField> items = field.items();
+    if (items.empty()) field.fail("names no method; leave it out for the usual ones");
+    if (items.size() > most_methods) field.fail("has more than " + std::to_string(most_methods) + " methods");
+    std::vector<Variant> result;
+    for (const JsonField& item : items) {
+        item.allow({"name", "options"});
+        result.push_back({item["name"].text(), options(item["options"], common)});
+    }
+    return result;
+}
+
+std::vector<Agent> agents_of(const MissionRequest& request, const io::MapFile& map) {
+    if (!request.agents.empty()) return request.agents;
+    const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
+                              const std::string& member) {
+        if (given) return *given;
+        if (map.task) {
+            if (const std::optional<Cell> said = (*map.task).*in_file) return *said;
+        }
+        throw InputError("mission." + member + " is missing, and the map does not say it");
+    };
+    const Cell start = place(request.start, &io::MapTask::start, "start");
+    const Cell goal = place(request.goal, &io::MapTask::goal, "goal");
+    std::vector<Agent> agents = ground_and_air(start, goal).agents;
+    for (Agent& agent : agents) {
+        const bool flies = agent.kind == AgentKind::air;
+        agent.speed = flies ? request.air_speed : request.ground_speed;
+        if (!flies) continue;
+        agent.start = request.air_start.value_or(start);
+        agent.goal = request.air_goal.value_or(goal);
+    }
+    return agents;
+}
+
+}  // namespace
+
+PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) {
+    if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
+    const auto document = io::parse_json(bytes, name, max_depth);
+    const JsonField root(document);
+    PlanRequest request;
+    if (root.json().contains("format")) {
+        set_document(root, request);
+        return request;
+    }
+    root.allow({"mission", "options", "methods", "no_timing"});
+    if (const auto field = root.find("mission")) {
+        if (field->json().contains("format")) {
+            set_document(*field, request);
+        } else {
+            request.mission = short_mission(*field);
+            if (const auto unit = field->find("time_unit")) {
+                request.options.in_seconds = unit->one_of<bool>({{"s", true}});
+            }
+        }
+    }
+    if (const auto field = root.find("options")) request.options = options(*field, request.options);
+    if (const auto field = root.find("methods")) request.variants = variants(*field, request.options);
+    if (const auto field = root.find("no_timing")) request.timing_fields = !field->truth();
+    return request;
+}
+
+io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map) {
+    io::MissionDocument result{{agents_of(mission, map), options.rules},
+                               options.method,
+                               options.limits,
+                               options.area_budget,
+                               options.in_seconds};
+    Rules& rules = result.mission.rules;
+    io::protect_tagged(map, options.protect_tags, rules);
+    if (options.budget_given && !options.removals_given)
+        rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
+    waybreaker::Body body;
+    for (Agent& agent : result.mission.agents) {
+        if (agent.kind == AgentKind::air) continue;
+        agent.body.radius = options.radius.value_or(agent.body.radius);
+        agent.body.corners = options.corners.value_or(agent.body.corners);
+        body = agent.body;
+    }
+    Method& method = result.method;
+    const Planner planner = planner_of(method, body);
+    if (options.planner_given && method.planner == Planner::optimal && planner != Planner::optimal) {
+        throw InputError(
+            "the planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits");
+    }
+    method.planner = planner;
+    return result;
+}
+
+std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const io::MapFile& file) {
+    const bool weighed = request.weights_of_cells || !request.weights.empty();
+    if (request.area_budget && weighed) {
+        throw InputError("budget_m2 weighs obstacles by their area, which weights contradict");
+    }
+    if (request.area_budget) return io::area_weights(file);
+    if (!weighed) return std::nullopt;
+    const Map& map = file.map;
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles()) {
+        weights.push_back(request.weights_of_cells ? obstacle.cells : obstacle.weight);
+    }
+    for (const auto& [obstacle, weight] : request.weights) {
+        if (obstacle.value >= weights.size()) {
+            throw InputError("there is no obstacle " + std::to_string(obstacle.value) + " to weigh");
+        }
+        weights[obstacle.value] = weight;
+    }
+    return weights;
+}
+
+}  // namespace waybreaker::service

@@ -1,0 +1,89 @@
+// Map data for tests, drawn in the cells of a window.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "city/city_import.hpp"
+#include "city/import_window.hpp"
+
+namespace waybreaker::city {
+
+inline constexpr int town_side = 14;
+// 14 x 14 cells of 2 m.
+inline const ImportOptions town_window{
+    .longitude = 13.4, .latitude = 52.52, .size = 2 * town_side, .cell = 2, .section = 0};
+
+inline std::vector<Point> box(double west, double north, double east, double south) {
+    return {{west, north}, {east, north}, {east, south}, {west, south}};
+}
+
+// OpenStreetMap's XML, drawn in the cells of the window.
+class OsmDrawing {
+  public:
+    explicit OsmDrawing(const ImportOptions& window) : place_(import_window(window).georeference) {}
+
+    // Shared points of ways are one node each.
+    OsmDrawing& way(const std::string& tags, const std::vector<Point>& points) {
+        std::string refs;
+        for (const Point& point : points) refs += fmt::format("<nd ref='{}'/>", node(point));
+        ways_ += fmt::format("<way id='{}' version='1'>{}{}</way>\n", ++ids_, refs, tags_xml(tags));
+        return *this;
+    }
+    // The id of what was drawn last.
+    std::int64_t last() const { return ids_; }
+    // A multipolygon of ways by their ids, whether they are there or not.
+    OsmDrawing& relation(const std::string& tags, const std::vector<std::int64_t>& ways) {
+        std::string members;
+        for (const std::int64_t id : ways) members += fmt::format("<member type='way' ref='{}' role='outer'/>", id);
+        relations_ += fmt::format("<relation id='{}' version='1'>{}{}</relation>\n", ++ids_, members,
+                                  tags_xml("type=multipolygon|" + tags));
+        return *this;
+    }
+    OsmDrawing& area(const std::string& tags, std::vector<Point> ring) {
+        ring.push_back(ring.front());
+        return way(tags, ring);
+    }
+    OsmDrawing& point(const std::string& tags, const Point& point) {
+        const auto [longitude, latitude] = geotiff::ToLonLat(place_)(point.x, point.y);
+        nodes_ += fmt::format("<node id='{}' version='1' lon='{:.7f}' lat='{:.7f}'>{}</node>\n", ++ids_, longitude,
+                              latitude, tags_xml(tags));
+        return *this;
+    }
+
+    std::string xml() const { return "<osm version='0.6'>\n" + nodes_ + ways_ + relations_ + "</osm>\n"; }
+
+  private:
+    std::int64_t node(const Point& at) {
+        const auto known = known_.try_emplace({at.x, at.y}, ids_ + 1);
+        if (known.second) point("", at);
+        return known.first->second;
+    }
+    // "key=value|key=value"
+    static std::string tags_xml(const std::string& tags) {
+        std::string xml;
+        for (std::size_t begin = 0; begin < tags.size();) {
+            const std::size_t equals = tags.find('=', begin);
+            const std::size_t end = std::min(tags.find('|', begin), tags.size());
+            xml += fmt::format("<tag k='{}' v='{}'/>", tags.substr(begin, equals - begin),
+                               tags.substr(equals + 1, end - equals - 1));
+            begin = end + 1;
+        }
+        return xml;
+    }
+
+    site::Georeference place_;
+    std::int64_t ids_ = 0;
+    std::map<std::pair<double, double>, std::int64_t> known_;
+    std::string nodes_;
+    std::string ways_;
+    std::string relations_;
+};
+
+}  // namespace waybreaker::city

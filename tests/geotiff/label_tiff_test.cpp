@@ -1,0 +1,161 @@
+// Label maps survive their file format, and GDAL's own tools.
+#include "geotiff/label_tiff.hpp"
+
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "geotiff/written_tiff.hpp"
+
+namespace waybreaker::geotiff {
+namespace {
+
+TEST(LabelTiff, comes_back_whole) {
+    const LabelTiff written = small_map();
+    const LabelTiff read = read_label_tiff(label_tiff_bytes(written), "city.tif");
+    expect_same_obstacles(written.map, read.map);
+    EXPECT_EQ(read.cell_size, 2.4);
+    EXPECT_EQ(read.attribution, written.attribution);
+    EXPECT_EQ(read.title, written.title);
+    EXPECT_EQ(read.names, written.names);
+    EXPECT_EQ(read.kinds, written.kinds);
+    ASSERT_TRUE(read.georeference);
+    EXPECT_EQ(read.georeference->transform, written.georeference->transform);
+    EXPECT_EQ(crs_name(*read.georeference), "WGS 84 / UTM zone 33N");
+}
+
+TEST(LabelTiff, same_map_gives_same_bytes) {
+    EXPECT_EQ(label_tiff_bytes(small_map()), label_tiff_bytes(small_map()));
+}
+
+TEST(LabelTiff, keeps_the_cell_size_where_no_place_is_known) {
+    const LabelTiff read =
+        read_label_tiff(label_tiff_bytes({.map = Map::from_labels(2, 1, {0, 7}), .cell_size = 0.5}), "city.tif");
+    EXPECT_EQ(read.cell_size, 0.5);
+    EXPECT_FALSE(read.georeference);
+}
+
+TEST(LabelTiff, puts_cell_centres_on_the_ground) {
+    site::Georeference place = *small_map().georeference;
+    const auto [lon, lat] = ToLonLat(place)(4, 2);
+    OGRSpatialReference utm(place.crs.c_str());
+    OGRSpatialReference wgs84;
+    wgs84.SetWellKnownGeogCS("WGS84");
+    wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    std::unique_ptr<OGRCoordinateTransformation> to_utm(OGRCreateCoordinateTransformation(&wgs84, &utm));
+    double east = lon;
+    double north = lat;
+    ASSERT_TRUE(to_utm->Transform(1, &east, &north));
+    EXPECT_NEAR(east, 390000.25 + 4.5 * 2.4, 1e-3);
+    EXPECT_NEAR(north, 5820000.75 - 2.5 * 2.4, 1e-3);
+}
+
+RC_GTEST_PROP(LabelTiff, comes_back_whole_whatever_it_holds, ()) {
+    const int width = *rc::gen::inRange(1, 40);
+    const int height = *rc::gen::inRange(1, 40);
+    const std::size_t cells = std::size_t(width) * std::size_t(height);
+    // Large labels now and then: ids of the file do not depend on them.
+    const auto labels = *rc::gen::container<std::vector<std::uint32_t>>(
+        cells, rc::gen::element<std::uint32_t>(0, 0, 1, 2, 3, 70000, 4000000000));
+    std::vector<ObstacleAttributes> attributes(4);
+    for (ObstacleAttributes& obstacle : attributes) {
+        obstacle = {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<std::int64_t>()};
+    }
+    const LabelTiff written{.map = Map::from_labels(width, height, labels, attributes)};
+    expect_same_obstacles(written.map, read_label_tiff(label_tiff_bytes(written), "city.tif").map);
+}
+
+TEST(LabelTiff, holds_more_obstacles_than_16_bits) {
+    std::vector<std::uint32_t> labels(300 * 300);
+    for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = std::uint32_t(i);
+    const LabelTiff written{.map = Map::from_labels(300, 300, labels)};
+    const LabelTiff read = read_label_tiff(label_tiff_bytes(written), "city.tif");
+    EXPECT_EQ(read.map.obstacles().size(), 300U * 300U - 1);
+    expect_same_obstacles(written.map, read.map);
+}
+
+TEST(LabelTiff, survives_gdal_translate) {
+    const LabelTiff original = small_map();
+    const std::string bytes = label_tiff_bytes(original);
+    const std::vector<std::vector<const char*>> variants{
+        {},
+        {"-co", "TILED=YES", "-co", "COMPRESS=LZW"},
+        {"-ot", "Byte"},
+        {"-ot", "Int32", "-co", "BIGTIFF=YES"},
+        {"-ot", "UInt32", "-co", "ENDIANNESS=BIG", "-co", "COMPRESS=DEFLATE", "-co", "PREDICTOR=2"},
+        {"-of", "COG"},
+    };
+    for (const auto& arguments : variants) {
+        SCOPED_TRACE(arguments.empty() ? "plain" : arguments.back());
+        const LabelTiff read = read_label_tiff(translated(bytes, arguments), "city.tif");
+        expect_same_obstacles(original.map, read.map);
+        EXPECT_EQ(read.attribution, original.attribution);
+        EXPECT_EQ(read.title, original.title);
+        EXPECT_EQ(read.names, original.names);
+        EXPECT_EQ(read.kinds, original.kinds);
+        EXPECT_EQ(read.georeference->transform, original.georeference->transform);
+    }
+}
+
+TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
+    const std::string piece = translated(label_tiff_bytes(small_map()), {"-srcwin", "2", "0", "3", "3"});
+    const LabelTiff tiff = read_label_tiff(piece, "piece.tif");
+    const Map& map = tiff.map;
+    ASSERT_EQ(map.obstacles().size(), 2U);
+    EXPECT_EQ(map.obstacle(map.obstacle_at({0, 0})).source_id, -12345678901);
+    EXPECT_FALSE(map.obstacle(map.obstacle_at({0, 0})).destructible);
+    EXPECT_EQ(map.obstacle(map.obstacle_at({2, 2})).source_id, 0);
+    EXPECT_TRUE(map.obstacle(map.obstacle_at({2, 2})).destructible);
+    EXPECT_EQ(tiff.names, (site::ObstacleNames{"", "", "7"}));
+    EXPECT_EQ(tiff.kinds, (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
+    EXPECT_EQ(tiff.sections, (site::Sections{small_map().sections.structures, {{}, {}, {1}}}));
+}
+
+TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {
+    const auto named = [](const char* names) {
+        const std::string bytes = foreign_tiff(GDT_UInt32, 1, [names](GDALDataset& f) {
+            std::vector<std::int32_t> labels(32, 0);
+            labels[3] = 70000;
+            labels[4] = labels[9] = 5;
+            write_cells(f, labels);
+            f.SetMetadataItem("WAYBREAKER_NAMES", names);
+        });
+        return read_label_tiff(bytes, "city.tif").names;
+    };
+    EXPECT_EQ(named("5 Town hall\n6 Nobody\n70000  Café \t \x01"), (site::ObstacleNames{"", "Café", "Town hall"}));
+    EXPECT_EQ(named("5 First\n5 Second"), (site::ObstacleNames{"", "", "First"}));
+    EXPECT_EQ(named("6 Nobody\n5  "), site::ObstacleNames{});
+    EXPECT_EQ(named(""), site::ObstacleNames{});
+}
+
+TEST(LabelTiff, says_of_some_obstacles_what_they_are) {
+    const auto kinds = [](const char* text) {
+        const std::string bytes = foreign_tiff(GDT_UInt32, 1, [text](GDALDataset& f) {
+            std::vector<std::int32_t> labels(32, 0);
+            labels[3] = 70000;
+            labels[4] = labels[9] = 5;
+            write_cells(f, labels);
+            f.SetMetadataItem("WAYBREAKER_KINDS", text);
+        });
+        return read_label_tiff(bytes, "city.tif").kinds;
+    };
+    EXPECT_EQ(kinds("water 6 70000\nbarrier 5"), (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
+    EXPECT_EQ(kinds("swamp 70000\ncliff 5\n"), (site::ObstacleKinds{Kind::unknown, Kind::unknown, Kind::cliff}));
+    EXPECT_EQ(kinds("swamp 70000"), site::ObstacleKinds{});
+    EXPECT_EQ(kinds(""), site::ObstacleKinds{});
+}
+
+TEST(CleanName, is_one_line_of_whole_characters) {
+    EXPECT_EQ(clean_name(" a\r\nb\x1b[31m\x7f"), "a  b [31m");
+    EXPECT_EQ(clean_name("Stra\xdf"
+                         "e"),
+              "Stra?e");
+    EXPECT_EQ(clean_name("Caf\u202e\u00e9\u2066 \u05d0\u2028\u0085"), "Café א")
+        << "what turns the direction of writing";
+    EXPECT_EQ(clean_name("\u05d0\u200f 5, ‘é’ \u2027\u202f\u2065"), "\u05d0\u200f 5, ‘é’ \u2027\u202f\u2065");
+    EXPECT_EQ(clean_name(std::string(249, 'x') + "ß"), std::string(249, 'x'));
+    EXPECT_EQ(clean_name(std::string(248, 'x') + "ß"), std::string(248, 'x') + "ß");
+}
+
+}  // namespace
+}  // namespace waybreaker::geotiff
