@@ -31,10 +31,6 @@ export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">,
   return { metric, cell, time: metric ? "seconds" : "steps", seconds: pace ? secondsPerUnit(pace, cell) : 1 };
 }
 
-export function cellsPerUnit(speed: number, units: Units): number {
-  return speed / units.cell;
-}
-
 const space = "\u00a0"; // between a number and its unit, where no line may break
 
 // 16 min 15 s. From an hour on without seconds, unless it has to be `fine`.

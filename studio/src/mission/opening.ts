@@ -3,7 +3,7 @@ import type { Plan } from "../domain/plan";
 import { type Given, NotUnderstood, understood } from "./given";
 import { encodeLink, mapOfLink } from "./link";
 import { isUpload } from "./maps";
-import { type MissionQuery, namesLost, queryOfFile } from "./mission_file";
+import { queryOfFile } from "./mission_file";
 import { leftOutOfPlan, mapsOfPlan, missionOfPlan } from "./plan_mission";
 import type { Studio } from "./studio";
 
@@ -36,7 +36,7 @@ async function openMissionFile(studio: Studio, value: Record<string, unknown>): 
   const said = queryOfFile(value, studio.units.value.cell);
   if (!said) throw new NotUnderstood("Nobody drives in this mission: it has no ground agent.");
   await openMission(studio, said.query);
-  if (!studio.notice.value) say(studio, "", said);
+  if (!studio.notice.value) say(studio, "", said.leftOut);
 }
 
 async function openPlan(studio: Studio, plan: Plan): Promise<void> {
@@ -44,19 +44,16 @@ async function openPlan(studio: Studio, plan: Plan): Promise<void> {
   const [there, query] = asked(plan, new Set(studio.mapList.value.map((entry) => entry.id)));
   if (!(await studio.open(there, query, plan.map.digest)) || studio.notice.value) return;
   if (studio.shown.value?.base.description.digest === plan.map.digest) {
-    const lost = { leftOut: leftOutOfPlan(plan), names: namesLost(plan.agents) };
-    say(studio, "The mission of the plan is planned anew.", lost);
+    say(studio, "The mission of the plan is planned anew.", leftOutOfPlan(plan));
   } else {
     studio.notify("bad", `The plan was made on another state of “${there}”; its mission is planned on this one.`);
   }
 }
 
 // What is left out of a file stands until it is read: what is planned is not all that was asked.
-function say(studio: Studio, first: string, { leftOut, names }: Pick<MissionQuery, "leftOut" | "names">): void {
+function say(studio: Studio, first: string, leftOut: readonly string[]): void {
   const left = leftOut.length > 0 ? `Not all of the file is planned. Left out: ${leftOut.join("; ")}.` : "";
-  const quoted = names.map((name) => `“${name}”`).join(" and ");
-  const unnamed = quoted && `Only agents of a team keep their names: ${quoted} ${names.length > 1 ? "are" : "is"} left out.`;
-  const text = [first, left, unnamed].filter((part) => part !== "").join(" ");
+  const text = [first, left].filter((part) => part !== "").join(" ");
   if (text) studio.notify(left ? "bad" : "info", text);
 }
 

@@ -1,6 +1,6 @@
-// What the chosen agent of a team is called and can do.
+// What an agent is called and can do.
 import { useId } from "preact/hooks";
-import { type Agents, type Aircraft, vehiclesOf } from "../domain/agents";
+import { type Agents, type Aircraft, type Vehicle, vehiclesOf } from "../domain/agents";
 import type { Studio } from "../mission/studio";
 import { Name } from "./name";
 import { NumberField } from "./number_field";
@@ -15,11 +15,6 @@ interface Props {
 export function AgentFields({ studio, agents, index }: Props) {
   const agent = agents[index]!;
   const units = studio.units.value;
-  const number = (member: "speed" | "readyAt", value: number) => ({
-    value,
-    onInput: (given: number) => studio.changeAgent(index, { [member]: given }, `${member} ${index}`),
-    onDone: () => studio.endGesture(),
-  });
   const isLast = agent.kind === "ground" && vehiclesOf(agents).length === 1;
   return (
     <div class="fields">
@@ -29,17 +24,13 @@ export function AgentFields({ studio, agents, index }: Props) {
         unit={units.metric ? "m/s" : "cells/step"}
         min={0.01}
         max={1000}
-        {...number("speed", agent.speed)}
+        value={agent.speed}
+        onInput={(speed) => studio.changeAgent(index, { speed }, `speed ${index}`)}
+        onDone={() => studio.endGesture()}
       />
       {agent.kind === "ground" ? (
         <>
-          <NumberField
-            label="Leaves not before"
-            unit={units.metric ? "s" : "steps"}
-            min={0}
-            max={100_000}
-            {...number("readyAt", agent.readyAt)}
-          />
+          <LeavesNotBefore studio={studio} agents={agents} index={index} />
           <VehicleSize
             label="Width"
             radius={agent.radius}
@@ -48,7 +39,7 @@ export function AgentFields({ studio, agents, index }: Props) {
           />
         </>
       ) : (
-        <AircraftFields studio={studio} aircraft={agent} index={index} />
+        <OpensAtMost studio={studio} agents={agents} index={index} />
       )}
       <div class="agent-buttons">
         {agent.kind === "air" && (agent.start || agent.goal) && (
@@ -86,14 +77,29 @@ function NameField({ name, onChange }: { name: string; onChange: (name: string) 
   );
 }
 
-function AircraftFields({ studio, aircraft, index }: { studio: Studio; aircraft: Aircraft; index: number }) {
+export function LeavesNotBefore({ studio, agents, index, label = "Leaves not before" }: Props & { label?: string }) {
+  const { readyAt } = agents[index] as Vehicle;
+  return (
+    <NumberField
+      label={label}
+      unit={studio.units.value.metric ? "s" : "steps"}
+      min={0}
+      max={100_000}
+      value={readyAt}
+      onInput={(given) => studio.changeAgent(index, { readyAt: given }, `readyAt ${index}`)}
+      onDone={() => studio.endGesture()}
+    />
+  );
+}
+
+export function OpensAtMost({ studio, agents, index, label = "Opens at most" }: Props & { label?: string }) {
   const id = useId();
-  const { breaches } = aircraft;
+  const { breaches } = agents[index] as Aircraft;
   const counts = new Set([0, 1, 2, 3, 4, 5, 6, 7, 8, ...(breaches === null ? [] : [breaches])]);
   const set = (value: string) => studio.changeAgent(index, { breaches: value === "" ? null : Number(value) });
   return (
     <div class="number-field">
-      <label for={id}>Opens at most</label>
+      <label for={id}>{label}</label>
       <select
         id={id}
         value={breaches === null ? "" : String(breaches)}

@@ -1,8 +1,9 @@
 // How the mission is planned, and what the two agents can do.
 import { useId } from "preact/hooks";
-import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
+import { type Aircraft, ofPair, type Vehicle, vehiclesOf } from "../domain/agents";
 import type { Mission } from "../domain/mission";
 import type { Studio } from "../mission/studio";
+import { LeavesNotBefore, OpensAtMost } from "./agent_fields";
 import { Segmented } from "./controls";
 import { NumberField } from "./number_field";
 import { ProtectAll } from "./protect_all";
@@ -29,6 +30,7 @@ export function Settings({ studio }: { studio: Studio }) {
     onInput: (value: number) => studio.changeAgent(mission.agents.indexOf(agent), { speed: value }, `${agent.kind} speed`),
     onDone: () => studio.endGesture(),
   });
+  const fieldsOf = (agent: Vehicle | Aircraft) => ({ studio, agents: mission.agents, index: mission.agents.indexOf(agent) });
   return (
     <details class="section settings">
       <summary>
@@ -65,16 +67,17 @@ export function Settings({ studio }: { studio: Studio }) {
           {...time}
           {...number("breachTimePerCell", units.cell * units.cell)}
         />
-        {two ? (
+        {two && (
           <VehicleSize
             label="Ground robot’s width"
             radius={two.ground.radius}
             units={units}
             onChange={(radius) => studio.changeAgent(mission.agents.indexOf(two.ground), { radius })}
           />
-        ) : (
-          <TeamFields studio={studio} />
         )}
+        {two && <LeavesNotBefore label="Ground robot leaves not before" {...fieldsOf(two.ground)} />}
+        {two && <OpensAtMost label="Aircraft opens at most" {...fieldsOf(two.air)} />}
+        {vehiclesOf(mission.agents).length > 1 && <TeamFields studio={studio} />}
         <ProtectAll studio={studio} />
       </div>
       {two && <AircraftPlace studio={studio} aircraft={two.air} />}
@@ -82,7 +85,7 @@ export function Settings({ studio }: { studio: Studio }) {
   );
 }
 
-// What only a team needs to agree on.
+// What several vehicles need to agree on.
 function TeamFields({ studio }: { studio: Studio }) {
   const { separation, atGoal } = studio.mission.value!;
   const units = studio.units.value;

@@ -1,5 +1,4 @@
 // Waits in words: "waits for heli to open 2", "lets truck pass".
-import { isPair } from "../domain/agents";
 import type { CellMap } from "../domain/cell_map";
 import { plainName } from "../domain/plain_name";
 import type { Agent, Plan } from "../domain/plan";
@@ -23,7 +22,7 @@ export class Story {
   }
 
   nameOf({ id, kind }: Pick<Agent, "id" | "kind">): string {
-    return isPair(this.plan.agents) ? kind : nameOf(id, kind);
+    return nameOf(id, kind);
   }
 
   // What an agent that stands on its way at a time does.

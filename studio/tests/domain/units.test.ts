@@ -1,7 +1,6 @@
 import { describe, expect, it } from "vitest";
 import {
   area,
-  cellsPerUnit,
   clockTime,
   difference,
   duration,
@@ -34,11 +33,6 @@ describe("units", () => {
     expect(seconds(false, 1, 2)).toBe(1);
     expect(seconds(true, 1, 1)).toBe(1); // a cell a second
     expect(unitsOf({ cell_size: 1, georeference: null }, { inSeconds: false, speeds: [1, 1] })).toEqual(grid);
-  });
-
-  it("turn speeds into the service's", () => {
-    expect(cellsPerUnit(1, city)).toBeCloseTo(1 / 2.4);
-    expect(cellsPerUnit(3, grid)).toBe(3);
   });
 
   it.each([

@@ -34,7 +34,7 @@ it("opens what a link says, and says itself the same", async () => {
   expect(last()).toMatchObject({
     map: "yard.map",
     request: {
-      mission: { start: [0, 2], goal: [3, 0], ground_speed: 2 },
+      mission: { agents: [{ start: [0, 2], goal: [3, 0], speed: 2 }, { kind: "air" }] },
       options: { paper: true, protect: [1], removals: 1 },
     },
   });
@@ -156,10 +156,10 @@ it("takes a drag back as one step", async () => {
   const before = studio.mission.value!.agents[0]!;
   for (const x of [1, 2, 3]) studio.drag({ agent: 0, end: "start" }, [x, 0], x === 3);
   await settle();
-  expect(last().request.mission).toMatchObject({ start: [3, 0] });
+  expect(last().request.mission.agents[0]).toMatchObject({ start: [3, 0] });
   studio.undo();
   await settle();
-  expect(last().request.mission).toMatchObject({ start: before.start });
+  expect(last().request.mission.agents[0]).toMatchObject({ start: before.start });
   expect(studio.canUndo.value).toBe(false);
 });
 
@@ -182,9 +182,28 @@ it("plans for a team as soon as somebody joins, and for one and one again when t
   studio.removeAgent(1);
   await settle();
   expect(studio.mission.value!.agents).toEqual(pair);
-  expect(last().request.mission).toMatchObject({ start: pair[0]!.start });
+  expect(last().request.mission.agents).toMatchObject([{ start: pair[0]!.start }, { id: "air" }]);
   studio.undo();
   expect(studio.mission.value!.agents).toHaveLength(3);
+});
+
+it("keeps when the only vehicle leaves, what the only aircraft may open, and who has a name", async () => {
+  await studio.start("");
+  studio.changeAgent(0, { readyAt: 5 });
+  studio.changeAgent(1, { breaches: 1 });
+  await settle();
+  const said = [{ id: "ground", ready_at: 5 }, { id: "air", breaches: 1 }];
+  expect(last().request.mission.agents).toMatchObject(said);
+  expect(JSON.parse(studio.missionFile()!).agents).toMatchObject(said);
+  const query = studio.query();
+  studio.addAircraft();
+  studio.renameAgent(0, "truck");
+  studio.removeAgent(2);
+  await settle();
+  expect(last().request.mission.agents).toMatchObject([{ id: "truck", ready_at: 5 }, { id: "air", breaches: 1 }]);
+  await studio.open("city.map", query);
+  await settle();
+  expect(last().request.mission.agents).toMatchObject(said);
 });
 
 it("keeps the names of a team apart, and its last vehicle", async () => {

@@ -123,11 +123,11 @@ describe("a plan", () => {
 
   it("says what goes on", () => {
     const story = new Story(plan, mapOf("a.b.c..", "d.e.f..", "......g"));
-    expect(activityAt(story, 0.5)).toBe("ground moves, air moves, 0 of 2 removed");
-    expect(activityAt(story, 8)).toBe("ground waits for the aircraft to open 2, air opens 2, 1 of 2 removed");
-    expect(activityAt(story, 12)).toBe("ground moves, air has arrived, 2 of 2 removed");
+    expect(activityAt(story, 0.5)).toBe("A moves, B moves, 0 of 2 removed");
+    expect(activityAt(story, 8)).toBe("A waits for the aircraft to open 2, B opens 2, 1 of 2 removed");
+    expect(activityAt(story, 12)).toBe("A moves, B has arrived, 2 of 2 removed");
     expect(story.at(0.5)).toBeNull();
-    expect(story.at(8)).toBe("ground waits for the aircraft to open 2; air opens 2");
+    expect(story.at(8)).toBe("A waits for the aircraft to open 2; B opens 2");
   });
 
   it("says who waits for whom, and is brief where many do", () => {
