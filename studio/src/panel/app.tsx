@@ -106,7 +106,6 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
   });
   const plan = page.results.plans.value.after?.plan;
   const title = page.shown.value?.base.description.title;
-  const cells = page.shown.value?.map.cells;
   return (
     <section class="map-area" aria-label="Map">
       {studio && <Tools studio={studio} />}
@@ -119,8 +118,8 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
       </div>
       <ObstacleCard page={page} marked={() => view.current?.marked() ?? null} />
       <div class="timeline-box">
-        {plan && cells && plan.agents.length > 0 && (
-          <Timeline plan={plan} cells={cells} clock={page.clock} formatTime={(time) => duration(time, page.units.value, true)} />
+        {plan && plan.agents.length > 0 && (
+          <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value, true)} />
         )}
       </div>
     </section>
