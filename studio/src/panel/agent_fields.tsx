@@ -14,19 +14,19 @@ interface Props {
 
 export function AgentFields({ studio, agents, index }: Props) {
   const agent = agents[index]!;
-  const units = studio.units.value;
+  const units = studio.page.units.value;
   const isLast = agent.kind === "ground" && vehiclesOf(agents).length === 1;
   return (
     <div class="fields">
-      <NameField name={agent.id} onChange={(name) => studio.renameAgent(index, name)} />
+      <NameField name={agent.id} onChange={(name) => studio.editor.renameAgent(index, name)} />
       <NumberField
         label="Speed"
         unit={units.metric ? "m/s" : "cells/step"}
         min={0.01}
         max={1000}
         value={agent.speed}
-        onInput={(speed) => studio.changeAgent(index, { speed }, `speed ${index}`)}
-        onDone={() => studio.endGesture()}
+        onInput={(speed) => studio.editor.changeAgent(index, { speed }, `speed ${index}`)}
+        onDone={() => studio.editor.endGesture()}
       />
       {agent.kind === "ground" ? (
         <>
@@ -35,7 +35,7 @@ export function AgentFields({ studio, agents, index }: Props) {
             label="Width"
             radius={agent.radius}
             units={units}
-            onChange={(radius) => studio.changeAgent(index, { radius })}
+            onChange={(radius) => studio.editor.changeAgent(index, { radius })}
           />
         </>
       ) : (
@@ -43,7 +43,7 @@ export function AgentFields({ studio, agents, index }: Props) {
       )}
       <div class="agent-buttons">
         {agent.kind === "air" && (agent.start || agent.goal) && (
-          <button type="button" class="button" onClick={() => studio.bringAircraftBack(index)}>
+          <button type="button" class="button" onClick={() => studio.editor.bringAircraftBack(index)}>
             Put it to the first vehicle
           </button>
         )}
@@ -52,7 +52,7 @@ export function AgentFields({ studio, agents, index }: Props) {
           class="button"
           disabled={isLast}
           title={isLast ? "The last vehicle stays" : undefined}
-          onClick={() => studio.removeAgent(index)}
+          onClick={() => studio.editor.removeAgent(index)}
         >
           Remove <Name of={agent.id} />
         </button>
@@ -82,12 +82,12 @@ export function LeavesNotBefore({ studio, agents, index, label = "Leaves not bef
   return (
     <NumberField
       label={label}
-      unit={studio.units.value.metric ? "s" : "steps"}
+      unit={studio.page.units.value.metric ? "s" : "steps"}
       min={0}
       max={100_000}
       value={readyAt}
-      onInput={(given) => studio.changeAgent(index, { readyAt: given }, `readyAt ${index}`)}
-      onDone={() => studio.endGesture()}
+      onInput={(given) => studio.editor.changeAgent(index, { readyAt: given }, `readyAt ${index}`)}
+      onDone={() => studio.editor.endGesture()}
     />
   );
 }
@@ -96,7 +96,7 @@ export function OpensAtMost({ studio, agents, index, label = "Opens at most" }: 
   const id = useId();
   const { breaches } = agents[index] as Aircraft;
   const counts = new Set([0, 1, 2, 3, 4, 5, 6, 7, 8, ...(breaches === null ? [] : [breaches])]);
-  const set = (value: string) => studio.changeAgent(index, { breaches: value === "" ? null : Number(value) });
+  const set = (value: string) => studio.editor.changeAgent(index, { breaches: value === "" ? null : Number(value) });
   return (
     <div class="number-field">
       <label for={id}>{label}</label>

@@ -6,7 +6,7 @@ import { parseTagFilters } from "../domain/tag_filter";
 import { area, duration } from "../domain/units";
 import type { Marked } from "../map/map_view";
 import type { PageState } from "../mission/page_state";
-import { Studio } from "../mission/studio";
+import type { Studio } from "../mission/studio";
 import { bestCorner, type Corner } from "./card_place";
 import { IconButton } from "./controls";
 import { Icon } from "./icons";
@@ -17,10 +17,11 @@ import { OsmLink } from "./osm_link";
 
 interface CardProps {
   page: PageState;
+  studio: Studio | null;
   marked: () => Marked | null; // what it should not hide
 }
 
-export function ObstacleCard({ page, marked }: CardProps) {
+export function ObstacleCard({ page, studio, marked }: CardProps) {
   const id = page.selected.value;
   const shown = page.shown.value;
   const obstacle = id === null ? undefined : shown?.map.cells.obstacle(id);
@@ -60,13 +61,12 @@ export function ObstacleCard({ page, marked }: CardProps) {
           {removed.saves != null && removed.saves > 0 && <>; if it had to stay, {duration(removed.saves, units)} later</>}.
         </p>
       )}
-      {obstacle.destructible ? (
+      {!obstacle.destructible && <p>{whyItStays(obstacle)}</p>}
+      {obstacle.destructible && studio && (
         <>
-          <MarkButtons page={page} id={obstacle.id} name={name.text} large />
-          <ProtectWhole page={page} obstacle={obstacle} />
+          <MarkButtons studio={studio} id={obstacle.id} name={name.text} large />
+          <ProtectWhole studio={studio} obstacle={obstacle} />
         </>
-      ) : (
-        <p>{whyItStays(obstacle)}</p>
       )}
     </aside>
   );
@@ -80,13 +80,13 @@ function factsOf(obstacle: Obstacle): string[] {
 }
 
 // All sections of a building that has a name, and whatever else is called so.
-function ProtectWhole({ page, obstacle }: { page: PageState; obstacle: Obstacle }) {
-  if (!(page instanceof Studio) || page.ruleOf(obstacle.id)) return null;
+function ProtectWhole({ studio, obstacle }: { studio: Studio; obstacle: Obstacle }) {
+  if (studio.page.ruleOf(obstacle.id)) return null;
   const names = new Set((obstacle.structures ?? []).map((one) => one.name ?? ""));
   return (
     <>
       {[...names].filter(isOneFilter).map((name) => (
-        <button key={name} type="button" class="button" onClick={() => page.protectAll([{ key: "name", values: [name] }])}>
+        <button key={name} type="button" class="button" onClick={() => studio.editor.protectAll([{ key: "name", values: [name] }])}>
           <Icon name="protect" />
           <span>
             Protect all of <Name of={name} />
