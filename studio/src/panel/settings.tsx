@@ -75,7 +75,7 @@ export function Settings({ studio }: { studio: Studio }) {
             onChange={(radius) => studio.editor.changeAgent(mission.agents.indexOf(two.ground), { radius })}
           />
         )}
-        {two && <LeavesNotBefore label="Ground robot leaves not before" {...fieldsOf(two.ground)} />}
+        {two && <LeavesNotBefore label="Robot leaves not before" {...fieldsOf(two.ground)} />}
         {two && <OpensAtMost label="Aircraft opens at most" {...fieldsOf(two.air)} />}
         {vehiclesOf(mission.agents).length > 1 && <TeamFields studio={studio} />}
         <ProtectAll studio={studio} />
