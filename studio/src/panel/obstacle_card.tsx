@@ -1,7 +1,7 @@
 // What is known about the obstacle that was clicked, and what may be said about it.
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Obstacle, Structure } from "../domain/map";
-import { kindWord, usesOf, whatItIs, whyItStays } from "../domain/obstacle_words";
+import { factsOf, kindWord, whyItStays } from "../domain/obstacle_words";
 import { parseTagFilters } from "../domain/tag_filter";
 import { area, duration } from "../domain/units";
 import type { Marked } from "../map/map_view";
@@ -49,7 +49,7 @@ export function ObstacleCard({ page, studio, marked }: CardProps) {
         <IconButton icon="close" label="Close" onClick={() => (page.selected.value = null)} />
       </div>
       <p class="obstacle-facts">
-        {[...factsOf(obstacle), area(obstacle.cells, units)].join(", ")}
+        {[...factsOf(obstacle, name.text), area(obstacle.cells, units)].join(", ")}
         {!obstacle.structures && <OsmLink name={name} />}
       </p>
       {obstacle.structures && <Structures of={obstacle.structures} />}
@@ -72,12 +72,6 @@ export function ObstacleCard({ page, studio, marked }: CardProps) {
   );
 }
 
-// What it is, where the map says so.
-function factsOf(obstacle: Obstacle): string[] {
-  if (obstacle.kind === undefined || obstacle.kind === "unknown") return [];
-  const what = whatItIs(obstacle);
-  return [what.charAt(0).toUpperCase() + what.slice(1), ...(obstacle.destructible ? usesOf(obstacle) : [])];
-}
 
 // All sections of a building that has a name, and whatever else is called so.
 function ProtectWhole({ studio, obstacle }: { studio: Studio; obstacle: Obstacle }) {
@@ -106,15 +100,18 @@ const mostListed = 5;
 
 // Of what a section is a part: opening it leaves the rest.
 function Structures({ of }: { of: readonly Structure[] }) {
+  const isMixed = new Set(of.map(({ kind }) => kind)).size > 1; // or else the line above says what they all are
+  const told = of.filter((one) => isMixed || one.name || one.source_id);
+  if (told.length === 0) return null;
   return (
     <ul class="structures" aria-label="Part of">
-      {of.slice(0, mostListed).map((one, i) => (
+      {told.slice(0, mostListed).map((one, i) => (
         <li key={i}>
-          <Name of={one.name || kindWord(one.kind)} />
+          {(one.name || isMixed) && <Name of={one.name || kindWord(one.kind)} />}
           <OsmLink name={{ text: one.name ?? kindWord(one.kind), osm: osmPage(one.source_id ?? 0) }} />
         </li>
       ))}
-      {of.length > mostListed && <li>and {of.length - mostListed} more</li>}
+      {told.length > mostListed && <li>and {told.length - mostListed} more</li>}
     </ul>
   );
 }
