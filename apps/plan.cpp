@@ -142,10 +142,7 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     if (!context.method.explain) {  // for the page alone
         for (Breach& breach : plan.breaches) breach.saves.reset();
         plan.next.clear();
-        for (Itinerary& agent : plan.agents) {
-            agent.gain.reset();
-            agent.waits.clear();
-        }
+        for (Itinerary& agent : plan.agents) agent.gain.reset();
     }
     const io::MapFile& file = context.map;
     const render::PictureOptions picture =

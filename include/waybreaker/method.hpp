@@ -31,7 +31,7 @@ struct Method {
     TieBreak tie_break = TieBreak::g_max;
     bool diagonal = true;
     bool bound = false;    // prove a bound whatever the selection (`exact` always does)
-    bool explain = false;  // what each removal saves, which would come next, and who waits for what
+    bool explain = false;  // what each removal saves, which would come next, and what each ground agent gains
 };
 
 // The planner that drives the ground agent: the one asked for; Theta* in place of `optimal` where hits are to be

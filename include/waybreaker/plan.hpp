@@ -44,9 +44,9 @@ struct Itinerary {
     Cell start = {};
     Cell goal = {};
     // Of a ground agent, if asked for: how much earlier it is at its goal than if it were alone and nothing were
-    // removed, in units of time (below 0: later); empty where it has no way then. And where it waits, in order.
+    // removed, in units of time (below 0: later); empty where it has no way then.
     std::optional<double> gain = {};
-    std::vector<Wait> waits = {};
+    std::vector<Wait> waits = {};  // of a ground agent, in order
 };
 
 // An obstacle of the map that is gone from that time on. The opened map must have it removed.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "mission/waits.hpp"
-
 namespace waybreaker {
 namespace {
 
@@ -85,7 +83,7 @@ void explain_team(const Map& map, const Mission& mission, const Deadline& deadli
     }
 }
 
-void explain_agents(const Map& map, const Mission& mission, Plan& plan) {
+void explain_agents(const Mission& mission, Plan& plan) {
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Agent& agent = mission.agents[i];
         if (agent.kind == AgentKind::air) continue;
@@ -93,7 +91,6 @@ void explain_agents(const Map& map, const Mission& mission, Plan& plan) {
         if (!alone.length) continue;
         plan.agents[i].gain = agent.ready_at + *alone.length / agent.speed - plan.agents[i].path.back().t;
     }
-    add_waits(map, mission, plan);
 }
 
 }  // namespace waybreaker

@@ -18,8 +18,7 @@ void explain(const Task& task, const Searchers& searchers, Selector& selector, c
 void explain_team(const Map& map, const Mission& mission, const Deadline& deadline,
                   const std::function<Plan(const Mission&)>& planned, Plan& plan);
 
-// Fills in what each ground agent gains, and where and for what it waits. REQUIRES: the plan is solved, and its agents
-// are the mission's.
-void explain_agents(const Map& map, const Mission& mission, Plan& plan);
+// Fills in what each ground agent gains. REQUIRES: the plan is solved, and its agents are the mission's.
+void explain_agents(const Mission& mission, Plan& plan);
 
 }  // namespace waybreaker

@@ -14,6 +14,7 @@
 #include "mission/plan_status.hpp"
 #include "mission/team_demolition.hpp"
 #include "mission/team_plan.hpp"
+#include "mission/waits.hpp"
 #include "plan/idle.hpp"
 #include "plan/timeline.hpp"
 #include "select/bound.hpp"
@@ -133,7 +134,7 @@ Plan explained_team(const Map& map, const Mission& mission, const Method& method
             return plan_team(map, other, method, left, Fewer::tried, searcher, crossing);
         },
         plan);
-    explain_agents(map, mission, plan);
+    explain_agents(mission, plan);
     plan.seconds.total = total.seconds();
     return plan;
 }
@@ -152,13 +153,19 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
     return better;
 }
 
+Plan with_waits(const Map& map, const Mission& mission, Plan plan) {
+    if (plan.status == PlanStatus::solved) add_waits(map, mission, plan);
+    return plan;
+}
+
 }  // namespace
 
 Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
     const ActivePart active(mission);
     const AgentOrder order(active.mission());
-    return active.whole(map, order.restored(plan_active(map, order.mission(), method, limits)));
+    Plan plan = plan_active(map, order.mission(), method, limits);
+    return with_waits(map, mission, active.whole(map, order.restored(std::move(plan))));
 }
 
 Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
@@ -208,7 +215,7 @@ Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const M
         if (least) plan.least_demolition = least->least;
         if (method.explain) {
             explain(task, searchers, *selector, baseline, best, plan);
-            explain_agents(map, mission, plan);
+            explain_agents(mission, plan);
         }
     }
     const auto limited = [](const Candidate& candidate) { return candidate.opening.limited; };
@@ -236,7 +243,7 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
     const ActivePart active(mission);
     const AgentOrder order(active.mission());
     std::vector<Plan> plans = front_of_active(map, order.mission(), method, limits);
-    for (Plan& plan : plans) plan = active.whole(map, order.restored(std::move(plan)));
+    for (Plan& plan : plans) plan = with_waits(map, mission, active.whole(map, order.restored(std::move(plan))));
     return plans;
 }
 

@@ -265,7 +265,7 @@ std::vector<LegendEntry> legend(const Scene& scene) {
                                                                            {Style::barrier, "wall, fence, hedge"},
                                                                            {Style::fixed_obstacle, "not removable"},
                                                                            {Style::water, "water"},
-                                                                           {Style::cliff, "step of the ground"},
+                                                                           {Style::cliff, "cliff or ditch"},
                                                                            {Style::forbidden, "forbidden ground"}}};
     for (const auto& [style, name] : obstacles) {
         if (!scene.outline(style).empty()) entries.push_back({swatch(style), name});

@@ -46,6 +46,12 @@ for (const colorScheme of ["light", "dark"] as const) {
   });
 }
 
+it("has room for the table of what is removed at 320 px", async () => {
+  const { page } = await visit({ viewport: { width: 320, height: 640 } });
+  const wider = (table: Element) => table.scrollWidth - table.parentElement!.clientWidth;
+  expect(await page.locator(".removed-table").evaluate(wider)).toBeLessThanOrEqual(0);
+});
+
 // What is left of 1280 x 1024 when it is enlarged, and of a laptop's window.
 for (const [zoom, viewport] of [["400 %", { width: 320, height: 256 }], ["200 %", { width: 700, height: 430 }]] as const) {
   it(`has a map and all its buttons at ${zoom}`, async () => {

@@ -18,9 +18,9 @@ if (held) {
 } else {
   const token = new TabToken();
   const studio = new Studio(new Client(token));
-  render(<App page={studio} token={token} />, root);
+  render(<App page={studio.page} studio={studio} token={token} />, root);
   void missionIn(location, studio)
-    .then((query) => studio.start(query))
+    .then((query) => studio.maps.start(query))
     .then(() => keepAddress(studio));
   // A link put into the address of this very page changes its fragment alone.
   addEventListener("hashchange", async ({ newURL }) => {
@@ -34,7 +34,7 @@ async function missionIn(address: Place, studio: Studio): Promise<string> {
     return await missionAt(address);
   } catch (error) {
     const what = error instanceof TooLarge ? "is too large" : "is not complete: the mission in it cannot be read";
-    studio.notify("bad", `The link ${what}.`);
+    studio.page.notify("bad", `The link ${what}.`);
     return "";
   }
 }
@@ -43,7 +43,7 @@ async function missionIn(address: Place, studio: Studio): Promise<string> {
 function keepAddress(studio: Studio): void {
   let timer = 0;
   effect(() => {
-    if (studio.clock.playing.value) return;
+    if (studio.page.clock.playing.value) return;
     const query = studio.query();
     if (!query) return;
     clearTimeout(timer);

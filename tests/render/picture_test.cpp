@@ -134,7 +134,7 @@ TEST(Picture, TellsApartWhatTheGroundIs) {
     EXPECT_EQ(drawn("#a8885f", "m5 0h1v1h-1z"), 1U);
     EXPECT_EQ(drawn("#dcd4c8", "m6 0h1v1h-1z"), 1U);
     for (const char* entry :
-         {"water", "step of the ground", "forbidden ground", "not removable", "wall, fence, hedge", "obstacle"}) {
+         {"water", "cliff or ditch", "forbidden ground", "not removable", "wall, fence, hedge", "obstacle"}) {
         EXPECT_TRUE(says(picture, entry)) << entry;
     }
 }
@@ -146,8 +146,7 @@ TEST(Picture, HasALegendOfWhatIsThere) {
     world.plan.breaches.clear();
     const auto picture = parsed(svg_of(world));
     EXPECT_TRUE(says(picture, "obstacle"));
-    for (const char* entry :
-         {"water", "step of the ground", "forbidden ground", "not removable", "wall, fence, hedge"}) {
+    for (const char* entry : {"water", "cliff or ditch", "forbidden ground", "not removable", "wall, fence, hedge"}) {
         EXPECT_FALSE(says(picture, entry)) << entry;
     }
 }

@@ -1,6 +1,5 @@
 // The documents of the service besides maps and plans, as docs/server.md and its OpenAPI description have them.
 import type { AgentDocument } from "../domain/agent_document";
-import type { Cell } from "../domain/geometry";
 import type { AtGoal } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
 
@@ -11,23 +10,13 @@ export interface MapEntry {
 }
 
 export interface PlanRequest {
-  mission: PairMission | TeamMission;
+  mission: MissionDocument;
   options?: RequestOptions;
   methods?: { name: string; options: RequestOptions }[]; // for compare
 }
 
-export interface PairMission {
-  start: Cell;
-  goal: Cell;
-  air_start?: Cell;
-  air_goal?: Cell;
-  ground_speed?: number;
-  air_speed?: number;
-  time_unit?: "s"; // on maps with metres
-}
-
 // A mission file; what options say is not in its rules.
-export interface TeamMission {
+export interface MissionDocument {
   format: "waybreaker-mission/1";
   time_unit?: "s"; // on maps with metres
   agents: AgentDocument[];

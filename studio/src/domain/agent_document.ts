@@ -1,5 +1,5 @@
 // Agents as mission files, plan files and requests have them (docs/contract.md).
-import { type Agents, isPair, type MissionAgent, placeOf, usualAircraft, usualVehicle } from "./agents";
+import { type Agents, type MissionAgent, placeOf, usualAircraft, usualVehicle, vehiclesFirst } from "./agents";
 import type { Cell } from "./geometry";
 
 export interface AgentDocument {
@@ -16,13 +16,12 @@ export interface AgentDocument {
 
 // `cell`: how large one is, in the unit of the agents' speeds.
 export function agentDocuments(agents: Agents, cell: number): AgentDocument[] {
-  const isTeam = !isPair(agents);
   return agents.map((agent) => {
     const { id, kind } = agent;
     const [start, goal] = [placeOf(agents, agent, "start"), placeOf(agents, agent, "goal")];
     const common = { id, kind, start, goal, speed: agent.speed / cell };
-    if (agent.kind === "air") return { ...common, ...(isTeam && agent.breaches !== null && { breaches: agent.breaches }) };
-    return { ...common, radius: agent.radius, ...(isTeam && agent.readyAt > 0 && { ready_at: agent.readyAt }) };
+    if (agent.kind === "air") return { ...common, ...(agent.breaches !== null && { breaches: agent.breaches }) };
+    return { ...common, radius: agent.radius, ...(agent.readyAt > 0 && { ready_at: agent.readyAt }) };
   });
 }
 
@@ -36,7 +35,7 @@ export interface Scale {
 export function agentsOf(documents: readonly AgentDocument[], scale: Scale): Agents {
   const first = documents.find((agent) => agent.kind === "ground");
   const isApart = (place: Cell, other: Cell | undefined) => place.join() !== other?.join();
-  return documents.map((agent): MissionAgent => {
+  const agents = documents.map((agent): MissionAgent => {
     const { id, kind, start, goal } = agent;
     const speed = speedOf(agent, scale);
     if (kind === "ground") {
@@ -46,9 +45,10 @@ export function agentsOf(documents: readonly AgentDocument[], scale: Scale): Age
     const places = { start: isApart(start, first?.start) ? start : null, goal: isApart(goal, first?.goal) ? goal : null };
     return { kind, id, ...places, speed, breaches: agent.breaches ?? usualAircraft.breaches };
   });
+  return vehiclesFirst(agents);
 }
 
-export function speedOf({ speed = 1 }: Pick<AgentDocument, "speed">, { cell, seconds }: Scale): number {
+function speedOf({ speed = 1 }: Pick<AgentDocument, "speed">, { cell, seconds }: Scale): number {
   return scaled(speed, cell / seconds);
 }
 

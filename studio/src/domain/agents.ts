@@ -11,7 +11,7 @@ export interface Vehicle {
   goal: Cell;
   speed: number;
   radius: number; // cells
-  readyAt: number; // it stands at its start until then; of a team only
+  readyAt: number; // it stands at its start until then
 }
 
 // A place that is null is that of the first vehicle.
@@ -21,7 +21,7 @@ export interface Aircraft {
   start: Cell | null;
   goal: Cell | null;
   speed: number;
-  breaches: number | null; // how many obstacles it may breach; null: any number; of a team only
+  breaches: number | null; // how many obstacles it may breach; null: any number
 }
 
 export type MissionAgent = Vehicle | Aircraft;
@@ -38,9 +38,19 @@ export function pair(start: Cell, goal: Cell): Agents {
   ];
 }
 
-// Whether these are one vehicle and one aircraft, for which there are methods that teams do not have.
+// One vehicle and one aircraft: the mission of the paper, and of whoever has added nobody.
 export function isPair(agents: readonly { kind: MissionAgent["kind"] }[]): boolean {
   return agents.length === 2 && agents[0]!.kind !== agents[1]!.kind;
+}
+
+// The paper's method knows no others.
+export function hasPaperMethod(agents: Agents): boolean {
+  return isPair(agents);
+}
+
+// Whether aircraft open the way for one vehicle: then nobody gets in anybody's way, and plans are fast.
+export function drivesAlone(agents: Agents): boolean {
+  return vehiclesOf(agents).length === 1 && aircraftOf(agents).length > 0;
 }
 
 export function vehiclesOf(agents: Agents): Vehicle[] {
@@ -51,7 +61,7 @@ export function aircraftOf(agents: Agents): Aircraft[] {
   return agents.filter((agent) => agent.kind === "air");
 }
 
-// What is said of the only vehicle or aircraft of a pair.
+// The vehicle and the aircraft of a pair.
 export function ofPair(agents: Agents): { ground: Vehicle; air: Aircraft } | null {
   return isPair(agents) ? { ground: vehiclesOf(agents)[0]!, air: aircraftOf(agents)[0]! } : null;
 }
@@ -95,22 +105,21 @@ export function freshId(agents: Agents, kind: MissionAgent["kind"]): string {
   for (let i = 0; ; ++i) if (!taken.has(usualId(kind, i))) return usualId(kind, i);
 }
 
-// With one agent more, vehicles first: those of a pair get the names that they have in a team.
-export function joined(agents: Agents, one: MissionAgent): Agents {
-  const named = isPair(agents) ? agents.map((agent) => ({ ...agent, id: usualId(agent.kind, 0) })) : agents;
-  const all = [...named, { ...one, id: isPair(agents) ? freshId(named, one.kind) : one.id }];
-  return [...vehiclesOf(all), ...aircraftOf(all)];
+export function vehiclesFirst(agents: Agents): Agents {
+  return [...vehiclesOf(agents), ...aircraftOf(agents)];
 }
 
-// Without one: a pair that is left has no names, and nothing that only a team has.
+// With one agent more. Whoever is called by its kind gets a name that tells it from others.
+export function joined(agents: Agents, one: MissionAgent): Agents {
+  const named = agents.map((agent) => (agent.id === agent.kind ? { ...agent, id: freshId(agents, agent.kind) } : agent));
+  return vehiclesFirst([...named, { ...one, id: freshId(named, one.kind) }]);
+}
+
+// Without one. Those of a pair that is left are called by their kinds, unless somebody named them.
 export function left(agents: Agents, index: number): Agents {
   const rest = agents.filter((_, i) => i !== index);
-  const two = ofPair(rest);
-  if (!two) return rest;
-  return [
-    { ...two.ground, id: "ground", readyAt: 0 },
-    { ...two.air, id: "air", breaches: null },
-  ];
+  const usual = /^(air)?\d+$/;
+  return isPair(rest) ? rest.map((agent) => (usual.test(agent.id) ? { ...agent, id: agent.kind } : agent)) : rest;
 }
 
 // How many colours tell agents of one kind from each other; further ones use them again.

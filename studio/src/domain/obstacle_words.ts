@@ -7,7 +7,7 @@ const kinds: Record<Kind, string> = {
   building: "building",
   barrier: "wall or fence",
   water: "water",
-  cliff: "step of the ground",
+  cliff: "cliff or ditch",
   forbidden: "forbidden ground",
 };
 
@@ -31,7 +31,8 @@ function partsOf(structures: readonly Structure[]): string {
 }
 
 function pluralOf(kind: Kind): string {
-  return kind === "barrier" ? "walls or fences" : `${kindWord(kind)}s`;
+  const plurals: Partial<Record<Kind, string>> = { barrier: "walls or fences", cliff: "cliffs or ditches" };
+  return plurals[kind] ?? `${kindWord(kind)}s`;
 }
 
 // Values of building=* that say what it is for, and not only how it is built.
@@ -80,6 +81,15 @@ function valuesOf({ tags = [] }: Obstacle, key: string): string[] {
   return tags.filter((tag) => tag.startsWith(`${key}=`) && tag !== `${key}=no`).map((tag) => tag.slice(key.length + 1));
 }
 
+// What else is to be said of an obstacle than what it is called, where the map says so.
+export function factsOf(obstacle: Obstacle, called: string): string[] {
+  if (obstacle.kind === undefined || obstacle.kind === "unknown") return [];
+  const what = whatItIs(obstacle).replaceAll("_", " ");
+  const isCalledSo = called.replace(/ \d+$/, "").toLowerCase() === what.toLowerCase(); // as those without a name are
+  const uses = obstacle.destructible ? usesOf(obstacle).filter((use) => use !== what) : [];
+  return isCalledSo ? uses : [what.charAt(0).toUpperCase() + what.slice(1), ...uses];
+}
+
 // Why it has to stay; null if it can be removed.
 export function whyItStays(obstacle: Obstacle): string | null {
   if (obstacle.destructible) return null;
@@ -87,7 +97,7 @@ export function whyItStays(obstacle: Obstacle): string | null {
     case "water":
       return "Water: nothing that is opened leads across it.";
     case "cliff":
-      return "A step of the ground, such as a cliff, a retaining wall or a ditch: it cannot be removed.";
+      return "A cliff, a ditch, a city wall or a retaining wall: it cannot be removed.";
     case "forbidden":
       return "Forbidden ground, such as a motorway, a railway or private land: it cannot be opened.";
     default: {

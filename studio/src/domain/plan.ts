@@ -1,5 +1,5 @@
 // Plans as plan files have them.
-import type { Cell } from "./geometry";
+import type { Cell, Point } from "./geometry";
 import type { Pace } from "./units";
 
 export type Objective = "makespan" | "ground-makespan" | "flowtime";
@@ -91,7 +91,18 @@ export interface Agent {
   speed: number; // cells per unit of time
   start: Cell;
   goal: Cell;
+  waits?: ExplainedWait[]; // of a vehicle that waits anywhere
   path: TimedPoint[]; // two points in a row at the same place are a wait
+}
+
+// A part of a wait that has one reason.
+export interface ExplainedWait {
+  at: Point;
+  from: number;
+  until: number;
+  reason: "nothing" | "readiness" | "opening" | "agent";
+  obstacle?: number; // that is opened
+  agent?: string; // who opens it, or is let past
 }
 
 export interface Plan {

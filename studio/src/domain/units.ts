@@ -31,10 +31,6 @@ export function unitsOf(map: Pick<MapDescription, "cell_size" | "georeference">,
   return { metric, cell, time: metric ? "seconds" : "steps", seconds: pace ? secondsPerUnit(pace, cell) : 1 };
 }
 
-export function cellsPerUnit(speed: number, units: Units): number {
-  return speed / units.cell;
-}
-
 const space = "\u00a0"; // between a number and its unit, where no line may break
 
 // 16 min 15 s. From an hour on without seconds, unless it has to be `fine`.
@@ -78,14 +74,13 @@ export function difference(earlier: number, later: number, units: Units): string
   return shown > 1e-9 ? durationText(Number(shown.toFixed(2)), units, true) : duration(later - earlier, units);
 }
 
-// 16:15, for where there is little room.
+// 16:15, for where there is little room; rounded as `duration` is.
 export function clockTime(time: number, units: Units): string {
   if (time < 0) return `−${clockTime(-time, units)}`;
-  if (units.time === "steps") return decimals(time);
-  const exact = time * units.seconds;
-  if (exact < 59.5) return `${trimmed(exact, exact < 9.95 ? 1 : 0)}${space}s`;
-  const whole = Math.round(exact);
-  const [hours, minutes, seconds] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
+  const shown = shownTime(time, units, true);
+  if (units.time === "steps") return decimals(shown);
+  if (shown < 60) return `${trimmed(shown, 2)}${space}s`;
+  const [hours, minutes, seconds] = [Math.floor(shown / 3600), Math.floor(shown / 60) % 60, shown % 60];
   const two = (n: number) => String(n).padStart(2, "0");
   return hours > 0 ? `${hours}:${two(minutes)}:${two(seconds)}` : `${minutes}:${two(seconds)}`;
 }

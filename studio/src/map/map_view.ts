@@ -1,6 +1,6 @@
 // The map on a canvas: shows scenes, and reports user actions. Draws only when something has changed.
 import { cellOf, type Handle, handlesOf, isSameHandle } from "../domain/agents";
-import { type Box, type Cell, mapBox, type Point, type Size } from "../domain/geometry";
+import type { Box, Cell, Point, Size } from "../domain/geometry";
 import type { Obstacle } from "../domain/map";
 import type { Scene, SceneEvents } from "../domain/scene";
 import { duration, positionAt } from "../play/motion";
@@ -19,27 +19,12 @@ import { drawScaleBar } from "./layers/scale_bar";
 import { FeatureIndex } from "./tiles/ground_features";
 import { TileCache } from "./tiles/tile_cache";
 import { TilePainter } from "./tiles/tile_painter";
-import {
-  type Camera,
-  evenly,
-  fitted,
-  isSeen,
-  limited,
-  maxScale,
-  panned,
-  toMap,
-  toScreen,
-  visibleBox,
-  wholeMap,
-  zoomed,
-} from "./viewport/camera";
+import { toMap, toScreen } from "./viewport/camera";
 import type { Frame } from "./viewport/frame";
-import { Glide } from "./viewport/glide";
 import { Surface } from "./viewport/surface";
+import { Viewpoint } from "./viewport/viewpoint";
 
 const fadeShare = 0.05; // of the mission: how long an obstacle takes to vanish
-const closer = 2.5; // than all of the map: from where one follows
-const margin = 24; // pixels at the edge of the map: what is there is hardly seen
 const frameTime = 8; // milliseconds to draw in, tiles that are missing included
 
 export interface Marked {
@@ -50,6 +35,7 @@ export interface Marked {
 
 export class MapView implements GestureTarget {
   readonly #surface: Surface;
+  readonly #viewpoint: Viewpoint;
   readonly #gestures: Gestures;
   readonly #tiles = new TileCache();
   readonly #obstacles = new ObstacleLayer();
@@ -59,9 +45,6 @@ export class MapView implements GestureTarget {
 
   #scene: Scene | null = null;
   #ground: FeatureIndex | null = null;
-  #camera: Camera = { x: 0, y: 0, scale: 1 };
-  #untouched = true; // people have not moved the map: it stays fitted while the page takes shape
-  #glide: Glide | null = null;
   #dragged: { spot: Spot; cell: Cell; before: Cell } | null = null;
   #spotsKnown: { key: unknown[]; all: readonly Spot[] } | null = null;
   #focused: Handle | null = null;
@@ -72,10 +55,11 @@ export class MapView implements GestureTarget {
     private readonly events: SceneEvents,
   ) {
     this.#surface = new Surface(canvas, {
-      resized: () => this.#untouched && this.fit(),
+      resized: () => this.#viewpoint.refit(),
       themed: () => this.#newTiles(true),
       draw: (now, whole) => this.#draw(now, whole),
     });
+    this.#viewpoint = new Viewpoint(this.#surface);
     this.#gestures = new Gestures(canvas, this);
   }
 
@@ -88,23 +72,17 @@ export class MapView implements GestureTarget {
     if (scene.cells !== before?.cells || scene.background !== before?.background) {
       const edited = before !== null && samePlace(before, scene);
       this.#newTiles(edited);
-      if (!edited) this.#untouched = true;
-      if (!edited) this.fit();
+      this.#viewpoint.lookAt(scene.map, edited);
     } else if (scene.ruled !== before.ruled) {
       this.#newTiles(true);
     }
     if (scene.agents !== before?.agents) this.#keepFocusInView();
-    if (scene.followed) this.#follow(scene.followed, before?.followed == null);
+    if (scene.followed) this.#viewpoint.follow(scene.followed, before?.followed == null);
     this.#surface.ask();
   }
 
   fit(): void {
-    if (!this.#scene || this.#surface.view.width === 0) return;
-    const camera = wholeMap(this.#scene.map, this.#surface.view);
-    if (this.#untouched) this.#camera = camera;
-    else this.#glideTo(camera);
-    this.#untouched = true;
-    this.#surface.ask();
+    this.#viewpoint.fit();
   }
 
   zoom(factor: number, at?: Point): void {
@@ -113,31 +91,18 @@ export class MapView implements GestureTarget {
 
   // Shows a point, or an obstacle (its number): as near as it takes to see which one it is.
   centerOn(what: number | Point): void {
-    const scene = this.#scene;
-    if (!scene) return;
-    if (typeof what !== "number") {
-      this.#glideTo({ ...this.#camera, x: what[0], y: what[1] });
-      return;
-    }
-    const bounds = scene.cells.obstacle(what)?.bounds;
-    if (!bounds) return;
-    const { view } = this.#surface;
-    const whole = fitted(boxOf(bounds), view, evenly(Math.min(view.width, view.height) / 4));
-    this.#glideTo({ ...whole, scale: Math.min(whole.scale, Math.max(this.#camera.scale, 3)) });
+    if (typeof what !== "number") return this.#viewpoint.centerOn(what);
+    const bounds = this.#scene?.cells.obstacle(what)?.bounds;
+    if (bounds) this.#viewpoint.centerOnBox(boxOf(bounds));
   }
 
   // Moves the map to an obstacle (its number), or so that all points are seen, unless it is seen already.
   bringIntoView(what: number | readonly Point[]): void {
-    const scene = this.#scene;
-    const { view } = this.#surface;
-    const bounds = typeof what === "number" ? scene?.cells.obstacle(what)?.bounds : undefined;
+    const bounds = typeof what === "number" ? this.#scene?.cells.obstacle(what)?.bounds : undefined;
     const box = typeof what === "number" ? bounds && boxOf(bounds) : boxAround(what);
-    if (!scene || !box || view.width === 0) return;
-    const camera = this.#glide?.to ?? this.#camera;
-    if (isSeen(box, visibleBox(camera, view), margin / camera.scale)) return;
-    if (typeof what === "number") return this.centerOn(what);
-    const whole = fitted(box, view, evenly(Math.min(view.width, view.height) / 6));
-    this.#glideTo({ ...whole, scale: Math.min(whole.scale, camera.scale) });
+    if (!box || this.#viewpoint.sees(box)) return;
+    if (typeof what === "number") this.#viewpoint.centerOnBox(box);
+    else this.#viewpoint.showAll(box);
   }
 
   // The marker that has the keyboard's focus.
@@ -151,7 +116,6 @@ export class MapView implements GestureTarget {
   marked(): Marked | null {
     const scene = this.#scene;
     if (!scene) return null;
-    const camera = this.#glide?.to ?? this.#camera;
     const { view, bottom } = this.#surface;
     const bounds = scene.selected === null ? undefined : scene.cells.obstacle(scene.selected)?.bounds;
     const cells: Point[] = [
@@ -159,7 +123,7 @@ export class MapView implements GestureTarget {
       ...(scene.layers.at(-1)?.plan.removed ?? []).map(({ at }) => at),
       ...(bounds ? [[(bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2] as Point] : []),
     ];
-    return { points: cells.map((cell) => toScreen(camera, view, cell)), view, bottom };
+    return { points: cells.map((cell) => toScreen(this.#viewpoint.destination, view, cell)), view, bottom };
   }
 
   destroy(): void {
@@ -177,23 +141,18 @@ export class MapView implements GestureTarget {
     if (!spot) return "pan";
     const cell = cellOf(scene.agents, spot.handle);
     this.#dragged = { spot, cell, before: cell };
-    this.#untouched = false; // the map keeps still under the marker, whatever comes up around it
+    this.#viewpoint.hold(); // the map keeps still under the marker, whatever comes up around it
     this.#surface.cursor = "grabbing";
     this.#surface.ask();
     return "drag";
   }
 
   panBy(dx: number, dy: number): void {
-    this.#move((camera) => panned(camera, dx, dy));
+    this.#viewpoint.panBy(dx, dy);
   }
 
   zoomBy(factor: number, at: Point | null, gliding: boolean): void {
-    if (!this.#scene) return;
-    const middle: Point = [this.#surface.view.width / 2, this.#surface.view.height / 2];
-    const from = this.#glide?.to ?? this.#camera;
-    const to = zoomed(from, this.#surface.view, this.#scene.map, factor, at ?? middle);
-    if (gliding) this.#glideTo(to);
-    else this.#move((camera) => zoomed(camera, this.#surface.view, this.#scene!.map, factor, at ?? middle));
+    this.#viewpoint.zoomBy(factor, at, gliding);
   }
 
   point(at: Point | null): void {
@@ -233,7 +192,7 @@ export class MapView implements GestureTarget {
   drawTo(at: Point, done: boolean): void {
     const scene = this.#scene;
     if (!scene || scene.tool === "move") return;
-    this.#sketch.add(this.#toMap(at), this.#camera.scale);
+    this.#sketch.add(this.#toMap(at), this.#viewpoint.camera.scale);
     if (done) {
       const runs = this.#sketch.finish(scene.tool, scene.cells);
       if (runs.length > 0) this.events.draw(scene.tool, runs);
@@ -260,19 +219,6 @@ export class MapView implements GestureTarget {
     this.events.select(null, null);
   }
 
-  // Near enough to see where it drives when it begins, and then as little as keeps it away from the edge.
-  #follow(at: Point, begins: boolean): void {
-    const { view } = this.#surface;
-    if (view.width === 0 || (this.#glide && !begins)) return;
-    if (begins) {
-      const near = closer * fitted(mapBox(this.#scene!.map), view, evenly(0)).scale;
-      return this.#glideTo({ x: at[0], y: at[1], scale: Math.max(this.#camera.scale, Math.min(near, maxScale)) });
-    }
-    const [x, y] = toScreen(this.#camera, view, at);
-    const off = (place: number, size: number) => Math.min(0, place - size / 3) + Math.max(0, place - (2 * size) / 3);
-    this.#move((camera) => panned(camera, -off(x, view.width), -off(y, view.height)));
-  }
-
   #keepFocusInView(): void {
     const spot = this.#scene && this.#focused && this.#spots().find(({ handle }) => isSameHandle(handle, this.#focused));
     if (!spot) return;
@@ -282,7 +228,7 @@ export class MapView implements GestureTarget {
   }
 
   #toMap(at: Point): Point {
-    return toMap(this.#camera, this.#surface.view, at);
+    return toMap(this.#viewpoint.camera, this.#surface.view, at);
   }
 
   #obstacleAt(at: Point): number | null {
@@ -293,7 +239,7 @@ export class MapView implements GestureTarget {
   #spots(): readonly Spot[] {
     const { agents, chosen } = this.#scene!;
     const { context, view } = this.#surface;
-    const camera = this.#camera;
+    const camera = this.#viewpoint.camera;
     const key = [agents, chosen, camera, view.width, view.height];
     if (!this.#spotsKnown || key.some((part, i) => part !== this.#spotsKnown!.key[i])) {
       const all = spots(agents, (point) => toScreen(camera, view, point), {
@@ -303,23 +249,6 @@ export class MapView implements GestureTarget {
       this.#spotsKnown = { key, all };
     }
     return this.#spotsKnown.all;
-  }
-
-  #move(change: (camera: Camera) => Camera): void {
-    if (!this.#scene || this.#surface.view.width === 0) return;
-    this.#glide = null;
-    this.#untouched = false;
-    this.#camera = limited(change(this.#camera), this.#surface.view, this.#scene.map);
-    this.#surface.ask();
-  }
-
-  #glideTo(to: Camera): void {
-    if (!this.#scene || this.#surface.view.width === 0) return;
-    this.#untouched = false;
-    const kept = limited(to, this.#surface.view, this.#scene.map);
-    if (this.#surface.still) this.#camera = kept;
-    else this.#glide = new Glide(this.#camera, kept, performance.now());
-    this.#surface.ask();
   }
 
   #newTiles(keepOld: boolean): void {
@@ -334,10 +263,9 @@ export class MapView implements GestureTarget {
     const scene = this.#scene;
     if (!scene) return drawNothing(this.#surface);
     const until = whole ? Infinity : performance.now() + frameTime;
-    if (this.#glide) this.#camera = this.#glide.at(now);
-    if (this.#glide?.ends(now)) this.#glide = null;
+    this.#viewpoint.advance(now);
     const { context, view, pixelRatio, theme, still } = this.#surface;
-    const frame: Frame = { context, camera: this.#camera, view, pixelRatio, theme, now, still };
+    const frame: Frame = { context, camera: this.#viewpoint.camera, view, pixelRatio, theme, now, still };
     const top = scene.layers.at(-1);
     const fadeSpan = top ? Math.max(duration(top.plan) * fadeShare, 1e-9) : 1;
     drawGround(frame, scene, this.#tiles);
@@ -354,7 +282,7 @@ export class MapView implements GestureTarget {
     drawScaleBar(frame, scene.map);
     const moreTiles = this.#tiles.paintMissing(until);
     if (whole && (moreTiles || moreLabels)) return this.#draw(now, true);
-    if (moreTiles || moreLabels || this.#glide || (!still && pulses(scene))) this.#surface.ask();
+    if (moreTiles || moreLabels || this.#viewpoint.isGliding || (!still && pulses(scene))) this.#surface.ask();
   }
 }
 

@@ -26,52 +26,53 @@ import type { Tool } from "../domain/scene";
 import { filterText, ruledObstacles, type TagFilter } from "../domain/tag_filter";
 import { drawn } from "./edited";
 import { endGesture, type History, redo, step, undo } from "./history";
-import { PageState } from "./page_state";
+import type { PageState } from "./page_state";
 import { oneAircraftMore, oneVehicleMore } from "./placing";
 
-export abstract class Editor extends PageState {
-  readonly canUndo = computed(() => (this.history.value?.past.length ?? 0) > 0);
-  readonly canRedo = computed(() => (this.history.value?.future.length ?? 0) > 0);
+interface Around {
+  follow: () => Promise<void>; // brings what is shown up with the mission
+  travel: (how: (history: History<Mission>) => History<Mission>) => void; // goes to another step of the history
+}
+
+export class Editor {
+  readonly canUndo = computed(() => (this.page.history.value?.past.length ?? 0) > 0);
+  readonly canRedo = computed(() => (this.page.history.value?.future.length ?? 0) > 0);
   readonly tool = signal<Tool>("move");
 
-  // Brings what is shown up with the mission.
-  protected abstract follow(): Promise<void>;
-  // Goes to another step of the history.
-  protected abstract travel(how: (history: History<Mission>) => History<Mission>): void;
+  constructor(
+    private readonly page: PageState,
+    private readonly around: Around,
+  ) {}
 
   // A step that can be undone; steps of one gesture are undone together.
   change(how: (mission: Mission) => Mission, gesture: string | null = null): void {
-    const history = this.history.value;
+    const history = this.page.history.value;
     if (!history) return;
-    this.history.value = step(history, how(history.present), gesture);
-    void this.follow();
+    this.page.history.value = step(history, how(history.present), gesture);
+    void this.around.follow();
   }
 
   endGesture(): void {
-    if (this.history.value) this.history.value = endGesture(this.history.value);
+    if (this.page.history.value) this.page.history.value = endGesture(this.page.history.value);
   }
 
   undo(): void {
-    this.travel(undo);
+    this.around.travel(undo);
   }
 
   redo(): void {
-    this.travel(redo);
+    this.around.travel(redo);
   }
 
-  // After a plan was stopped.
-  planAgain(): void {
-    void this.follow();
-  }
-
-  override toggleLayer(layer: LayerName): void {
-    super.toggleLayer(layer);
-    void this.follow();
+  // A layer that is shown is planned as well.
+  toggleLayer(layer: LayerName): void {
+    this.page.toggleLayer(layer);
+    void this.around.follow();
   }
 
   // The map sees to it that the vehicles' markers stand on free cells.
   drag({ agent, end }: Handle, cell: Cell, done: boolean): void {
-    const old = this.mission.value?.agents[agent]?.[end];
+    const old = this.page.mission.value?.agents[agent]?.[end];
     if (old?.[0] !== cell[0] || old?.[1] !== cell[1]) this.changeAgent(agent, { [end]: cell }, `drag ${agent} ${end}`);
     if (done) this.endGesture();
   }
@@ -86,62 +87,62 @@ export abstract class Editor extends PageState {
 
   // Names are those of plans: no two are the same.
   renameAgent(agent: number, name: string): void {
-    const [id, agents] = [name.trim(), this.mission.value?.agents ?? []];
+    const [id, agents] = [name.trim(), this.page.mission.value?.agents ?? []];
     if (id === "" || id === agents[agent]?.id) return;
-    if (agents.some((one) => one.id === id)) return this.notify("bad", `Another agent is called “${id}”.`);
+    if (agents.some((one) => one.id === id)) return this.page.notify("bad", `Another agent is called “${id}”.`);
     this.changeAgent(agent, { id });
   }
 
   addVehicle(): void {
-    const [mission, shown] = [this.mission.value, this.shown.value];
+    const [mission, shown] = [this.page.mission.value, this.page.shown.value];
     if (!mission || !shown) return;
     const one = oneVehicleMore(mission.agents, shown.map.cells, mission.separation);
-    if (!one) return this.notify("bad", "There is no room for another vehicle beside the last one.");
+    if (!one) return this.page.notify("bad", "There is no room for another vehicle beside the last one.");
     this.#join(one);
   }
 
   addAircraft(): void {
-    const mission = this.mission.value;
+    const mission = this.page.mission.value;
     if (mission) this.#join(oneAircraftMore(mission.agents));
   }
 
   // The last vehicle stays: a mission is about somebody who drives.
   removeAgent(agent: number): void {
-    const agents = this.mission.value?.agents ?? [];
+    const agents = this.page.mission.value?.agents ?? [];
     if (agents[agent]?.kind === "ground" && vehiclesOf(agents).length === 1) return;
-    this.chosenAgent.value = null;
+    this.page.chosenAgent.value = null;
     this.change((mission) => ({ ...mission, agents: left(mission.agents, agent) }));
   }
 
   #join(one: MissionAgent): void {
-    const before = new Set(this.mission.value!.agents.map(({ id }) => id));
+    const before = new Set(this.page.mission.value!.agents.map(({ id }) => id));
     this.change((mission) => ({ ...mission, agents: joined(mission.agents, one) }));
-    const { agents } = this.mission.value!;
+    const { agents } = this.page.mission.value!;
     const isNew = ({ id, kind }: MissionAgent) => kind === one.kind && !before.has(id);
-    this.chooseAgent(isPair(agents) ? null : agents.findLastIndex(isNew));
+    this.page.chooseAgent(isPair(agents) ? null : agents.findLastIndex(isNew));
   }
 
   draw(tool: "wall" | "erase", runs: readonly Run[]): void {
-    const shown = this.shown.value;
+    const shown = this.page.shown.value;
     if (shown) this.change((mission) => drawn(mission, tool, runs, shown));
   }
 
   // `id` is an obstacle of the map shown. What has been drawn is not excluded but erased.
   mark(id: number, mark: Mark | null): void {
-    const shown = this.shown.value;
+    const shown = this.page.shown.value;
     if (!shown) return;
-    const key = this.keyOf(id);
+    const key = this.page.keyOf(id);
     if (key === 0) return;
-    const isDrawn = this.drawn.value.has(id);
+    const isDrawn = this.page.drawn.value.has(id);
     if (key < 0 && mark === "exclude") this.draw("erase", shown.map.cells.runsOf(id));
     else if (isDrawn && mark === "protect") this.markKey(key, null);
     else this.markKey(key, mark ?? (isDrawn ? "allow" : null));
-    if (mark === "exclude") this.selected.value = null;
+    if (mark === "exclude") this.page.selected.value = null;
   }
 
   // From now on what is protected stays, even if it was forced before.
   protectAll(rules: readonly TagFilter[]): void {
-    const { base } = this.shown.value!;
+    const { base } = this.page.shown.value!;
     const stays = ruledObstacles(rules, base.cells);
     this.change((mission) => {
       const had = new Set(mission.protectAll.map(filterText));
@@ -157,9 +158,9 @@ export abstract class Editor extends PageState {
   }
 
   markKey(key: number, mark: Choice | null): void {
-    const next = withMark(this.mission.value!, key, mark);
+    const next = withMark(this.page.mission.value!, key, mark);
     if (marked(next, "force").length > mostRemovals) {
-      return this.notify("bad", `No more than ${mostRemovals} obstacles can be removed.`);
+      return this.page.notify("bad", `No more than ${mostRemovals} obstacles can be removed.`);
     }
     this.change(() => withEnoughRemovals(next));
   }

@@ -30,20 +30,20 @@ const numbers = [
   ["price", "price", 0, 1e6],
 ] as const;
 
-// The same of the robot and the aircraft of a pair, which are the first and the second agent.
-const numbersOfPair = [
+// The same of the robot and the aircraft that a link need not name, which are the first and the second agent.
+const numbersOfTwo = [
   ["ground_speed", 0, "speed", 1e-3, 1e4],
   ["air_speed", 1, "speed", 1e-3, 1e4],
   ["radius", 0, "radius", 0, 100],
 ] as const;
 
 export function encodeLink(mission: Mission, width: number): string {
-  const query: [string, string][] = [["map", mission.map], ...placesOf(mission.agents)];
+  const query: [string, string][] = [["map", mission.map], ...agentsInQuery(mission.agents)];
   query.push(["removals", String(mission.removals)]);
   if (mission.method !== defaults.method) query.push(["method", mission.method]);
   if (mission.objective !== defaults.objective) query.push(["objective", mission.objective]);
   if (mission.atGoal !== defaults.atGoal) query.push(["at_goal", mission.atGoal]);
-  for (const [name, value, usual] of numbersIn(mission)) if (value !== usual) query.push([name, String(value)]);
+  for (const [name, member] of numbers) if (mission[member] !== defaults[member]) query.push([name, String(mission[member])]);
   for (const mark of marks) {
     const keys = [...mission.marks].filter(([, has]) => has === mark).map(([key]) => key);
     if (keys.length > 0) query.push([mark, keys.map((key) => markText(key, width)).join()]);
@@ -59,26 +59,29 @@ export function encodeLink(mission: Mission, width: number): string {
   return query.map(([name, value]) => `${name}=${escaped(value)}`).join("&");
 }
 
-function placesOf(agents: Agents): [string, string][] {
+// By name. A robot and an aircraft of which no more is said take the words that a person can read and change.
+export function agentsInQuery(agents: Agents): ReadonlyMap<string, string> {
   const two = ofPair(agents);
-  if (!two) {
+  if (!two || !isPlain(two)) {
     const { vehicles, aircraft } = encodeAgents(agents);
-    return aircraft ? [["vehicles", vehicles], ["aircraft", aircraft]] : [["vehicles", vehicles]];
+    return new Map([["vehicles", vehicles], ...(aircraft ? [["aircraft", aircraft] as const] : [])]);
   }
   const { ground, air } = two;
-  const cells = [["start", ground.start], ["goal", ground.goal], ["air_start", air.start], ["air_goal", air.goal]] as const;
-  return cells.flatMap(([name, cell]): [string, string][] => (cell ? [[name, cell.join()]] : []));
+  const said = [
+    ["start", ground.start, null],
+    ["goal", ground.goal, null],
+    ["air_start", air.start, usualAircraft.start],
+    ["air_goal", air.goal, usualAircraft.goal],
+    ["ground_speed", ground.speed, usualVehicle.speed],
+    ["air_speed", air.speed, usualAircraft.speed],
+    ["radius", ground.radius, usualVehicle.radius],
+  ] as const;
+  return new Map(said.flatMap(([name, value, usual]) => (value === usual ? [] : [[name, String(value)] as const])));
 }
 
-// With what they usually are.
-function numbersIn(mission: Mission): [name: string, value: number, usual: number][] {
-  const two = ofPair(mission.agents);
-  const speeds: [string, number, number][] = two
-    ? [["ground_speed", two.ground.speed, usualVehicle.speed], ["air_speed", two.air.speed, usualAircraft.speed]]
-    : [];
-  const radius: [string, number, number][] = two ? [["radius", two.ground.radius, usualVehicle.radius]] : [];
-  const others = numbers.map(([name, member]): [string, number, number] => [name, mission[member], defaults[member]]);
-  return [...speeds, ...others.slice(0, 2), ...radius, ...others.slice(2)];
+function isPlain({ ground, air }: NonNullable<ReturnType<typeof ofPair>>): boolean {
+  const areUnnamed = ground.id === ground.kind && air.id === air.kind;
+  return areUnnamed && ground.readyAt === usualVehicle.readyAt && air.breaches === usualAircraft.breaches;
 }
 
 export interface Decoded {
@@ -117,7 +120,7 @@ export function decodeLink(query: string, map: string, ends: Ends, width: number
       (agents) => (mission.agents = agents),
     );
   } else {
-    takePair(mission, take, width, height);
+    takeTwo(mission, take, width, height);
   }
   take(
     "at_goal",
@@ -169,7 +172,7 @@ export function decodeLink(query: string, map: string, ends: Ends, width: number
   return { mission, complaints };
 }
 
-function takePair(mission: Mission, take: Take, width: number, height: number): void {
+function takeTwo(mission: Mission, take: Take, width: number, height: number): void {
   const places = [["start", 0, "start"], ["goal", 0, "goal"], ["air_start", 1, "start"], ["air_goal", 1, "goal"]] as const;
   for (const [name, agent, end] of places) {
     take(
@@ -178,7 +181,7 @@ function takePair(mission: Mission, take: Take, width: number, height: number): 
       (cell) => (mission.agents = changed(mission.agents, agent, { [end]: cell })),
     );
   }
-  for (const [name, agent, member, least, most] of numbersOfPair) {
+  for (const [name, agent, member, least, most] of numbersOfTwo) {
     take(
       name,
       (text) => numberOf(text, least, most),

@@ -27,6 +27,10 @@ export interface LostMap {
   resume(id: string): void;
 }
 
+export function isMissing(error: unknown): boolean {
+  return error instanceof ServiceError && error.trouble === "missing";
+}
+
 // Whether a map was sent to the service. Its name is made of its bytes.
 export function isUpload(id: string): boolean {
   return id.startsWith("upload-");

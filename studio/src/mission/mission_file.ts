@@ -1,14 +1,13 @@
 // Mission files: waybreaker-mission/1 (docs/contract.md), as the command and the service read them. What only the page
 // knows, such as drawn walls, stands in `page`, which they pass by.
-import { type AgentDocument, agentDocuments, agentsOf, type Scale, scaled, speedOf } from "../domain/agent_document";
-import { isPair } from "../domain/agents";
+import { type AgentDocument, agentDocuments, agentsOf, scaled } from "../domain/agent_document";
+import { hasPaperMethod } from "../domain/agents";
 import { type Also, alsoNames, alsoOf, alsoText, methodWords } from "../domain/also";
 import { marked, type Method, type Mission, mostRemovals } from "../domain/mission";
 import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
 import { secondsPerUnit } from "../domain/units";
 import { holdsMission } from "./address";
-import { encodeAgents } from "./agent_code";
-import { encodeLink } from "./link";
+import { agentsInQuery, encodeLink } from "./link";
 
 const format = "waybreaker-mission/1";
 
@@ -26,7 +25,6 @@ interface MissionDocument {
 export interface MissionQuery {
   query: string;
   leftOut: string[]; // what the page has no words for
-  names: string[]; // that the page does not keep
 }
 
 // What the file needs to know of the map that the mission is on.
@@ -41,8 +39,7 @@ export interface MapOfMission {
 export function missionFile(mission: Mission, map: MapOfMission, removals: number): string {
   const { agents, method } = mission;
   const count = mission.removals === "auto" ? removals : mission.removals;
-  const isTeam = !isPair(agents);
-  const said: Also = { ...methodWords(isTeam ? "exact" : method, count), ...mission.also };
+  const said: Also = { ...methodWords(hasPaperMethod(agents) ? method : "exact", count), ...mission.also };
   const { corners } = said;
   const isCut = (agent: AgentDocument) => corners !== undefined && agent.kind === "ground";
   const ids = (mark: "protect" | "force") => marked(mission, mark).filter((key) => key > 0).sort((a, b) => a - b);
@@ -58,7 +55,8 @@ export function missionFile(mission: Mission, map: MapOfMission, removals: numbe
       breach_time_per_cell: mission.breachTimePerCell,
       ...only(said, alsoNames.rules),
       objective: mission.objective,
-      ...(isTeam && { separation: mission.separation, at_goal: mission.atGoal }),
+      separation: mission.separation,
+      at_goal: mission.atGoal,
     },
     method: only(said, alsoNames.method),
     page: pageOf(mission, map),
@@ -87,33 +85,30 @@ function only(said: Also, names: readonly string[]): Also {
 function pageOf(mission: Mission, { width, cell, file }: MapOfMission): Record<string, string | number> {
   const walls = new Map([...mission.marks].filter(([key, mark]) => key < 0 || mark === "exclude" || mark === "allow"));
   const link = new URLSearchParams(encodeLink({ ...mission, marks: walls }, width));
-  const pair = ["start", "goal", "air_start", "air_goal", "ground_speed", "air_speed", "radius"];
   const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal", "protect_all", "also"];
-  for (const name of [...pair, "vehicles", "aircraft", "method", ...rules]) link.delete(name);
+  for (const name of [...agentsInQuery(mission.agents).keys(), "method", ...rules]) link.delete(name);
   if (mission.removals !== "auto") link.delete("removals");
   return { ...Object.fromEntries(link), cell_size: cell, ...(file !== undefined && { file }) };
 }
 
 function queryOfDocument(document: MissionDocument, shown: number): MissionQuery | null {
   const { agents, rules = {}, method = {}, page = {} } = document;
-  const ground = agents.find((agent) => agent.kind === "ground");
-  const air = agents.find((agent) => agent.kind === "air");
-  if (!ground) return null;
+  if (!agents.some((agent) => agent.kind === "ground")) return null;
   const cell = typeof page.cell_size === "number" ? page.cell_size : shown;
   const pace = { inSeconds: document.time_unit === "s", speeds: agents.map((agent) => agent.speed) };
   const scale = { cell, seconds: secondsPerUnit(pace, cell) };
-  const isOfTwo = agents.length === 2 && air !== undefined;
+  const asked = agentsOf(agents, scale);
   const removals = Number(rules.removals ?? usualRemovals);
-  const how: Method = !isOfTwo || method.select !== "hits" ? "exact" : "paper";
+  const how: Method = method.select === "hits" && hasPaperMethod(asked) ? "paper" : "exact";
   const corners = cornersOf(agents);
   const query = new URLSearchParams({
-    ...(isOfTwo ? pairInQuery(ground, air, scale) : encodeAgents(agentsOf(agents, scale))),
+    ...Object.fromEntries(agentsInQuery(asked)),
     removals: String(Math.min(removals, mostRemovals)),
     method: how,
   });
   const also = alsoOf({ ...rules, ...method, ...(corners && { corners }) }, how, removals);
   if (Object.keys(also).length > 0) query.set("also", alsoText(also));
-  for (const name of ["objective", ...(isOfTwo ? [] : ["separation", "at_goal"])]) {
+  for (const name of ["objective", "separation", "at_goal"]) {
     if (rules[name] !== undefined) query.set(name, String(rules[name]));
   }
   for (const name of ["breach_time", "breach_time_per_cell"]) {
@@ -126,21 +121,7 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   }
   const all = textsIn(rules.protect);
   if (all.length > 0) query.set("protect_all", inOne(all));
-  return { query: query.toString(), leftOut: leftOut(document), names: namesLost(agents) };
-}
-
-function pairInQuery(ground: AgentDocument, air: AgentDocument, scale: Scale): Record<string, string> {
-  const query: Record<string, string> = {
-    start: ground.start.join(),
-    goal: ground.goal.join(),
-    ground_speed: String(speedOf(ground, scale)),
-    air_speed: String(speedOf(air, scale)),
-  };
-  if (ground.radius !== undefined) query.radius = String(ground.radius);
-  for (const place of ["start", "goal"] as const) {
-    if (air[place].join() !== ground[place].join()) query[`air_${place}`] = air[place].join();
-  }
-  return query;
+  return { query: query.toString(), leftOut: leftOut(document) };
 }
 
 function idsIn(obstacles: unknown): number[] {
@@ -174,23 +155,17 @@ const known = {
 // What the page has no words for, or the command refuses.
 export function leftOut({ agents, rules = {}, method = {} }: Pick<MissionDocument, "agents" | "rules" | "method">): string[] {
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
-  const isOfTwo = isPair(agents);
   const says = (name: "ready_at" | "breaches", kind: AgentDocument["kind"]) =>
-    agents.some((agent) => agent[name] !== undefined && (isOfTwo || agent.kind !== kind));
+    agents.some((agent) => agent[name] !== undefined && agent.kind === kind);
   const removals = Number(rules.removals ?? usualRemovals);
   return [
     ...of(rules, known.rules),
     ...of(method, known.method),
     ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),
-    ...(says("ready_at", "ground") ? ["ready_at, which the page has only for vehicles of a team"] : []),
-    ...(says("breaches", "air") ? ["breaches, which the page has only for aircraft of a team"] : []),
+    ...(says("ready_at", "air") ? ["ready_at, which only vehicles have"] : []),
+    ...(says("breaches", "ground") ? ["breaches, which only aircraft have"] : []),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];
-}
-
-// Only agents of a team have names on the page.
-export function namesLost(agents: readonly Pick<AgentDocument, "id" | "kind">[]): string[] {
-  return isPair(agents) ? agents.filter(({ id, kind }) => id !== kind).map(({ id }) => id) : [];
 }
 
 // As the page once wrote them: what a link says, a line each.
@@ -199,5 +174,5 @@ function queryOfFormerFile(value: Record<string, unknown>): MissionQuery | null 
     ([name, one]) => name !== "format" && ["string", "number"].includes(typeof one),
   );
   const query = new URLSearchParams(said.map(([name, one]) => [name, String(one)])).toString();
-  return holdsMission(query) ? { query, leftOut: [], names: [] } : null;
+  return holdsMission(query) ? { query, leftOut: [] } : null;
 }

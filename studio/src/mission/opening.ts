@@ -3,13 +3,13 @@ import type { Plan } from "../domain/plan";
 import { type Given, NotUnderstood, understood } from "./given";
 import { encodeLink, mapOfLink } from "./link";
 import { isUpload } from "./maps";
-import { type MissionQuery, namesLost, queryOfFile } from "./mission_file";
+import { queryOfFile } from "./mission_file";
 import { leftOutOfPlan, mapsOfPlan, missionOfPlan } from "./plan_mission";
 import type { Studio } from "./studio";
 
 export function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
   return take(studio, files, async (given) => {
-    if (given.kind === "map") await studio.upload(given.file);
+    if (given.kind === "map") await studio.maps.upload(given.file);
     else if (given.kind === "map data") await studio.importer.begin(given.file);
     else if (given.kind === "plan") await openPlan(studio, given.plan);
     else if (given.kind === "mission") await openMission(studio, given.query);
@@ -21,43 +21,40 @@ export function openFiles(studio: Studio, files: readonly File[]): Promise<void>
 export function restoreFrom(studio: Studio, files: readonly File[]): Promise<void> {
   return take(studio, files, async (given) => {
     if (given.kind !== "map") throw new NotUnderstood("This file is no map.");
-    await studio.restore(given.file);
+    await studio.maps.restore(given.file);
   });
 }
 
 // A mission of a link or a file.
 export async function openMission(studio: Studio, query: string): Promise<void> {
-  const id = mapOfLink(query) ?? studio.mission.value?.map;
-  studio.notice.value = null;
-  if (id !== undefined) await studio.open(id, query);
+  const id = mapOfLink(query) ?? studio.page.mission.value?.map;
+  studio.page.notice.value = null;
+  if (id !== undefined) await studio.maps.open(id, query);
 }
 
 async function openMissionFile(studio: Studio, value: Record<string, unknown>): Promise<void> {
-  const said = queryOfFile(value, studio.units.value.cell);
+  const said = queryOfFile(value, studio.page.units.value.cell);
   if (!said) throw new NotUnderstood("Nobody drives in this mission: it has no ground agent.");
   await openMission(studio, said.query);
-  if (!studio.notice.value) say(studio, "", said);
+  if (!studio.page.notice.value) say(studio, "", said.leftOut);
 }
 
 async function openPlan(studio: Studio, plan: Plan): Promise<void> {
-  await studio.refreshList();
-  const [there, query] = asked(plan, new Set(studio.mapList.value.map((entry) => entry.id)));
-  if (!(await studio.open(there, query, plan.map.digest)) || studio.notice.value) return;
-  if (studio.shown.value?.base.description.digest === plan.map.digest) {
-    const lost = { leftOut: leftOutOfPlan(plan), names: namesLost(plan.agents) };
-    say(studio, "The mission of the plan is planned anew.", lost);
+  await studio.maps.refreshList();
+  const [there, query] = asked(plan, new Set(studio.maps.list.value.map((entry) => entry.id)));
+  if (!(await studio.maps.open(there, query, plan.map.digest)) || studio.page.notice.value) return;
+  if (studio.page.shown.value?.base.description.digest === plan.map.digest) {
+    say(studio, "The mission of the plan is planned anew.", leftOutOfPlan(plan));
   } else {
-    studio.notify("bad", `The plan was made on another state of “${there}”; its mission is planned on this one.`);
+    studio.page.notify("bad", `The plan was made on another state of “${there}”; its mission is planned on this one.`);
   }
 }
 
 // What is left out of a file stands until it is read: what is planned is not all that was asked.
-function say(studio: Studio, first: string, { leftOut, names }: Pick<MissionQuery, "leftOut" | "names">): void {
+function say(studio: Studio, first: string, leftOut: readonly string[]): void {
   const left = leftOut.length > 0 ? `Not all of the file is planned. Left out: ${leftOut.join("; ")}.` : "";
-  const quoted = names.map((name) => `“${name}”`).join(" and ");
-  const unnamed = quoted && `Only agents of a team keep their names: ${quoted} ${names.length > 1 ? "are" : "is"} left out.`;
-  const text = [first, left, unnamed].filter((part) => part !== "").join(" ");
-  if (text) studio.notify(left ? "bad" : "info", text);
+  const text = [first, left].filter((part) => part !== "").join(" ");
+  if (text) studio.page.notify(left ? "bad" : "info", text);
 }
 
 // The map and the mission of a plan.
@@ -71,12 +68,12 @@ function asked(plan: Plan, there: ReadonlySet<string>): [map: string, query: str
 }
 
 async function take(studio: Studio, files: readonly File[], act: (given: Given) => Promise<void>): Promise<void> {
-  studio.notice.value = null;
+  studio.page.notice.value = null;
   try {
     await act(await understood(files));
   } catch (error) {
     const isSaid = error instanceof NotUnderstood;
-    studio.notify("bad", isSaid ? error.message : "The page fails on this file: please report it.");
+    studio.page.notify("bad", isSaid ? error.message : "The page fails on this file: please report it.");
     if (!isSaid) throw error;
   }
 }

@@ -1,5 +1,4 @@
-// What the page shows: a mission, its map and its plans. Enough for the viewer of a plan; the studio adds what can be
-// done about it.
+// What the page shows: a mission, its map and its plans. All that the viewer of a plan has; a studio can change it.
 import { computed, effect, signal, type Signal } from "@preact/signals";
 import { cellOf, looksOf } from "../domain/agents";
 import type { Point } from "../domain/geometry";
@@ -8,6 +7,7 @@ import { ruledObstacles, type TagFilter } from "../domain/tag_filter";
 import { type Pace, type Units, unitsOf } from "../domain/units";
 import type { Results } from "../planning/results";
 import { Clock } from "../play/clock";
+import { duration } from "../play/motion";
 import { drawnObstacles } from "./edited";
 import { type History, replace } from "./history";
 import type { ShownMap } from "./maps";
@@ -115,6 +115,17 @@ export class PageState {
     if (!chosen || !this.mission.value) return;
     const ends = (["start", "goal"] as const).map((end) => cellOf(this.mission.value!.agents, { agent: agent!, end }));
     this.sight.value = { what: ends };
+  }
+
+  // Where playback is to stand once there is a plan.
+  seekWhenPlanned(time: number): void {
+    const stop = effect(() => {
+      const plan = this.results.plans.value.after?.plan;
+      if (!plan) return;
+      this.clock.load(duration(plan));
+      this.clock.seek(time);
+      queueMicrotask(() => stop());
+    });
   }
 
   notify(tone: Notice["tone"], text: string, actions: Notice["actions"] = []): void {

@@ -1,9 +1,9 @@
 // The mission that a plan file answers, as far as the page can ask it.
 import { type AgentDocument, agentsOf, type Scale, scaled } from "../domain/agent_document";
-import { type Agents, ofPair, usualVehicle } from "../domain/agents";
+import { type Agents, hasPaperMethod } from "../domain/agents";
 import { alsoOf } from "../domain/also";
 import { defaults, type Mark, type Mission, mostRemovals } from "../domain/mission";
-import { paceOf, type Plan } from "../domain/plan";
+import { isTeam, paceOf, type Plan } from "../domain/plan";
 import { secondsPerUnit } from "../domain/units";
 import { isObject, leftOut } from "./mission_file";
 
@@ -29,7 +29,7 @@ export function missionOfPlan(plan: Plan, map: string): Mission | null {
   if (!agents) return null;
   const { options } = plan;
   const rules = plan.mission?.rules ?? {};
-  const method = options.select === "hits" && ofPair(agents) ? "paper" : "exact";
+  const method = options.select === "hits" && hasPaperMethod(agents) ? "paper" : "exact";
   const marks = (ids: number[] | undefined, mark: Mark) => (ids ?? []).map((id): [number, Mark] => [id, mark]);
   return {
     ...defaults,
@@ -60,18 +60,12 @@ export function leftOutOfPlan({ agents, options, mission }: Plan): string[] {
   return leftOut({ agents: known, rules: { removals: options.removals ?? defaults.removals } });
 }
 
-// Of a pair what the options say, of a team what its mission says.
-function agentsOfPlan({ agents, options, mission }: Plan, scale: Scale): Agents | null {
+// What the options say of the only vehicle counts more than what the mission does.
+function agentsOfPlan(plan: Plan, scale: Scale): Agents | null {
+  const { agents, options, mission } = plan;
   if (!agents.some((agent) => agent.kind === "ground")) return null;
   const said = (mission?.agents ?? []) as Partial<AgentDocument>[];
-  const known = agentsOf(
-    agents.map(({ id, kind, start, goal, speed }, i) => ({ ...said[i], id, kind, start, goal, speed })),
-    scale,
-  );
-  const two = ofPair(known);
-  if (!two) return known;
-  return [
-    { ...two.ground, id: "ground", radius: options.radius ?? usualVehicle.radius, readyAt: 0 },
-    { ...two.air, id: "air", breaches: null },
-  ];
+  const stated = !isTeam(plan) && options.radius !== undefined ? { radius: options.radius } : {};
+  const whole = agents.map(({ id, kind, start, goal, speed }, i) => ({ ...said[i], ...stated, id, kind, start, goal, speed }));
+  return agentsOf(whole, scale);
 }

@@ -41,7 +41,7 @@ export function sceneOf(page: PageState, studio: Studio | null): Scene | null {
     old: page.old.value,
     time: page.clock.time.value,
     followed: followed(page),
-    tool: studio?.tool.value ?? "move",
+    tool: studio?.editor.tool.value ?? "move",
     editable: studio !== null,
     formatTime: (time) => duration(time, units, true),
   };

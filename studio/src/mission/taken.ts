@@ -8,10 +8,10 @@ import { saveAs } from "./save_as";
 import type { Studio } from "./studio";
 
 export async function downloadPlan(studio: Studio, format: ExportFormat): Promise<void> {
-  const plan = studio.results.plans.value.after?.plan;
-  const map = studio.shown.value?.map.description;
+  const plan = studio.page.results.plans.value.after?.plan;
+  const map = studio.page.shown.value?.map.description;
   if (!plan || !map) return;
-  const given = format === "html" ? withCurve(plan, studio.results) : plan;
+  const given = format === "html" ? withCurve(plan, studio.page.results) : plan;
   await save(studio, async () => ({
     bytes: await studio.client.exported(map.id, given, format),
     name: `plan.${format}`,
@@ -26,7 +26,7 @@ function withCurve(plan: Plan, { front, answered }: Results): Plan {
 }
 
 export async function downloadMap(studio: Studio): Promise<void> {
-  const map = studio.shown.value?.map.description;
+  const map = studio.page.shown.value?.map.description;
   if (map) await save(studio, () => studio.client.file(map.id));
 }
 
@@ -41,7 +41,7 @@ export async function copyLink(studio: Studio): Promise<void> {
     const file = { label: "Save the mission as a file", act: () => downloadMission(studio) };
     const anyway = { label: "Copy it all the same", act: () => void copy(studio, address) };
     const letters = `${Math.round(address.length / 1000)} 000 letters`;
-    return studio.notify("info", `The link has ${letters}, more than many programs take.`, [file, anyway]);
+    return studio.page.notify("info", `The link has ${letters}, more than many programs take.`, [file, anyway]);
   }
   await copy(studio, address);
 }
@@ -49,9 +49,9 @@ export async function copyLink(studio: Studio): Promise<void> {
 async function copy(studio: Studio, address: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(address);
-    studio.notify("info", "The link to this mission is in the clipboard.");
+    studio.page.notify("info", "The link to this mission is in the clipboard.");
   } catch {
-    studio.notify("info", `The link to this mission: ${address}`);
+    studio.page.notify("info", `The link to this mission: ${address}`);
   }
 }
 

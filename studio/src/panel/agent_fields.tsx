@@ -1,6 +1,6 @@
-// What the chosen agent of a team is called and can do.
+// What an agent is called and can do.
 import { useId } from "preact/hooks";
-import { type Agents, type Aircraft, vehiclesOf } from "../domain/agents";
+import { type Agents, type Aircraft, type Vehicle, vehiclesOf } from "../domain/agents";
 import type { Studio } from "../mission/studio";
 import { Name } from "./name";
 import { NumberField } from "./number_field";
@@ -14,45 +14,36 @@ interface Props {
 
 export function AgentFields({ studio, agents, index }: Props) {
   const agent = agents[index]!;
-  const units = studio.units.value;
-  const number = (member: "speed" | "readyAt", value: number) => ({
-    value,
-    onInput: (given: number) => studio.changeAgent(index, { [member]: given }, `${member} ${index}`),
-    onDone: () => studio.endGesture(),
-  });
+  const units = studio.page.units.value;
   const isLast = agent.kind === "ground" && vehiclesOf(agents).length === 1;
   return (
     <div class="fields">
-      <NameField name={agent.id} onChange={(name) => studio.renameAgent(index, name)} />
+      <NameField name={agent.id} onChange={(name) => studio.editor.renameAgent(index, name)} />
       <NumberField
         label="Speed"
         unit={units.metric ? "m/s" : "cells/step"}
         min={0.01}
         max={1000}
-        {...number("speed", agent.speed)}
+        value={agent.speed}
+        onInput={(speed) => studio.editor.changeAgent(index, { speed }, `speed ${index}`)}
+        onDone={() => studio.editor.endGesture()}
       />
       {agent.kind === "ground" ? (
         <>
-          <NumberField
-            label="Leaves not before"
-            unit={units.metric ? "s" : "steps"}
-            min={0}
-            max={100_000}
-            {...number("readyAt", agent.readyAt)}
-          />
+          <LeavesNotBefore studio={studio} agents={agents} index={index} />
           <VehicleSize
             label="Width"
             radius={agent.radius}
             units={units}
-            onChange={(radius) => studio.changeAgent(index, { radius })}
+            onChange={(radius) => studio.editor.changeAgent(index, { radius })}
           />
         </>
       ) : (
-        <AircraftFields studio={studio} aircraft={agent} index={index} />
+        <OpensAtMost studio={studio} agents={agents} index={index} />
       )}
       <div class="agent-buttons">
         {agent.kind === "air" && (agent.start || agent.goal) && (
-          <button type="button" class="button" onClick={() => studio.bringAircraftBack(index)}>
+          <button type="button" class="button" onClick={() => studio.editor.bringAircraftBack(index)}>
             Put it to the first vehicle
           </button>
         )}
@@ -61,7 +52,7 @@ export function AgentFields({ studio, agents, index }: Props) {
           class="button"
           disabled={isLast}
           title={isLast ? "The last vehicle stays" : undefined}
-          onClick={() => studio.removeAgent(index)}
+          onClick={() => studio.editor.removeAgent(index)}
         >
           Remove <Name of={agent.id} />
         </button>
@@ -86,14 +77,29 @@ function NameField({ name, onChange }: { name: string; onChange: (name: string) 
   );
 }
 
-function AircraftFields({ studio, aircraft, index }: { studio: Studio; aircraft: Aircraft; index: number }) {
+export function LeavesNotBefore({ studio, agents, index, label = "Leaves not before" }: Props & { label?: string }) {
+  const { readyAt } = agents[index] as Vehicle;
+  return (
+    <NumberField
+      label={label}
+      unit={studio.page.units.value.metric ? "s" : "steps"}
+      min={0}
+      max={100_000}
+      value={readyAt}
+      onInput={(given) => studio.editor.changeAgent(index, { readyAt: given }, `readyAt ${index}`)}
+      onDone={() => studio.editor.endGesture()}
+    />
+  );
+}
+
+export function OpensAtMost({ studio, agents, index, label = "Opens at most" }: Props & { label?: string }) {
   const id = useId();
-  const { breaches } = aircraft;
+  const { breaches } = agents[index] as Aircraft;
   const counts = new Set([0, 1, 2, 3, 4, 5, 6, 7, 8, ...(breaches === null ? [] : [breaches])]);
-  const set = (value: string) => studio.changeAgent(index, { breaches: value === "" ? null : Number(value) });
+  const set = (value: string) => studio.editor.changeAgent(index, { breaches: value === "" ? null : Number(value) });
   return (
     <div class="number-field">
-      <label for={id}>Opens at most</label>
+      <label for={id}>{label}</label>
       <select
         id={id}
         value={breaches === null ? "" : String(breaches)}

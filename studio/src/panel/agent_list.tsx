@@ -4,7 +4,7 @@ import type { Agents, MissionAgent } from "../domain/agents";
 import { objectiveOf, type Plan } from "../domain/plan";
 import { clockTime, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
-import { Studio } from "../mission/studio";
+import type { Studio } from "../mission/studio";
 import { aloneArrival, gainOf } from "../mission/team_words";
 import { arrival, breachOrder, waits } from "../play/motion";
 import { AgentDot } from "./agent_dot";
@@ -12,10 +12,9 @@ import { AgentFields } from "./agent_fields";
 import { Section } from "./controls";
 import { Name } from "./name";
 
-export function AgentList({ page }: { page: PageState }) {
+export function AgentList({ page, studio }: { page: PageState; studio: Studio | null }) {
   const mission = page.mission.value;
   if (!mission || !page.shown.value) return null;
-  const studio = page instanceof Studio ? page : null;
   const isTeam = page.looks.value.size > 0;
   if (!isTeam && !studio) return null;
   return (
@@ -24,10 +23,10 @@ export function AgentList({ page }: { page: PageState }) {
       {isTeam && <p class="agent-legend">On the map, a start is filled and a goal is a ring.</p>}
       {studio && (
         <div class="agent-buttons">
-          <button type="button" class="button" onClick={() => studio.addVehicle()}>
+          <button type="button" class="button" onClick={() => studio.editor.addVehicle()}>
             Add vehicle
           </button>
-          <button type="button" class="button" onClick={() => studio.addAircraft()}>
+          <button type="button" class="button" onClick={() => studio.editor.addAircraft()}>
             Add aircraft
           </button>
         </div>

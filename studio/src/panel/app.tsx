@@ -9,7 +9,7 @@ import { MapCanvas } from "../map/map_canvas";
 import type { MapView } from "../map/map_view";
 import type { PageState } from "../mission/page_state";
 import { sceneOf } from "../mission/scene_of";
-import { Studio } from "../mission/studio";
+import type { Studio } from "../mission/studio";
 import { counted } from "../mission/words";
 import { Timeline } from "../play/timeline";
 import { AgentList } from "./agent_list";
@@ -35,11 +35,16 @@ import { Settings } from "./settings";
 import { TakeAlong } from "./take_along";
 import { Tools } from "./tools";
 
-export function App({ page, token = null }: { page: PageState; token?: TabToken | null }) {
-  const studio = page instanceof Studio ? page : null;
+interface AppProps {
+  page: PageState;
+  studio?: Studio | null; // none where a plan is only viewed
+  token?: TabToken | null;
+}
+
+export function App({ page, studio = null, token = null }: AppProps) {
   const view = useRef<MapView | null>(null);
   useSignalEffect(() => {
-    document.title = titleOf(page);
+    document.title = titleOf(page, studio);
   });
   return (
     <div class={`page ${studio ? "" : "viewer"} ${page.old.value ? "old" : ""}`}>
@@ -50,12 +55,12 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
         <Search page={page} show={(what) => view.current?.centerOn(what)} />
         {studio && <Invitation studio={studio} />}
         <MapNotes page={page} />
-        <HeadlineSection page={page} />
-        <Removals page={page} />
-        <RemovedTable page={page} />
-        <AgentList page={page} />
+        <HeadlineSection page={page} studio={studio} />
+        <Removals page={page} studio={studio} />
+        <RemovedTable page={page} studio={studio} />
+        <AgentList page={page} studio={studio} />
         {studio && <Choices studio={studio} />}
-        <Layers page={page} />
+        <Layers page={page} studio={studio} />
         {studio && <Settings studio={studio} />}
         {studio && <TakeAlong studio={studio} />}
       </main>
@@ -69,11 +74,11 @@ export function App({ page, token = null }: { page: PageState; token?: TabToken 
 }
 
 // What the tab is called, so that one finds the mission again among others.
-function titleOf(page: PageState): string {
+function titleOf(page: PageState, studio: Studio | null): string {
   const { base } = page.shown.value ?? {};
   const plan = page.results.plans.value.after?.plan;
   if (!base) return "waybreaker";
-  const place = page instanceof Studio ? nameOfMap(page, base.description.id) : base.description.title;
+  const place = studio ? nameOfMap(studio, base.description.id) : base.description.title;
   const reached = plan && valueOf(plan.after, objectiveOf(plan));
   if (reached == null) return `${place} – waybreaker`;
   const ids = plan!.removed.map((one) => one.obstacle);
@@ -91,11 +96,11 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
   const scene = useComputed<Scene | null>(() => sceneOf(page, studio));
   const events = useMemo<SceneEvents>(
     () => ({
-      drag: (handle, cell, done) => studio?.drag(handle, cell, done),
+      drag: (handle, cell, done) => studio?.editor.drag(handle, cell, done),
       select: (obstacle) => (page.selected.value = obstacle),
       hover: (obstacle) => (page.highlighted.value = obstacle),
       choose: (agent) => (page.chosenAgent.value = agent),
-      draw: (tool, runs) => studio?.draw(tool, runs),
+      draw: (tool, runs) => studio?.editor.draw(tool, runs),
     }),
     [page, studio],
   );
@@ -106,7 +111,6 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
   });
   const plan = page.results.plans.value.after?.plan;
   const title = page.shown.value?.base.description.title;
-  const cells = page.shown.value?.map.cells;
   return (
     <section class="map-area" aria-label="Map">
       {studio && <Tools studio={studio} />}
@@ -117,10 +121,10 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
         <GroundLegend page={page} />
         <Attribution page={page} />
       </div>
-      <ObstacleCard page={page} marked={() => view.current?.marked() ?? null} />
+      <ObstacleCard page={page} studio={studio} marked={() => view.current?.marked() ?? null} />
       <div class="timeline-box">
-        {plan && cells && plan.agents.length > 0 && (
-          <Timeline plan={plan} cells={cells} clock={page.clock} formatTime={(time) => duration(time, page.units.value, true)} />
+        {plan && plan.agents.length > 0 && (
+          <Timeline plan={plan} clock={page.clock} formatTime={(time) => duration(time, page.units.value, true)} />
         )}
       </div>
     </section>

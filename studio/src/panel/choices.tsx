@@ -21,13 +21,13 @@ const words: Record<Said, string> = {
 const mostListed = 12;
 
 export function Choices({ studio }: { studio: Studio }) {
-  const mission = studio.mission.value;
-  const shown = studio.shown.value;
+  const mission = studio.page.mission.value;
+  const shown = studio.page.shown.value;
   if (!mission || !shown) return null;
   const { marks, protectAll, walls, erased } = mission;
   const also = Object.entries(mission.also);
   if ([also, protectAll, walls, erased].every((some) => some.length === 0) && marks.size === 0) return null;
-  const units = studio.units.value;
+  const units = studio.page.units.value;
   const [listed, others] = [[...marks].slice(0, mostListed), [...marks].slice(mostListed)];
   return (
     <Section title="Your choices">
@@ -37,7 +37,7 @@ export function Choices({ studio }: { studio: Studio }) {
             key={name}
             icon="about"
             text={`Also asked: ${alsoWords(name, value)}`}
-            onUndo={() => studio.change((old) => ({ ...old, also: without(old.also, name) }))}
+            onUndo={() => studio.editor.change((old) => ({ ...old, also: without(old.also, name) }))}
           />
         ))}
         {protectAll.map((rule) => (
@@ -45,7 +45,7 @@ export function Choices({ studio }: { studio: Studio }) {
             key={filterText(rule)}
             icon="protect"
             text={`Protected: ${ruleWords(rule, shown.map.cells)}`}
-            onUndo={() => studio.allowAll(rule)}
+            onUndo={() => studio.editor.allowAll(rule)}
           />
         ))}
         {listed.map(([key, mark]) => {
@@ -56,9 +56,9 @@ export function Choices({ studio }: { studio: Studio }) {
               key={key}
               icon={mark === "allow" ? "wall" : mark}
               text={`${words[mark]}: ${name}`}
-              onUndo={() => studio.markKey(key, null)}
-              onPoint={(on) => (studio.highlighted.value = on && id !== 0 ? id : null)}
-              onShow={id === 0 ? undefined : () => studio.showObstacle(id)}
+              onUndo={() => studio.editor.markKey(key, null)}
+              onPoint={(on) => (studio.page.highlighted.value = on && id !== 0 ? id : null)}
+              onShow={id === 0 ? undefined : () => studio.page.showObstacle(id)}
             />
           );
         })}
@@ -66,21 +66,21 @@ export function Choices({ studio }: { studio: Studio }) {
           <Choice
             icon="protect"
             text={`And ${others.length} obstacles more`}
-            onUndo={() => studio.change((old) => ({ ...old, marks: new Map([...old.marks].slice(0, mostListed)) }))}
+            onUndo={() => studio.editor.change((old) => ({ ...old, marks: new Map([...old.marks].slice(0, mostListed)) }))}
           />
         )}
         {walls.length > 0 && (
           <Choice
             icon="wall"
             text={`Drawn: ${area(cellCount(walls), units)} of walls, which have to stay unless you say otherwise`}
-            onUndo={() => studio.change((old) => ({ ...old, walls: [] }))}
+            onUndo={() => studio.editor.change((old) => ({ ...old, walls: [] }))}
           />
         )}
         {erased.length > 0 && (
           <Choice
             icon="erase"
             text={`Erased: ${area(cellCount(erased), units)}`}
-            onUndo={() => studio.change((old) => ({ ...old, erased: [] }))}
+            onUndo={() => studio.editor.change((old) => ({ ...old, erased: [] }))}
           />
         )}
       </ul>

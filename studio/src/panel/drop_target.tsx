@@ -44,6 +44,6 @@ function take(studio: Studio, data: DataTransfer): void {
   const text = data.getData("text/uri-list") || data.getData("text/plain");
   void missionInText(text).then((query) => {
     if (query) void openMission(studio, query);
-    else if (/^\s*https?:/.test(text)) studio.notify("bad", "There is no mission in this link.");
+    else if (/^\s*https?:/.test(text)) studio.page.notify("bad", "There is no mission in this link.");
   });
 }

@@ -8,7 +8,7 @@ const words: Record<Look, string> = {
   barrier: "wall, fence, hedge: can be removed",
   fixed: "has to stay",
   water: "water",
-  cliff: "step of the ground",
+  cliff: "cliff or ditch",
   forbidden: "forbidden ground",
 };
 

@@ -23,8 +23,8 @@ export function Header({ studio }: { studio: Studio | null }) {
       <h1>waybreaker</h1>
       {studio && (
         <div class="header-buttons" role="group" aria-label="Mission">
-          <IconButton icon="undo" label="Undo" disabled={!studio.canUndo.value} onClick={() => studio.undo()} />
-          <IconButton icon="redo" label="Redo" disabled={!studio.canRedo.value} onClick={() => studio.redo()} />
+          <IconButton icon="undo" label="Undo" disabled={!studio.editor.canUndo.value} onClick={() => studio.editor.undo()} />
+          <IconButton icon="redo" label="Redo" disabled={!studio.editor.canRedo.value} onClick={() => studio.editor.redo()} />
           <IconButton icon="link" label="Copy link to this mission" onClick={() => void copyLink(studio)} />
           <IconButton icon="help" label="Help" onClick={() => setHelp(true)} />
         </div>
@@ -43,17 +43,17 @@ function onKey(event: KeyboardEvent, studio: Studio, openHelp: () => void): void
   if (event.ctrlKey || event.metaKey) {
     if (event.altKey || (key !== "z" && key !== "y")) return;
     event.preventDefault();
-    if (key === "y" || event.shiftKey) studio.redo();
-    else studio.undo();
+    if (key === "y" || event.shiftKey) studio.editor.redo();
+    else studio.editor.undo();
     return;
   }
   if (event.altKey) return;
   const tool = toolKeys[key];
-  if (tool) studio.tool.value = tool;
+  if (tool) studio.editor.tool.value = tool;
   else if (key === "?") openHelp();
   else if (key === "/") document.getElementById("search")?.focus();
-  else if (key === "escape") studio.selected.value = null;
-  else if (key === " " && !target?.closest("button, a, summary, input, [role=button]")) studio.clock.toggle();
+  else if (key === "escape") studio.page.selected.value = null;
+  else if (key === " " && !target?.closest("button, a, summary, input, [role=button]")) studio.page.clock.toggle();
   else return;
   event.preventDefault();
 }

@@ -2,7 +2,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { isTeam } from "../domain/plan";
 import type { PageState } from "../mission/page_state";
-import { Studio } from "../mission/studio";
+import type { Studio } from "../mission/studio";
 import { teamArrivals, teamHeadline } from "../mission/team_words";
 import { arrivals, figuresText, figureTexts, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
 import type { Judged } from "../planning/results";
@@ -11,7 +11,7 @@ import { Icon, type IconName } from "./icons";
 import { areBuildings } from "./obstacle_words";
 import { SearchLine } from "./search_line";
 
-export function HeadlineSection({ page }: { page: PageState }) {
+export function HeadlineSection({ page, studio }: { page: PageState; studio: Studio | null }) {
   const after = page.results.plans.value.after;
   const failure = page.results.failure.value;
   const shown = page.shown.value;
@@ -27,7 +27,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
     return (
       <section class="headline waiting" aria-label="Result">
         <h2>{waiting(page)}</h2>
-        {page instanceof Studio && page.shown.value && <SearchLine studio={page} />}
+        {studio && page.shown.value && <SearchLine studio={studio} />}
       </section>
     );
   }
@@ -44,7 +44,7 @@ export function HeadlineSection({ page }: { page: PageState }) {
   const words = team ? teamHeadline(after.plan, closed, telling) : headline(after.plan, telling);
   const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
   const figures = words.figures ? figureTexts(words.figures, units) : [];
-  const asked = page instanceof Studio ? null : askedRules(after.plan); // there the choices are listed
+  const asked = studio ? null : askedRules(after.plan); // there the choices are listed
   const told = words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title;
   const spoken = [told, words.note, who].filter((part) => part).join(" ");
   return (
@@ -82,9 +82,9 @@ export function HeadlineSection({ page }: { page: PageState }) {
           This is the plan from before your last change.
         </p>
       )}
-      {page instanceof Studio && <SearchLine studio={page} />}
+      {studio && <SearchLine studio={studio} />}
       {!page.old.value && (
-        <Sureness judged={after} buildings={buildings} checking={checkOf(page)} />
+        <Sureness judged={after} buildings={buildings} checking={checkOf(studio)} />
       )}
       <Spoken text={page.old.value ? `Out of date: ${spoken}` : spoken} />
     </section>
@@ -102,9 +102,9 @@ const signs: Record<Proof["tone"], IconName> = { sure: "check", plain: "about", 
 // Whether there is somebody to check the plan, and does.
 type Checking = "now" | "no" | "nobody";
 
-function checkOf(page: PageState): Checking {
-  if (!(page instanceof Studio)) return "nobody";
-  return page.results.working.value ? "now" : "no";
+function checkOf(studio: Studio | null): Checking {
+  if (!studio) return "nobody";
+  return studio.page.results.working.value ? "now" : "no";
 }
 
 interface SurenessProps {

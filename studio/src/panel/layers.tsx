@@ -3,6 +3,7 @@ import type { LayerName } from "../domain/mission";
 import { valueOf } from "../domain/plan";
 import { durations } from "../domain/units";
 import type { PageState } from "../mission/page_state";
+import type { Studio } from "../mission/studio";
 import { counted, noWay, tooEarly } from "../mission/words";
 import { Section } from "./controls";
 import { areBuildings } from "./obstacle_words";
@@ -13,7 +14,7 @@ const layers: { name: LayerName; title: string }[] = [
   { name: "paper", title: "Paper’s choice" },
 ];
 
-export function Layers({ page }: { page: PageState }) {
+export function Layers({ page, studio }: { page: PageState; studio: Studio | null }) {
   const mission = page.mission.value;
   const shown = page.shown.value;
   if (!mission || !shown) return null;
@@ -48,7 +49,7 @@ export function Layers({ page }: { page: PageState }) {
                 <input
                   type="checkbox"
                   checked={mission.layers.includes(name)}
-                  onChange={() => page.toggleLayer(name)}
+                  onChange={() => (studio?.editor ?? page).toggleLayer(name)}
                 />
                 <LineSample name={name} />
                 <span class="layer-name">

@@ -7,9 +7,9 @@ import { Icon } from "./icons";
 import { Name } from "./name";
 
 export function LostMapCard({ studio }: { studio: Studio }) {
-  const lost = studio.lost.value;
+  const lost = studio.maps.lost.value;
   const { file } = lost ?? { file: null };
-  const isShown = lost?.id === studio.mission.value?.map;
+  const isShown = lost?.id === studio.page.mission.value?.map;
   return (
     <div class="lost-place" role="alert">
       {lost && (
@@ -24,7 +24,7 @@ export function LostMapCard({ studio }: { studio: Studio }) {
           </p>
           <div class="lost-actions">
             {file && (
-              <button type="button" class="button primary" onClick={() => void studio.restore(file)}>
+              <button type="button" class="button primary" onClick={() => void studio.maps.restore(file)}>
                 Send it again
               </button>
             )}
@@ -36,7 +36,7 @@ export function LostMapCard({ studio }: { studio: Studio }) {
               Choose the file…
             </FileButton>
             {!isShown && (
-              <button type="button" class="button" onClick={() => (studio.lost.value = null)}>
+              <button type="button" class="button" onClick={() => (studio.maps.lost.value = null)}>
                 Leave it
               </button>
             )}

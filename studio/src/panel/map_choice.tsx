@@ -6,17 +6,17 @@ import { FileButton } from "./file_button";
 import { Icon } from "./icons";
 
 export function MapChoice({ studio }: { studio: Studio }) {
-  const current = studio.mission.value?.map ?? "";
-  const uploads = studio.uploads.value;
+  const current = studio.page.mission.value?.map ?? "";
+  const uploads = studio.maps.uploads.value;
   // The server's list has everybody's uploads and drawings, too.
-  const served = studio.mapList.value.filter((entry) => !entry.uploaded).map((entry) => entry.id);
+  const served = studio.maps.list.value.filter((entry) => !entry.uploaded).map((entry) => entry.id);
   const listed = served.includes(current) || uploads.has(current) || current === "";
   return (
     <div class="map-choice">
       <label class="spoken" for="map-choice">
         Choose a map
       </label>
-      <select id="map-choice" value={current} onChange={(event) => studio.choose(event.currentTarget.value)}>
+      <select id="map-choice" value={current} onChange={(event) => studio.maps.choose(event.currentTarget.value)}>
         {current === "" && <option value="">No map</option>}
         {!listed && <option value={current}>{current}</option>}
         {served.map((id) => (
@@ -42,7 +42,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
 }
 
 export function nameOfMap(studio: Studio, id: string): string {
-  return studio.uploads.value.get(id)?.name ?? titled(id);
+  return studio.maps.uploads.value.get(id)?.name ?? titled(id);
 }
 
 // berlin-mitte.tif reads better as Berlin mitte.

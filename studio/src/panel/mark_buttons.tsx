@@ -1,8 +1,7 @@
 // What a person may say about an obstacle.
 import type { Mark } from "../domain/mission";
 import { filterText } from "../domain/tag_filter";
-import type { PageState } from "../mission/page_state";
-import { Studio } from "../mission/studio";
+import type { Studio } from "../mission/studio";
 import { Icon, type IconName } from "./icons";
 
 const marks: { mark: Mark; verb: string; icon: IconName; hint: string }[] = [
@@ -12,16 +11,15 @@ const marks: { mark: Mark; verb: string; icon: IconName; hint: string }[] = [
 ];
 
 interface Props {
-  page: PageState;
+  studio: Studio;
   id: number;
   name: string;
   large?: boolean;
 }
 
-export function MarkButtons({ page, id, name, large = false }: Props) {
-  if (!(page instanceof Studio)) return null;
-  const has = page.markOf(id);
-  const rule = page.ruleOf(id);
+export function MarkButtons({ studio, id, name, large = false }: Props) {
+  const has = studio.page.markOf(id);
+  const rule = studio.page.ruleOf(id);
   if (rule) return <p class="mark-rule">It has to stay, as all {filterText(rule)}: see “Your choices”.</p>;
   return (
     <span class={`mark-buttons ${large ? "large" : ""}`} role="group" aria-label={`Your choice for ${name}`}>
@@ -33,7 +31,7 @@ export function MarkButtons({ page, id, name, large = false }: Props) {
           aria-pressed={has === mark}
           aria-label={`${verb} ${name}`}
           title={`${verb}: ${hint}`}
-          onClick={() => page.mark(id, has === mark ? null : mark)}
+          onClick={() => studio.editor.mark(id, has === mark ? null : mark)}
         >
           <Icon name={icon} />
           <span>{verb}</span>

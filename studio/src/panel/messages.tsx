@@ -59,7 +59,7 @@ const seen = "waybreaker-invited";
 // Goes for good when it is closed, or followed: something was changed, or played.
 export function Invitation({ studio }: { studio: Studio }) {
   const [open, setOpen] = useState(() => localStorage.getItem(seen) === null);
-  const followed = studio.canUndo.value || studio.clock.playing.value;
+  const followed = studio.editor.canUndo.value || studio.page.clock.playing.value;
   const close = () => {
     localStorage.setItem(seen, "yes");
     setOpen(false);
@@ -67,7 +67,7 @@ export function Invitation({ studio }: { studio: Studio }) {
   useEffect(() => {
     if (followed) close();
   }, [followed]);
-  if (!open || !studio.shown.value) return null;
+  if (!open || !studio.page.shown.value) return null;
   return (
     <p class="invitation">
       <span>Drag the start or the goal on the map, and the plan follows. Or press play.</span>

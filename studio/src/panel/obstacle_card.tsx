@@ -1,12 +1,12 @@
 // What is known about the obstacle that was clicked, and what may be said about it.
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Obstacle, Structure } from "../domain/map";
-import { kindWord, usesOf, whatItIs, whyItStays } from "../domain/obstacle_words";
+import { factsOf, kindWord, whyItStays } from "../domain/obstacle_words";
 import { parseTagFilters } from "../domain/tag_filter";
 import { area, duration } from "../domain/units";
 import type { Marked } from "../map/map_view";
 import type { PageState } from "../mission/page_state";
-import { Studio } from "../mission/studio";
+import type { Studio } from "../mission/studio";
 import { bestCorner, type Corner } from "./card_place";
 import { IconButton } from "./controls";
 import { Icon } from "./icons";
@@ -17,10 +17,11 @@ import { OsmLink } from "./osm_link";
 
 interface CardProps {
   page: PageState;
+  studio: Studio | null;
   marked: () => Marked | null; // what it should not hide
 }
 
-export function ObstacleCard({ page, marked }: CardProps) {
+export function ObstacleCard({ page, studio, marked }: CardProps) {
   const id = page.selected.value;
   const shown = page.shown.value;
   const obstacle = id === null ? undefined : shown?.map.cells.obstacle(id);
@@ -48,7 +49,7 @@ export function ObstacleCard({ page, marked }: CardProps) {
         <IconButton icon="close" label="Close" onClick={() => (page.selected.value = null)} />
       </div>
       <p class="obstacle-facts">
-        {[...factsOf(obstacle), area(obstacle.cells, units)].join(", ")}
+        {[...factsOf(obstacle, name.text), area(obstacle.cells, units)].join(", ")}
         {!obstacle.structures && <OsmLink name={name} />}
       </p>
       {obstacle.structures && <Structures of={obstacle.structures} />}
@@ -60,33 +61,26 @@ export function ObstacleCard({ page, marked }: CardProps) {
           {removed.saves != null && removed.saves > 0 && <>; if it had to stay, {duration(removed.saves, units)} later</>}.
         </p>
       )}
-      {obstacle.destructible ? (
+      {!obstacle.destructible && <p>{whyItStays(obstacle)}</p>}
+      {obstacle.destructible && studio && (
         <>
-          <MarkButtons page={page} id={obstacle.id} name={name.text} large />
-          <ProtectWhole page={page} obstacle={obstacle} />
+          <MarkButtons studio={studio} id={obstacle.id} name={name.text} large />
+          <ProtectWhole studio={studio} obstacle={obstacle} />
         </>
-      ) : (
-        <p>{whyItStays(obstacle)}</p>
       )}
     </aside>
   );
 }
 
-// What it is, where the map says so.
-function factsOf(obstacle: Obstacle): string[] {
-  if (obstacle.kind === undefined || obstacle.kind === "unknown") return [];
-  const what = whatItIs(obstacle);
-  return [what.charAt(0).toUpperCase() + what.slice(1), ...(obstacle.destructible ? usesOf(obstacle) : [])];
-}
 
 // All sections of a building that has a name, and whatever else is called so.
-function ProtectWhole({ page, obstacle }: { page: PageState; obstacle: Obstacle }) {
-  if (!(page instanceof Studio) || page.ruleOf(obstacle.id)) return null;
+function ProtectWhole({ studio, obstacle }: { studio: Studio; obstacle: Obstacle }) {
+  if (studio.page.ruleOf(obstacle.id)) return null;
   const names = new Set((obstacle.structures ?? []).map((one) => one.name ?? ""));
   return (
     <>
       {[...names].filter(isOneFilter).map((name) => (
-        <button key={name} type="button" class="button" onClick={() => page.protectAll([{ key: "name", values: [name] }])}>
+        <button key={name} type="button" class="button" onClick={() => studio.editor.protectAll([{ key: "name", values: [name] }])}>
           <Icon name="protect" />
           <span>
             Protect all of <Name of={name} />
@@ -106,15 +100,18 @@ const mostListed = 5;
 
 // Of what a section is a part: opening it leaves the rest.
 function Structures({ of }: { of: readonly Structure[] }) {
+  const isMixed = new Set(of.map(({ kind }) => kind)).size > 1; // or else the line above says what they all are
+  const told = of.filter((one) => isMixed || one.name || one.source_id);
+  if (told.length === 0) return null;
   return (
     <ul class="structures" aria-label="Part of">
-      {of.slice(0, mostListed).map((one, i) => (
+      {told.slice(0, mostListed).map((one, i) => (
         <li key={i}>
-          <Name of={one.name || kindWord(one.kind)} />
+          {(one.name || isMixed) && <Name of={one.name || kindWord(one.kind)} />}
           <OsmLink name={{ text: one.name ?? kindWord(one.kind), osm: osmPage(one.source_id ?? 0) }} />
         </li>
       ))}
-      {of.length > mostListed && <li>and {of.length - mostListed} more</li>}
+      {told.length > mostListed && <li>and {told.length - mostListed} more</li>}
     </ul>
   );
 }

@@ -4,7 +4,7 @@ import { usesAmong } from "../domain/obstacle_words";
 import type { Studio } from "../mission/studio";
 
 export function ProtectAll({ studio }: { studio: Studio }) {
-  const shown = studio.shown.value;
+  const shown = studio.page.shown.value;
   const cells = shown?.base.cells;
   const uses = useMemo(() => (cells ? usesAmong(cells.obstacles) : []), [cells]);
   if (uses.length === 0) return null;
@@ -15,7 +15,7 @@ export function ProtectAll({ studio }: { studio: Studio }) {
         id="protect-all"
         value=""
         onChange={(event) => {
-          studio.protectAll(uses.find(({ name }) => name === event.currentTarget.value)?.rules ?? []);
+          studio.editor.protectAll(uses.find(({ name }) => name === event.currentTarget.value)?.rules ?? []);
           event.currentTarget.value = "";
         }}
       >

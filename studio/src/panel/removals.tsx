@@ -3,17 +3,16 @@ import { aircraftOf } from "../domain/agents";
 import { mostRemovals, withEnoughRemovals } from "../domain/mission";
 import { duration } from "../domain/units";
 import type { PageState } from "../mission/page_state";
-import { Studio } from "../mission/studio";
+import type { Studio } from "../mission/studio";
 import { nounOf } from "../mission/words";
 import { FrontChart } from "./front_chart";
 import { NumberField } from "./number_field";
 import { hasBuildings } from "./obstacle_words";
 
-export function Removals({ page }: { page: PageState }) {
+export function Removals({ page, studio }: { page: PageState; studio: Studio | null }) {
   const mission = page.mission.value;
   const shown = page.shown.value;
   if (!mission || !shown) return null;
-  const studio = page instanceof Studio ? page : null;
   if (!studio && !page.results.front.value) return null;
   if (aircraftOf(mission.agents).length === 0) return null; // nobody opens anything
   const auto = mission.removals === "auto";
@@ -21,10 +20,10 @@ export function Removals({ page }: { page: PageState }) {
   const count =
     mission.removals === "auto" ? (page.results.plans.value.after?.plan.removed.length ?? 0) : mission.removals;
   const set = (removals: number | "auto") =>
-    studio?.change((old) => withEnoughRemovals({ ...old, removals }), "removals");
+    studio?.editor.change((old) => withEnoughRemovals({ ...old, removals }), "removals");
   const setAtOnce = (removals: number | "auto") => {
     set(removals);
-    studio?.endGesture();
+    studio?.editor.endGesture();
   };
   return (
     <section class="section removals" aria-labelledby="removals-title">
@@ -49,8 +48,8 @@ export function Removals({ page }: { page: PageState }) {
           min={0}
           max={1_000_000}
           value={mission.price}
-          onInput={(price) => studio.change((old) => ({ ...old, price }), "price")}
-          onDone={() => studio.endGesture()}
+          onInput={(price) => studio.editor.change((old) => ({ ...old, price }), "price")}
+          onDone={() => studio.editor.endGesture()}
         />
       )}
       {studio && (
@@ -64,7 +63,7 @@ export function Removals({ page }: { page: PageState }) {
           value={count}
           aria-valuetext={`${count} ${nounOf(count, hasBuildings(shown))} may be removed`}
           onInput={(event) => set(event.currentTarget.valueAsNumber)}
-          onChange={() => studio.endGesture()}
+          onChange={() => studio.editor.endGesture()}
         />
       )}
       <FrontChart page={page} count={count} onChoose={studio ? setAtOnce : null} />

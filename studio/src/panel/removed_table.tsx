@@ -2,6 +2,7 @@
 import { isTeam, type Plan, reached, type Removed } from "../domain/plan";
 import { area, clockTime, difference, type Units } from "../domain/units";
 import type { PageState } from "../mission/page_state";
+import type { Studio } from "../mission/studio";
 import { usersOf } from "../domain/users";
 import { nounOf, savedBy } from "../mission/words";
 import { AgentDot } from "./agent_dot";
@@ -11,7 +12,7 @@ import { Name } from "./name";
 import { areBuildings, nameOf } from "./obstacle_words";
 import { OsmLink } from "./osm_link";
 
-export function RemovedTable({ page }: { page: PageState }) {
+export function RemovedTable({ page, studio }: { page: PageState; studio: Studio | null }) {
   const plan = page.results.plans.value.after?.plan;
   const shown = page.shown.value;
   if (!plan || !shown || plan.removed.length === 0) return null;
@@ -47,6 +48,7 @@ export function RemovedTable({ page }: { page: PageState }) {
             <Row
               key={removed.obstacle}
               page={page}
+              studio={studio}
               removed={removed}
               order={i + 1}
               users={users?.get(removed.obstacle) ?? null}
@@ -68,12 +70,13 @@ function radiusOf(page: PageState, id: string): number {
 
 interface RowProps {
   page: PageState;
+  studio: Studio | null;
   removed: Removed;
   order: number;
   users: readonly string[] | null; // of a team: who drives there
 }
 
-function Row({ page, removed, order, users }: RowProps) {
+function Row({ page, studio, removed, order, users }: RowProps) {
   const units = page.units.value;
   const id = removed.obstacle;
   const name = nameOf(page.shown.value!, id);
@@ -100,7 +103,7 @@ function Row({ page, removed, order, users }: RowProps) {
           {area(removed.cells, units)}
           {structures > 1 ? `, part of ${structures} structures` : <OsmLink name={name} />}
         </span>
-        <MarkButtons page={page} id={id} name={name.text} />
+        {studio && <MarkButtons studio={studio} id={id} name={name.text} />}
       </th>
       <td>
         <data value={removed.cleared_at}>{clockTime(removed.cleared_at, units)}</data>

@@ -9,15 +9,15 @@ const spoken: Record<StepState, string> = { done: "done", now: "now", open: "not
 const soon = 0.4; // seconds: what takes less is not announced
 
 export function SearchLine({ studio }: { studio: Studio }) {
-  const { results } = studio;
+  const { results } = studio.page;
   const after = results.plans.value.after;
-  const isNew = !after || studio.old.value; // what takes but a moment to follow is not told
+  const isNew = !after || studio.page.old.value; // what takes but a moment to follow is not told
   const state = searchState(results, isNew);
   const plan = isNew ? undefined : after.plan;
   const isShort = state.stage === "waiting" && (state.seconds ?? 0) < soon;
   const text = isShort ? null : searchText(state);
-  const known = state.stage === "ended" || isShort ? null : knownText(state, studio.units.value);
-  const isHeld = studio.gone.value || studio.lost.value !== null; // goes on by itself, or not at all
+  const known = state.stage === "ended" || isShort ? null : knownText(state, studio.page.units.value);
+  const isHeld = studio.gone.value || studio.maps.lost.value !== null; // goes on by itself, or not at all
   return (
     <div class="search-state" role="group" aria-label="State of the search">
       <ol class="search-steps">

@@ -1,8 +1,9 @@
 // How the mission is planned, and what the two agents can do.
 import { useId } from "preact/hooks";
-import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
+import { type Aircraft, ofPair, type Vehicle, vehiclesOf } from "../domain/agents";
 import type { Mission } from "../domain/mission";
 import type { Studio } from "../mission/studio";
+import { LeavesNotBefore, OpensAtMost } from "./agent_fields";
 import { Segmented } from "./controls";
 import { NumberField } from "./number_field";
 import { ProtectAll } from "./protect_all";
@@ -11,24 +12,25 @@ import { VehicleSize } from "./vehicle_size";
 type NumberMember = "breachTime" | "breachTimePerCell";
 
 export function Settings({ studio }: { studio: Studio }) {
-  const mission = studio.mission.value;
+  const mission = studio.page.mission.value;
   if (!mission) return null;
-  const units = studio.units.value;
+  const units = studio.page.units.value;
   const { metric } = units;
-  const set = (part: Partial<Mission>) => studio.change((old) => ({ ...old, ...part }));
+  const set = (part: Partial<Mission>) => studio.editor.change((old) => ({ ...old, ...part }));
   const number = (member: NumberMember, scale = 1) => ({
     value: mission[member] / scale,
-    onInput: (value: number) => studio.change((old) => ({ ...old, [member]: value * scale }), member),
-    onDone: () => studio.endGesture(),
+    onInput: (value: number) => studio.editor.change((old) => ({ ...old, [member]: value * scale }), member),
+    onDone: () => studio.editor.endGesture(),
   });
   const two = ofPair(mission.agents);
   const speed = { unit: metric ? "m/s" : "cells/step", min: 0.01, max: 1000 };
   const time = { min: 0, max: 100_000 };
   const speedOf = (agent: Vehicle | Aircraft) => ({
     value: agent.speed,
-    onInput: (value: number) => studio.changeAgent(mission.agents.indexOf(agent), { speed: value }, `${agent.kind} speed`),
-    onDone: () => studio.endGesture(),
+    onInput: (value: number) => studio.editor.changeAgent(mission.agents.indexOf(agent), { speed: value }, `${agent.kind} speed`),
+    onDone: () => studio.editor.endGesture(),
   });
+  const fieldsOf = (agent: Vehicle | Aircraft) => ({ studio, agents: mission.agents, index: mission.agents.indexOf(agent) });
   return (
     <details class="section settings">
       <summary>
@@ -65,16 +67,17 @@ export function Settings({ studio }: { studio: Studio }) {
           {...time}
           {...number("breachTimePerCell", units.cell * units.cell)}
         />
-        {two ? (
+        {two && (
           <VehicleSize
             label="Ground robot’s width"
             radius={two.ground.radius}
             units={units}
-            onChange={(radius) => studio.changeAgent(mission.agents.indexOf(two.ground), { radius })}
+            onChange={(radius) => studio.editor.changeAgent(mission.agents.indexOf(two.ground), { radius })}
           />
-        ) : (
-          <TeamFields studio={studio} />
         )}
+        {two && <LeavesNotBefore label="Robot leaves not before" {...fieldsOf(two.ground)} />}
+        {two && <OpensAtMost label="Aircraft opens at most" {...fieldsOf(two.air)} />}
+        {vehiclesOf(mission.agents).length > 1 && <TeamFields studio={studio} />}
         <ProtectAll studio={studio} />
       </div>
       {two && <AircraftPlace studio={studio} aircraft={two.air} />}
@@ -82,10 +85,10 @@ export function Settings({ studio }: { studio: Studio }) {
   );
 }
 
-// What only a team needs to agree on.
+// What several vehicles need to agree on.
 function TeamFields({ studio }: { studio: Studio }) {
-  const { separation, atGoal } = studio.mission.value!;
-  const units = studio.units.value;
+  const { separation, atGoal } = studio.page.mission.value!;
+  const units = studio.page.units.value;
   const id = useId();
   return (
     <>
@@ -95,8 +98,8 @@ function TeamFields({ studio }: { studio: Studio }) {
         min={0}
         max={32 * units.cell}
         value={separation * units.cell}
-        onInput={(value) => studio.change((old) => ({ ...old, separation: value / units.cell }), "separation")}
-        onDone={() => studio.endGesture()}
+        onInput={(value) => studio.editor.change((old) => ({ ...old, separation: value / units.cell }), "separation")}
+        onDone={() => studio.editor.endGesture()}
       />
       <div class="number-field">
         <label for={id}>Who has arrived</label>
@@ -105,7 +108,7 @@ function TeamFields({ studio }: { studio: Studio }) {
           value={atGoal}
           onChange={(event) => {
             const chosen = event.currentTarget.value === "leave" ? "leave" : "stay";
-            studio.change((old) => ({ ...old, atGoal: chosen }));
+            studio.editor.change((old) => ({ ...old, atGoal: chosen }));
           }}
         >
           <option value="stay">stays there</option>
@@ -117,11 +120,11 @@ function TeamFields({ studio }: { studio: Studio }) {
 }
 
 function AircraftPlace({ studio, aircraft }: { studio: Studio; aircraft: Aircraft }) {
-  const index = studio.mission.value!.agents.indexOf(aircraft);
+  const index = studio.page.mission.value!.agents.indexOf(aircraft);
   return (
     <p class="aircraft-place">
       {aircraft.start || aircraft.goal ? (
-        <button type="button" class="button" onClick={() => studio.bringAircraftBack(index)}>
+        <button type="button" class="button" onClick={() => studio.editor.bringAircraftBack(index)}>
           Put the aircraft back to the robot’s start and goal
         </button>
       ) : (

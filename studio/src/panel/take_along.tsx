@@ -15,8 +15,8 @@ const formats: { format: ExportFormat; label: string; hint?: string }[] = [
 ];
 
 export function TakeAlong({ studio }: { studio: Studio }) {
-  const plan = studio.results.plans.value.after?.plan;
-  const shown = studio.shown.value;
+  const plan = studio.page.results.plans.value.after?.plan;
+  const shown = studio.page.shown.value;
   if (!plan || !shown) return null;
   const solved = plan.agents.length > 0;
   const placed = shown.map.description.georeference !== null;
@@ -31,7 +31,7 @@ export function TakeAlong({ studio }: { studio: Studio }) {
             key={format}
             type="button"
             class="button"
-            disabled={!solved || studio.old.value || (format === "geojson" && !placed)}
+            disabled={!solved || studio.page.old.value || (format === "geojson" && !placed)}
             title={format === "geojson" && !placed ? "The map does not say where on earth it lies" : hint}
             onClick={() => void downloadPlan(studio, format)}
           >

@@ -11,14 +11,14 @@ const tools: { value: Tool; label: string; icon: IconName }[] = [
 ];
 
 export function Tools({ studio }: { studio: Studio }) {
-  if (!studio.shown.value) return null;
+  if (!studio.page.shown.value) return null;
   return (
     <div class="tools">
       <Segmented
         legend="Tool"
         choices={tools}
-        value={studio.tool.value}
-        onChange={(tool) => (studio.tool.value = tool)}
+        value={studio.editor.tool.value}
+        onChange={(tool) => (studio.editor.tool.value = tool)}
       />
     </div>
   );

@@ -2,6 +2,7 @@
 // is time.
 import { type CheckReport, type Progress, stopped } from "../api/client";
 import type { PlanRequest } from "../api/documents";
+import { hasPaperMethod } from "../domain/agents";
 import type { LayerName } from "../domain/mission";
 import { type Plan, reached } from "../domain/plan";
 import { bestAtPrice, Curve, instead } from "./curve";
@@ -15,7 +16,6 @@ import {
   hasDraft,
   isCut,
   isHasty,
-  isOfTeam,
   keyOf,
   paperRequest,
   planRequest,
@@ -246,7 +246,7 @@ export class PlanFetcher {
 
   async #paper(question: Question, stop: AbortSignal): Promise<void> {
     const shown = this.results.plans.value.after?.plan;
-    if (!shown || isOfTeam(question)) return;
+    if (!shown || !hasPaperMethod(question.of.agents)) return;
     const removals = question.removals === "auto" ? shown.removed.length : question.removals;
     const paper =
       question.method === "paper"

@@ -1,12 +1,12 @@
 // A mission as a request to the service.
 import type { PlanRequest } from "../api/documents";
 import { agentDocuments } from "../domain/agent_document";
-import { type Aircraft, ofPair, type Vehicle } from "../domain/agents";
+import { drivesAlone, hasPaperMethod } from "../domain/agents";
 import { alsoNames } from "../domain/also";
 import { marked, type Method, type Mission } from "../domain/mission";
 import type { Plan, RequestOptions } from "../domain/plan";
 import { filterText, type TagFilter } from "../domain/tag_filter";
-import { cellsPerUnit, type Units } from "../domain/units";
+import type { Units } from "../domain/units";
 
 // What a plan is asked for with. Obstacles are those of the map that is planned on.
 export interface Question {
@@ -39,8 +39,6 @@ export function questionOf(
     breach_time: mission.breachTime,
     breach_time_per_cell: mission.breachTimePerCell,
   };
-  const two = ofPair(mission.agents);
-  if (two) options.radius = two.ground.radius;
   const [protect, force] = [[...ids("protect"), ...rules.map(filterText)], ids("force")];
   if (protect.length > 0) options.protect = protect;
   if (force.length > 0) options.force = force;
@@ -48,46 +46,30 @@ export function questionOf(
   return {
     of: mission,
     map,
-    mission: two ? missionOfPair(two, units) : missionOfTeam(mission, units),
+    mission: documentOf(mission, units),
     options,
-    method: two ? mission.method : "exact",
+    method: hasPaperMethod(mission.agents) ? mission.method : "exact",
     removals: canOpen || mission.removals !== "auto" ? mission.removals : 0,
     price: mission.price,
     withBefore: mission.layers.includes("before"),
   };
 }
 
-function missionOfPair({ ground, air }: { ground: Vehicle; air: Aircraft }, units: Units): PlanRequest["mission"] {
-  return {
-    start: ground.start,
-    goal: ground.goal,
-    ...(air.start && { air_start: air.start }),
-    ...(air.goal && { air_goal: air.goal }),
-    ground_speed: cellsPerUnit(ground.speed, units),
-    air_speed: cellsPerUnit(air.speed, units),
-    ...(units.metric && { time_unit: "s" as const }),
-  };
-}
-
-function missionOfTeam({ agents, separation, atGoal }: Mission, units: Units): PlanRequest["mission"] {
+function documentOf({ agents, separation, atGoal }: Mission, units: Units): PlanRequest["mission"] {
   const rules = { separation, at_goal: atGoal };
   const unit = units.metric ? { time_unit: "s" as const } : {};
   return { format: "waybreaker-mission/1", ...unit, agents: agentDocuments(agents, units.cell), rules };
 }
 
-export function isOfTeam({ mission }: Question): boolean {
-  return "agents" in mission;
-}
-
 // Without aircraft nothing is removed.
 export function canRemove({ mission }: Question): boolean {
-  return !("agents" in mission) || mission.agents.some((agent) => agent.kind === "air");
+  return mission.agents.some((agent) => agent.kind === "air");
 }
 
 // A draft, where plans take too long to follow the mouse: any-angle search that hurries to the goal, and of the obstacles in its way
 // those it met most. On a city of 4096² cells that is a hundredth of the work, and its paths are a percent longer.
 const hurried: RequestOptions = { planner: "theta", weight: 1.5 };
-// Of a team: the best that is found in so many seconds.
+// Where vehicles keep clear of each other: the best that is found in so many seconds.
 const teamDraft: RequestOptions = { select: "exact", time_limit: 0.15 };
 
 // What is asked beside what the page knows need not go with a draft's own method.
@@ -96,10 +78,11 @@ export function hasDraft({ of }: Question): boolean {
 }
 
 function request(question: Question, method: Method | "draft", options: RequestOptions): PlanRequest {
+  const byHits: RequestOptions = question.method === "paper" ? { paper: true } : { select: "hits" };
   const how: Record<typeof method, RequestOptions> = {
     exact: { select: "exact" },
     paper: { paper: true },
-    draft: isOfTeam(question) ? teamDraft : { ...(question.method === "paper" ? { paper: true } : { select: "hits" }), ...hurried },
+    draft: drivesAlone(question.of.agents) ? { ...byHits, ...hurried } : teamDraft,
   };
   return { mission: question.mission, options: { ...how[method], ...question.options, ...options } };
 }
@@ -151,7 +134,7 @@ export function stepRequest(question: Question, removals: number): PlanRequest {
 }
 
 function stepLimit(question: Question): number {
-  return isOfTeam(question) ? quick : patient;
+  return drivesAlone(question.of.agents) ? patient : quick;
 }
 
 // The way with nothing removed; what has to go or stay is no matter then.

@@ -1,7 +1,7 @@
 // What happens when, as spans and moments of a timeline.
 import type { Agent, Plan } from "../domain/plan";
 import { arrival, breachOrder, positionAt, waits } from "./motion";
-import type { Story } from "./story";
+import { nameOf, type Story } from "./story";
 
 export interface Span {
   kind: "move" | "wait";
@@ -43,7 +43,7 @@ function spans(agent: Agent): Span[] {
   const move = (until: number): void => {
     if (until > at) found.push({ kind: "move", from: at, until });
   };
-  for (const { from, until } of waits(agent)) {
+  for (const { from, until } of agent.waits ?? waits(agent)) {
     move(from);
     found.push({ kind: "wait", from, until });
     at = until;
@@ -70,7 +70,7 @@ function each(story: Story, time: number): string[] {
     const now = positionAt(agent, time);
     if (!now) return [];
     const verb = now.state === "waiting" ? story.verbAt(agent.id, time) : verbs[now.state];
-    return [`${story.nameOf(agent)} ${verb}`];
+    return [`${nameOf(agent)} ${verb}`];
   });
 }
 

@@ -6,7 +6,7 @@ import { plainName } from "../domain/plain_name";
 import { type Lane, lanes } from "./activity";
 import type { Clock } from "./clock";
 import { spread } from "./spread";
-import type { Story } from "./story";
+import { nameOf, type Story } from "./story";
 
 interface LanesProps {
   story: Story;
@@ -33,7 +33,7 @@ export function Lanes({ story, duration, clock, formatTime, onPoint }: LanesProp
     if (event.clientX >= box.left - 4) clock.seek(((event.clientX - box.left) / box.width) * duration);
   };
   const told = (lane: Lane, from: number, until: number) =>
-    `${story.nameOf(lane)} ${story.verbAt(lane.id, from)}, ${formatTime(until - from)}`;
+    `${nameOf(lane)} ${story.verbAt(lane.id, from)}, ${formatTime(until - from)}`;
   // Drawn once for a plan: frames of playback move the line alone.
   const bars = useMemo(() => {
     const looks = looksOf(plan.agents);

@@ -1,61 +1,53 @@
-// Waits in words: "waits for heli to open 2", "lets truck pass".
-import { isPair } from "../domain/agents";
-import type { CellMap } from "../domain/cell_map";
+// Waits in words, as the plan explains them: "waits for heli to open 2", "lets truck pass".
 import { plainName } from "../domain/plain_name";
-import type { Agent, Plan } from "../domain/plan";
-import { breachOrder, type Wait, waits } from "./motion";
-import { Waiting } from "./waiting";
+import type { Agent, ExplainedWait, Plan } from "../domain/plan";
+import { breachOrder, positionAt } from "./motion";
 
 const mostTold = 3;
 
 export class Story {
-  readonly #waiting: Waiting;
-  readonly #waits: ReadonlyMap<string, Wait[]>; // by agent
   readonly #numbers: ReadonlyMap<number, number>; // by obstacle: those of the breaches
 
-  constructor(
-    readonly plan: Plan,
-    cells: CellMap,
-  ) {
-    this.#waiting = new Waiting(plan, cells);
-    this.#waits = new Map(plan.agents.map((agent) => [agent.id, waits(agent)]));
+  constructor(readonly plan: Plan) {
     this.#numbers = new Map(breachOrder(plan).map(({ obstacle }, i) => [obstacle, i + 1]));
-  }
-
-  nameOf({ id, kind }: Pick<Agent, "id" | "kind">): string {
-    return isPair(this.plan.agents) ? kind : nameOf(id, kind);
   }
 
   // What an agent that stands on its way at a time does.
   verbAt(id: string, time: number): string {
     const agent = this.plan.agents.find((one) => one.id === id);
-    const wait = this.#waits.get(id)?.find(({ from, until }) => from <= time && time < until);
-    return agent && wait ? this.#verb(agent, wait) : "waits";
+    if (!agent) return "waits";
+    if (agent.kind === "air") return this.#flownVerb(agent, time);
+    const wait = agent.waits?.find(({ from, until }) => from <= time && time < until);
+    return wait ? this.#drivenVerb(wait) : "waits";
   }
 
   // Who waits at a time, and what for; null if nobody does.
   at(time: number): string | null {
-    const waiting = this.plan.agents.filter(({ id }) =>
-      this.#waits.get(id)!.some(({ from, until }) => from <= time && time < until),
-    );
+    const waiting = this.plan.agents.filter((agent) => positionAt(agent, time)?.state === "waiting");
     if (waiting.length === 0) return null;
-    const told = waiting.slice(0, mostTold).map((agent) => `${this.nameOf(agent)} ${this.verbAt(agent.id, time)}`);
+    const told = waiting.slice(0, mostTold).map((agent) => `${nameOf(agent)} ${this.verbAt(agent.id, time)}`);
     const more = waiting.length - told.length;
     return [...told, ...(more > 0 ? [more === 1 ? "one more waits" : `${more} more wait`] : [])].join("; ");
   }
 
-  #verb(agent: Agent, wait: Wait): string {
-    const cause = this.#waiting.causeOf(agent, wait);
-    if (!cause) return "waits";
-    if (cause.kind === "vehicle") return `lets ${nameOf(cause.id, "ground")} pass`;
-    const number = this.#numbers.get(cause.removed.obstacle);
-    if (cause.kind === "breach") return `opens ${number}`;
-    const { by } = cause.removed;
-    return `waits for ${by === undefined ? "the aircraft" : nameOf(by, "air")} to open ${number}`;
+  #drivenVerb({ reason, obstacle, agent }: ExplainedWait): string {
+    if (reason === "readiness") return "is not ready yet";
+    if (reason === "agent") return `lets ${nameOf({ id: agent!, kind: "ground" })} pass`;
+    if (reason === "opening") return `waits for ${nameOf({ id: agent!, kind: "air" })} to open ${this.#numbers.get(obstacle!)}`;
+    return "waits";
+  }
+
+  // Where it hovers it opens what is cleared next.
+  #flownVerb({ id, path }: Agent, time: number): string {
+    const isIts = ({ by = id, at, cleared_at: cleared }: Plan["removed"][number]) =>
+      by === id && cleared > time && path.some(([x, y, t]) => x === at[0] && y === at[1] && t <= time);
+    const opened = breachOrder(this.plan).find(isIts);
+    return opened ? `opens ${this.#numbers.get(opened.obstacle)}` : "waits";
   }
 }
 
-// A number alone is no name.
-function nameOf(id: string, kind: Agent["kind"]): string {
+// An agent as a sentence names it: neither a number nor a kind alone is a name.
+export function nameOf({ id, kind }: Pick<Agent, "id" | "kind">): string {
+  if (id === kind) return kind === "ground" ? "the ground robot" : "the aircraft";
   return /^\d+$/.test(id) ? `${kind === "ground" ? "vehicle" : "aircraft"} ${id}` : plainName(id);
 }

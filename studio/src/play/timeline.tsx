@@ -1,7 +1,6 @@
 // Playback of a plan: play and pause, where in time, how fast, and lanes of what each agent does when.
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { isPair } from "../domain/agents";
-import type { CellMap } from "../domain/cell_map";
 import type { Plan } from "../domain/plan";
 import { activityAt } from "./activity";
 import { type Clock, speeds } from "./clock";
@@ -12,16 +11,15 @@ import "./timeline.css";
 
 export interface TimelineProps {
   plan: Plan; // the one that is played
-  cells: CellMap; // of the map that it is on
   clock: Clock;
   formatTime: (time: number) => string; // a time of the plan as people read it, with its unit
 }
 
-export function Timeline({ plan, cells, clock, formatTime }: TimelineProps) {
+export function Timeline({ plan, clock, formatTime }: TimelineProps) {
   const length = duration(plan);
   // A little less: rounded, the last step could lie beyond the end, and End would stop one short of it.
   const step = length / 400.000001;
-  const story = useMemo(() => new Story(plan, cells), [plan, cells]);
+  const story = useMemo(() => new Story(plan), [plan]);
   const [pointed, setPointed] = useState<string | null>(null);
   useEffect(() => clock.load(length), [clock, length]);
   useEffect(() => () => clock.stop(), [clock]);

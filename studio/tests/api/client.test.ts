@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { Client, ServiceError } from "../../src/api/client";
 import { parseEvent } from "../../src/api/events";
+import { missionFrom } from "../planning/fake_service";
 
 const asked: { url: string; init: RequestInit }[] = [];
 let answers: (() => Response | Promise<Response>)[] = [];
@@ -40,7 +41,7 @@ const trouble = async (asking: Promise<unknown>) => {
   expect(error).toBeInstanceOf(ServiceError);
   return error as ServiceError;
 };
-const request = { mission: { start: [0, 0] as [number, number], goal: [1, 1] as [number, number] } };
+const request = { mission: missionFrom(0) };
 
 beforeEach(() => {
   asked.length = 0;

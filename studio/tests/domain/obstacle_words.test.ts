@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { lookOf, looksOn } from "../../src/domain/looks";
 import type { Obstacle } from "../../src/domain/map";
-import { usesAmong, usesOf, whatItIs, whyItStays } from "../../src/domain/obstacle_words";
+import { factsOf, usesAmong, usesOf, whatItIs, whyItStays } from "../../src/domain/obstacle_words";
 import { filterText } from "../../src/domain/tag_filter";
 import { mapOf } from "./picture";
 
@@ -29,6 +29,15 @@ describe("an obstacle in words", () => {
     ]);
     expect(usesOf(obstacle({ tags: ["building=residential", "historic=yes"] }))).toEqual([]);
     expect(usesOf(obstacle({ tags: ["amenity=school", "building=school"] }))).toEqual(["school"]);
+  });
+
+  it("says what it is once, in what it is called or after it", () => {
+    const school = obstacle({ kind: "building", tags: ["amenity=school"] });
+    expect(factsOf(school, "Building 17")).toEqual(["school"]);
+    expect(factsOf(school, "Building Site 9 School")).toEqual(["Building", "school"]);
+    expect(factsOf(obstacle({ kind: "barrier", tags: ["barrier=city_wall", "historic=city_wall"] }), "City wall 3")).toEqual([]);
+    expect(factsOf(obstacle({ kind: "water", destructible: false }), "Spree")).toEqual(["Water"]);
+    expect(factsOf(obstacle({}), "Obstacle 1")).toEqual([]);
   });
 
   it("says why it stays, if it does", () => {

@@ -151,7 +151,7 @@ it("a mission file of the command line opens, and what the page cannot ask is sa
   const found = missionIn(JSON.stringify(document));
   expect(found?.mission).toMatchObject({
     removals: 2,
-    agents: [{ id: "ground", speed: 4 }, { id: "air", speed: 2, start: null, goal: [5, 5] }],
+    agents: [{ id: "g", speed: 4 }, { id: "a", speed: 2, start: null, goal: [5, 5] }],
   });
   expect(found?.mission.marks).toEqual(new Map([[5, "protect"], [6, "force"]]));
   expect(found?.mission.protectAll).toEqual([{ key: "amenity", values: ["school"] }]);
@@ -198,6 +198,19 @@ it("a mission file keeps what the page has no control for", () => {
   expect(open({ rules: { timing: "late" } }).complaints).toEqual(["“also=timing:late” in the link cannot be read"]);
 });
 
+it.each([0, 1])("a mission file of one vehicle and one aircraft opens with all that it says, and is saved so, aircraft first: %i", (turned) => {
+  const agents = [
+    { id: "truck", kind: "ground", start: [1, 2], goal: [3, 4], speed: 1, radius: 0.5, ready_at: 5 },
+    { id: "heli", kind: "air", start: [1, 2], goal: [3, 4], speed: 3, breaches: 1 },
+  ];
+  const rules = { removals: 3, separation: 0.5, at_goal: "leave" };
+  const document = { format: "waybreaker-mission/1", agents: turned ? [...agents].reverse() : agents, rules };
+  const found = missionIn(JSON.stringify(document))!;
+  expect([found.complaints, found.leftOut]).toEqual([[], []]);
+  expect(found.mission.agents).toMatchObject([{ id: "truck", speed: 2, readyAt: 5 }, { id: "heli", speed: 6, breaches: 1 }]);
+  expect(JSON.parse(missionFile(found.mission, tenWide, 3))).toMatchObject({ agents, rules });
+});
+
 it("a mission file says what is left out of it", () => {
   const agents = [
     { id: "truck", kind: "ground", start: [1, 2], goal: [3, 4], ready_at: 5 },
@@ -206,15 +219,13 @@ it("a mission file says what is left out of it", () => {
   const open = (document: object) => missionIn(JSON.stringify({ format: "waybreaker-mission/1", agents, ...document }))!;
   expect(open({ rules: { removals: 12, noise: 1 } }).leftOut).toEqual([
     "noise",
-    "ready_at, which the page has only for vehicles of a team",
-    "breaches, which the page has only for aircraft of a team",
     "12 removals: 8 are the most here",
   ]);
-  expect(queryOfFile({ format: "waybreaker-mission/1", agents }, 2)?.names).toEqual(["truck", "heli"]);
-  const two = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2" }, { ...agents[1], ready_at: 3 }];
-  expect(open({ agents: two }).leftOut).toEqual([
+  const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1 }, { ...agents[1], ready_at: 3 }];
+  expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",
-    "ready_at, which the page has only for vehicles of a team",
+    "ready_at, which only vehicles have",
+    "breaches, which only aircraft have",
   ]);
 });
 
@@ -297,6 +308,7 @@ it("a plan file of a team says its mission, in metres and seconds", () => {
   plan.map = { source: "yard.map", width: 10, height: 10, cell_size: 2, digest: "sha256:0" };
   const [ground, air] = plan.agents;
   plan.agents = [{ ...ground!, id: "1" }, { ...ground!, id: "2", start: [0, 5], speed: 3 }, { ...air!, id: "air1" }];
+  plan.after.routes = [];
   plan.mission = {
     agents: [{ radius: 1.5 }, { radius: 0, ready_at: 4 }, { breaches: 2 }],
     rules: { separation: 0.25, at_goal: "leave" },

@@ -1,5 +1,5 @@
 // Missions with everything that one can say.
-import { type Agents, isPair, type MissionAgent, pair, usualId } from "../../src/domain/agents";
+import { type Agents, hasPaperMethod, type MissionAgent, usualId } from "../../src/domain/agents";
 import type { Cell, Run } from "../../src/domain/geometry";
 import { type LayerName, type Mark, type Mission, wallKey } from "../../src/domain/mission";
 import { union } from "../../src/mission/run_set";
@@ -16,27 +16,22 @@ function randomRuns(random: Random): Run[] {
   return union(runs, []);
 }
 
-function randomPair(random: Random, cell: () => Cell): Agents {
-  const [ground, air] = pair(cell(), cell());
-  const ofGround = { speed: random.oneOf([1, 2.5, 0.1 + 0.2]), radius: random.oneOf([0.5, 0, 1.5]) };
-  const places = { ...(random.chance(0.3) && { start: cell() }), ...(random.chance(0.3) && { goal: cell() }) };
-  return [{ ...ground!, ...ofGround }, { ...air!, ...places, speed: random.oneOf([1, 10, 1 / 3]) }] as Agents;
-}
-
-function randomTeam(random: Random, cell: () => Cell): Agents {
+function randomAgents(random: Random, cell: () => Cell): Agents {
+  const isPair = random.chance(0.5);
   const named = (usual: string) => (random.chance(0.3) ? random.oneOf([`${usual},~%é& `, "truck " + usual]) : usual);
-  const vehicles = Array.from({ length: 2 + random.below(4) }, (_, i): MissionAgent => ({
+  const idOf = (kind: MissionAgent["kind"], i: number) => named(isPair && random.chance(0.7) ? kind : usualId(kind, i));
+  const vehicles = Array.from({ length: isPair ? 1 : 1 + random.below(5) }, (_, i): MissionAgent => ({
     kind: "ground",
-    id: named(usualId("ground", i)),
+    id: idOf("ground", i),
     start: cell(),
     goal: cell(),
     speed: random.oneOf([1, 2.5, 0.1 + 0.2]),
     radius: random.oneOf([0.5, 0, 1.5]),
     readyAt: random.oneOf([0, 0, 12.5]),
   }));
-  const aircraft = Array.from({ length: random.below(3) }, (_, i): MissionAgent => ({
+  const aircraft = Array.from({ length: isPair ? 1 : random.below(3) }, (_, i): MissionAgent => ({
     kind: "air",
-    id: named(usualId("air", i)),
+    id: idOf("air", i),
     start: random.chance(0.5) ? cell() : null,
     goal: random.chance(0.5) ? cell() : null,
     speed: random.oneOf([1, 10, 1 / 3]),
@@ -53,19 +48,18 @@ export function randomMission(random: Random): Mission {
     random.oneOf(["protect", "force", "exclude"] as const),
   ]);
   const layers: LayerName[] = (["before", "after", "paper"] as const).filter(() => random.chance(0.6));
-  const agents = random.chance(0.5) ? randomPair(random, cell) : randomTeam(random, cell);
-  const isTeam = !isPair(agents);
+  const agents = randomAgents(random, cell);
   return {
     map: random.oneOf(["berlin-mitte.tif", "a b&c=d.map", "Größe-1.map"]),
     agents,
     removals: random.oneOf([0, 1, 2, 8, "auto"] as const),
     price: random.oneOf([10, 0, 0.5]),
-    method: isTeam ? "exact" : random.oneOf(["exact", "paper"] as const),
+    method: hasPaperMethod(agents) ? random.oneOf(["exact", "paper"] as const) : "exact",
     objective: random.oneOf(["makespan", "ground-makespan", "flowtime"] as const),
     breachTime: random.oneOf([0, 12.5]),
     breachTimePerCell: random.oneOf([0, 0.0144]),
-    separation: isTeam ? random.oneOf([0, 0.25]) : 0,
-    atGoal: isTeam ? random.oneOf(["stay", "leave"] as const) : "stay",
+    separation: random.oneOf([0, 0.25]),
+    atGoal: random.oneOf(["stay", "leave"] as const),
     marks: new Map(marks),
     protectAll: random.chance(0.3) ? [{ key: "*", values: [] }, { key: "name", values: ["b=%c", "St. Mary’s & Co*"] }] : [],
     walls: randomRuns(random),

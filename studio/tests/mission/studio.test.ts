@@ -18,23 +18,23 @@ beforeEach(async () => {
 afterEach(() => vi.useRealTimers());
 
 it("begins with a map and a plan, without being asked anything", async () => {
-  await studio.start("");
+  await studio.maps.start("");
   await settle();
-  expect(studio.mission.value?.map).toBe("city.map");
-  expect(studio.results.plans.value.after?.plan.status).toBe("solved");
-  expect(studio.canUndo.value).toBe(false);
+  expect(studio.page.mission.value?.map).toBe("city.map");
+  expect(studio.page.results.plans.value.after?.plan.status).toBe("solved");
+  expect(studio.editor.canUndo.value).toBe(false);
   await settle(1000);
-  expect(studio.results.plans.value.after?.verdict).toEqual({ valid: true });
+  expect(studio.page.results.plans.value.after?.verdict).toEqual({ valid: true });
 });
 
 it("opens what a link says, and says itself the same", async () => {
   const link = "?map=yard.map&start=0,2&goal=3,0&removals=1&method=paper&protect=1&ground_speed=2&show=after,paper";
-  await studio.start(link);
+  await studio.maps.start(link);
   await settle();
   expect(last()).toMatchObject({
     map: "yard.map",
     request: {
-      mission: { start: [0, 2], goal: [3, 0], ground_speed: 2 },
+      mission: { agents: [{ start: [0, 2], goal: [3, 0], speed: 2 }, { kind: "air" }] },
       options: { paper: true, protect: [1], removals: 1 },
     },
   });
@@ -43,7 +43,7 @@ it("opens what a link says, and says itself the same", async () => {
 
 it("plans with what it has no control for, and keeps it until it is taken back", async () => {
   const link = "map=yard.map&start=0,2&goal=3,0&removals=1&also=budget_m2:300,timing:ignore,moves:4";
-  await studio.start(`?${link}`);
+  await studio.maps.start(`?${link}`);
   await settle(5000);
   expect(last().request.options).toMatchObject({ paper: true, budget_m2: 300 });
   expect(last().request.options).not.toHaveProperty("moves"); // the paper's method is another
@@ -52,22 +52,22 @@ it("plans with what it has no control for, and keeps it until it is taken back",
   }
   expect(studio.query()).toContain("&also=budget_m2:300,timing:ignore,moves:4");
   expect(JSON.parse(studio.missionFile()!)).toMatchObject({ rules: { budget_m2: 300, timing: "ignore" }, method: { moves: 4 } });
-  studio.change((old) => ({ ...old, also: without(old.also, "budget_m2") }));
+  studio.editor.change((old) => ({ ...old, also: without(old.also, "budget_m2") }));
   await settle();
   expect(last().request.options).not.toHaveProperty("budget_m2");
 });
 
 it("shows another map where the link's is not there, and says so", async () => {
-  await studio.start("?map=nowhere.map&removals=7");
+  await studio.maps.start("?map=nowhere.map&removals=7");
   await settle();
-  expect(studio.mission.value).toMatchObject({ map: "city.map", removals: 2 });
-  expect(studio.lost.value?.name).toBe("nowhere.map");
+  expect(studio.page.mission.value).toMatchObject({ map: "city.map", removals: 2 });
+  expect(studio.maps.lost.value?.name).toBe("nowhere.map");
 });
 
 it("plans on the map as it is after exclusions, with its ids", async () => {
-  await studio.start("");
-  studio.mark(2, "protect");
-  studio.mark(1, "exclude");
+  await studio.maps.start("");
+  studio.editor.mark(2, "protect");
+  studio.editor.mark(1, "exclude");
   await settle();
   expect(client.edits).toEqual([
     {
@@ -81,92 +81,92 @@ it("plans on the map as it is after exclusions, with its ids", async () => {
   ]);
   expect(last()).toMatchObject({ map: "edited", request: { options: { protect: [1] } } });
   expect(studio.query()).toContain("protect=2&exclude=1");
-  expect(studio.markOf(1)).toBe("protect");
+  expect(studio.page.markOf(1)).toBe("protect");
 
-  studio.undo();
+  studio.editor.undo();
   await settle();
   expect(last()).toMatchObject({ map: "city.map", request: { options: { protect: [2] } } });
 });
 
 it("protects by tag or name what the map has, and tells the service so", async () => {
-  await studio.start("?map=town.map&start=0,0&goal=9,3&protect=2&protect_all=amenity%3Dtheatre");
+  await studio.maps.start("?map=town.map&start=0,0&goal=9,3&protect=2&protect_all=amenity%3Dtheatre");
   await settle();
   expect(last().request.options?.protect).toEqual([2, "amenity=theatre"]);
-  expect([studio.markOf(1), studio.ruleOf(1)]).toEqual(["protect", { key: "amenity", values: ["theatre"] }]);
-  expect([studio.markOf(2), studio.ruleOf(2)]).toEqual(["protect", null]);
+  expect([studio.page.markOf(1), studio.page.ruleOf(1)]).toEqual(["protect", { key: "amenity", values: ["theatre"] }]);
+  expect([studio.page.markOf(2), studio.page.ruleOf(2)]).toEqual(["protect", null]);
   expect(studio.query()).toContain("protect_all=amenity%3Dtheatre");
   expect(JSON.parse(studio.missionFile()!)).toMatchObject({ rules: { protect: [2, "amenity=theatre"] } });
 
-  studio.protectAll([{ key: "name", values: ["*Globe"] }]);
+  studio.editor.protectAll([{ key: "name", values: ["*Globe"] }]);
   await settle();
   expect(last().request.options?.protect).toEqual([2, "amenity=theatre", "name=*Globe"]);
-  studio.allowAll({ key: "amenity", values: ["theatre"] });
-  studio.undo();
-  studio.undo();
+  studio.editor.allowAll({ key: "amenity", values: ["theatre"] });
+  studio.editor.undo();
+  studio.editor.undo();
   await settle();
   expect(last().request.options?.protect).toEqual([2, "amenity=theatre"]);
 
-  studio.mark(1, "exclude"); // nothing is left that the rule could mean: no fault of the rule
+  studio.editor.mark(1, "exclude"); // nothing is left that the rule could mean: no fault of the rule
   await settle();
   expect(last()).toMatchObject({ map: "edited", request: { options: { protect: [1] } } });
-  await studio.open("town.map", "protect_all=amenity%3Dzoo"); // what the map never had, the service refuses
+  await studio.maps.open("town.map", "protect_all=amenity%3Dzoo"); // what the map never had, the service refuses
   await settle();
   expect(last().request.options?.protect).toEqual(["amenity=zoo"]);
 });
 
 it("what rules protect is the same while a marker is dragged, so that the map need not be painted again", async () => {
   for (const rule of ["", "&protect_all=amenity%3Dtheatre"]) {
-    await studio.open("town.map", `start=0,0&goal=9,3${rule}`);
-    const { value } = studio.ruled;
-    studio.drag({ agent: 0, end: "start" }, [1, 0], false);
-    expect(studio.ruled.value).toBe(value);
+    await studio.maps.open("town.map", `start=0,0&goal=9,3${rule}`);
+    const { value } = studio.page.ruled;
+    studio.editor.drag({ agent: 0, end: "start" }, [1, 0], false);
+    expect(studio.page.ruled.value).toBe(value);
     expect(value.size).toBe(rule === "" ? 0 : 1);
   }
 });
 
 it("what is forced is not among all that is protected later", async () => {
-  await studio.start("?map=town.map&start=0,0&goal=9,3&force=1");
-  studio.protectAll([{ key: "amenity", values: ["theatre"] }]);
+  await studio.maps.start("?map=town.map&start=0,0&goal=9,3&force=1");
+  studio.editor.protectAll([{ key: "amenity", values: ["theatre"] }]);
   await settle();
   expect(last().request.options).toMatchObject({ protect: ["amenity=theatre"] });
   expect(last().request.options).not.toHaveProperty("force");
 });
 
 it("asks for an edited map once", async () => {
-  await studio.start("?map=city.map&exclude=1");
+  await studio.maps.start("?map=city.map&exclude=1");
   await settle();
-  studio.change((mission) => ({ ...mission, removals: 5 }));
+  studio.editor.change((mission) => ({ ...mission, removals: 5 }));
   await settle();
   expect(last().request.options?.removals).toBe(5);
   expect(client.edits).toHaveLength(1);
 });
 
 it("says when the service does not edit, and keeps what it shows", async () => {
-  await studio.start("");
+  await studio.maps.start("");
   await settle();
   client.editable = false;
-  studio.mark(1, "exclude");
+  studio.editor.mark(1, "exclude");
   await settle();
-  expect(studio.notice.value).toEqual({ tone: "bad", text: "No.", actions: [] });
-  expect(studio.results.plans.value.after).toBeDefined();
+  expect(studio.page.notice.value).toEqual({ tone: "bad", text: "No.", actions: [] });
+  expect(studio.page.results.plans.value.after).toBeDefined();
 });
 
 it("takes a drag back as one step", async () => {
-  await studio.start("");
-  const before = studio.mission.value!.agents[0]!;
-  for (const x of [1, 2, 3]) studio.drag({ agent: 0, end: "start" }, [x, 0], x === 3);
+  await studio.maps.start("");
+  const before = studio.page.mission.value!.agents[0]!;
+  for (const x of [1, 2, 3]) studio.editor.drag({ agent: 0, end: "start" }, [x, 0], x === 3);
   await settle();
-  expect(last().request.mission).toMatchObject({ start: [3, 0] });
-  studio.undo();
+  expect(last().request.mission.agents[0]).toMatchObject({ start: [3, 0] });
+  studio.editor.undo();
   await settle();
-  expect(last().request.mission).toMatchObject({ start: before.start });
-  expect(studio.canUndo.value).toBe(false);
+  expect(last().request.mission.agents[0]).toMatchObject({ start: before.start });
+  expect(studio.editor.canUndo.value).toBe(false);
 });
 
 it("plans for a team as soon as somebody joins, and for one and one again when they leave", async () => {
-  await studio.start("");
-  const pair = studio.mission.value!.agents;
-  studio.addVehicle();
+  await studio.maps.start("");
+  const pair = studio.page.mission.value!.agents;
+  studio.editor.addVehicle();
   await settle();
   const { mission, options } = last().request;
   expect(mission).toMatchObject({
@@ -175,32 +175,51 @@ it("plans for a team as soon as somebody joins, and for one and one again when t
   });
   expect(options).toMatchObject({ select: "exact" });
   expect(options).not.toHaveProperty("radius");
-  const [one, two] = studio.mission.value!.agents;
+  const [one, two] = studio.page.mission.value!.agents;
   expect(two!.start).not.toEqual(one!.start);
   expect(two!.goal).not.toEqual(one!.goal);
-  expect(studio.chosenAgent.value).toBe(1);
-  studio.removeAgent(1);
+  expect(studio.page.chosenAgent.value).toBe(1);
+  studio.editor.removeAgent(1);
   await settle();
-  expect(studio.mission.value!.agents).toEqual(pair);
-  expect(last().request.mission).toMatchObject({ start: pair[0]!.start });
-  studio.undo();
-  expect(studio.mission.value!.agents).toHaveLength(3);
+  expect(studio.page.mission.value!.agents).toEqual(pair);
+  expect(last().request.mission.agents).toMatchObject([{ start: pair[0]!.start }, { id: "air" }]);
+  studio.editor.undo();
+  expect(studio.page.mission.value!.agents).toHaveLength(3);
+});
+
+it("keeps when the only vehicle leaves, what the only aircraft may open, and who has a name", async () => {
+  await studio.maps.start("");
+  studio.editor.changeAgent(0, { readyAt: 5 });
+  studio.editor.changeAgent(1, { breaches: 1 });
+  await settle();
+  const said = [{ id: "ground", ready_at: 5 }, { id: "air", breaches: 1 }];
+  expect(last().request.mission.agents).toMatchObject(said);
+  expect(JSON.parse(studio.missionFile()!).agents).toMatchObject(said);
+  const query = studio.query();
+  studio.editor.addAircraft();
+  studio.editor.renameAgent(0, "truck");
+  studio.editor.removeAgent(2);
+  await settle();
+  expect(last().request.mission.agents).toMatchObject([{ id: "truck", ready_at: 5 }, { id: "air", breaches: 1 }]);
+  await studio.maps.open("city.map", query);
+  await settle();
+  expect(last().request.mission.agents).toMatchObject(said);
 });
 
 it("keeps the names of a team apart, and its last vehicle", async () => {
-  await studio.start("");
-  studio.addAircraft();
-  studio.renameAgent(0, "air2");
-  expect(studio.notice.value?.text).toContain("air2");
-  studio.renameAgent(0, " truck ");
-  expect(studio.mission.value!.agents.map(({ id }) => id)).toEqual(["truck", "air1", "air2"]);
-  studio.removeAgent(0);
-  expect(studio.mission.value!.agents).toHaveLength(3);
+  await studio.maps.start("");
+  studio.editor.addAircraft();
+  studio.editor.renameAgent(0, "air2");
+  expect(studio.page.notice.value?.text).toContain("air2");
+  studio.editor.renameAgent(0, " truck ");
+  expect(studio.page.mission.value!.agents.map(({ id }) => id)).toEqual(["truck", "air1", "air2"]);
+  studio.editor.removeAgent(0);
+  expect(studio.page.mission.value!.agents).toHaveLength(3);
 });
 
 it("asks what each removal saves a team, but nothing of the paper's way to plan", async () => {
-  await studio.start("?method=paper");
-  studio.addVehicle();
+  await studio.maps.start("?method=paper");
+  studio.editor.addVehicle();
   client.planned.length = 0;
   await settle(5000);
   for (const { request } of client.planned) expect(request.options?.paper).toBeUndefined();
@@ -208,43 +227,43 @@ it("asks what each removal saves a team, but nothing of the paper's way to plan"
 });
 
 it("goes back to the map before, too", async () => {
-  await studio.start("");
-  studio.choose("yard.map");
+  await studio.maps.start("");
+  studio.maps.choose("yard.map");
   await settle();
   expect(last().map).toBe("yard.map");
-  studio.undo();
+  studio.editor.undo();
   await settle();
   expect(last().map).toBe("city.map");
-  expect(studio.shown.value?.base.description.id).toBe("city.map");
+  expect(studio.page.shown.value?.base.description.id).toBe("city.map");
 });
 
 it("allows as many removals as have to be", async () => {
-  await studio.start("?map=city.map&removals=1");
-  studio.mark(1, "force");
-  studio.mark(2, "force");
+  await studio.maps.start("?map=city.map&removals=1");
+  studio.editor.mark(1, "force");
+  studio.editor.mark(2, "force");
   await settle();
   expect(last().request.options).toMatchObject({ removals: 2, force: [1, 2] });
 });
 
 it("loses nothing to a file that is no map", async () => {
-  await studio.start("");
+  await studio.maps.start("");
   await settle();
-  await studio.upload({ name: "bad.map", bytes: new Blob(["hello"]) });
-  expect(studio.notice.value?.text).toBe("“bad.map” cannot be used as a map: Not a map.");
-  expect(studio.loading.value).toBe(false);
-  expect(studio.mission.value?.map).toBe("city.map");
-  expect(studio.results.plans.value.after).toBeDefined();
+  await studio.maps.upload({ name: "bad.map", bytes: new Blob(["hello"]) });
+  expect(studio.page.notice.value?.text).toBe("“bad.map” cannot be used as a map: Not a map.");
+  expect(studio.page.loading.value).toBe(false);
+  expect(studio.page.mission.value?.map).toBe("city.map");
+  expect(studio.page.results.plans.value.after).toBeDefined();
 });
 
 it("waits for a server that is gone, and then asks for what is wanted by then", async () => {
-  await studio.start("");
+  await studio.maps.start("");
   await settle();
   client.gone = true;
-  studio.change((mission) => ({ ...mission, removals: 3 }));
+  studio.editor.change((mission) => ({ ...mission, removals: 3 }));
   await settle();
   expect(studio.gone.value).toBe(true);
-  expect(studio.results.plans.value.after).toBeDefined();
-  studio.change((mission) => ({ ...mission, removals: 4 }));
+  expect(studio.page.results.plans.value.after).toBeDefined();
+  studio.editor.change((mission) => ({ ...mission, removals: 4 }));
   await settle(5000);
   expect(studio.gone.value).toBe(true);
   client.gone = false;
@@ -254,49 +273,49 @@ it("waits for a server that is gone, and then asks for what is wanted by then", 
 });
 
 it("does not remove what was drawn, unless told that it may", async () => {
-  await studio.start("?map=city.map");
+  await studio.maps.start("?map=city.map");
   await settle(1000);
-  studio.draw("wall", [[1, 3, 3]]);
+  studio.editor.draw("wall", [[1, 3, 3]]);
   await settle(1000);
   const options = () => last().request.options ?? {};
   const wall = 3;
   expect(last().map).toBe("walled");
   expect(options().protect).toEqual([wall]);
-  expect(studio.markOf(wall)).toBe("protect");
+  expect(studio.page.markOf(wall)).toBe("protect");
 
-  studio.mark(wall, null);
+  studio.editor.mark(wall, null);
   await settle(1000);
   expect(options().protect).toBeUndefined();
-  expect(studio.markOf(wall)).toBeNull();
+  expect(studio.page.markOf(wall)).toBeNull();
   const link = `?${studio.query()}`;
 
-  studio.mark(wall, "force");
+  studio.editor.mark(wall, "force");
   await settle(1000);
   expect(options()).toMatchObject({ force: [wall] });
   expect(options().protect).toBeUndefined();
 
-  studio.mark(wall, "protect");
+  studio.editor.mark(wall, "protect");
   await settle(1000);
   expect(options().protect).toEqual([wall]);
-  expect(studio.mission.value?.marks.size).toBe(0);
+  expect(studio.page.mission.value?.marks.size).toBe(0);
 
   studio = new Studio(client as unknown as Client);
-  await studio.start(link);
+  await studio.maps.start(link);
   await settle(1000);
-  expect(studio.markOf(wall)).toBeNull();
+  expect(studio.page.markOf(wall)).toBeNull();
   expect(options().protect).toBeUndefined();
 });
 
 describe("a map that is gone", () => {
   const yard = { name: "yard.map", bytes: new Blob(["upload-1"]) };
   const slide = async (removals: number) => {
-    studio.change((mission) => ({ ...mission, removals }));
+    studio.editor.change((mission) => ({ ...mission, removals }));
     await settle(1000);
   };
 
   beforeEach(async () => {
-    await studio.start("");
-    await studio.upload(yard);
+    await studio.maps.start("");
+    await studio.maps.upload(yard);
     await settle(1000);
   });
 
@@ -309,52 +328,52 @@ describe("a map that is gone", () => {
     for (const removals of [4, 5, 6]) await slide(removals);
     await settle(60_000);
     expect(client.asks).toBe(after);
-    expect(studio.lost.value).toMatchObject({ id: "upload-1", name: "yard.map", file: yard });
-    expect(studio.results.plans.value.after).toBeDefined();
-    expect(studio.old.value).toBe(true);
+    expect(studio.maps.lost.value).toMatchObject({ id: "upload-1", name: "yard.map", file: yard });
+    expect(studio.page.results.plans.value.after).toBeDefined();
+    expect(studio.page.old.value).toBe(true);
   });
 
   it("is sent again on request, and the mission goes on", async () => {
     client.missing.add("upload-1");
     await slide(3);
     await slide(5);
-    await studio.restore(studio.lost.value!.file!);
+    await studio.maps.restore(studio.maps.lost.value!.file!);
     await settle(1000);
-    expect(studio.lost.value).toBeNull();
+    expect(studio.maps.lost.value).toBeNull();
     expect(last()).toMatchObject({ map: "upload-1", request: { options: { removals: 5 } } });
-    expect(studio.old.value).toBe(false);
+    expect(studio.page.old.value).toBe(false);
   });
 
   it("is not any other map", async () => {
     client.missing.add("upload-1");
     await slide(3);
-    await studio.restore({ name: "city.map", bytes: new Blob(["city.map"]) });
-    expect(studio.notice.value?.text).toContain("“city.map” is not the map");
-    expect(studio.lost.value?.id).toBe("upload-1");
+    await studio.maps.restore({ name: "city.map", bytes: new Blob(["city.map"]) });
+    expect(studio.page.notice.value?.text).toContain("“city.map” is not the map");
+    expect(studio.maps.lost.value?.id).toBe("upload-1");
   });
 
   it("is drawn on anew where only the drawing is gone", async () => {
-    studio.mark(1, "exclude");
+    studio.editor.mark(1, "exclude");
     await settle(1000);
     expect(last().map).toBe("edited");
     client.missing.add("edited");
     client.edit = async () => (client.missing.clear(), client.map("edited"));
     await slide(3);
     expect(last()).toMatchObject({ map: "edited", request: { options: { removals: 3 } } });
-    expect(studio.lost.value).toBeNull();
+    expect(studio.maps.lost.value).toBeNull();
   });
 
   it("is asked for when a step back leads to it, and the page stays where it is until it is there", async () => {
-    studio.choose("city.map");
+    studio.maps.choose("city.map");
     await settle(1000);
     client.missing.add("upload-1");
-    studio.undo();
+    studio.editor.undo();
     await settle(1000);
-    expect(studio.mission.value?.map).toBe("city.map");
-    expect(studio.lost.value?.name).toBe("yard.map");
-    await studio.restore(studio.lost.value!.file!);
+    expect(studio.page.mission.value?.map).toBe("city.map");
+    expect(studio.maps.lost.value?.name).toBe("yard.map");
+    await studio.maps.restore(studio.maps.lost.value!.file!);
     await settle(1000);
-    expect(studio.mission.value?.map).toBe("upload-1");
+    expect(studio.page.mission.value?.map).toBe("upload-1");
     expect(last().map).toBe("upload-1");
   });
 
@@ -363,25 +382,25 @@ describe("a map that is gone", () => {
     expect(query).toContain("&file=yard.map");
     client.missing.add("upload-1");
     studio = new Studio(client as unknown as Client);
-    await studio.start(query.replace("removals=2", "removals=7"));
+    await studio.maps.start(query.replace("removals=2", "removals=7"));
     await settle(1000);
-    expect(studio.mission.value?.map).toBe("city.map");
-    expect(studio.lost.value).toMatchObject({ name: "yard.map", file: null });
-    await studio.restore(yard);
+    expect(studio.page.mission.value?.map).toBe("city.map");
+    expect(studio.maps.lost.value).toMatchObject({ name: "yard.map", file: null });
+    await studio.maps.restore(yard);
     await settle(1000);
     expect(last()).toMatchObject({ map: "upload-1", request: { options: { removals: 7 } } });
   });
 });
 
 it("asks a server that breaks off every plan less and less often", async () => {
-  await studio.start("");
+  await studio.maps.start("");
   await settle();
   let plans = 0;
   client.plan = async () => {
     ++plans;
     throw new ServiceError("gone", "Nobody there.");
   };
-  studio.change((mission) => ({ ...mission, removals: 3 }));
+  studio.editor.change((mission) => ({ ...mission, removals: 3 }));
   await settle(600_000);
   expect(plans).toBeLessThan(30);
 });

@@ -40,10 +40,19 @@ export class FakeService implements PlanService {
   }
 }
 
+export const missionFrom = (x: number): PlanRequest["mission"] => ({
+  format: "waybreaker-mission/1",
+  agents: [
+    { id: "ground", kind: "ground", start: [x, 0], goal: [9, 9] },
+    { id: "air", kind: "air", start: [x, 0], goal: [9, 9] },
+  ],
+  rules: { separation: 0, at_goal: "stay" },
+});
+
 export const question = (x: number, more: Partial<Question> = {}): Question => ({
   of: freshMission("m", { start: [x, 0], goal: [9, 9] }),
   map: "m",
-  mission: { start: [x, 0], goal: [9, 9] },
+  mission: missionFrom(x),
   options: {},
   method: "exact",
   removals: 2,

@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { ServiceError } from "../../src/api/client";
-import type { PairMission, PlanRequest } from "../../src/api/documents";
+import type { PlanRequest } from "../../src/api/documents";
 import { Planner } from "../../src/planning/planner";
 import { planOf } from "../domain/plans";
 import { type Asked, FakeService, question } from "./fake_service";
 
-const startIn = (request: { mission: PlanRequest["mission"] } | null) => (request?.mission as PairMission | undefined)?.start;
+const startIn = (request: { mission: PlanRequest["mission"] } | null) => request?.mission.agents[0]!.start;
 const startOf = (asked: Asked) => startIn(asked.request)?.[0];
 const settle = () => vi.advanceTimersByTimeAsync(0);
 const pace = { calm: 100, patience: 500, fluent: 80 };

@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Agent, Plan } from "../../src/domain/plan";
+import type { Agent, ExplainedWait, Plan } from "../../src/domain/plan";
 import { activityAt, lanes } from "../../src/play/activity";
 import { Story } from "../../src/play/story";
-import { mapOf } from "../domain/picture";
 import { breachOrder, clearedAt, duration, positionAt, splitAt, waits } from "../../src/play/motion";
 
 const ground: Agent = {
@@ -122,23 +121,43 @@ describe("a plan", () => {
   });
 
   it("says what goes on", () => {
-    const story = new Story(plan, mapOf("a.b.c..", "d.e.f..", "......g"));
-    expect(activityAt(story, 0.5)).toBe("ground moves, air moves, 0 of 2 removed");
-    expect(activityAt(story, 8)).toBe("ground waits for the aircraft to open 2, air opens 2, 1 of 2 removed");
-    expect(activityAt(story, 12)).toBe("ground moves, air has arrived, 2 of 2 removed");
+    const waiting: Agent = { ...ground, waits: [{ at: [6, 0], from: 6, until: 9, reason: "opening", obstacle: 7, agent: "B" }] };
+    const story = new Story({ ...plan, agents: [waiting, air] });
+    expect(activityAt(story, 0.5)).toBe("A moves, B moves, 0 of 2 removed");
+    expect(activityAt(story, 8)).toBe("A waits for B to open 2, B opens 2, 1 of 2 removed");
+    expect(activityAt(story, 12)).toBe("A moves, B has arrived, 2 of 2 removed");
     expect(story.at(0.5)).toBeNull();
-    expect(story.at(8)).toBe("ground waits for the aircraft to open 2; air opens 2");
+    expect(story.at(8)).toBe("A waits for B to open 2; B opens 2");
   });
 
-  it("says who waits for whom, and is brief where many do", () => {
-    const truck = (id: string, y: number): Agent => ({ ...ground, id, path: [[0, y, 0], [2, y, 2], [2, y, 6], [9, y, 13]] });
-    const rover: Agent = { ...ground, id: "9", path: [[4, -4, 2], [4, 5, 11]] };
-    const told = (...agents: Agent[]) => {
-      return new Story({ ...plan, agents, removed: [] }, mapOf(".........")).at(3);
+  it("says what the plan says each waits for, and is brief where many do", () => {
+    const truck = (id: string, ...waits: Partial<ExplainedWait>[]): Agent => {
+      const whole = waits.map((wait) => ({ at: [2, 0], from: 2, until: 6, ...wait }) as ExplainedWait);
+      return { ...ground, id, path: [[0, 0, 0], [2, 0, 2], [2, 0, 6], [9, 0, 13]], ...(waits.length > 0 && { waits: whole }) };
     };
-    expect(told(truck("truck", 0), rover)).toBe("truck lets vehicle 9 pass");
-    expect(told(rover)).toBeNull();
-    const trucks = [10, 20, 30, 40, 50].map((y, i) => truck(String(i + 1), y));
+    const told = (...agents: Agent[]) => new Story({ ...plan, agents }).at(3);
+    expect(told(truck("truck", { reason: "agent", agent: "9" }))).toBe("truck lets vehicle 9 pass");
+    expect(told(truck("truck", { reason: "readiness" }))).toBe("truck is not ready yet");
+    expect(told(truck("truck", { reason: "nothing" }))).toBe("truck waits");
+    expect(told(truck("ground", { reason: "opening", obstacle: 7, agent: "air" }))).toBe("the ground robot waits for the aircraft to open 2");
+    expect(told({ ...ground, path: [[4, -4, 2], [4, 5, 11]] })).toBeNull();
+    const trucks = ["1", "2", "3", "4", "5"].map((id) => truck(id));
     expect(told(...trucks)).toBe("vehicle 1 waits; vehicle 2 waits; vehicle 3 waits; 2 more wait");
+  });
+
+  it("tells the reasons of one wait apart", () => {
+    const parts: ExplainedWait[] = [
+      { at: [6, 0], from: 6, until: 7, reason: "agent", agent: "9" },
+      { at: [6, 0], from: 7, until: 9, reason: "opening", obstacle: 7, agent: "B" },
+    ];
+    const story = new Story({ ...plan, agents: [{ ...ground, waits: parts }, air] });
+    expect(lanes(story.plan)[0]!.spans.filter(({ kind }) => kind === "wait")).toMatchObject([{ from: 6, until: 7 }, { from: 7, until: 9 }]);
+    expect([6.5, 8].map((time) => story.verbAt("A", time))).toEqual(["lets vehicle 9 pass", "waits for B to open 2"]);
+  });
+
+  it("says of an aircraft what it opens where it hovers", () => {
+    const one = { obstacle: 1, by: "B", at: [6, 2], cleared_at: 7 };
+    const story = new Story({ ...plan, removed: [one, { ...one, obstacle: 2, by: "C", cleared_at: 8 }] } as Plan);
+    expect([1, 5, 8].map((time) => story.verbAt("B", time))).toEqual(["waits", "opens 1", "waits"]);
   });
 });

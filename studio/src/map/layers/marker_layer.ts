@@ -2,7 +2,8 @@
 import { type Agents, cellOf, type Handle, isPair, isSameHandle } from "../../domain/agents";
 import type { Box, Point } from "../../domain/geometry";
 import type { Scene } from "../../domain/scene";
-import type { Frame } from "../viewport/frame";
+import { positionAt } from "../../play/motion";
+import { type Frame, place } from "../viewport/frame";
 import { boxAround } from "./free_places";
 import { glyphs } from "./glyphs";
 import { drawLeader } from "./leader";
@@ -13,8 +14,27 @@ import { drawText } from "./text";
 const tags = { ground: { start: "Start", goal: "Goal" }, air: { start: "Air start", goal: "Air goal" } };
 
 export function drawMarkers(frame: Frame, scene: Scene, all: readonly Spot[], active: Handle | null): void {
-  if (isPair(scene.agents)) drawPair(frame, scene, all, active);
-  else drawTeamMarkers(frame, scene, all, active);
+  const agents = playing(frame, scene);
+  const isCovered = ({ agent, place: [x, y] }: Spot) => {
+    const at = agents.get(agent.id);
+    return at !== undefined && Math.hypot(at[0] - x, at[1] - y) < covers;
+  };
+  const drawn = all.filter((spot) => isSameHandle(spot.handle, active) || !isCovered(spot));
+  if (isPair(scene.agents)) drawPair(frame, scene, drawn, active);
+  else drawTeamMarkers(frame, scene, drawn, active);
+}
+
+const covers = 44; // pixels around an agent, its name included: in playback it stands for its marker there
+
+// Where agents are drawn in playback, by id.
+function playing(frame: Frame, { layers, time }: Scene): ReadonlyMap<string, Point> {
+  const agents = (time !== null && layers.at(-1)?.plan.agents) || [];
+  return new Map(
+    agents.flatMap((agent) => {
+      const now = positionAt(agent, time!);
+      return now ? [[agent.id, place(frame, [now.x, now.y])] as const] : [];
+    }),
+  );
 }
 
 function drawPair(frame: Frame, { agents, editable }: Scene, all: readonly Spot[], active: Handle | null): void {

@@ -6,9 +6,10 @@ import type { Layer, Scene } from "../../domain/scene";
 import { type Position, positionAt } from "../../play/motion";
 import { type Frame, place, typeface } from "../viewport/frame";
 import { colourOf } from "../viewport/theme";
+import { beside, boxAround, Boxes, middleOf } from "./free_places";
 import { glyphs } from "./glyphs";
 import { disc } from "./marker_layer";
-import { mostNamed, shortened } from "./team_markers";
+import { mostNamed, shortened, widthOfName } from "./team_markers";
 import { drawText } from "./text";
 
 interface Ring {
@@ -30,20 +31,52 @@ export function drawFadingRing({ context }: Frame, [x, y]: Point, ring: Ring): v
 
 const leastRadius = 6; // pixels, at which a vehicle can be seen
 
-// Vehicles are discs of their own size, unless they would be too small to see. Aircraft fly above them.
+// Vehicles are discs of their own size, unless they would be too small to see. Aircraft fly above them, and no name
+// stands on another or on an agent.
 export function drawTeam(frame: Frame, scene: Scene, plan: Plan, time: number): void {
   const isNamed = plan.agents.length <= mostNamed;
-  for (const kind of ["ground", "air"] as const) {
-    for (const agent of plan.agents) {
-      const now = agent.kind === kind ? positionAt(agent, time) : null;
-      const look = scene.looks.get(agent.id);
-      if (!now || !look) continue;
-      const at = place(frame, [now.x, now.y]);
-      const name = isNamed ? shortened(agent.id) : null;
-      if (kind === "ground") drawVehicle(frame, at, now, look, radiusOf(scene, agent.id), name);
-      else drawAircraft(frame, at, now, look, name);
-    }
+  const inOrder = (["ground", "air"] as const).flatMap((kind) => plan.agents.filter((agent) => agent.kind === kind));
+  const drawn = inOrder.flatMap(({ id, kind, ...agent }): Drawn[] => {
+    const now = positionAt({ id, kind, ...agent }, time);
+    const look = scene.looks.get(id);
+    if (!now || !look) return [];
+    const least = isNamed ? leastRadius + 3 : leastRadius;
+    const radius = kind === "air" ? planeRadius : Math.max(radiusOf(scene, id) * frame.camera.scale, least);
+    return [{ at: place(frame, [now.x, now.y]), now, look, radius, name: isNamed ? shortened(id) : "" }];
+  });
+  for (const one of drawn) {
+    if (one.look.kind === "ground") drawVehicle(frame, one);
+    else drawAircraft(frame, one);
   }
+  drawNames(frame, drawn);
+}
+
+interface Drawn {
+  at: Point;
+  now: Position;
+  look: AgentLook;
+  radius: number; // pixels
+  name: string; // empty: there is no room for names
+}
+
+const nameSize = 15; // pixels, how tall
+
+function drawNames(frame: Frame, drawn: readonly Drawn[]): void {
+  const taken = new Boxes();
+  for (const { at, radius, look } of drawn) taken.add(boxAround(look.kind === "air" ? lifted(at) : at, 2 * radius, 2 * radius));
+  for (const { at, name, radius, look } of drawn) {
+    if (name === "" || isWithin(name, radius, look)) continue;
+    const width = widthOfName(frame.context, name);
+    const usual: Point = look.kind === "air" ? [at[0], at[1] + nameSize] : [at[0], at[1] - radius - nameSize / 2 - 2];
+    const box = taken.take([usual, ...beside(at, width, nameSize)], width, nameSize);
+    const middle = box ? middleOf(box) : usual;
+    drawText(frame, name, middle, { font: "600 11px", align: "center", colour: frame.theme.ink });
+  }
+}
+
+// Whether a vehicle is large enough for its name, or the name a number.
+function isWithin(name: string, radius: number, { kind }: AgentLook): boolean {
+  return kind === "ground" && (name.length <= 2 || name.length * 7 < 2 * radius);
 }
 
 function radiusOf({ agents }: Scene, id: string): number {
@@ -51,10 +84,9 @@ function radiusOf({ agents }: Scene, id: string): number {
   return agent?.kind === "ground" ? agent.radius : 0;
 }
 
-function drawVehicle(frame: Frame, at: Point, now: Position, look: AgentLook, cells: number, name: string | null): void {
-  const { context, theme, camera } = frame;
+function drawVehicle(frame: Frame, { at, now, look, radius, name }: Drawn): void {
+  const { context, theme } = frame;
   const [x, y] = at;
-  const radius = Math.max(cells * camera.scale, name === null ? leastRadius : leastRadius + 3);
   const colour = colourOf(look, theme);
   if (now.state === "waiting") drawFadingRing(frame, at, { ...pulse(frame, radius), colour });
   context.fillStyle = theme.halo;
@@ -65,9 +97,7 @@ function drawVehicle(frame: Frame, at: Point, now: Position, look: AgentLook, ce
   context.beginPath();
   context.arc(x, y, radius, 0, 2 * Math.PI);
   context.fill();
-  if (name === null) return;
-  const fits = name.length <= 2 || name.length * 7 < 2 * radius;
-  if (!fits) return drawText(frame, name, [x, y - radius - 9], { font: "600 11px", align: "center", colour: theme.ink });
+  if (name === "" || !isWithin(name, radius, look)) return;
   context.fillStyle = theme.onVehicle;
   context.font = `700 11px ${typeface}`;
   context.textAlign = "center";
@@ -75,12 +105,10 @@ function drawVehicle(frame: Frame, at: Point, now: Position, look: AgentLook, ce
   context.fillText(name, x, y + 0.5);
 }
 
-function drawAircraft(frame: Frame, at: Point, now: Position, look: AgentLook, name: string | null): void {
+function drawAircraft(frame: Frame, { at, now, look }: Drawn): void {
   const colour = colourOf(look, frame.theme);
   if (now.state === "waiting") drawFadingRing(frame, at, { ...pulse(frame, 16), colour: frame.theme.removed });
   drawPlane(frame, at, now.heading, colour);
-  if (name === null) return;
-  drawText(frame, name, [at[0], at[1] + 12], { font: "600 11px", align: "center", colour: frame.theme.ink });
 }
 
 // A ring that grows and fades, again and again.
@@ -139,20 +167,26 @@ function drawRover(frame: Frame, [x, y]: Point, heading: number): void {
   context.restore();
 }
 
+const planeRadius = 19; // pixels
+
 // It flies: drawn a little above the place where its shadow is.
-function drawPlane(frame: Frame, [x, y]: Point, heading: number, colour = frame.theme.air): void {
+function lifted([x, y]: Point): Point {
+  return [x, y - 12];
+}
+
+function drawPlane(frame: Frame, at: Point, heading: number, colour = frame.theme.air): void {
   const { context, theme } = frame;
-  const silhouette = (lift: number, grow: number): void => {
+  const silhouette = ([x, y]: Point, grow: number): void => {
     context.save();
-    context.translate(x, y - lift);
+    context.translate(x, y);
     context.rotate(heading);
     context.scale(grow, grow);
   };
-  silhouette(0, 1.25);
+  silhouette(at, 1.25);
   context.fillStyle = "#0005";
   context.fill(glyphs.plane);
   context.restore();
-  silhouette(12, 1.7);
+  silhouette(lifted(at), 1.7);
   context.lineJoin = "round";
   context.lineWidth = 3.4;
   context.strokeStyle = theme.halo;
