@@ -87,7 +87,7 @@ struct CrossingResult {
 };
 
 namespace crossing {
-class Ways;
+class PathLengths;
 }
 
 // What queries have found out that helps later ones on the same map. How many labels those count as expanded, and where
@@ -101,7 +101,7 @@ class CrossingMemory {
 
   private:
     friend class CrossingSearcher;
-    std::unique_ptr<crossing::Ways> ways_;
+    std::unique_ptr<crossing::PathLengths> lengths_;
 };
 
 class CrossingSearcher {

@@ -1,11 +1,11 @@
-// The public face of the crossing search: checks what is asked, and hides how it is answered.
+// Public interface of the crossing search: checks the query, and hides the search.
 #include "crossing/search.hpp"
 #include "crossing/validate.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
 
-CrossingMemory::CrossingMemory() : ways_(std::make_unique<crossing::Ways>()) {}
+CrossingMemory::CrossingMemory() : lengths_(std::make_unique<crossing::PathLengths>()) {}
 CrossingMemory::~CrossingMemory() = default;
 CrossingMemory::CrossingMemory(CrossingMemory&&) noexcept = default;
 CrossingMemory& CrossingMemory::operator=(CrossingMemory&&) noexcept = default;
@@ -21,7 +21,7 @@ CrossingSearcher CrossingSearcher::another() const {
 }
 
 void CrossingSearcher::exchange(CrossingMemory& memory) {
-    search_->exchange(*memory.ways_);
+    search_->exchange(*memory.lengths_);
 }
 
 CrossingResult CrossingSearcher::find(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {

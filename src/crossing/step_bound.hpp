@@ -1,5 +1,5 @@
-// Step bound: what paths cost at least, from steps from cell to cell. On dense maps, where the straight line says
-// little and sets of obstacles are countless, it is known soon and near the truth: docs/exact.md, Theorem 5.
+// Step bound: a lower bound of the length of paths, from steps from cell to cell. On dense maps, where the straight
+// line says little and sets of obstacles are countless, it is known soon and near the truth: docs/exact.md, Theorem 5.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace waybreaker {
 
 struct StepBound {
     double least = 0;                      // cells; no path is shorter, `length_limit` aside
-    std::vector<ObstacleId> crossed = {};  // by the way of steps that is shortest; none if it was not found
+    std::vector<ObstacleId> crossed = {};  // by the shortest path of steps; none if it was not found
     bool limited = false;                  // a limit ended the search
 };
 

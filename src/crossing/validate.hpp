@@ -1,4 +1,4 @@
-// Queries that make sense.
+// Checks of a query.
 #pragma once
 
 #include "waybreaker/crossing.hpp"

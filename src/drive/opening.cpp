@@ -11,7 +11,7 @@ namespace waybreaker {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Of the time that is left: for the optimal ground path, before a quick search takes over.
+// Share of the time left for the optimal ground path, before a quick search takes over.
 constexpr double share_of_optimal_path = 0.5;
 // Relative, above the path of the relaxed body: a path so short is good enough; so long, the disc may have another way.
 constexpr double short_enough = 0.01;
@@ -64,7 +64,7 @@ Opening shorter(Opening one, Opening other) {
 }
 
 // Whether so little time is left, for the size of the map, that Theta* comes first.
-bool is_in_haste(const Trip& trip) {
+bool is_short_of_time(const Trip& trip) {
     return trip.deadline.left() < seconds_a_cell * double(trip.map.grid().cell_count());
 }
 
@@ -80,7 +80,7 @@ Opening open_for_disc(const Trip& trip, const Searchers& searchers, std::vector<
         if (!path.empty()) drive(trip, opening, path, path_length(path));
         return opening;
     };
-    const bool cells_first = shorter_than == infinity && is_in_haste(trip);
+    const bool cells_first = shorter_than == infinity && is_short_of_time(trip);
     Opening by_cells = cells_first ? search_cells() : Opening{removed};
     CrossingOptions options = open_search(trip, removed);
     options.relaxed = true;

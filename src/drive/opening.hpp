@@ -13,7 +13,7 @@
 
 namespace waybreaker {
 
-// Who finds ground paths; they keep their memory from mission to mission.
+// The searchers of ground paths; they keep their memory from mission to mission.
 struct Searchers {
     Searcher& cells;
     CrossingSearcher& crossing;
@@ -30,7 +30,7 @@ struct Trip {
 
     bool by_crossing() const { return search.planner == Planner::optimal; }
     Limits limits(double seconds) const { return {.seconds = seconds, .expansions = expansions, .stop = stop}; }
-    // Of a search from cell to cell that ends with the call's time: Theta* where the planner is the optimal one.
+    // Limits of a search from cell to cell that ends with the call's time: Theta* where the planner is the optimal one.
     SearchOptions by_cells() const;
 };
 
@@ -41,7 +41,7 @@ struct Opening {
     bool limited = false;  // a limit ended the search: there may be a shorter path
 };
 
-// What a search found on the map without some obstacles; the crossing search's path as the disc drives it.
+// The path that a search found on the map without some obstacles; the crossing search's as the disc drives it.
 Opening opening_of(std::vector<ObstacleId> removed, const SearchResult& search, double seconds);
 Opening opening_of(const Trip& trip, std::vector<ObstacleId> removed, const CrossingResult& search, double seconds);
 

@@ -75,18 +75,18 @@ class Bending {
             if (wait <= delay) continue;
             delay = wait;
             found = {agent_.ready_at + driven.back().t + delay, after};
-            // What it waited for last comes first: most paths wait for that again.
+            // Tries the obstacle that it waited for last first: most paths wait for that again.
             std::swap(openings_.front(), opening);
             if (found.arrival >= arrive_before) break;
         }
         return found;
     }
 
-    // By way of a cell near that one, between two places of a path.
-    void bend(const std::vector<Cell>& path, std::size_t before, Cell near, std::size_t after) {
+    // Bends at a cell around that one, between two places of a path.
+    void bend(const std::vector<Cell>& path, std::size_t before, Cell middle, std::size_t after) {
         for (int dy = -farthest_bent; dy <= farthest_bent; ++dy) {
             for (int dx = -farthest_bent; dx <= farthest_bent; ++dx) {
-                const Cell c{near.x + dx, near.y + dy};
+                const Cell c{middle.x + dx, middle.y + dy};
                 if (!map_.map().grid().contains(c) || c == path[before] || c == path[after] || !sight_.fits(c))
                     continue;
                 if (!sight_.clear(path[before], c) || !sight_.clear(c, path[after])) continue;

@@ -12,7 +12,7 @@ namespace waybreaker {
 namespace {
 
 // Cells that a bend is moved at once: farther where nearer ones gain nothing.
-constexpr int near = 2;
+constexpr int nearest = 2;
 constexpr int farthest = 3;
 constexpr double least_gain = 1e-9;  // in cells
 
@@ -23,7 +23,7 @@ Cell best_place(const LineOfSight& sight, const OpenedMap& map, Cell before, Cel
     double least = detour(bend) - least_gain;
     for (int dy = -within; dy <= within; ++dy) {
         for (int dx = -within; dx <= within; ++dx) {
-            if (within > near && std::max(std::abs(dx), std::abs(dy)) < within) continue;
+            if (within > nearest && std::max(std::abs(dx), std::abs(dy)) < within) continue;
             const Cell c{bend.x + dx, bend.y + dy};
             if (!map.map().grid().contains(c) || detour(c) >= least) continue;
             if (!sight.fits(c) || !sight.clear(before, c) || !sight.clear(c, after)) continue;
@@ -41,7 +41,7 @@ bool shorten(const LineOfSight& sight, const OpenedMap& map, std::vector<Point>&
         const Cell before = cell_of(path[i - 1]);
         const Cell bend = cell_of(path[i]);
         const Cell after = cell_of(path[i + 1]);
-        if (within == near && sight.clear(before, after)) {
+        if (within == nearest && sight.clear(before, after)) {
             path.erase(path.begin() + std::ptrdiff_t(i--));
             changed = true;
             continue;
@@ -62,9 +62,9 @@ Cell cell_of(Point p) {
 
 std::vector<Point> shortened(const OpenedMap& map, const Body& body, std::vector<Point> path) {
     const LineOfSight sight(map, body);
-    for (int within = near; within <= farthest;) {
+    for (int within = nearest; within <= farthest;) {
         const bool changed = shorten(sight, map, path, within);
-        within = changed ? near : within + 1;
+        within = changed ? nearest : within + 1;
     }
     return path;
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_pairs = 1 << 20;  // of cells of neighbouring stops
 
-// By stop: the cells that a tour of this length could visit, were each its only stop.
+// Keeps, for each stop, the cells that a tour of this length could visit, were each its only stop.
 std::vector<std::vector<Cell>> cells_in_reach(Cell start, const Tour& tour, Cell goal,
                                               std::span<const Target> targets) {
     const double length = tour_length(start, tour, goal) * (1 + least_gain);

@@ -14,7 +14,8 @@ namespace waybreaker {
 // that a tour about as short as the shortest can use.
 Tour shortest_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known);
 
-// By when the air agent must be done with each target. Time is given in cells, as what it could fly meanwhile.
+// Deadlines by which the air agent must be done with each target. Time is given in cells, as what it could fly
+// meanwhile.
 struct Deadlines {
     std::vector<double> stay;    // by target: how long it stays there
     std::vector<double> latest;  // by target: when it leaves at the latest; infinity: any time

@@ -12,10 +12,10 @@ using Who = std::uint32_t;
 constexpr Who nobody = UINT32_MAX;
 constexpr Site fork = nowhere - 1;
 
-// Some vehicles are told where to step to: the last one, and those of the parent.
+// A constraint of LaCAM: some vehicles have a given next site, the last one, and those of the parent.
 struct Constraint {
     std::size_t parent = 0;
-    std::uint32_t depth = 0;  // how many are told
+    std::uint32_t depth = 0;  // number of vehicles with a given site
     Site site = nowhere;
 };
 
@@ -40,7 +40,7 @@ class NextConfiguration {
           next_(left.size(), nowhere),
           random_(seed) {}
 
-    // False if vehicles cannot do as they are told, or are found no place.
+    // False if vehicles cannot step to their given sites, or are found no place.
     bool find(const Node& node, std::size_t constraint) {
         now_ = node.at;
         for (Who i = 0; i < now_->size(); ++i) now_at_[(*now_)[i]] = i;
@@ -236,7 +236,7 @@ class Search {
         open_.push_back(index);
     }
 
-    // The next vehicle by priority is told each of its steps in turn.
+    // Gives the next vehicle by priority each of its steps in turn.
     void branch(Node& node, std::size_t constraint) const {
         const std::uint32_t depth = node.constraints[constraint].depth;
         if (depth == node.order.size()) return;

@@ -28,11 +28,12 @@ class Improvement {
     }
 
     // Until so many tries in a row have gained nothing, or nobody is late.
-    void run(std::size_t patience, const std::function<bool()>& due) {
-        for (std::size_t vain = 0; vain < patience && !due();) {
+    void run(std::size_t most_failures, const std::function<bool()>& due) {
+        for (std::size_t failures = 0; failures < most_failures && !due();) {
             const std::optional<std::size_t> late = any_late();
             if (!late) return;
-            vain = replan(around(*late, 2 + std::size_t(random_.below(int(most_replanned) - 1)))) ? 0 : vain + 1;
+            failures =
+                replan(around(*late, 2 + std::size_t(random_.below(int(most_replanned) - 1)))) ? 0 : failures + 1;
         }
     }
 
@@ -154,10 +155,10 @@ class Improvement {
 }  // namespace
 
 std::vector<Route> improved(const Lattice& lattice, Meeting meeting, std::span<const std::vector<std::uint32_t>> left,
-                            std::vector<Route> routes, Aim aim, std::size_t patience, std::size_t most_words,
+                            std::vector<Route> routes, Aim aim, std::size_t most_failures, std::size_t most_words,
                             const std::function<bool()>& due) {
     Improvement improvement(lattice, meeting, left, std::move(routes), aim, most_words);
-    improvement.run(patience, due);
+    improvement.run(most_failures, due);
     return improvement.take();
 }
 

@@ -10,13 +10,13 @@
 
 namespace waybreaker::lockstep {
 
-// What is to be small: the sum of all arrivals, or the last one and then the sum.
+// Aim of a plan: the sum of all arrivals, or the last one and then the sum.
 enum class Aim { sum, last };
 
 // Until so many tries in a row have gained nothing, nobody is later than if it were alone, or `due`. `left` holds each
 // vehicle's distances to its goal; none of the routes meets another. Of so many words and times together, at most.
 std::vector<Route> improved(const Lattice& lattice, Meeting meeting, std::span<const std::vector<std::uint32_t>> left,
-                            std::vector<Route> routes, Aim aim, std::size_t patience, std::size_t most_words,
+                            std::vector<Route> routes, Aim aim, std::size_t most_failures, std::size_t most_words,
                             const std::function<bool()>& due);
 
 }  // namespace waybreaker::lockstep

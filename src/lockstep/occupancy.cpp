@@ -42,7 +42,7 @@ void Occupancy::mark(const Route& route, bool there) {
     }
 }
 
-// What is reached at the next time.
+// Sites reached at the next time.
 void Occupancy::expand(std::size_t t) {
     const std::size_t words = lattice_.words();
     const std::size_t row = lattice_.row_words();

@@ -1,4 +1,4 @@
-// Which sites are taken when, and the earliest way of one vehicle past all others.
+// Occupancy: the sites taken at each time, and the earliest route of one vehicle past all others.
 //
 // A search looks at all vehicles' sites as sets of bits: what can be reached at the next time is what can be reached
 // now and all that is beside it, 64 sites at once.
@@ -18,8 +18,8 @@ inline std::size_t arrival(const Route& route) {
     return route.size() - 1;
 }
 
-// What vehicles must not do in the same step, beside ending at the same site: swap places, and if they are too wide for
-// it, turn into where another leaves, or out of where another comes.
+// Moves that vehicles must not make in the same step, beside ending at the same site: swap places, and if they are too
+// wide for it, turn into where another leaves, or out of where another comes.
 struct Meeting {
     bool at_turns = false;
 
@@ -33,7 +33,7 @@ struct Meeting {
 
 class Occupancy {
   public:
-    // Of so many words and times together, at most: routes that end later are not found.
+    // Limited to so many words and times together: routes that end later are not found.
     Occupancy(const Lattice& lattice, Meeting meeting, std::size_t most_words);
 
     // REQUIRES: the route meets none of those that are there.

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
+#include "safe_interval/tuning.hpp"
+
 namespace waybreaker::safe_interval {
-namespace {
-
-constexpr std::size_t most_bytes = std::size_t{1} << 27U;
-
-}  // namespace
 
 const Distances& DistanceMemory::get(const OpenedMap& map, const LineOfSight& sight, const Body& body,
                                      std::span<const Cell> way, Region region, const Deadline& deadline) {
     const bool same_map = map_ == map.map().identity() && std::ranges::equal(removed_, map.removed());
-    if (!same_map || bytes_ > most_bytes) {
+    if (!same_map || bytes_ > tuning::most_bytes) {
         known_.clear();
         open_steps_.clear();
         bytes_ = 0;

@@ -1,4 +1,4 @@
-// Distances of earlier queries: who plans a team asks for the same agents again and again.
+// Distances of earlier queries: the planner of a team asks for the same agents again and again.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ class DistanceMemory {
     // As the constructor of Distances. What is returned stays until the next call, and so do the steps.
     const Distances& get(const OpenedMap& map, const LineOfSight& sight, const Body& body, std::span<const Cell> way,
                          Region region, const Deadline& deadline);
-    // Of the map last asked for.
+    // Steps on the map last asked for.
     OpenSteps& open_steps(const Body& body);
 
   private:

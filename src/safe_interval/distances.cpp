@@ -59,7 +59,7 @@ class Distances::Flood {
         std::push_heap(open_.begin(), open_.end());
     }
 
-    // As far as is known without a look: straight from what `by` goes to. A cell of the way has a length to keep, so it
+    // Estimates without a look: straight from what `by` goes to. A cell of the way has a length to keep, so it
     // looks first.
     void reach(Cell cell, Cell by) {
         const std::uint32_t at = to_.index(cell);
@@ -71,7 +71,7 @@ class Distances::Flood {
         push(cell, {far, next});
     }
 
-    // By the best of what its settled neighbours go to, if that is in sight, and of these themselves.
+    // Takes the best of what its settled neighbours go to, if that is in sight, and of these themselves.
     void settle(Cell here) {
         Entry& entry = to_.entries_[to_.index(here)];
         settled_[to_.index(here)] = 1;
@@ -105,7 +105,7 @@ Distances::Distances(const OpenedMap& map, const LineOfSight& sight, OpenSteps& 
                      Region region, const Deadline& deadline) {
     const auto [west, east] = std::ranges::minmax(way, {}, &Cell::x);
     const auto [north, south] = std::ranges::minmax(way, {}, &Cell::y);
-    const double most_aside = region == near_the_way ? side : region.longest / 2;
+    const double most_aside = region == along_the_path ? side : region.longest / 2;
     const int aside = int(std::min(most_aside, double(std::max(map.width(), map.height()))));
     left_ = std::max(west.x - aside, 0);
     top_ = std::max(north.y - aside, 0);
@@ -114,7 +114,7 @@ Distances::Distances(const OpenedMap& map, const LineOfSight& sight, OpenSteps& 
     columns_ = unsigned(right_ - left_ - 1) / side + 1;
     const unsigned rows = unsigned(bottom_ - top_ - 1) / side + 1;
     tiles_.assign(std::size_t(columns_) * rows, none);
-    if (region == near_the_way) {
+    if (region == along_the_path) {
         add_tiles_near(way);
     } else {
         add_tiles_within(region.longest, way.front(), way.back());
@@ -128,7 +128,7 @@ void Distances::add_tile(std::uint32_t number) {
     entries_.resize(entries_.size() + std::size_t(side) * side);
 }
 
-// Those that touch the ellipse.
+// Adds the tiles that touch the ellipse.
 void Distances::add_tiles_within(double longest, Cell start, Cell goal) {
     constexpr double to_corner = side / 2.0 * std::numbers::sqrt2;
     for (std::uint32_t tile = 0; tile < tiles_.size(); ++tile) {

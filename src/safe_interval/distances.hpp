@@ -1,4 +1,4 @@
-// Distances to the goal for an agent that is alone: the heuristic, and the way on when nobody is in the way.
+// Distances to the goal for an agent that is alone: the heuristic, and the path on when nobody is in the way.
 #pragma once
 
 #include <compare>
@@ -10,15 +10,17 @@
 #include "core/stopwatch.hpp"
 #include "map/line_of_sight.hpp"
 #include "safe_interval/open_steps.hpp"
+#include "safe_interval/tuning.hpp"
 
 namespace waybreaker::safe_interval {
 
-// Where distances are asked for: next to a way, or wherever ways between its ends go that are up to so many cells long.
+// Cells whose distances are asked for: next to a path, or wherever paths between its ends go that are up to so many
+// cells long.
 struct Region {
     double longest = 0;
     friend auto operator<=>(const Region&, const Region&) = default;
 };
-inline constexpr Region near_the_way{0};
+inline constexpr Region along_the_path{0};
 inline constexpr Region everywhere{std::numeric_limits<double>::infinity()};
 
 // Any-angle distances from every cell of a region, by Lazy Theta* from the goal without a heuristic (Nash, Koenig,
@@ -43,12 +45,12 @@ class Distances {
         const std::uint32_t at = index(c);
         return at == none ? unknown : entries_[at].length;
     }
-    // A cell in sight of `c` through which the way on goes. REQUIRES: to_goal(c) is known.
+    // The next bend of the path from `c` to the goal, in sight of it. REQUIRES: to_goal(c) is known.
     Cell next(Cell c) const { return entries_[index(c)].next; }
 
     static constexpr std::uint32_t none = UINT32_MAX;
 
-    // Of a cell of the region, below size(); `none` outside. The cell may lie off the map.
+    // Number of a cell of the region, below size(); `none` outside. The cell may lie off the map.
     std::uint32_t index(Cell c) const {
         if (c.x < left_ || c.y < top_ || c.x >= right_ || c.y >= bottom_) return none;
         const auto x = unsigned(c.x - left_);
@@ -60,7 +62,7 @@ class Distances {
     std::size_t bytes() const { return tiles_.size() * sizeof(std::uint32_t) + entries_.size() * sizeof(Entry); }
 
   private:
-    static constexpr int side = 4;  // of a tile, in cells
+    static constexpr int side = tuning::tile_side;
 
     struct Entry {
         float length = unknown;

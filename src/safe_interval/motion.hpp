@@ -55,7 +55,7 @@ inline Interval within_reach(Vector offset, Vector velocity, double reach, doubl
     const double c = dot(offset, offset) - reach * reach;
     if (a == 0) return c < 0 ? Interval{0, duration} : Interval{};
     const double b = dot(offset, velocity);
-    // By the distance to the line, which is exact where the point passes at just that distance.
+    // Judges by the distance to the line, which is exact where the point passes at just that distance.
     const double aside = cross(offset, velocity);
     const double discriminant = a * reach * reach - aside * aside;
     if (discriminant <= 0) return {};

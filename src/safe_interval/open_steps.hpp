@@ -1,4 +1,5 @@
-// Which neighbours of a cell an agent can step to: each search asks for the same cells, so sight is looked at once.
+// Open steps: the neighbours of a cell that an agent can step to. Each search asks for the same cells, so sight is
+// looked at once.
 #pragma once
 
 #include <array>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "map/line_of_sight.hpp"
+#include "safe_interval/tuning.hpp"
 
 namespace waybreaker::safe_interval {
 
@@ -37,7 +39,7 @@ class OpenSteps {
     }
 
   private:
-    static constexpr std::size_t side = 64;  // of a tile, in cells
+    static constexpr std::size_t side = tuning::step_tile_side;
     static constexpr std::uint16_t looked = 1U << steps.size();
 
     std::uint16_t look(Cell cell, const LineOfSight& sight) const {

@@ -1,4 +1,4 @@
-// Which ways are tried, one after the other: the known one, those near it, those far off.
+// Paths tried one after the other: the known one, those next to it, those farther off.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -6,24 +6,16 @@
 #include "core/range.hpp"
 #include "safe_interval/driven.hpp"
 #include "safe_interval/search.hpp"
+#include "safe_interval/tuning.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
 
 using safe_interval::Leg;
 using safe_interval::Region;
+namespace tuning = safe_interval::tuning;
 
 namespace {
-
-// Of more cells: ways near the known one are tried first.
-constexpr std::size_t small_map = 4096;
-// Who has to go, or wait, for so many cells more may have a shorter way elsewhere. That is about how far one can go
-// around somebody without leaving the region near the way.
-constexpr double far_detour = 10;
-// Of more cells: no other ways are tried.
-constexpr std::size_t largest_map = std::size_t{1} << 22U;
-// Such ways are looked for up to a multiple of so many cells: the next time, their distances are known.
-constexpr double step = 16;
 
 void validate(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goal, const SafeIntervalOptions& options) {
     validate(options.body);
@@ -72,14 +64,15 @@ SafeIntervalResult SafeIntervalSearcher::Search::run(const OpenedMap& map, const
         return result;
     }
     const std::size_t cells = map.map().grid().cell_count();
-    if (cells <= small_map) {
+    if (cells <= tuning::small_map) {
         search_in(safe_interval::everywhere, way, result);
     } else {
-        search_in(safe_interval::near_the_way, way, result);
-        const bool late = (arrive_before_ - earliest) * options.speed > far_detour;
+        search_in(safe_interval::along_the_path, way, result);
+        const bool late = (arrive_before_ - earliest) * options.speed > tuning::least_loss;
         const double longest = (arrive_before_ - options.ready_at) * options.speed;
         const bool interrupted = result.status != SearchStatus::found && result.status != SearchStatus::no_path;
-        if (late && !interrupted && cells <= largest_map) search_in({std::ceil(longest / step) * step}, way, result);
+        if (late && !interrupted && cells <= tuning::largest_map)
+            search_in({std::ceil(longest / tuning::length_unit) * tuning::length_unit}, way, result);
     }
     result.expanded = expanded_;
     return result;

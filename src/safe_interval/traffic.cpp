@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/range.hpp"
+#include "safe_interval/tuning.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -14,13 +15,10 @@ using safe_interval::Vector;
 
 namespace {
 
-// Small squares where there is much traffic to a cell; not more of them than a large map can bear.
-constexpr int least_side = 4;
-constexpr std::size_t most_squares = std::size_t{1} << 18U;
-
 int side_for(int width, int height) {
-    int side = least_side;
-    while (std::size_t(width / side + 1) * std::size_t(height / side + 1) > most_squares) side *= 2;
+    int side = safe_interval::tuning::least_square_side;
+    while (std::size_t(width / side + 1) * std::size_t(height / side + 1) > safe_interval::tuning::most_squares)
+        side *= 2;
     return side;
 }
 

@@ -19,7 +19,7 @@
 
 namespace waybreaker {
 
-// What the loop needs of map and options, computed once per query.
+// The map and the options as the loop needs them, computed once per query.
 struct Query {
     const OpenedMap& map;
     Cell start;

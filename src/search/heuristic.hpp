@@ -1,4 +1,4 @@
-// Heuristics: estimates of the way left, in cells.
+// Heuristics: estimates of the cost to go, in cells.
 #pragma once
 
 #include <algorithm>

@@ -20,7 +20,7 @@ struct OpenEntry {
     CellKey key;
 };
 
-// Of two entries with equal f, the one with the larger g comes first, or the smaller.
+// Ties: which of two entries with equal f comes first, the one with the larger g or the smaller.
 struct LargerGFirst {
     static bool before(const OpenEntry& a, const OpenEntry& b) {
         if (a.f != b.f) return a.f < b.f;

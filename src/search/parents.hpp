@@ -97,8 +97,8 @@ class ThetaParents {
             if (!nodes.has_parent(*lower, from) || (rest > 0 && !nodes.has_parent(*(lower + minor.stride), from)))
                 continue;
             for (; k >= 0; --k) {
-                // What it may sweep on this line: two cells beyond the lower neighbour to one before, in the segment's
-                // box.
+                // Cells that it may sweep on this line: two cells beyond the lower neighbour to one before, in the
+                // segment's box.
                 const int near = std::max(behind[k] - 2, 0);
                 const int far = std::min(behind[k] + 1, minor.length);
                 const int first = minor.step > 0 ? minor.end - far : minor.end + near;

@@ -16,7 +16,7 @@ double a_little_more(const Task& task) {
     return std::max(task.deadline.left(), tuning::overtime);
 }
 
-double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
+double costliest_path(const Task& task, double objective, const OpeningTimes& opening_times) {
     const bool flight_apart = task.rules.objective == Objective::flowtime && !opening_times.matter();
     return task.cells_until(flight_apart ? objective - task.least_flight.sum : objective);
 }
@@ -38,7 +38,7 @@ CrossingOptions crossing_options(const Task& task, bool relaxed, double objectiv
     crossing.removed = rules.force;
     crossing.protect = rules.protect;
     crossing.budget = task.spare_budget();
-    crossing.length_limit = dearest_path(task, objective, opening_times);
+    crossing.length_limit = costliest_path(task, objective, opening_times);
     crossing.limits = limits_of(task, seconds);
     if (opening_times.matter()) {
         crossing.opened_after = [&](std::span<const ObstacleId> obstacles) { return opening_times.cells(obstacles); };
@@ -98,7 +98,7 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     }
     CrossingOptions options = crossing_options(task, true, task.worth(reached), deadline.left(), opening_times);
     options.limits.expansions = std::min(options.limits.expansions, expansions);
-    options.expected = std::max(dearest_path(task, proven, opening_times), expected);
+    options.expected = std::max(costliest_path(task, proven, opening_times), expected);
     const auto least = [&](double path, const Returns& home) { return task.objective(task.arrival(path), home); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, tuning::proof_in_time);

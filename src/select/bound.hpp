@@ -29,7 +29,7 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
 
 // What a path may cost, in cells, that could still lead to an objective. Where obstacles open in time, the cost is the
 // whole objective.
-double dearest_path(const Task& task, double objective, const OpeningTimes& opening_times);
+double costliest_path(const Task& task, double objective, const OpeningTimes& opening_times);
 
 // No plan with such a path is below.
 double least_objective(const Task& task, double path_cost, const OpeningTimes& opening_times);

@@ -136,10 +136,10 @@ class PathsInTime {
 Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
                    std::vector<ObstacleId> removed, const Cutoff& cutoff, const CrossingResult* found, double seconds) {
     std::ranges::sort(removed);
-    const double dearest = dearest_path(task, cutoff.reached, opening_times);
+    const double costliest = costliest_path(task, cutoff.reached, opening_times);
     const bool is_known = found != nullptr && !opening_times.matter();
-    Opening shortest = is_known ? open(task.trip(), searchers, removed, *found, seconds, dearest)
-                                : open(task.trip(), searchers, removed, dearest);
+    Opening shortest = is_known ? open(task.trip(), searchers, removed, *found, seconds, costliest)
+                                : open(task.trip(), searchers, removed, costliest);
     const std::optional<double> length = shortest.ground.length;
     Candidate best = candidate_of(task, std::move(shortest));
     const bool promises = length && least_objective(task, *length, opening_times) < cutoff.reached;

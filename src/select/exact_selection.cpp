@@ -145,7 +145,7 @@ void ExactSelection::try_square_first() {
 CrossingResult ExactSelection::try_square() {
     options_ = crossing_options(task_, !drives_by_crossing(task_), task_.worth(best_) * (1 - rounding),
                                 deadline_.left(), opening_times_);
-    options_.expected = dearest_path(task_, bound_.objective, opening_times_);
+    options_.expected = costliest_path(task_, bound_.objective, opening_times_);
     options_.limits.expansions = std::min(options_.limits.expansions, expansions_of_square());
     CrossingResult found = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options_);
     if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
@@ -198,7 +198,7 @@ void ExactSelection::try_steps(double seconds) {
 }
 
 bool ExactSelection::try_others(const CrossingResult& first) {
-    options_.length_limit = dearest_path(task_, task_.worth(best_), opening_times_);
+    options_.length_limit = costliest_path(task_, task_.worth(best_), opening_times_);
     options_.limits.seconds = deadline_.left();
     std::uint64_t own = expansions_of_square();
     if (!opening_times_.matter()) {

@@ -81,11 +81,11 @@ pid_t started(const std::vector<std::string>& command, int end) {
 // What is said to the child and by it.
 class Talk {
   public:
-    Talk(int wire, std::span<const std::string_view> told) : wire_(wire), told_(told) { skip_empty(); }
+    Talk(int wire, std::span<const std::string_view> input) : wire_(wire), input_(input) { skip_empty(); }
 
     // False once the child says no more.
     bool go_on(std::string& said) {
-        std::array<pollfd, 1> watched{{{wire_, short(told_.empty() ? POLLIN : POLLIN | POLLOUT), 0}}};
+        std::array<pollfd, 1> watched{{{wire_, short(input_.empty() ? POLLIN : POLLIN | POLLOUT), 0}}};
         if (poll(watched.data(), 1, between_looks) <= 0) return true;
         if ((watched[0].revents & POLLOUT) != 0) tell();
         return (watched[0].revents & (POLLIN | POLLHUP | POLLERR)) == 0 || hear(said);
@@ -94,8 +94,8 @@ class Talk {
   private:
     void tell() {
         const ssize_t sent =
-            send(wire_, told_.front().data() + sent_, told_.front().size() - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (sent < 0 && errno != EAGAIN && errno != EINTR) told_ = {};  // it does not listen
+            send(wire_, input_.front().data() + sent_, input_.front().size() - sent_, MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (sent < 0 && errno != EAGAIN && errno != EINTR) input_ = {};  // it does not listen
         if (sent > 0) sent_ += std::size_t(sent);
         skip_empty();
     }
@@ -108,21 +108,21 @@ class Talk {
     }
 
     void skip_empty() {
-        while (!told_.empty() && sent_ == told_.front().size()) {
-            told_ = told_.subspan(1);
+        while (!input_.empty() && sent_ == input_.front().size()) {
+            input_ = input_.subspan(1);
             sent_ = 0;
         }
-        if (told_.empty()) shutdown(wire_, SHUT_WR);
+        if (input_.empty()) shutdown(wire_, SHUT_WR);
     }
 
     int wire_;
-    std::span<const std::string_view> told_;
+    std::span<const std::string_view> input_;
     std::size_t sent_ = 0;  // of the first
 };
 
 }  // namespace
 
-ChildEnd run_child(const std::vector<std::string>& command, std::span<const std::string_view> told, std::size_t most,
+ChildEnd run_child(const std::vector<std::string>& command, std::span<const std::string_view> input, std::size_t most,
                    const StopToken& stop) {
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) require(errno, "socketpair");
@@ -131,7 +131,7 @@ ChildEnd run_child(const std::vector<std::string>& command, std::span<const std:
     Child child(started(command, theirs.number()));
     theirs.close();
     ChildEnd end;
-    Talk talk(ours.number(), told);
+    Talk talk(ours.number(), input);
     while (!end.stopped && end.said.size() <= most && talk.go_on(end.said)) end.stopped = stop.stop_requested();
     end.status = child.end();  // it has said all, or must end
     return end;

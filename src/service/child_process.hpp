@@ -18,9 +18,9 @@ struct ChildEnd {
     bool stopped = false;
 };
 
-// Starts the program with its arguments, writes `told` to its standard input and reads what it says until that ends;
+// Starts the program with its arguments, writes `input` to its standard input and reads what it says until that ends;
 // kills it at a stop, or when it says more than `most`. Throws std::runtime_error if it cannot be started.
-ChildEnd run_child(const std::vector<std::string>& command, std::span<const std::string_view> told, std::size_t most,
+ChildEnd run_child(const std::vector<std::string>& command, std::span<const std::string_view> input, std::size_t most,
                    const StopToken& stop);
 
 }  // namespace waybreaker::service

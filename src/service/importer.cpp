@@ -89,8 +89,8 @@ Importer::Answer Importer::ask(const Json& task, std::string_view bytes, std::si
     command.push_back(std::to_string(memory));
     command.push_back(fmt::format("{}", limits_.seconds + grace));
     const std::string head = task.dump() + "\n";
-    const std::array<std::string_view, 2> told{head, bytes};
-    const ChildEnd end = run_child(command, told, memory, stop);
+    const std::array<std::string_view, 2> input{head, bytes};
+    const ChildEnd end = run_child(command, input, memory, stop);
     const std::size_t break_at = std::min(end.said.find('\n'), end.said.size());
     Answer answer{.line = Json::parse(end.said.substr(0, break_at), nullptr, false),
                   .file = end.said.substr(std::min(break_at + 1, end.said.size()))};

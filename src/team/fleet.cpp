@@ -6,13 +6,10 @@
 #include "plan/objective.hpp"
 #include "safe_interval/driven.hpp"
 #include "safe_interval/traffic.hpp"
+#include "team/tuning.hpp"
 
 namespace waybreaker::team {
 namespace {
-
-// In radii driven at its speed: time enough to get out of the way in most cases.
-constexpr double first_hold = 8;
-constexpr double longest_hold = 1e9;
 
 struct Times {
     double from;
@@ -58,7 +55,7 @@ bool Fleet::hold_as_at_first() {
     for (std::uint32_t i = 0; i < size(); ++i) {
         const Agent& agent = vehicles_[i].agent;
         const double hold =
-            agent.ready_at + first_hold * std::max(agent.body.reach() + rules_.separation, 0.1) / agent.speed;
+            agent.ready_at + tuning::first_hold * std::max(agent.body.reach() + rules_.separation, 0.1) / agent.speed;
         held_longer = held_longer || hold_[i] > hold;
         hold_[i] = hold;
     }
@@ -94,7 +91,7 @@ double Fleet::latest_arrival(const Cost& cost, std::uint32_t i) const {
 void Fleet::stand_at_start(std::uint32_t i) {
     const Agent& agent = vehicles_[i].agent;
     const Waypoint start{double(agent.start.x), double(agent.start.y), 0};
-    const std::array<Waypoint, 2> standing{start, {start.x, start.y, std::min(hold_[i], longest_hold)}};
+    const std::array<Waypoint, 2> standing{start, {start.x, start.y, std::min(hold_[i], tuning::longest_hold)}};
     traffic_.add(i, standing, agent.body.reach(), false);
 }
 
@@ -138,7 +135,7 @@ void Fleet::put(std::uint32_t i, Path path) {
 }
 
 void Fleet::skip_standstill() {
-    // By then all may leave, and all is open.
+    // Time from which all may leave, and all is open.
     double settled = 0;
     for (const Vehicle& vehicle : vehicles_) settled = std::max(settled, vehicle.agent.ready_at);
     for (const TimedOpening& opening : ground_.openings) settled = std::max(settled, opening.at);

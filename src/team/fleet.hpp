@@ -13,13 +13,13 @@ namespace waybreaker::team {
 
 using Path = std::vector<Waypoint>;
 
-// What is to be small: first the vehicles without a path, then the objective, then the other one.
+// Cost of a plan: first the vehicles without a path, then the objective, then the other one.
 struct Cost {
     std::size_t missing = 0;
     double first = 0;
     double second = 0;
 };
-// By more than rounding.
+// Whether a is better by more than rounding.
 bool better(const Cost& a, const Cost& b);
 
 // A map with obstacles removed, and when those of them that stand at first are gone.
@@ -52,7 +52,7 @@ class Fleet {
     void withdraw(std::uint32_t i);
     // Gives it a path that keeps clear of all the others' and of nobody's start.
     void put(std::uint32_t i, Path path);
-    // Those that it would meet, were it to drive as if it were alone.
+    // The vehicles that it would meet, were it to drive as if it were alone.
     std::vector<std::uint32_t> in_its_way(std::uint32_t i) const;
     // Leaves out the times at which all of them stand and nothing opens: one may wait for a start that was kept free
     // for long, the others for it. REQUIRES: all have a path.

@@ -3,12 +3,10 @@
 #include <algorithm>
 
 #include "lockstep/lockstep.hpp"
+#include "team/tuning.hpp"
 
 namespace waybreaker::team {
 namespace {
-
-// Of the time that is left.
-constexpr double share_of_lockstep = 0.2;
 
 bool are_alike(std::span<const Vehicle> vehicles) {
     return std::ranges::all_of(vehicles, [first = vehicles.front().agent](const Vehicle& vehicle) {
@@ -40,7 +38,7 @@ bool move_in_lockstep(const Ground& ground, std::span<const Vehicle> vehicles, c
     for (const Vehicle& vehicle : vehicles) trips.push_back({vehicle.agent.start, vehicle.agent.goal});
     const Agent& any = vehicles.front().agent;
     const double apart = 2 * any.body.reach() + rules.separation;
-    const Deadline deadline = interrupts.deadline.share(share_of_lockstep);
+    const Deadline deadline = interrupts.deadline.share(tuning::share_of_lockstep);
     const auto due = [&] { return interrupts.stop.stop_requested() || deadline.passed(); };
     const auto routes = lockstep::move_in_lockstep(
         ground.map, any.body, apart, trips,

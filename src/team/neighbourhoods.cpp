@@ -4,15 +4,16 @@
 #include <set>
 #include <utility>
 
+#include "team/tuning.hpp"
+
 namespace waybreaker::team {
 namespace {
 
-constexpr std::size_t most_replanned = 8;
 constexpr double for_ever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// The vehicle, those in its way, those in their way, and so on; of those found last, some by chance.
+// The vehicle, those in its way, those in their way, and so on; the last ones are drawn.
 std::vector<std::uint32_t> NeighbourhoodSearch::around(std::uint32_t vehicle, std::size_t most) {
     std::vector<std::uint32_t> chosen{vehicle};
     for (std::size_t next = 0; next < chosen.size() && chosen.size() < most; ++next) {
@@ -34,7 +35,7 @@ double NeighbourhoodSearch::delay(std::uint32_t vehicle) const {
     return lost > rounding * std::max(alone, 1.0) ? lost : 0;
 }
 
-// Any that loses time: the more it loses, the more likely.
+// Draws a vehicle that loses time: the more it loses, the more likely.
 std::optional<std::uint32_t> NeighbourhoodSearch::delayed() {
     double sum = 0;
     for (std::uint32_t i = 0; i < fleet_.size(); ++i) sum += delay(i);
@@ -73,19 +74,19 @@ bool NeighbourhoodSearch::replan(const std::vector<std::uint32_t>& order, bool r
 }
 
 void NeighbourhoodSearch::repair() {
-    const std::size_t most_tries = std::min<std::size_t>(50, 4 * fleet_.size());
+    const std::size_t most_tries = std::min(tuning::most_repairs, tuning::repairs_for_each * fleet_.size());
     for (std::size_t tries = 0; tries < most_tries && !interrupts_.due(); ++tries) {
         std::vector<std::uint32_t> missing;
         for (std::uint32_t i = 0; i < fleet_.size(); ++i) {
             if (!fleet_.has_path(i)) missing.push_back(i);
         }
         if (missing.empty()) return;
-        replan(around(missing[std::size_t(random_.below(int(missing.size())))], most_replanned), true);
+        replan(around(missing[std::size_t(random_.below(int(missing.size())))], tuning::most_repaired), true);
     }
 }
 
-// Who had to wait for somebody that might have stood at the start for long, and has left by now, need not wait any
-// more.
+// A vehicle that waited for another, which might have stood at its start for long but has left by now, need not wait
+// any more.
 bool NeighbourhoodSearch::shorten_waits() {
     bool any = false;
     for (std::uint32_t i = 0; i < fleet_.size() && !interrupts_.due(); ++i) {
@@ -96,22 +97,23 @@ bool NeighbourhoodSearch::shorten_waits() {
 
 void NeighbourhoodSearch::improve(double enough, const std::function<void()>& gained) {
     if (fleet_.cost().first <= enough) return;
-    const std::size_t patience = 100 + 20 * fleet_.size();
+    const std::size_t most_failures = tuning::most_failures + tuning::failures_for_each * fleet_.size();
     const bool held_longer = fleet_.hold_as_at_first();
     if (held_longer && shorten_waits()) gained();
-    std::set<std::vector<std::uint32_t>> vain;  // orders, since paths have last changed
-    for (std::size_t failures = 0; failures < patience && fleet_.cost().first > enough;) {
+    std::set<std::vector<std::uint32_t>> failed;  // orders, since paths have last changed
+    for (std::size_t failures = 0; failures < most_failures && fleet_.cost().first > enough;) {
         const std::optional<std::uint32_t> late = delayed();
         if (!late || interrupts_.due()) return;
-        std::vector<std::uint32_t> order = around(*late, 2 + std::size_t(random_.below(4)));
+        const int more = random_.below(tuning::most_improved - tuning::fewest_improved + 1);
+        std::vector<std::uint32_t> order = around(*late, std::size_t(tuning::fewest_improved + more));
         random_.shuffle(order);
-        if (!vain.contains(order) && replan(order, false)) {
+        if (!failed.contains(order) && replan(order, false)) {
             failures = 0;
-            vain.clear();
+            failed.clear();
             gained();
         } else {
             ++failures;
-            vain.insert(std::move(order));
+            failed.insert(std::move(order));
         }
     }
 }

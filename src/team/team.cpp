@@ -7,12 +7,10 @@
 #include "plan/objective.hpp"
 #include "team/in_lockstep.hpp"
 #include "team/neighbourhoods.hpp"
+#include "team/tuning.hpp"
 
 namespace waybreaker::team {
 namespace {
-
-// Of the time that is left when there is a plan; the rest is to improve it.
-constexpr double share_of_bounds = 0.2;
 
 // Short ways first where all arrivals count: they lose little on others, and others little on them. Where the last
 // arrival counts, the longest way first.
@@ -34,13 +32,11 @@ std::vector<std::uint32_t> order_of(std::span<const Vehicle> vehicles, Objective
 // lockstep, and then each as early as it can. Ends with a path for each, or after a number of rounds.
 void plan_all(const Ground& ground, const TeamPlan& plan, const Rules& rules, const Interrupts& interrupts,
               Fleet& fleet, NeighbourhoodSearch& search) {
-    constexpr int most_rounds = 50;
-    constexpr int first_rounds = 10;
     constexpr double any_time = std::numeric_limits<double>::infinity();
     std::vector<std::uint32_t> order = order_of(plan.vehicles, rules.objective);
-    const std::size_t few = order.size() / 10 + 1;
-    const std::size_t very_few = std::min<std::size_t>(few, 2);
-    for (int round = 0; round < most_rounds && !interrupts.due(); ++round) {
+    const std::size_t most_missing = order.size() / tuning::share_missing + 1;
+    const std::size_t most_missing_at_first = std::min(most_missing, tuning::most_missing_at_first);
+    for (int round = 0; round < tuning::most_rounds && !interrupts.due(); ++round) {
         if (round == 1 && move_in_lockstep(ground, plan.vehicles, rules, interrupts, fleet)) {
             search.shorten_waits();
             return;
@@ -48,7 +44,8 @@ void plan_all(const Ground& ground, const TeamPlan& plan, const Rules& rules, co
         for (const std::uint32_t i : order) {
             if (!fleet.plan(i, any_time)) fleet.hold_longer(i);
         }
-        if (fleet.cost().missing <= (round < first_rounds ? very_few : few)) search.repair();
+        if (fleet.cost().missing <= (round < tuning::first_rounds ? most_missing_at_first : most_missing))
+            search.repair();
         if (fleet.cost().missing == 0) return;
         std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return !fleet.has_path(i); });
         for (const std::uint32_t i : order) fleet.withdraw(i);
@@ -64,12 +61,13 @@ double objective_of(std::span<const Vehicle> vehicles, double Vehicle::*arrival,
 
 // The relaxed body slips past what the disc must go around; where that is far, cell centres tell more.
 void raise_bound(const OpenedMap& map, Vehicle& vehicle) {
-    constexpr double far = 1.01;
-    constexpr std::uint64_t most_looks = 100'000;  // a few milliseconds
     const Agent& agent = vehicle.agent;
     const double known = (vehicle.alone - agent.ready_at) * agent.speed;
-    if (!drives_by_crossing(agent.body) || known <= far * (vehicle.bound - agent.ready_at) * agent.speed) return;
-    const double least = least_through_centres(map, agent.start, agent.goal, agent.body, known, most_looks);
+    if (!drives_by_crossing(agent.body) ||
+        known <= tuning::least_excess * (vehicle.bound - agent.ready_at) * agent.speed)
+        return;
+    const double least =
+        least_through_centres(map, agent.start, agent.goal, agent.body, known, tuning::most_sight_lines);
     vehicle.bound = std::max(vehicle.bound, agent.ready_at + least / agent.speed);
 }
 
@@ -89,7 +87,7 @@ TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupt
         if (plan.status != SearchStatus::found) return plan;
     }
     const auto enough = [&](std::span<Vehicle> vehicles) {
-        const Deadline soon = interrupts.deadline.share(share_of_bounds);
+        const Deadline soon = interrupts.deadline.share(tuning::share_of_bounds);
         for (Vehicle& vehicle : vehicles) {
             if (interrupts.stop.stop_requested() || soon.passed()) break;
             raise_bound(map, vehicle);

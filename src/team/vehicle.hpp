@@ -23,12 +23,12 @@ struct Vehicle {
     double seconds = 0;
 };
 
-// What holds for all searches of a team.
+// Limits of all searches of a team.
 struct Interrupts {
     Deadline deadline;
     StopToken stop;
     std::uint64_t expansions = UINT64_MAX;
-    double gap = 0;  // a share: a plan so near to its bound is good enough
+    double gap = 0;  // a share: a plan within it of the bound is good enough
     unsigned threads = 1;
 
     bool good_enough(double objective, double bound) const { return gap > 0 && objective <= bound * (1 + gap); }

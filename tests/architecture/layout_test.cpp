@@ -50,6 +50,38 @@ Rules read_rules(const std::string& page) {
     return rules;
 }
 
+// Reads table rows "| `src/crossing/labels/` | what it holds | geometry |" of folders below one of src/.
+std::map<std::string, std::set<std::string>> read_part_rules(const std::string& page) {
+    static const std::regex row(R"(\| `src/(\w+)/(\w+)/` \|[^|]*\|([^|]*)\|)");
+    static const std::regex word(R"((\w+))");
+    std::map<std::string, std::set<std::string>> may_use;  // "crossing/labels": itself and what it may use
+    for (std::sregex_iterator match(page.begin(), page.end(), row), end; match != end; ++match) {
+        const std::string folder = match->str(1) + "/";
+        std::set<std::string>& used = may_use[folder + match->str(2)];
+        used.insert(folder + match->str(2));
+        for (const std::string& name : matches(match->str(3), word)) used.insert(folder + name);
+    }
+    return may_use;
+}
+
+// What is wrong with the uses that a file below a folder of src/ makes of the other parts of that folder.
+std::vector<std::string> forbidden_parts(const std::map<std::string, std::set<std::string>>& may_use,
+                                         const fs::path& path, const std::string& text) {
+    static const std::regex include(R"re(#\s*include\s*"([\w.]+/[\w./]+)")re");
+    const std::string part = path.parent_path().lexically_relative("src").string();
+    const std::string folder = part.substr(0, part.find('/'));
+    std::vector<std::string> findings;
+    if (part == folder) return findings;
+    if (!may_use.contains(part)) return {path.string() + " is in a folder the table of parts does not know"};
+    for (const std::string& name : matches(text, include)) {
+        const std::string used = fs::path(name).parent_path().string();
+        if (used.starts_with(folder + "/") && !may_use.at(part).contains(used)) {
+            findings.push_back(path.string() + " uses " + name + ", which " + part + " may not");
+        }
+    }
+    return findings;
+}
+
 // What is wrong with the uses of a source file or CMakeLists.txt, one line each; `path` is relative to the project.
 std::vector<std::string> forbidden_uses(const Rules& rules, const fs::path& path, const std::string& text) {
     static const std::regex include(R"re(#\s*include\s*["<]([\w.]+/[\w./]+)[">])re");
@@ -124,6 +156,16 @@ TEST(Layout, EveryFolderUsesOnlyWhatItMay) {
         if (extension != ".cpp" && extension != ".hpp" && path.filename() != "CMakeLists.txt") return;
         if (path == "src/CMakeLists.txt") return;  // adds the folders, is none
         for (const std::string& finding : forbidden_uses(rules(), path, text)) ADD_FAILURE() << finding;
+    });
+}
+
+TEST(Layout, EveryPartOfAFolderUsesOnlyWhatItMay) {
+    const auto may_use = read_part_rules(read(project / "docs/architecture.md"));
+    EXPECT_GE(may_use.size(), 4U) << "the table of parts is not read";
+    for (const auto& [part, used] : may_use) EXPECT_TRUE(fs::exists(project / "src" / part)) << part;
+    for_each_file({"src"}, [&](const fs::path& path, const std::string& text) {
+        if (path.extension() != ".cpp" && path.extension() != ".hpp") return;
+        for (const std::string& finding : forbidden_parts(may_use, path, text)) ADD_FAILURE() << finding;
     });
 }
 
@@ -202,6 +244,16 @@ TEST_F(ForbiddenUses, FindLinks) {
 
 TEST_F(ForbiddenUses, FindFoldersTheTableDoesNotKnow) {
     EXPECT_EQ(of("src/utils/a.cpp", "").size(), 1U);
+}
+
+TEST(ForbiddenParts, AreFound) {
+    const auto may_use = read_part_rules("| `src/search/low/` | a | |\n| `src/search/high/` | b | low |\n");
+    const auto of = [&](const char* path, const char* text) { return forbidden_parts(may_use, path, text).size(); };
+    EXPECT_EQ(of("src/search/high/a.cpp", "#include \"search/low/x.hpp\"\n#include \"search/tuning.hpp\""), 0U);
+    EXPECT_EQ(of("src/search/low/a.cpp", "#include \"search/low/x.hpp\"\n#include \"core/low/x.hpp\""), 0U);
+    EXPECT_EQ(of("src/search/a.cpp", "#include \"search/high/x.hpp\""), 0U);
+    EXPECT_EQ(of("src/search/low/a.cpp", "#include \"search/high/x.hpp\""), 1U);
+    EXPECT_EQ(of("src/search/middle/a.cpp", ""), 1U);
 }
 
 }  // namespace

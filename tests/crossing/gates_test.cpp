@@ -1,5 +1,5 @@
 // The gates of a group, one by one, against all of them in order of what they cost.
-#include "crossing/gates.hpp"
+#include "crossing/in_time/gates.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -14,8 +14,6 @@ namespace waybreaker {
 namespace {
 
 using namespace crossing;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Points in a row, a cell apart.
 Border row_of(int count) {

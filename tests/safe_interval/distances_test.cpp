@@ -82,7 +82,7 @@ RC_GTEST_PROP(Distances, AreNoLongerThanTheWay, ()) {
     }
     double length = 0;
     for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
-    const safe_interval::Region region = *rc::gen::element(safe_interval::everywhere, safe_interval::near_the_way,
+    const safe_interval::Region region = *rc::gen::element(safe_interval::everywhere, safe_interval::along_the_path,
                                                            safe_interval::Region{std::max(length, 1.0)});
     safe_interval::OpenSteps open_steps(map.width(), map.height());
     const safe_interval::Distances distances(opened, sight, open_steps, way, region, Deadline());
