@@ -5,16 +5,10 @@
 #include <functional>
 #include <numeric>
 
+#include "coalition/tuning.hpp"
+
 namespace waybreaker::coalition {
 namespace {
-
-// Of one search: to be told of many sets at once saves searches; most searches end long before so many expansions.
-constexpr int most_told = 64;
-constexpr std::uint64_t most_expansions = 6'000;
-constexpr std::uint64_t most_expansions_at_first = 5'000;
-constexpr std::uint64_t most_expansions_in_time = 1'500;
-// Of sets with as many obstacles the best is looked for, and of those with as many as may be.
-constexpr int most_counted = 3;
 
 double paid_for(std::span<const ObstacleId> opened, std::span<const double> prices) {
     double paid = 0;
@@ -107,7 +101,7 @@ void Columns::begin_in_time(std::size_t vehicle, Hand& hand) {
     if (std::isinf(least)) return;
     if (in_time()) {
         CrossingOptions options = options_for(agent);
-        options.limits.expansions = std::min(problem_.interrupts().expansions, most_expansions_at_first);
+        options.limits.expansions = std::min(problem_.interrupts().expansions, tuning::most_first_expansions_in_time);
         options.length_limit = closed;
         options.expected = least;
         options.opens_each_alone = true;
@@ -125,14 +119,15 @@ void Columns::begin_by_count(std::size_t vehicle, Hand& hand) {
     Wishes& wishes = wishes_[vehicle];
     double least = (wishes.columns.front().arrival - agent.ready_at) * agent.speed;
     const int all = problem_.spare_removals();
-    for (int count = 1; count <= all; count = count < most_counted ? count + 1 : std::max(all, count + 1)) {
+    for (int count = 1; count <= all;
+         count = count < tuning::most_sizes_of_own_body ? count + 1 : std::max(all, count + 1)) {
         const CrossingResult best = find(vehicle, count, least, hand);
         if (best.status == SearchStatus::found) add(vehicle, best.best.crossed, best.lower_bound);
         least = std::min(least, best.lower_bound);
     }
     wishes.least = arrival_of(agent, {}, least);
     const std::vector<double> free(problem_.map().obstacles().size() + 1, 0);
-    wishes.least = std::max(wishes.least, list_near(vehicle, free, most_margin * wishes.least, hand).least);
+    wishes.least = std::max(wishes.least, list_near(vehicle, free, tuning::most_margin * wishes.least, hand).least);
 }
 
 CrossingOptions Columns::options_for(const Agent& agent) const {
@@ -146,7 +141,7 @@ CrossingOptions Columns::options_for(const Agent& agent) const {
     options.protect = problem_.rules().protect;
     options.budget = problem_.spare_budget();
     options.limits = problem_.interrupts().limits();
-    options.limits.expansions = std::min(options.limits.expansions, most_expansions);
+    options.limits.expansions = std::min(options.limits.expansions, tuning::most_pricing_expansions);
     return options;
 }
 
@@ -165,12 +160,6 @@ bool Columns::may_gain(std::size_t vehicle, const Obstacle& obstacle) const {
     const double closed = (wishes_[vehicle].columns.front().arrival - agent.ready_at) * agent.speed;
     const double reach = agent.body.reach() + 1;
     return gap(obstacle.bounds, agent.start) + gap(obstacle.bounds, agent.goal) - 2 * reach < closed;
-}
-
-// By way of an obstacle that is open then.
-double Columns::late_arrival(const Agent& agent, const Obstacle& obstacle, double opening) {
-    const double left = gap(obstacle.bounds, agent.goal) - agent.body.reach() - 1;
-    return opening + std::max(left, 0.0) / agent.speed;
 }
 
 // In cells that it could drive until then.
@@ -221,7 +210,8 @@ void Columns::add(std::size_t vehicle, std::span<const ObstacleId> opened, doubl
 void Columns::note(std::size_t vehicle, const CrossingResult& search) {
     const team::Interrupts& interrupts = problem_.interrupts();
     const bool ended = search.status == SearchStatus::limit_reached || search.status == SearchStatus::stopped;
-    if (ended && (interrupts.due() || interrupts.expansions < most_expansions)) limited_[vehicle] = true;
+    if (ended && (interrupts.due() || interrupts.expansions < tuning::most_pricing_expansions))
+        limited_[vehicle] = true;
 }
 
 double Columns::best_known(std::size_t vehicle, std::span<const double> prices) const {
@@ -292,7 +282,7 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
     if (in_time() && proof.least < best * (1 - rounding)) {
         options.opens_each_alone = true;
         options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
-        options.limits.expansions = std::min(options.limits.expansions, most_expansions_in_time);
+        options.limits.expansions = std::min(options.limits.expansions, tuning::most_pricing_expansions_in_time);
         find();
     }
     return {proof.least, proof.least};
@@ -303,7 +293,7 @@ Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> 
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (agent.start == agent.goal || !proofs_[vehicle].complete) return proven;
     double best = best_known(vehicle, prices);
-    if (std::isfinite(best)) margin = std::min(margin, most_margin * best);
+    if (std::isfinite(best)) margin = std::min(margin, tuning::most_margin * best);
     Query asked = query(agent, prices, best + margin);
     CrossingOptions& options = asked.options;
     if (std::isfinite(best)) {
@@ -318,7 +308,9 @@ Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> 
     int told = 0;
     const CrossingResult rest =
         searcher(hand).enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
-            if (told == most_told || agent.ready_at + path.cost / agent.speed >= best + margin) return false;
+            if (told == tuning::most_columns_of_enumeration ||
+                agent.ready_at + path.cost / agent.speed >= best + margin)
+                return false;
             ++told;
             const double length = path.cost - paid_for(path.crossed, asked.prices);
             add(vehicle, path.crossed, length);

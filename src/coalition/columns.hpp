@@ -39,9 +39,6 @@ class Columns {
         double told = 0;
     };
 
-    // Relative: no list holds sets that cost more than the best by that much.
-    static constexpr double most_margin = 0.03;
-
     // Each vehicle with nothing opened but what must be, and with what is best for it alone. `closed`: past all
     // obstacles, if that is known.
     Columns(const Problem& problem, Crew& crew, Shape shape, std::span<const team::Vehicle> closed = {});
@@ -87,7 +84,6 @@ class Columns {
     std::vector<ObstacleId> useless(const Agent& agent, std::span<const double> prices, double known) const;
     static double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, EarliestOpenings& openings);
     double each_opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) const;
-    static double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
     double arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const;
 
     const Problem& problem_;

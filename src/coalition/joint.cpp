@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "coalition/tuning.hpp"
+
 namespace waybreaker::coalition {
 namespace {
-
-constexpr int most_expanded = 2000;  // nodes
 
 // The most promising node comes out of the heap first; of these the one with most vehicles.
 bool later(const auto& a, const auto& b) {
@@ -110,7 +110,7 @@ void Joint::expand(const Node& node) {
 }
 
 std::optional<Set> Joint::next() {
-    while (!open_.empty() && expanded_ < most_expanded && !problem_.interrupts().due()) {
+    while (!open_.empty() && expanded_ < tuning::most_nodes && !problem_.interrupts().due()) {
         const Node node = open_.front();
         std::ranges::pop_heap(open_, later<Node, Node>);
         open_.pop_back();

@@ -5,17 +5,10 @@
 #include <cmath>
 #include <functional>
 
+#include "coalition/tuning.hpp"
+
 namespace waybreaker::coalition {
 namespace {
-
-constexpr int steps_between_searches = 300;
-constexpr int patience = 12;            // steps without gain before they are halved
-constexpr double least_share = 1e-4;    // of the way to what is reached
-constexpr double least_gain = 1e-6;     // of such a share
-constexpr double share_of_step = 0.7;   // from the prices that are proven best
-constexpr double worth_knowing = 1e-3;  // relative: columns that cost a vehicle so much more than the best
-constexpr std::size_t few_vehicles = 20;
-constexpr double least_weight_of_vehicle = 1e-6;
 
 // The nearest point with no negative coordinate whose coordinates add up to 1 (Duchi and others 2008).
 void project_to_simplex(std::vector<double>& weights) {
@@ -124,7 +117,7 @@ Relaxation::Answer Relaxation::answer(const Prices& at) const {
     for (const ObstacleId id : chosen) answer.chosen[number_of_.at(id)] = 1;
     answer.taken.resize(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-        if (at.weights[i] < least_weight_of_vehicle) continue;
+        if (at.weights[i] < tuning::least_weight_of_vehicle) continue;
         const Cheapest one = cheapest(columns_.of(i), at.weights[i], at.prices[i]);
         answer.value += one.cost;
         answer.taken[i] = one.column;
@@ -144,7 +137,7 @@ Relaxation::Prices Relaxation::direction(const Prices& at, const Answer& answer,
         const Column& taken = columns_.of(i).columns[answer.taken[i]];
         prices.assign(at.prices[i].size(), 0);
         for (std::size_t k = 0; k < prices.size(); ++k) prices[k] -= answer.chosen[numbers_[i][k]];
-        if (at.weights[i] >= least_weight_of_vehicle) {
+        if (at.weights[i] >= tuning::least_weight_of_vehicle) {
             for (const std::uint32_t k : taken.opened) prices[k] += 1;
         }
         for (std::size_t k = 0; k < prices.size(); ++k) {
@@ -164,13 +157,13 @@ void Relaxation::ascend(double reached) {
     double best = -infinity;
     double share = 1;
     int failures = 0;
-    for (int step = 0; step < steps_between_searches && share > least_share; ++step) {
+    for (int step = 0; step < tuning::most_subgradient_steps && share > tuning::least_step_length; ++step) {
         const Answer known = answer(at);
-        if (known.value > best + least_gain * share * scale) {
+        if (known.value > best + tuning::least_gain_of_step * share * scale) {
             best = known.value;
             best_ = at;
             failures = 0;
-        } else if (++failures == patience) {
+        } else if (++failures == tuning::steps_before_halving) {
             share /= 2;
             failures = 0;
             at = best_;
@@ -246,7 +239,7 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
 // Searches at certain prices: for the best columns, or with a margin for all that cost up to so much more. Whether that
 // has raised the bound or found new columns.
 bool Relaxation::prove(Prices at, std::optional<double> margin) {
-    for (double& weight : at.weights) weight = weight < least_weight_of_vehicle ? 0 : weight;
+    for (double& weight : at.weights) weight = weight < tuning::least_weight_of_vehicle ? 0 : weight;
     const std::vector<double> shares = offer_all(at);
     std::vector<ObstacleId> chosen;
     proof_.searches.resize(columns_.size());
@@ -291,14 +284,14 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
 bool Relaxation::tighten(double reached) {
     ascend(reached);
     Prices at = centre_;
-    const auto approach = [](double& from, double to) { from += share_of_step * (to - from); };
+    const auto approach = [](double& from, double to) { from += tuning::smoothing * (to - from); };
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         approach(at.weights[i], best_.weights[i]);
         for (std::size_t k = 0; k < at.prices[i].size(); ++k) approach(at.prices[i][k], best_.prices[i][k]);
     }
     // In the sum of many one column more of a vehicle hardly matters.
-    if (problem_.sums() && columns_.size() > few_vehicles) return prove(at);
-    return prove(at, worth_knowing * reached / double(columns_.size()));
+    if (problem_.sums() && columns_.size() > tuning::most_vehicles_with_margin) return prove(at);
+    return prove(at, tuning::margin_of_round * reached / double(columns_.size()));
 }
 
 double Relaxation::bound_with(std::size_t removals) const {

@@ -7,24 +7,19 @@
 #include <optional>
 #include <utility>
 
+#include "coalition/tuning.hpp"
 #include "flight/target.hpp"
 #include "plan/objective.hpp"
 #include "schedule/sorties.hpp"
 
 namespace waybreaker::coalition {
-namespace {
-
-constexpr std::size_t few_targets = 4;  // the aircraft work in every order
-constexpr int most_rounds = 4;          // of ways for the times of sorties, and sorties for these ways
-
-}  // namespace
-
-Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
+Draft SortiePlanner::plan(Set set, const Set& kept, double worth, std::uint64_t enough) {
     const bool thorough = ways_.effort() < enough;
     for (;;) {
         Draft draft = best_for(set);
         if (draft.cost.missing > 0) return draft;
-        for (int round = 0; round < most_rounds && could_cost(draft) < worth && find_timed_ways(draft, thorough);
+        for (int round = 0;
+             round < tuning::most_evaluation_rounds && could_cost(draft) < worth && find_timed_ways(draft, thorough);
              ++round) {
             Draft again = best_for(set);
             if (!team::better(again.cost, draft.cost)) break;
@@ -32,7 +27,7 @@ Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
         }
         if (thorough) try_all_orders(draft, worth, enough);
         // What nobody drives through costs flights for nothing.
-        Set used = problem_.forced();
+        Set used = kept;
         for (const Way& way : draft.taken) {
             for (const Gate& gate : way.gates) used.push_back(gate.obstacle);
         }
@@ -46,7 +41,7 @@ Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
 // Each aircraft flies to the nearest cell each time. The ways for these times are among the others from then on.
 void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t enough) {
     const Set set = draft.set;
-    if (set.size() > few_targets || could_cost(draft) >= worth) return;
+    if (set.size() > tuning::most_targets_in_all_orders || could_cost(draft) >= worth) return;
     Sorties sorties(problem_.aircraft().size());
     const auto give = [&](auto& self, std::size_t first, std::size_t given) -> void {
         if (ways_.effort() >= enough || problem_.interrupts().due()) return;

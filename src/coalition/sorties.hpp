@@ -30,10 +30,10 @@ class SortiePlanner {
 
     // The best sorties found for a set: obstacles are inserted in the order in which vehicles come to them, a few of
     // them in every order; then single ones are moved, and cells exchanged, while that gains. Obstacles that nobody
-    // drives through are left out, unless they must be removed. The same each time.
+    // drives through are left out, but for those of `kept`. The same each time.
     // `worth`: what it should cost less than; else no effort is made. Until ways have taken `enough` effort, they are
     // looked for in the times of every order in which the aircraft may work, too.
-    Draft plan(Set set, double worth, std::uint64_t enough = 0);
+    Draft plan(Set set, const Set& kept, double worth, std::uint64_t enough = 0);
 
   private:
     void prepare(const Set& set);

@@ -4,22 +4,13 @@
 #include <iterator>
 #include <utility>
 
+#include "coalition/tuning.hpp"
 #include "drive/opening.hpp"
 #include "drive/punctual.hpp"
 #include "drive/shortened.hpp"
 #include "plan/timeline.hpp"
 
 namespace waybreaker::coalition {
-namespace {
-
-constexpr std::size_t most_ways = 16;  // for one set
-constexpr std::uint64_t most_expansions_in_time = 2'000;
-constexpr std::uint64_t effort_of_label = 8;  // of a judged path: 1
-constexpr std::size_t most_bent = 3;          // of the known ways, to come later
-constexpr std::uint64_t most_expansions = 20'000;
-
-}  // namespace
-
 double arrival(const Agent& agent, const Way& way, const Openings& openings) {
     double delay = 0;
     for (const Gate& gate : way.gates) {
@@ -135,7 +126,7 @@ CrossingOptions Ways::options_for(std::size_t vehicle, const Set& set) const {
     options.crossings = int(set.size());
     options.only = set;
     options.limits = problem_.interrupts().limits();
-    options.limits.expansions = std::min(options.limits.expansions, most_expansions);
+    options.limits.expansions = std::min(options.limits.expansions, tuning::most_path_expansions);
     if (!closed.way.empty()) {
         options.length_limit = (closed.alone - closed.agent.ready_at) * closed.agent.speed;
         options.expected = options.length_limit;  // it is all looked at
@@ -151,10 +142,10 @@ void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Hand
         hand.crossing.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (!path.crossed.empty())
                 menu.ways.push_back(way_of(agent, shorter(agent, path.path, path.crossed), path.crossed));
-            return menu.ways.size() < before + most_ways;
+            return menu.ways.size() < before + tuning::most_paths;
         });
-    effort_[vehicle] += effort_of_label * all.expanded;
-    menu.complete = menu.ways.size() < before + most_ways && came_to_its_end(all.status);
+    effort_[vehicle] += tuning::effort_of_expansion * all.expanded;
+    menu.complete = menu.ways.size() < before + tuning::most_paths && came_to_its_end(all.status);
     for (Way& way : std::span(menu.ways).subspan(before)) {
         way.expanded = all.expanded;
         way.generated = all.generated;
@@ -173,7 +164,7 @@ void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu, Hand& ha
     const double longest = options_for(vehicle, set).length_limit;
     for (const Set& crossed : sets) {
         const Opening opening = open(trip, {hand.theta, hand.crossing}, crossed);
-        effort_[vehicle] += effort_of_label * opening.ground.expanded;
+        effort_[vehicle] += tuning::effort_of_expansion * opening.ground.expanded;
         menu.complete = menu.complete && !opening.limited;
         if (opening.status != SearchStatus::found || *opening.ground.length > longest) continue;
         Way& way = menu.ways.emplace_back(way_of(agent, opening.ground.path, crossed));
@@ -192,10 +183,10 @@ std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed
         hand.crossing.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (path.crossed.empty()) return true;
             std::ranges::sort(sets.emplace_back(path.crossed));
-            return sets.size() < most_ways;
+            return sets.size() < tuning::most_paths;
         });
-    effort_[vehicle] += effort_of_label * all.expanded;
-    menu.complete = menu.complete && came_to_its_end(all.status) && sets.size() < most_ways;
+    effort_[vehicle] += tuning::effort_of_expansion * all.expanded;
+    menu.complete = menu.complete && came_to_its_end(all.status) && sets.size() < tuning::most_paths;
     return sets;
 }
 
@@ -242,7 +233,7 @@ std::vector<Way> Ways::waiting(std::size_t vehicle, const Set& part, const Openi
     std::vector<Way> ways = known_[vehicle][part].ways;
     std::erase_if(ways, [&](const Way& way) { return arrival(agent, way, {}) >= arrive_before; });
     std::ranges::stable_sort(ways, {}, [&](const Way& way) { return arrival(agent, way, openings); });
-    if (ways.size() > most_bent) ways.resize(most_bent);
+    if (ways.size() > tuning::most_bent_paths) ways.resize(tuning::most_bent_paths);
     return ways;
 }
 
@@ -256,7 +247,7 @@ std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, cons
     options.crossings = int(part.size());
     options.only = part;
     options.limits = problem_.interrupts().limits();
-    options.limits.expansions = std::min(options.limits.expansions, most_expansions_in_time);
+    options.limits.expansions = std::min(options.limits.expansions, tuning::most_path_expansions_in_time);
     options.length_limit = (arrive_before - agent.ready_at) * agent.speed * (1 - rounding);
     options.opened_after = [&](std::span<const ObstacleId> crossed) {
         double last = 0;
@@ -264,7 +255,7 @@ std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, cons
         return last * agent.speed;
     };
     const CrossingResult found = hand.crossing.find(problem_.map(), agent.start, agent.goal, options);
-    effort_[vehicle] += effort_of_label * found.expanded;
+    effort_[vehicle] += tuning::effort_of_expansion * found.expanded;
     if (found.best.path.empty()) return std::nullopt;
     const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts());
     const Opening driven = drivable(trip, {hand.theta, hand.crossing}, found.best, part);
