@@ -25,11 +25,11 @@ class Planning {
           problem_(map, mission, choice_),
           crossing_(crossing),
           theta_(theta),
-          crew_(problem_, crossing, theta) {}
+          workers_(problem_, crossing, theta) {}
 
     CoalitionPlan run(const Choice& choice, const std::function<void(double, double)>& improved) {
         if (!drive_alone()) return std::move(plan_);
-        Evaluation evaluation(problem_, plan_.closed, crew_);
+        Evaluation evaluation(problem_, plan_.closed, workers_);
         const bool exact = choice.selecting == Selecting::exact;
         if (exact || choice.selecting == Selecting::none) {
             if (!choose_with_bound(exact, evaluation)) return std::move(plan_);
@@ -67,9 +67,9 @@ class Planning {
             vehicles[i].agent = *problem_.vehicles()[i];
             ends[i] = team::go_alone(map, interrupts_, crossing, theta, vehicles[i]);
         };
-        drive(0, crossing_, theta_);  // first, so that all hands share the maps that it grows
-        crew_.for_each(vehicles.size() - 1,
-                       [&](std::size_t i, Hand& hand) { drive(i + 1, hand.crossing, hand.theta); });
+        drive(0, crossing_, theta_);  // first, so that all workers share the maps that it grows
+        workers_.for_each(vehicles.size() - 1,
+                          [&](std::size_t i, Worker& worker) { drive(i + 1, worker.crossing, worker.theta); });
         for (std::size_t i = 0; i < vehicles.size(); ++i) {
             plan_.closed.push_back(std::move(vehicles[i]));
             if (ends[i] == SearchStatus::found || ends[i] == SearchStatus::no_path) continue;
@@ -82,14 +82,14 @@ class Planning {
     // Bounds all plans; if `exact`, evaluates the sets that lead to a plan near the bound, else none. False if some
     // vehicle has no way, whatever is removed.
     bool choose_with_bound(bool exact, Evaluation& evaluation) {
-        Columns columns(problem_, crew_, Shape::relaxed, plan_.closed);
-        Relaxation relaxation(problem_, columns, crew_);
+        Columns columns(problem_, workers_, Shape::relaxed, plan_.closed);
+        Relaxation relaxation(problem_, columns, workers_);
         plan_.bound = relaxation.bound();
         plan_.proven = true;
         if (std::isinf(plan_.bound)) return false;
         evaluation.evaluate({});
         if (exact) {
-            ExactChoice choice(problem_, crew_, columns, relaxation, evaluation);
+            ExactChoice choice(problem_, workers_, columns, relaxation, evaluation);
             choice.run();
             plan_.bound = choice.bound();
             for (int removals = 0; removals < problem_.spare_removals(); ++removals) {
@@ -102,8 +102,8 @@ class Planning {
 
     // As long as prices raise it.
     void prove_bound() {
-        Columns columns(problem_, crew_, Shape::relaxed, plan_.closed);
-        Relaxation relaxation(problem_, columns, crew_);
+        Columns columns(problem_, workers_, Shape::relaxed, plan_.closed);
+        Relaxation relaxation(problem_, columns, workers_);
         for (int round = 0; round < tuning::most_price_rounds && !choice_.due() && relaxation.tighten(plan_.objective);
              ++round) {
         }
@@ -143,7 +143,7 @@ class Planning {
     }
 
     void choose_greedily(Evaluation& evaluation) {
-        Greedy greedy(problem_, crew_);
+        Greedy greedy(problem_, workers_);
         while (!choice_.due() && greedy.take_next()) evaluation.evaluate_growing(greedy.taken());
         plan_.limited = plan_.limited || greedy.limited();
     }
@@ -153,7 +153,7 @@ class Planning {
     Problem problem_;
     CrossingSearcher& crossing_;
     Searcher& theta_;
-    Crew crew_;
+    Workers workers_;
     std::optional<double> reached_alone_;  // by the best set, collisions aside
     std::vector<double> bounds_;           // of plans that may remove less, by how much
     CoalitionPlan plan_;
@@ -199,9 +199,9 @@ CoalitionPlan plan_coalition(const Map& map, const Mission& mission, const Choic
                        (std::isinf(interrupts.deadline.left()) || planning.lost_on_others());
     if (!tries || first.status == SearchStatus::no_path) return first;
     const double bound = first.bound;
-    double told = first.objective;
+    double reported = first.objective;
     const auto tell = [&](double objective, double) {
-        if (objective < told) improved(told = objective, std::min(bound, objective));
+        if (objective < reported) improved(reported = objective, std::min(bound, objective));
     };
     Again again(interrupts, [&](int removals, const Set& forced) {
         Mission other = mission;

@@ -12,8 +12,8 @@ namespace waybreaker::coalition {
 class Evaluation {
   public:
     // `closed`: the vehicles past all obstacles. All arguments must outlive it.
-    Evaluation(const Problem& problem, std::span<const team::Vehicle> closed, Crew& crew)
-        : problem_(problem), ways_(problem, closed), sorties_(problem, ways_, crew) {}
+    Evaluation(const Problem& problem, std::span<const team::Vehicle> closed, Workers& workers)
+        : problem_(problem), ways_(problem, closed), sorties_(problem, ways_, workers) {}
 
     // Evaluates a set beside what must be removed; once.
     void evaluate(const Set& set);

@@ -6,7 +6,7 @@
 
 #include "coalition/all_sets.hpp"
 #include "coalition/joint.hpp"
-#include "coalition/picks.hpp"
+#include "coalition/restricted_master.hpp"
 #include "coalition/tuning.hpp"
 
 namespace waybreaker::coalition {
@@ -21,7 +21,7 @@ void ExactChoice::run() {
 
 // Prices learn from the best set, and find new columns; these find better sets.
 void ExactChoice::improve_prices() {
-    evaluation_.evaluate(Picks(problem_, columns_).best_from({}));
+    evaluation_.evaluate(RestrictedMaster(problem_, columns_).best_from({}));
     for (int round = 0; round < tuning::most_price_rounds && !due() && !is_within(tuning::gap_for_prices); ++round) {
         const double aim = std::min(reached(), tuning::farthest_aim * bound_);
         const bool found = relaxation_.tighten(aim);
@@ -29,7 +29,7 @@ void ExactChoice::improve_prices() {
         const double missing = reached() - bound_;
         bound_ = relaxation_.bound();
         if (!found) return;
-        evaluation_.evaluate(Picks(problem_, columns_).best_from({}));
+        evaluation_.evaluate(RestrictedMaster(problem_, columns_).best_from({}));
         if (round > 1 && gain <= tuning::least_gain_of_round * missing) return;
     }
 }
@@ -46,7 +46,7 @@ void ExactChoice::try_jointly() {
     relaxation_.list(std::min(useless - bound_, tuning::margin_of_enumeration * reached()));
     bound_ = std::max(bound_, relaxation_.bound());
     if (!relaxation_.proof().complete) return;
-    Joint joint(problem_, columns_, relaxation_.proof(), crew_.own().openings, useless);
+    Joint joint(problem_, columns_, relaxation_.proof(), workers_.own().openings, useless);
     const double enough = 1 + std::max(tuning::gap_of_choice, gap);
     for (int without_gain = 0; without_gain < tuning::most_sets_without_gain && reached() > joint.rest() * enough;) {
         const std::optional<Set> set = joint.next();
@@ -61,10 +61,10 @@ void ExactChoice::try_jointly() {
 // A vehicle may need more open than a point, which slips through.
 void ExactChoice::try_for_own_bodies() {
     if (due()) return;
-    const Columns own(problem_, crew_, Shape::own);
-    Picks picks(problem_, own);
-    evaluation_.evaluate(picks.best_from({}));
-    evaluation_.evaluate(picks.best_from(most_wanted()));
+    const Columns own(problem_, workers_, Shape::own);
+    RestrictedMaster master(problem_, own);
+    evaluation_.evaluate(master.best_from({}));
+    evaluation_.evaluate(master.best_from(most_wanted()));
 }
 
 // With more care than before, as long as that takes little. Of more sets, the first that has a plan, if none had.

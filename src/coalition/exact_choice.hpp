@@ -9,9 +9,10 @@ namespace waybreaker::coalition {
 class ExactChoice {
   public:
     // All arguments must outlive it.
-    ExactChoice(const Problem& problem, Crew& crew, Columns& columns, Relaxation& relaxation, Evaluation& evaluation)
+    ExactChoice(const Problem& problem, Workers& workers, Columns& columns, Relaxation& relaxation,
+                Evaluation& evaluation)
         : problem_(problem),
-          crew_(crew),
+          workers_(workers),
           columns_(columns),
           relaxation_(relaxation),
           evaluation_(evaluation),
@@ -33,7 +34,7 @@ class ExactChoice {
     Set most_wanted() const;
 
     const Problem& problem_;
-    Crew& crew_;
+    Workers& workers_;
     Columns& columns_;
     Relaxation& relaxation_;
     Evaluation& evaluation_;

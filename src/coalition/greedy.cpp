@@ -10,9 +10,9 @@
 namespace waybreaker::coalition {
 namespace {}  // namespace
 
-Greedy::Greedy(const Problem& problem, Crew& crew)
+Greedy::Greedy(const Problem& problem, Workers& workers)
     : problem_(problem),
-      crew_(crew),
+      workers_(workers),
       openings_(problem.map(), problem.rules(), {problem.aircraft().begin(), problem.aircraft().end()}),
       memories_(problem.vehicles().size()),
       arrivals_(problem.vehicles().size()),
@@ -20,7 +20,7 @@ Greedy::Greedy(const Problem& problem, Crew& crew)
 
 bool Greedy::take_next() {
     if (taken_.size() == std::size_t(problem_.spare_removals())) return false;
-    crew_.for_each(arrivals_.size(), [&](std::size_t i, Hand& hand) { arrivals_[i] = search(i, hand); });
+    workers_.for_each(arrivals_.size(), [&](std::size_t i, Worker& worker) { arrivals_[i] = search(i, worker); });
     limited_ = limited_ || std::ranges::any_of(arrivals_, &Arrivals::limited);
     team::Cost least = cost_with({});
     std::optional<ObstacleId> next;
@@ -38,7 +38,7 @@ bool Greedy::take_next() {
 }
 
 // By the relaxed body where the square of a wide disc needs more room than the disc.
-Greedy::Arrivals Greedy::search(std::size_t vehicle, Hand& hand) {
+Greedy::Arrivals Greedy::search(std::size_t vehicle, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     Arrivals found;
     if (agent.start == agent.goal) {
@@ -53,7 +53,7 @@ Greedy::Arrivals Greedy::search(std::size_t vehicle, Hand& hand) {
     options.protect = problem_.rules().protect;
     options.budget = budget_;
     options.limits = problem_.interrupts().limits();
-    CrossingSearcher& searcher = options.relaxed ? hand.limits : hand.crossing;
+    CrossingSearcher& searcher = options.relaxed ? worker.limits : worker.crossing;
     const Remembering remembering(searcher, memories_[vehicle]);
     const CrossingResult closed = searcher.find(problem_.map(), agent.start, agent.goal, options);
     if (closed.status == SearchStatus::found) {

@@ -5,8 +5,8 @@
 #include <map>
 #include <vector>
 
-#include "coalition/crew.hpp"
 #include "coalition/problem.hpp"
+#include "coalition/workers.hpp"
 #include "schedule/earliest_openings.hpp"
 #include "team/fleet.hpp"
 #include "waybreaker/crossing.hpp"
@@ -16,7 +16,7 @@ namespace waybreaker::coalition {
 class Greedy {
   public:
     // All arguments must outlive it. REQUIRES: vehicles pass no blocked corner.
-    Greedy(const Problem& problem, Crew& crew);
+    Greedy(const Problem& problem, Workers& workers);
 
     // Takes the obstacle that gains most beside those taken before, and what must be removed. Whether there is one.
     bool take_next();
@@ -32,12 +32,12 @@ class Greedy {
         std::map<ObstacleId, double> with = {};
         bool limited = false;
     };
-    Arrivals search(std::size_t vehicle, Hand& hand);
+    Arrivals search(std::size_t vehicle, Worker& worker);
     team::Cost cost_with(const Set& more);
     Set useful() const;
 
     const Problem& problem_;
-    Crew& crew_;
+    Workers& workers_;
     EarliestOpenings openings_;
     std::vector<CrossingMemory> memories_;  // by vehicle
     std::vector<Arrivals> arrivals_;        // by vehicle

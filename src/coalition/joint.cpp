@@ -26,7 +26,7 @@ Joint::Joint(const Problem& problem, const Columns& columns, const Relaxation::P
         const Columns::Search& search = proof.searches[i];
         if (proof.weights[i] > 0 && columns.of(i).columns.size() > 1) {
             order_.push_back(i);
-            untold_ = std::min(untold_, proof.bound + search.told - search.least);
+            bound_of_unknown_ = std::min(bound_of_unknown_, proof.bound + search.complete_below - search.least);
         } else {
             others.push_back(i);
         }
@@ -54,13 +54,13 @@ Joint::Joint(const Problem& problem, const Columns& columns, const Relaxation::P
 
 void Joint::add_candidates(std::size_t vehicle) {
     std::vector<Candidate>& all = candidates_.emplace_back();
-    const Wishes& wishes = columns_.of(vehicle);
-    for (const Column& column : wishes.columns) {
+    const Pool& pool = columns_.of(vehicle);
+    for (const Column& column : pool.columns) {
         Candidate& candidate = all.emplace_back();
         candidate.column = &column;
         candidate.cost = proof_.weights[vehicle] * column.arrival;
         for (const std::uint32_t at : column.opened) {
-            candidate.opened.push_back(wishes.obstacles[at]);
+            candidate.opened.push_back(pool.obstacles[at]);
             candidate.cost += proof_.prices[vehicle][at];
         }
         std::ranges::sort(candidate.opened);
@@ -117,9 +117,9 @@ std::optional<Set> Joint::next() {
         if (node.depth < order_.size()) {
             ++expanded_;
             expand(node);
-        } else if (std::ranges::find(told_, node.opened) == told_.end()) {
-            if (told_.empty()) least_ = node.bound;
-            told_.push_back(node.opened);
+        } else if (std::ranges::find(enumerated_, node.opened) == enumerated_.end()) {
+            if (enumerated_.empty()) least_ = node.bound;
+            enumerated_.push_back(node.opened);
             return node.opened;
         }
     }
@@ -127,7 +127,7 @@ std::optional<Set> Joint::next() {
 }
 
 double Joint::bound() const {
-    return std::min({least_, untold_, open_.empty() ? reached_ : open_.front().bound});
+    return std::min({least_, bound_of_unknown_, open_.empty() ? reached_ : open_.front().bound});
 }
 
 }  // namespace waybreaker::coalition

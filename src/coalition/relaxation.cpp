@@ -35,8 +35,8 @@ double squared_length(const std::vector<double>& weights, const std::vector<std:
 
 }  // namespace
 
-Relaxation::Relaxation(const Problem& problem, Columns& columns, Crew& crew)
-    : problem_(problem), columns_(columns), crew_(crew) {
+Relaxation::Relaxation(const Problem& problem, Columns& columns, Workers& workers)
+    : problem_(problem), columns_(columns), workers_(workers) {
     const std::size_t vehicles = columns.size();
     best_.weights.assign(vehicles, problem.sums() ? 1 : 0);
     best_.prices.resize(vehicles);
@@ -99,7 +99,7 @@ Offers Relaxation::offers(const Prices& at) const {
 }
 
 // No set that may be removed is paid better; marks those of such a set.
-double Relaxation::dearest(const Offers& offers, std::vector<ObstacleId>& chosen) const {
+double Relaxation::best_paid(const Offers& offers, std::vector<ObstacleId>& chosen) const {
     const double by_count = offers.best(std::size_t(problem_.spare_removals()), 0, {}, &chosen);
     if (std::isinf(problem_.spare_budget())) return by_count;
     std::vector<ObstacleId> within;
@@ -112,7 +112,7 @@ double Relaxation::dearest(const Offers& offers, std::vector<ObstacleId>& chosen
 Relaxation::Answer Relaxation::answer(const Prices& at) const {
     Answer answer;
     std::vector<ObstacleId> chosen;
-    answer.value = (problem_.sums() ? fixed() : 0) - dearest(offers(at), chosen);
+    answer.value = (problem_.sums() ? fixed() : 0) - best_paid(offers(at), chosen);
     answer.chosen.assign(numbered_.size(), 0);
     for (const ObstacleId id : chosen) answer.chosen[number_of_.at(id)] = 1;
     answer.taken.resize(columns_.size());
@@ -203,16 +203,16 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
     const std::size_t ids = problem_.map().obstacles().size() + 1;
     const FreeOffers free(offers(at), std::size_t(problem_.spare_removals()));
     std::vector<double> paid(ids, 0);
-    std::vector<double> strangers(ids, 0);
+    std::vector<double> unpriced(ids, 0);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         if (at.weights[i] == 0) continue;
         for (const Obstacle& obstacle : problem_.map().obstacles()) {
-            if (columns_.may_gain(i, obstacle)) strangers[obstacle.id.value] += 1;
+            if (columns_.may_gain(i, obstacle)) unpriced[obstacle.id.value] += 1;
         }
         for (std::size_t k = 0; k < at.prices[i].size(); ++k) {
             const ObstacleId id = columns_.of(i).obstacles[k];
             paid[id.value] += at.prices[i][k];
-            if (columns_.may_gain(i, problem_.map().obstacle(id))) strangers[id.value] -= 1;
+            if (columns_.may_gain(i, problem_.map().obstacle(id))) unpriced[id.value] -= 1;
         }
     }
     std::vector<double> shares(ids, 0);
@@ -223,9 +223,9 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
         double detour = number == number_of_.end() ? problem_.short_detour(obstacle.id) : detours_[number->second];
         if (!problem_.sums()) detour = 0;
         if (problem_.sums()) paid[id] -= problem_.breach_time(obstacle.id);
-        if (strangers[id] > 0 && std::isinf(problem_.spare_budget())) {
+        if (unpriced[id] > 0 && std::isinf(problem_.spare_budget())) {
             const double more = std::max(free.of(detour) - paid[id], 0.0);
-            shares[id] = more / strangers[id];
+            shares[id] = more / unpriced[id];
             paid[id] += more;
         }
         all.push_back({obstacle.id, paid[id], detour});
@@ -245,7 +245,7 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
     proof_.searches.resize(columns_.size());
     std::vector<char> found(columns_.size(), false);
     std::atomic<bool> due = false;
-    crew_.for_each(columns_.size(), [&](std::size_t i, Hand& hand) {
+    workers_.for_each(columns_.size(), [&](std::size_t i, Worker& worker) {
         const double weight = at.weights[i];
         if (weight == 0 || due) return;
         if (problem_.interrupts().due()) {
@@ -256,8 +256,8 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
         for (double& price : prices) price /= weight;
         const std::size_t before = columns_.of(i).columns.size();
         const Columns::Search search =
-            margin ? columns_.list(i, prices, *margin / weight, hand) : columns_.search(i, prices, hand);
-        proof_.searches[i] = {search.least * weight, search.told * weight};
+            margin ? columns_.list(i, prices, *margin / weight, worker) : columns_.search(i, prices, worker);
+        proof_.searches[i] = {search.least * weight, search.complete_below * weight};
         found[i] = columns_.of(i).columns.size() > before;
         // Those that are new keep the price that they were found at.
         for (std::size_t k = at.prices[i].size(); k < columns_.of(i).obstacles.size(); ++k) {
@@ -267,7 +267,7 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
     });
     number_obstacles();
     if (due) return false;
-    double value = proof_.fixed - dearest(proof_.offers, chosen);
+    double value = proof_.fixed - best_paid(proof_.offers, chosen);
     for (const Columns::Search& search : proof_.searches) value += search.least;
     proof_.prices = at.prices;
     proof_.bound = value;

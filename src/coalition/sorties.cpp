@@ -98,12 +98,12 @@ bool SortiePlanner::find_timed_ways(const Draft& draft, bool thorough) {
         const auto is_earlier = [&](const Way& other) {
             return arrival(*problem_.vehicles()[i], other, {}) < time_of(i) * (1 - rounding);
         };
-        if (std::ranges::any_of(ways_.of(i, draft.set, crew_.own()), is_earlier)) late.push_back(i);
+        if (std::ranges::any_of(ways_.of(i, draft.set, workers_.own()), is_earlier)) late.push_back(i);
     }
     std::vector<char> found(late.size(), false);
-    crew_.for_each(late.size(), [&](std::size_t at, Hand& hand) {
+    workers_.for_each(late.size(), [&](std::size_t at, Worker& worker) {
         if (problem_.interrupts().due()) return;
-        found[at] = ways_.find_timed(late[at], draft.set, draft.openings, time_of(late[at]), thorough, hand);
+        found[at] = ways_.find_timed(late[at], draft.set, draft.openings, time_of(late[at]), thorough, worker);
     });
     return std::ranges::find(found, true) != found.end();
 }
@@ -113,7 +113,7 @@ void SortiePlanner::search_ways(const Set& set) {
     for (std::size_t i = 0; i < problem_.vehicles().size(); ++i) {
         if (!ways_.knows(i, set)) unknown.push_back(i);
     }
-    crew_.for_each(unknown.size(), [&](std::size_t at, Hand& hand) { ways_.of(unknown[at], set, hand); });
+    workers_.for_each(unknown.size(), [&](std::size_t at, Worker& worker) { ways_.of(unknown[at], set, worker); });
 }
 
 void SortiePlanner::prepare(const Set& set) {
@@ -128,7 +128,7 @@ void SortiePlanner::prepare(const Set& set) {
         const Agent& agent = *problem_.vehicles()[i];
         std::vector<const Way*>& menu = menus_.emplace_back();
         std::vector<Drive> drives;
-        for (const Way& way : ways_.of(i, set, crew_.own())) {
+        for (const Way& way : ways_.of(i, set, workers_.own())) {
             menu.push_back(&way);
             Drive& drive = drives.emplace_back(Drive{arrival(agent, way, {})});
             if (!waits) continue;

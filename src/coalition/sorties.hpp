@@ -26,7 +26,8 @@ struct Draft {
 class SortiePlanner {
   public:
     // All arguments must outlive it.
-    SortiePlanner(const Problem& problem, Ways& ways, Crew& crew) : problem_(problem), ways_(ways), crew_(crew) {}
+    SortiePlanner(const Problem& problem, Ways& ways, Workers& workers)
+        : problem_(problem), ways_(ways), workers_(workers) {}
 
     // The best sorties found for a set: obstacles are inserted in the order in which vehicles come to them, a few of
     // them in every order; then single ones are moved, and cells exchanged, while that gains. Obstacles that nobody
@@ -47,7 +48,7 @@ class SortiePlanner {
 
     const Problem& problem_;
     Ways& ways_;
-    Crew& crew_;
+    Workers& workers_;
     std::vector<Target> targets_;
     std::vector<std::vector<const Way*>> menus_;  // by vehicle
     Precedence precedence_;                       // of all on any way of theirs

@@ -330,8 +330,8 @@ bool has_many_sets(const World& world) {
     const coalition::Problem problem(world.map, world.mission, interrupts);
     CrossingSearcher crossing;
     Searcher theta;
-    coalition::Crew crew(problem, crossing, theta);
-    const coalition::Columns columns(problem, crew, coalition::Shape::relaxed);
+    coalition::Workers workers(problem, crossing, theta);
+    const coalition::Columns columns(problem, workers, coalition::Shape::relaxed);
     return coalition::all_sets(problem, columns, most_sets).empty();
 }
 
