@@ -196,8 +196,8 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
     add_removals(command, options);
     add_choice(command, "--select", io::selection_words, options.select,
                "Obstacles chosen with a proven bound on every other choice; those that the search ran into most "
-               "often, as in the paper; again and again the one that shortens the ground path most; or none "
-               "(default: exact)");
+               "often, as in the paper; again and again the one that shortens the ground path most, or the objective "
+               "of a team; or none (default: exact)");
     add_budget(command, options);
     add_minimise_demolition(command, options);
     add_file(command, "--weights", options.weights,

@@ -123,17 +123,19 @@ void validate_team_options(const PlanOptions& options, const io::MapFile& map, c
     if (!mission.is_team()) return;
     const auto vehicles = std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind);
     const bool drives_alone = vehicles == 1 && mission.agents.size() > 1;
-    const bool ways = options.paper || options.select || options.flight || options.planner || needs_search(options);
+    const bool ways = options.paper || options.flight || options.planner || needs_search(options);
     if (ways && !drives_alone) {
         throw InputError(
-            "--paper, --select, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground "
-            "agent with aircraft");
+            "--paper, --flight, --planner, --heuristic, --weight, --tie-break and --trace are for one ground agent "
+            "with aircraft");
     }
     const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
-    const bool removes = options.removals.value_or(0) > 0 || options.budget || !options.weights.empty();
+    const bool selects = options.select.value_or(Selection::none) != Selection::none;
+    const bool removes = options.removals.value_or(0) > 0 || selects || options.budget || !options.weights.empty();
     if (removes && std::ranges::none_of(mission.agents, flies)) {
         throw InputError(
-            "-n, --budget and --weights need somebody who removes: add --aircraft N, or in a mission file an agent of "
+            "-n, --select, --budget and --weights need somebody who removes: add --aircraft N, or in a mission file an "
+            "agent of "
             "kind air, or drop them");
     }
     const bool have_places = lists_agents(options, map) || !options.mission.empty();

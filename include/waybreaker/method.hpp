@@ -15,7 +15,7 @@
 namespace waybreaker {
 
 // How obstacles are selected: `exact` proves how far from the best its choice can be, `hits` is the paper's rule,
-// `greedy` takes again and again the one whose removal shortens the ground path most, `none` takes none.
+// `greedy` takes again and again what shortens the ground path (of a team: the objective) most, `none` takes none.
 enum class Selection { exact, hits, greedy, none };
 // How the air agent flies past them: the shortest way, or the paper's for more than one obstacle.
 enum class FlightRule { optimal, nearest };

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "coalition/sorties.hpp"
+#include "coalition/evaluation.hpp"
 #include "team/team.hpp"
 
 namespace waybreaker::coalition {
@@ -18,18 +18,35 @@ struct CoalitionPlan {
     std::vector<Breach> breaches;       // in order of time; entered_at is not known yet
     double objective = infinity;        // of the plan
     double bound = 0;                   // no plan has a smaller objective
+    bool proven = false;                // whether that bound was looked for
     bool limited = false;
 };
 
-// Whether plans that may remove less are made as well: another choice of sets may do better. Those that a bound shows
-// to be no better are left out. A time limit leaves them out, too, where vehicles lose next to nothing on each other.
+// Which sets of obstacles are evaluated, beside what must be removed.
+enum class Selecting {
+    none,     // none
+    exact,    // those that a relaxation points to, with a bound on all others
+    greedy,   // those that grow by the obstacle that gains most each time
+    listed,   // the first of a list, the first two, and so on
+    as_list,  // all of the list, whatever that costs
+};
+
+struct Choice {
+    Selecting selecting = Selecting::exact;
+    std::vector<ObstacleId> list = {};  // without what must be removed and what may not; cut to what the rules allow
+    // Whether a bound is proven; `exact` always proves one.
+    bool proves_bound = true;
+};
+
+// Whether plans that may remove less are made as well, where the choice is exact: another choice of sets may do better.
+// Those that a bound shows to be no better are left out. A time limit leaves them out, too, where vehicles lose next to
+// nothing on each other.
 enum class Fewer { tried, not_tried };
 
-// Chooses obstacles by relaxation.hpp, picks.hpp and joint.hpp, puts the best sets in time by sorties.hpp, and plans
-// the vehicles past each other. "Remove nothing" is one of the sets unless something must be. Calls `improved` as
-// team::plan_paths does. The same mission has the same plan, time limits aside. REQUIRES: the mission is a team's with
-// an aircraft.
-CoalitionPlan plan_coalition(const Map& map, const Mission& mission, bool selects, Fewer fewer,
+// Evaluates sets of obstacles, and plans the vehicles past each other with the best of them. "Remove nothing" is one of
+// the sets unless something must be, or the choice is a whole list. Calls `improved` as team::plan_paths does. The same
+// mission has the same plan, time limits aside. REQUIRES: the mission is a team's with an aircraft.
+CoalitionPlan plan_coalition(const Map& map, const Mission& mission, const Choice& choice, Fewer fewer,
                              const team::Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
                              const std::function<void(double objective, double bound)>& improved);
 

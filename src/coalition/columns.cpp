@@ -5,16 +5,10 @@
 #include <functional>
 #include <numeric>
 
+#include "coalition/tuning.hpp"
+
 namespace waybreaker::coalition {
 namespace {
-
-// Of one search: to be told of many sets at once saves searches; most searches end long before so many expansions.
-constexpr int most_told = 64;
-constexpr std::uint64_t most_expansions = 6'000;
-constexpr std::uint64_t most_expansions_at_first = 5'000;
-constexpr std::uint64_t most_expansions_in_time = 1'500;
-// Of sets with as many obstacles the best is looked for, and of those with as many as may be.
-constexpr int most_counted = 3;
 
 double paid_for(std::span<const ObstacleId> opened, std::span<const double> prices) {
     double paid = 0;
@@ -24,115 +18,116 @@ double paid_for(std::span<const ObstacleId> opened, std::span<const double> pric
 
 }  // namespace
 
-Cheapest cheapest(const Wishes& wishes, double weight, const std::vector<double>& prices) {
+Cheapest cheapest(const Pool& pool, double weight, const std::vector<double>& prices) {
     Cheapest best;
-    for (std::size_t c = 0; c < wishes.columns.size(); ++c) {
-        double cost = weight * wishes.columns[c].arrival;
-        for (const std::uint32_t at : wishes.columns[c].opened) cost += prices[at];
+    for (std::size_t c = 0; c < pool.columns.size(); ++c) {
+        double cost = weight * pool.columns[c].arrival;
+        for (const std::uint32_t at : pool.columns[c].opened) cost += prices[at];
         if (cost < best.cost) best = {cost, c};
     }
     return best;
 }
 
-Columns::Columns(const Problem& problem, Crew& crew, Shape shape, std::span<const team::Vehicle> closed)
+Columns::Columns(const Problem& problem, Workers& workers, Shape shape, std::span<const team::Vehicle> closed)
     : problem_(problem),
       shape_(shape),
-      wishes_(problem.vehicles().size()),
-      proofs_(wishes_.size()),
-      memories_(wishes_.size()),
-      timed_(wishes_.size()),
-      limited_(wishes_.size(), false) {
-    crew.for_each(size(), [&](std::size_t i, Hand& hand) {
-        const Remembering remembering(searcher(hand), memories_[i]);
-        add(i, {}, closed_length(i, closed, hand));
-        if (problem.sums()) begin(i, hand);
+      pools_(problem.vehicles().size()),
+      proofs_(pools_.size()),
+      memories_(pools_.size()),
+      timed_(pools_.size()),
+      limited_(pools_.size(), false) {
+    workers.for_each(size(), [&](std::size_t i, Worker& worker) {
+        const Remembering remembering(searcher(worker), memories_[i]);
+        add(i, {}, closed_length(i, closed, worker));
+        if (problem.sums()) begin(i, worker);
     });
-    if (!problem.sums()) begin_latest(crew.own());
+    if (!problem.sums()) begin_latest(workers.own());
 }
 
 // Where the last arrival counts, only those matter that may be the last.
-void Columns::begin_latest(Hand& hand) {
+void Columns::begin_latest(Worker& worker) {
     std::vector<std::size_t> order(size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto closed = [this](std::size_t i) { return wishes_[i].columns.front().arrival; };
+    const auto closed = [this](std::size_t i) { return pools_[i].columns.front().arrival; };
     std::ranges::stable_sort(order, std::greater<>(), closed);
     double last = 0;
     for (const std::size_t i : order) {
         if (closed(i) <= last) break;
-        const Remembering remembering(searcher(hand), memories_[i]);
-        begin(i, hand);
-        last = std::max(last, wishes_[i].least);
+        const Remembering remembering(searcher(worker), memories_[i]);
+        begin(i, worker);
+        last = std::max(last, pools_[i].least);
     }
 }
 
 // At least so long is the way with nothing opened but what must be.
-double Columns::closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Hand& hand) {
+double Columns::closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     const bool known = !closed.empty() && !closed[vehicle].way.empty() && problem_.forced().empty();
     if (known && shape_ == Shape::relaxed && team::drives_by_crossing(agent.body))
         return (closed[vehicle].bound - agent.ready_at) * agent.speed;
-    return find(vehicle, 0, infinity, hand).lower_bound;
+    return find(vehicle, 0, infinity, worker).lower_bound;
 }
 
 // The best set of that size or smaller.
-CrossingResult Columns::find(std::size_t vehicle, int crossings, double length_limit, Hand& hand) {
+CrossingResult Columns::find(std::size_t vehicle, int crossings, double length_limit, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     CrossingOptions options = options_for(agent);
     options.crossings = crossings;
     options.length_limit = length_limit;
-    CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
+    CrossingResult found = searcher(worker).find(problem_.map(), agent.start, agent.goal, options);
     note(vehicle, found);
     return found;
 }
 
-void Columns::begin(std::size_t vehicle, Hand& hand) {
+void Columns::begin(std::size_t vehicle, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
-    wishes_[vehicle].least = wishes_[vehicle].columns.front().arrival;
+    pools_[vehicle].least = pools_[vehicle].columns.front().arrival;
     if (agent.start == agent.goal || problem_.spare_removals() == 0) return;
     if (shape_ == Shape::relaxed) {
-        begin_in_time(vehicle, hand);
+        begin_in_time(vehicle, worker);
     } else {
-        begin_by_count(vehicle, hand);
+        begin_by_count(vehicle, worker);
     }
 }
 
 // The best set in time. Without waits it is found faster, and says where to look.
-void Columns::begin_in_time(std::size_t vehicle, Hand& hand) {
+void Columns::begin_in_time(std::size_t vehicle, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
-    Wishes& wishes = wishes_[vehicle];
-    const double closed = (wishes.columns.front().arrival - agent.ready_at) * agent.speed;
-    CrossingResult best = find(vehicle, problem_.spare_removals(), closed, hand);
+    Pool& pool = pools_[vehicle];
+    const double closed = (pool.columns.front().arrival - agent.ready_at) * agent.speed;
+    CrossingResult best = find(vehicle, problem_.spare_removals(), closed, worker);
     const double least = std::min(best.lower_bound, closed);
-    wishes.least = arrival_of(agent, {}, least);
+    pool.least = arrival_of(agent, {}, least);
     if (std::isinf(least)) return;
     if (in_time()) {
         CrossingOptions options = options_for(agent);
-        options.limits.expansions = std::min(problem_.interrupts().expansions, most_expansions_at_first);
+        options.limits.expansions = std::min(problem_.interrupts().expansions, tuning::most_first_expansions_in_time);
         options.length_limit = closed;
         options.expected = least;
         options.opens_each_alone = true;
         options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
-        best = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
+        best = searcher(worker).find(problem_.map(), agent.start, agent.goal, options);
         note(vehicle, best);
-        wishes.least = std::max(wishes.least, arrival_of(agent, {}, std::min(best.lower_bound, closed)));
+        pool.least = std::max(pool.least, arrival_of(agent, {}, std::min(best.lower_bound, closed)));
     }
-    if (best.status == SearchStatus::found) add_in_time(vehicle, best.best.crossed, best.best.cost, hand);
+    if (best.status == SearchStatus::found) add_in_time(vehicle, best.best.crossed, best.best.cost, worker);
 }
 
 // The best set of one obstacle, of two, and so on, and of as many as may be.
-void Columns::begin_by_count(std::size_t vehicle, Hand& hand) {
+void Columns::begin_by_count(std::size_t vehicle, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
-    Wishes& wishes = wishes_[vehicle];
-    double least = (wishes.columns.front().arrival - agent.ready_at) * agent.speed;
+    Pool& pool = pools_[vehicle];
+    double least = (pool.columns.front().arrival - agent.ready_at) * agent.speed;
     const int all = problem_.spare_removals();
-    for (int count = 1; count <= all; count = count < most_counted ? count + 1 : std::max(all, count + 1)) {
-        const CrossingResult best = find(vehicle, count, least, hand);
+    for (int count = 1; count <= all;
+         count = count < tuning::most_sizes_of_own_body ? count + 1 : std::max(all, count + 1)) {
+        const CrossingResult best = find(vehicle, count, least, worker);
         if (best.status == SearchStatus::found) add(vehicle, best.best.crossed, best.lower_bound);
         least = std::min(least, best.lower_bound);
     }
-    wishes.least = arrival_of(agent, {}, least);
+    pool.least = arrival_of(agent, {}, least);
     const std::vector<double> free(problem_.map().obstacles().size() + 1, 0);
-    wishes.least = std::max(wishes.least, list_near(vehicle, free, most_margin * wishes.least, hand).least);
+    pool.least = std::max(pool.least, list_near(vehicle, free, tuning::most_margin * pool.least, worker).least);
 }
 
 CrossingOptions Columns::options_for(const Agent& agent) const {
@@ -146,11 +141,11 @@ CrossingOptions Columns::options_for(const Agent& agent) const {
     options.protect = problem_.rules().protect;
     options.budget = problem_.spare_budget();
     options.limits = problem_.interrupts().limits();
-    options.limits.expansions = std::min(options.limits.expansions, most_expansions);
+    options.limits.expansions = std::min(options.limits.expansions, tuning::most_pricing_expansions);
     return options;
 }
 
-// What opens so late, or is so dear, that nothing is gained by it.
+// What opens so late, or costs so much, that nothing is gained by it.
 std::vector<ObstacleId> Columns::useless(const Agent& agent, std::span<const double> prices, double known) const {
     std::vector<ObstacleId> useless;
     for (const Obstacle& obstacle : problem_.map().obstacles()) {
@@ -162,15 +157,9 @@ std::vector<ObstacleId> Columns::useless(const Agent& agent, std::span<const dou
 
 bool Columns::may_gain(std::size_t vehicle, const Obstacle& obstacle) const {
     const Agent& agent = *problem_.vehicles()[vehicle];
-    const double closed = (wishes_[vehicle].columns.front().arrival - agent.ready_at) * agent.speed;
+    const double closed = (pools_[vehicle].columns.front().arrival - agent.ready_at) * agent.speed;
     const double reach = agent.body.reach() + 1;
     return gap(obstacle.bounds, agent.start) + gap(obstacle.bounds, agent.goal) - 2 * reach < closed;
-}
-
-// By way of an obstacle that is open then.
-double Columns::late_arrival(const Agent& agent, const Obstacle& obstacle, double opening) {
-    const double left = gap(obstacle.bounds, agent.goal) - agent.body.reach() - 1;
-    return opening + std::max(left, 0.0) / agent.speed;
 }
 
 // In cells that it could drive until then.
@@ -200,18 +189,18 @@ double Columns::arrival_of(const Agent& agent, std::span<const ObstacleId> opene
 }
 
 void Columns::add(std::size_t vehicle, std::span<const ObstacleId> opened, double length) {
-    Wishes& wishes = wishes_[vehicle];
+    Pool& pool = pools_[vehicle];
     Column column;
     column.arrival = arrival_of(*problem_.vehicles()[vehicle], opened, length);
     for (const ObstacleId id : opened) {
-        const auto known = std::ranges::find(wishes.obstacles, id);
-        column.opened.push_back(std::uint32_t(known - wishes.obstacles.begin()));
-        if (known == wishes.obstacles.end()) wishes.obstacles.push_back(id);
+        const auto known = std::ranges::find(pool.obstacles, id);
+        column.opened.push_back(std::uint32_t(known - pool.obstacles.begin()));
+        if (known == pool.obstacles.end()) pool.obstacles.push_back(id);
     }
     std::ranges::sort(column.opened);
-    const auto same = std::ranges::find(wishes.columns, column.opened, &Column::opened);
-    if (same == wishes.columns.end()) {
-        wishes.columns.push_back(std::move(column));
+    const auto same = std::ranges::find(pool.columns, column.opened, &Column::opened);
+    if (same == pool.columns.end()) {
+        pool.columns.push_back(std::move(column));
     } else {
         same->arrival = std::min(same->arrival, column.arrival);
     }
@@ -221,13 +210,14 @@ void Columns::add(std::size_t vehicle, std::span<const ObstacleId> opened, doubl
 void Columns::note(std::size_t vehicle, const CrossingResult& search) {
     const team::Interrupts& interrupts = problem_.interrupts();
     const bool ended = search.status == SearchStatus::limit_reached || search.status == SearchStatus::stopped;
-    if (ended && (interrupts.due() || interrupts.expansions < most_expansions)) limited_[vehicle] = true;
+    if (ended && (interrupts.due() || interrupts.expansions < tuning::most_pricing_expansions))
+        limited_[vehicle] = true;
 }
 
 double Columns::best_known(std::size_t vehicle, std::span<const double> prices) const {
     std::vector<double> known_prices;
-    for (const ObstacleId id : wishes_[vehicle].obstacles) known_prices.push_back(prices[id.value]);
-    return cheapest(wishes_[vehicle], 1, known_prices).cost;
+    for (const ObstacleId id : pools_[vehicle].obstacles) known_prices.push_back(prices[id.value]);
+    return cheapest(pools_[vehicle], 1, known_prices).cost;
 }
 
 // By how much what is paid for a set can have fallen.
@@ -241,14 +231,14 @@ double Columns::greatest_fall(std::span<const double> from, std::span<const doub
     return std::accumulate(falls.begin(), falls.end(), 0.0);
 }
 
-Columns::Search Columns::search(std::size_t vehicle, std::span<const double> prices, Hand& hand) {
-    const Remembering remembering(searcher(hand), memories_[vehicle]);
-    return search_best(vehicle, prices, hand);
+Columns::Search Columns::search(std::size_t vehicle, std::span<const double> prices, Worker& worker) {
+    const Remembering remembering(searcher(worker), memories_[vehicle]);
+    return search_best(vehicle, prices, worker);
 }
 
-Columns::Search Columns::list(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand) {
-    const Remembering remembering(searcher(hand), memories_[vehicle]);
-    return list_near(vehicle, prices, margin, hand);
+Columns::Search Columns::list(std::size_t vehicle, std::span<const double> prices, double margin, Worker& worker) {
+    const Remembering remembering(searcher(worker), memories_[vehicle]);
+    return list_near(vehicle, prices, margin, worker);
 }
 
 Columns::Query Columns::query(const Agent& agent, std::span<const double> prices, double less_than) const {
@@ -262,7 +252,7 @@ Columns::Query Columns::query(const Agent& agent, std::span<const double> prices
 
 // First as if all were open: that takes a fraction of the time, is often in time, and says more than a search in time
 // that a limit ends.
-Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double> prices, Hand& hand) {
+Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double> prices, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (agent.start == agent.goal) return {agent.ready_at, infinity};
     Proof& proof = proofs_[vehicle];
@@ -276,11 +266,11 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
             options.length_limit = (best - agent.ready_at) * agent.speed;
             options.expected = options.length_limit;
         }
-        CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
+        CrossingResult found = searcher(worker).find(problem_.map(), agent.start, agent.goal, options);
         note(vehicle, found);
         if (found.status == SearchStatus::found) {
             add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, asked.prices),
-                        hand);
+                        worker);
         }
         best = best_known(vehicle, prices);
         proof.complete = found.status == SearchStatus::found || found.status == SearchStatus::no_path;
@@ -292,18 +282,18 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
     if (in_time() && proof.least < best * (1 - rounding)) {
         options.opens_each_alone = true;
         options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
-        options.limits.expansions = std::min(options.limits.expansions, most_expansions_in_time);
+        options.limits.expansions = std::min(options.limits.expansions, tuning::most_pricing_expansions_in_time);
         find();
     }
     return {proof.least, proof.least};
 }
 
-Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand) {
-    const Search proven = search_best(vehicle, prices, hand);
+Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> prices, double margin, Worker& worker) {
+    const Search proven = search_best(vehicle, prices, worker);
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (agent.start == agent.goal || !proofs_[vehicle].complete) return proven;
     double best = best_known(vehicle, prices);
-    if (std::isfinite(best)) margin = std::min(margin, most_margin * best);
+    if (std::isfinite(best)) margin = std::min(margin, tuning::most_margin * best);
     Query asked = query(agent, prices, best + margin);
     CrossingOptions& options = asked.options;
     if (std::isfinite(best)) {
@@ -312,14 +302,16 @@ Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> 
     }
     if (in_time()) {
         options.opened_after = [&](std::span<const ObstacleId> opened) {
-            return opened_after(agent, opened, hand.openings);
+            return opened_after(agent, opened, worker.openings);
         };
     }
-    int told = 0;
+    int added = 0;
     const CrossingResult rest =
-        searcher(hand).enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
-            if (told == most_told || agent.ready_at + path.cost / agent.speed >= best + margin) return false;
-            ++told;
+        searcher(worker).enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
+            if (added == tuning::most_columns_of_enumeration ||
+                agent.ready_at + path.cost / agent.speed >= best + margin)
+                return false;
+            ++added;
             const double length = path.cost - paid_for(path.crossed, asked.prices);
             add(vehicle, path.crossed, length);
             best = std::min(best, arrival_of(agent, path.crossed, length) + paid_for(path.crossed, prices));
@@ -332,7 +324,7 @@ Columns::Search Columns::list_near(std::size_t vehicle, std::span<const double> 
 
 // When the vehicle arrives by way of such a set and by nothing else, all of it opened by the aircraft together; its way
 // takes that length at least. Once for each set.
-void Columns::add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length, Hand& hand) {
+void Columns::add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length, Worker& worker) {
     const Agent& agent = *problem_.vehicles()[vehicle];
     if (!in_time() || opened.empty()) return add(vehicle, opened, length);
     Set set(opened.begin(), opened.end());
@@ -340,12 +332,12 @@ void Columns::add_in_time(std::size_t vehicle, std::span<const ObstacleId> opene
     if (!timed_[vehicle].insert(set).second) return;
     double nearest = infinity;
     for (const ObstacleId id : set) nearest = std::min(nearest, gap(problem_.map().obstacle(id).bounds, agent.start));
-    if (opened_after(agent, set, hand.openings) <= nearest) return add(vehicle, set, length);
+    if (opened_after(agent, set, worker.openings) <= nearest) return add(vehicle, set, length);
     CrossingOptions options = options_for(agent);
     options.only = set;
     options.crossings = int(set.size());
-    options.opened_after = [&](std::span<const ObstacleId> ids) { return opened_after(agent, ids, hand.openings); };
-    const CrossingResult found = searcher(hand).find(problem_.map(), agent.start, agent.goal, options);
+    options.opened_after = [&](std::span<const ObstacleId> ids) { return opened_after(agent, ids, worker.openings); };
+    const CrossingResult found = searcher(worker).find(problem_.map(), agent.start, agent.goal, options);
     if (found.status == SearchStatus::found) {
         add(vehicle, found.best.crossed, found.best.cost);
     } else {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "coalition/crew.hpp"
 #include "coalition/problem.hpp"
+#include "coalition/workers.hpp"
 #include "waybreaker/crossing.hpp"
 
 namespace waybreaker::coalition {
@@ -20,7 +20,7 @@ struct Column {
 };
 
 // What is known of one vehicle.
-struct Wishes {
+struct Pool {
     std::vector<ObstacleId> obstacles;  // of all columns, as they came
     std::vector<Column> columns;        // the first: nothing is opened
     double least = 0;                   // no column at all arrives earlier; 0 where that does not matter
@@ -32,22 +32,19 @@ enum class Shape { relaxed, own };
 
 class Columns {
   public:
-    // What a search proves: no set costs less; and each that costs less than `told` is among the columns, or arrives no
-    // earlier than one within it that is.
+    // What a search proves: no set costs less; and each that costs less than `complete_below` is in the pool, or
+    // arrives no earlier than one within it that is.
     struct Search {
         double least = 0;
-        double told = 0;
+        double complete_below = 0;
     };
-
-    // Relative: no list holds sets that cost more than the best by that much.
-    static constexpr double most_margin = 0.03;
 
     // Each vehicle with nothing opened but what must be, and with what is best for it alone. `closed`: past all
     // obstacles, if that is known.
-    Columns(const Problem& problem, Crew& crew, Shape shape, std::span<const team::Vehicle> closed = {});
+    Columns(const Problem& problem, Workers& workers, Shape shape, std::span<const team::Vehicle> closed = {});
 
-    std::size_t size() const { return wishes_.size(); }
-    const Wishes& of(std::size_t vehicle) const { return wishes_[vehicle]; }
+    std::size_t size() const { return pools_.size(); }
+    const Pool& of(std::size_t vehicle) const { return pools_[vehicle]; }
     // Whether a vehicle may arrive earlier than past all obstacles with that one open.
     bool may_gain(std::size_t vehicle, const Obstacle& obstacle) const;
     // Whether a limit has ended a search.
@@ -55,10 +52,10 @@ class Columns {
 
     // The least arrival plus prices over all sets, also those that are not known: a lower limit, the exact value unless
     // a limit ends a search. Prices by id, in units of time. Adds the best column, or one nearly as good. For two
-    // vehicles, two hands may do so at once.
-    Search search(std::size_t vehicle, std::span<const double> prices, Hand& hand);
+    // vehicles, two workers may do so at once.
+    Search search(std::size_t vehicle, std::span<const double> prices, Worker& worker);
     // The same, and adds columns that cost up to so much more than the best, if they are not too many.
-    Search list(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand);
+    Search list(std::size_t vehicle, std::span<const double> prices, double margin, Worker& worker);
 
   private:
     // At certain prices, for what costs less than that. The options refer to the lists.
@@ -68,18 +65,20 @@ class Columns {
         CrossingOptions options;
     };
     Query query(const Agent& agent, std::span<const double> prices, double less_than) const;
-    Search search_best(std::size_t vehicle, std::span<const double> prices, Hand& hand);
-    Search list_near(std::size_t vehicle, std::span<const double> prices, double margin, Hand& hand);
-    double closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Hand& hand);
-    CrossingResult find(std::size_t vehicle, int crossings, double length_limit, Hand& hand);
-    void begin_latest(Hand& hand);
-    void begin(std::size_t vehicle, Hand& hand);
-    void begin_in_time(std::size_t vehicle, Hand& hand);
-    void begin_by_count(std::size_t vehicle, Hand& hand);
-    CrossingSearcher& searcher(Hand& hand) const { return shape_ == Shape::relaxed ? hand.limits : hand.crossing; }
+    Search search_best(std::size_t vehicle, std::span<const double> prices, Worker& worker);
+    Search list_near(std::size_t vehicle, std::span<const double> prices, double margin, Worker& worker);
+    double closed_length(std::size_t vehicle, std::span<const team::Vehicle> closed, Worker& worker);
+    CrossingResult find(std::size_t vehicle, int crossings, double length_limit, Worker& worker);
+    void begin_latest(Worker& worker);
+    void begin(std::size_t vehicle, Worker& worker);
+    void begin_in_time(std::size_t vehicle, Worker& worker);
+    void begin_by_count(std::size_t vehicle, Worker& worker);
+    CrossingSearcher& searcher(Worker& worker) const {
+        return shape_ == Shape::relaxed ? worker.limits : worker.crossing;
+    }
     void note(std::size_t vehicle, const CrossingResult& search);
     void add(std::size_t vehicle, std::span<const ObstacleId> opened, double length);
-    void add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length, Hand& hand);
+    void add_in_time(std::size_t vehicle, std::span<const ObstacleId> opened, double length, Worker& worker);
     double greatest_fall(std::span<const double> from, std::span<const double> to) const;
     double best_known(std::size_t vehicle, std::span<const double> prices) const;
     bool in_time() const { return shape_ == Shape::relaxed && problem_.rules().timing == Timing::enforce; }
@@ -87,7 +86,6 @@ class Columns {
     std::vector<ObstacleId> useless(const Agent& agent, std::span<const double> prices, double known) const;
     static double opened_after(const Agent& agent, std::span<const ObstacleId> obstacles, EarliestOpenings& openings);
     double each_opened_after(const Agent& agent, std::span<const ObstacleId> obstacles) const;
-    static double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
     double arrival_of(const Agent& agent, std::span<const ObstacleId> opened, double length) const;
 
     const Problem& problem_;
@@ -99,18 +97,18 @@ class Columns {
         bool complete = false;  // no limit has ended it
     };
 
-    std::vector<Wishes> wishes_;
+    std::vector<Pool> pools_;
     std::vector<Proof> proofs_;
     std::vector<CrossingMemory> memories_;  // by vehicle
     std::vector<std::set<Set>> timed_;      // by vehicle: searched in time, and nothing else open
     std::vector<char> limited_;             // by vehicle
 };
 
-// The least arrival plus prices (as wishes.obstacles) over the known columns, and the first column that has it.
+// The least arrival plus prices (as pool.obstacles) over the known columns, and the first column that has it.
 struct Cheapest {
     double cost = infinity;
     std::size_t column = 0;
 };
-Cheapest cheapest(const Wishes& wishes, double weight, const std::vector<double>& prices);
+Cheapest cheapest(const Pool& pool, double weight, const std::vector<double>& prices);
 
 }  // namespace waybreaker::coalition

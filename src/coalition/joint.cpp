@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "coalition/tuning.hpp"
+
 namespace waybreaker::coalition {
 namespace {
-
-constexpr int most_expanded = 2000;  // nodes
 
 // The most promising node comes out of the heap first; of these the one with most vehicles.
 bool later(const auto& a, const auto& b) {
@@ -26,7 +26,7 @@ Joint::Joint(const Problem& problem, const Columns& columns, const Relaxation::P
         const Columns::Search& search = proof.searches[i];
         if (proof.weights[i] > 0 && columns.of(i).columns.size() > 1) {
             order_.push_back(i);
-            untold_ = std::min(untold_, proof.bound + search.told - search.least);
+            bound_of_unknown_ = std::min(bound_of_unknown_, proof.bound + search.complete_below - search.least);
         } else {
             others.push_back(i);
         }
@@ -54,13 +54,13 @@ Joint::Joint(const Problem& problem, const Columns& columns, const Relaxation::P
 
 void Joint::add_candidates(std::size_t vehicle) {
     std::vector<Candidate>& all = candidates_.emplace_back();
-    const Wishes& wishes = columns_.of(vehicle);
-    for (const Column& column : wishes.columns) {
+    const Pool& pool = columns_.of(vehicle);
+    for (const Column& column : pool.columns) {
         Candidate& candidate = all.emplace_back();
         candidate.column = &column;
         candidate.cost = proof_.weights[vehicle] * column.arrival;
         for (const std::uint32_t at : column.opened) {
-            candidate.opened.push_back(wishes.obstacles[at]);
+            candidate.opened.push_back(pool.obstacles[at]);
             candidate.cost += proof_.prices[vehicle][at];
         }
         std::ranges::sort(candidate.opened);
@@ -110,16 +110,16 @@ void Joint::expand(const Node& node) {
 }
 
 std::optional<Set> Joint::next() {
-    while (!open_.empty() && expanded_ < most_expanded && !problem_.interrupts().due()) {
+    while (!open_.empty() && expanded_ < tuning::most_nodes && !problem_.interrupts().due()) {
         const Node node = open_.front();
         std::ranges::pop_heap(open_, later<Node, Node>);
         open_.pop_back();
         if (node.depth < order_.size()) {
             ++expanded_;
             expand(node);
-        } else if (std::ranges::find(told_, node.opened) == told_.end()) {
-            if (told_.empty()) least_ = node.bound;
-            told_.push_back(node.opened);
+        } else if (std::ranges::find(enumerated_, node.opened) == enumerated_.end()) {
+            if (enumerated_.empty()) least_ = node.bound;
+            enumerated_.push_back(node.opened);
             return node.opened;
         }
     }
@@ -127,7 +127,7 @@ std::optional<Set> Joint::next() {
 }
 
 double Joint::bound() const {
-    return std::min({least_, untold_, open_.empty() ? reached_ : open_.front().bound});
+    return std::min({least_, bound_of_unknown_, open_.empty() ? reached_ : open_.front().bound});
 }
 
 }  // namespace waybreaker::coalition

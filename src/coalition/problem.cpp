@@ -18,6 +18,11 @@ double gap(const Box& box, Cell to) {
     return std::hypot(dx, dy);
 }
 
+double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening) {
+    const double left = gap(obstacle.bounds, agent.goal) - agent.body.reach() - 1;
+    return opening + std::max(left, 0.0) / agent.speed;
+}
+
 bool contains(const Set& set, ObstacleId id) {
     return std::ranges::binary_search(set, id);
 }

@@ -24,6 +24,8 @@ bool contains(const Set& set, ObstacleId id);
 
 // From the cells of a box to a cell, in cells.
 double gap(const Box& box, Cell to);
+// Lower bound of an agent's arrival by way of an obstacle that opens then.
+double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
 
 class Problem {
   public:

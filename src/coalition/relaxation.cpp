@@ -5,17 +5,10 @@
 #include <cmath>
 #include <functional>
 
+#include "coalition/tuning.hpp"
+
 namespace waybreaker::coalition {
 namespace {
-
-constexpr int steps_between_searches = 300;
-constexpr int patience = 12;            // steps without gain before they are halved
-constexpr double least_share = 1e-4;    // of the way to what is reached
-constexpr double least_gain = 1e-6;     // of such a share
-constexpr double share_of_step = 0.7;   // from the prices that are proven best
-constexpr double worth_knowing = 1e-3;  // relative: columns that cost a vehicle so much more than the best
-constexpr std::size_t few_vehicles = 20;
-constexpr double least_weight_of_vehicle = 1e-6;
 
 // The nearest point with no negative coordinate whose coordinates add up to 1 (Duchi and others 2008).
 void project_to_simplex(std::vector<double>& weights) {
@@ -42,8 +35,8 @@ double squared_length(const std::vector<double>& weights, const std::vector<std:
 
 }  // namespace
 
-Relaxation::Relaxation(const Problem& problem, Columns& columns, Crew& crew)
-    : problem_(problem), columns_(columns), crew_(crew) {
+Relaxation::Relaxation(const Problem& problem, Columns& columns, Workers& workers)
+    : problem_(problem), columns_(columns), workers_(workers) {
     const std::size_t vehicles = columns.size();
     best_.weights.assign(vehicles, problem.sums() ? 1 : 0);
     best_.prices.resize(vehicles);
@@ -106,7 +99,7 @@ Offers Relaxation::offers(const Prices& at) const {
 }
 
 // No set that may be removed is paid better; marks those of such a set.
-double Relaxation::dearest(const Offers& offers, std::vector<ObstacleId>& chosen) const {
+double Relaxation::best_paid(const Offers& offers, std::vector<ObstacleId>& chosen) const {
     const double by_count = offers.best(std::size_t(problem_.spare_removals()), 0, {}, &chosen);
     if (std::isinf(problem_.spare_budget())) return by_count;
     std::vector<ObstacleId> within;
@@ -119,12 +112,12 @@ double Relaxation::dearest(const Offers& offers, std::vector<ObstacleId>& chosen
 Relaxation::Answer Relaxation::answer(const Prices& at) const {
     Answer answer;
     std::vector<ObstacleId> chosen;
-    answer.value = (problem_.sums() ? fixed() : 0) - dearest(offers(at), chosen);
+    answer.value = (problem_.sums() ? fixed() : 0) - best_paid(offers(at), chosen);
     answer.chosen.assign(numbered_.size(), 0);
     for (const ObstacleId id : chosen) answer.chosen[number_of_.at(id)] = 1;
     answer.taken.resize(columns_.size());
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-        if (at.weights[i] < least_weight_of_vehicle) continue;
+        if (at.weights[i] < tuning::least_weight_of_vehicle) continue;
         const Cheapest one = cheapest(columns_.of(i), at.weights[i], at.prices[i]);
         answer.value += one.cost;
         answer.taken[i] = one.column;
@@ -144,7 +137,7 @@ Relaxation::Prices Relaxation::direction(const Prices& at, const Answer& answer,
         const Column& taken = columns_.of(i).columns[answer.taken[i]];
         prices.assign(at.prices[i].size(), 0);
         for (std::size_t k = 0; k < prices.size(); ++k) prices[k] -= answer.chosen[numbers_[i][k]];
-        if (at.weights[i] >= least_weight_of_vehicle) {
+        if (at.weights[i] >= tuning::least_weight_of_vehicle) {
             for (const std::uint32_t k : taken.opened) prices[k] += 1;
         }
         for (std::size_t k = 0; k < prices.size(); ++k) {
@@ -164,13 +157,13 @@ void Relaxation::ascend(double reached) {
     double best = -infinity;
     double share = 1;
     int failures = 0;
-    for (int step = 0; step < steps_between_searches && share > least_share; ++step) {
+    for (int step = 0; step < tuning::most_subgradient_steps && share > tuning::least_step_length; ++step) {
         const Answer known = answer(at);
-        if (known.value > best + least_gain * share * scale) {
+        if (known.value > best + tuning::least_gain_of_step * share * scale) {
             best = known.value;
             best_ = at;
             failures = 0;
-        } else if (++failures == patience) {
+        } else if (++failures == tuning::steps_before_halving) {
             share /= 2;
             failures = 0;
             at = best_;
@@ -210,16 +203,16 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
     const std::size_t ids = problem_.map().obstacles().size() + 1;
     const FreeOffers free(offers(at), std::size_t(problem_.spare_removals()));
     std::vector<double> paid(ids, 0);
-    std::vector<double> strangers(ids, 0);
+    std::vector<double> unpriced(ids, 0);
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         if (at.weights[i] == 0) continue;
         for (const Obstacle& obstacle : problem_.map().obstacles()) {
-            if (columns_.may_gain(i, obstacle)) strangers[obstacle.id.value] += 1;
+            if (columns_.may_gain(i, obstacle)) unpriced[obstacle.id.value] += 1;
         }
         for (std::size_t k = 0; k < at.prices[i].size(); ++k) {
             const ObstacleId id = columns_.of(i).obstacles[k];
             paid[id.value] += at.prices[i][k];
-            if (columns_.may_gain(i, problem_.map().obstacle(id))) strangers[id.value] -= 1;
+            if (columns_.may_gain(i, problem_.map().obstacle(id))) unpriced[id.value] -= 1;
         }
     }
     std::vector<double> shares(ids, 0);
@@ -230,9 +223,9 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
         double detour = number == number_of_.end() ? problem_.short_detour(obstacle.id) : detours_[number->second];
         if (!problem_.sums()) detour = 0;
         if (problem_.sums()) paid[id] -= problem_.breach_time(obstacle.id);
-        if (strangers[id] > 0 && std::isinf(problem_.spare_budget())) {
+        if (unpriced[id] > 0 && std::isinf(problem_.spare_budget())) {
             const double more = std::max(free.of(detour) - paid[id], 0.0);
-            shares[id] = more / strangers[id];
+            shares[id] = more / unpriced[id];
             paid[id] += more;
         }
         all.push_back({obstacle.id, paid[id], detour});
@@ -246,13 +239,13 @@ std::vector<double> Relaxation::offer_all(const Prices& at) {
 // Searches at certain prices: for the best columns, or with a margin for all that cost up to so much more. Whether that
 // has raised the bound or found new columns.
 bool Relaxation::prove(Prices at, std::optional<double> margin) {
-    for (double& weight : at.weights) weight = weight < least_weight_of_vehicle ? 0 : weight;
+    for (double& weight : at.weights) weight = weight < tuning::least_weight_of_vehicle ? 0 : weight;
     const std::vector<double> shares = offer_all(at);
     std::vector<ObstacleId> chosen;
     proof_.searches.resize(columns_.size());
     std::vector<char> found(columns_.size(), false);
     std::atomic<bool> due = false;
-    crew_.for_each(columns_.size(), [&](std::size_t i, Hand& hand) {
+    workers_.for_each(columns_.size(), [&](std::size_t i, Worker& worker) {
         const double weight = at.weights[i];
         if (weight == 0 || due) return;
         if (problem_.interrupts().due()) {
@@ -263,8 +256,8 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
         for (double& price : prices) price /= weight;
         const std::size_t before = columns_.of(i).columns.size();
         const Columns::Search search =
-            margin ? columns_.list(i, prices, *margin / weight, hand) : columns_.search(i, prices, hand);
-        proof_.searches[i] = {search.least * weight, search.told * weight};
+            margin ? columns_.list(i, prices, *margin / weight, worker) : columns_.search(i, prices, worker);
+        proof_.searches[i] = {search.least * weight, search.complete_below * weight};
         found[i] = columns_.of(i).columns.size() > before;
         // Those that are new keep the price that they were found at.
         for (std::size_t k = at.prices[i].size(); k < columns_.of(i).obstacles.size(); ++k) {
@@ -274,7 +267,7 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
     });
     number_obstacles();
     if (due) return false;
-    double value = proof_.fixed - dearest(proof_.offers, chosen);
+    double value = proof_.fixed - best_paid(proof_.offers, chosen);
     for (const Columns::Search& search : proof_.searches) value += search.least;
     proof_.prices = at.prices;
     proof_.bound = value;
@@ -291,14 +284,14 @@ bool Relaxation::prove(Prices at, std::optional<double> margin) {
 bool Relaxation::tighten(double reached) {
     ascend(reached);
     Prices at = centre_;
-    const auto approach = [](double& from, double to) { from += share_of_step * (to - from); };
+    const auto approach = [](double& from, double to) { from += tuning::smoothing * (to - from); };
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         approach(at.weights[i], best_.weights[i]);
         for (std::size_t k = 0; k < at.prices[i].size(); ++k) approach(at.prices[i][k], best_.prices[i][k]);
     }
     // In the sum of many one column more of a vehicle hardly matters.
-    if (problem_.sums() && columns_.size() > few_vehicles) return prove(at);
-    return prove(at, worth_knowing * reached / double(columns_.size()));
+    if (problem_.sums() && columns_.size() > tuning::most_vehicles_with_margin) return prove(at);
+    return prove(at, tuning::margin_of_round * reached / double(columns_.size()));
 }
 
 double Relaxation::bound_with(std::size_t removals) const {

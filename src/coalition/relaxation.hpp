@@ -23,7 +23,7 @@ namespace waybreaker::coalition {
 class Relaxation {
   public:
     // All arguments must outlive it.
-    Relaxation(const Problem& problem, Columns& columns, Crew& crew);
+    Relaxation(const Problem& problem, Columns& columns, Workers& workers);
 
     // No plan has a smaller objective.
     double bound() const { return bound_; }
@@ -68,7 +68,7 @@ class Relaxation {
     Prices direction(const Prices& at, const Answer& answer, double scale) const;
     double fixed() const;
     Offers offers(const Prices& at) const;
-    double dearest(const Offers& offers, std::vector<ObstacleId>& chosen) const;
+    double best_paid(const Offers& offers, std::vector<ObstacleId>& chosen) const;
     void ascend(double reached);
     std::vector<double> offer_all(const Prices& at);
     std::vector<double> prices_of(std::size_t vehicle, const Prices& at, const std::vector<double>& free) const;
@@ -76,7 +76,7 @@ class Relaxation {
 
     const Problem& problem_;
     Columns& columns_;
-    Crew& crew_;
+    Workers& workers_;
     std::vector<ObstacleId> numbered_;                 // obstacles of any column
     std::vector<std::vector<std::uint32_t>> numbers_;  // by vehicle: of its list of obstacles
     std::map<ObstacleId, std::uint32_t> number_of_;

@@ -7,24 +7,19 @@
 #include <optional>
 #include <utility>
 
+#include "coalition/tuning.hpp"
 #include "flight/target.hpp"
 #include "plan/objective.hpp"
 #include "schedule/sorties.hpp"
 
 namespace waybreaker::coalition {
-namespace {
-
-constexpr std::size_t few_targets = 4;  // the aircraft work in every order
-constexpr int most_rounds = 4;          // of ways for the times of sorties, and sorties for these ways
-
-}  // namespace
-
-Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
+Draft SortiePlanner::plan(Set set, const Set& kept, double worth, std::uint64_t enough) {
     const bool thorough = ways_.effort() < enough;
     for (;;) {
         Draft draft = best_for(set);
         if (draft.cost.missing > 0) return draft;
-        for (int round = 0; round < most_rounds && could_cost(draft) < worth && find_timed_ways(draft, thorough);
+        for (int round = 0;
+             round < tuning::most_evaluation_rounds && could_cost(draft) < worth && find_timed_ways(draft, thorough);
              ++round) {
             Draft again = best_for(set);
             if (!team::better(again.cost, draft.cost)) break;
@@ -32,7 +27,7 @@ Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
         }
         if (thorough) try_all_orders(draft, worth, enough);
         // What nobody drives through costs flights for nothing.
-        Set used = problem_.forced();
+        Set used = kept;
         for (const Way& way : draft.taken) {
             for (const Gate& gate : way.gates) used.push_back(gate.obstacle);
         }
@@ -46,7 +41,7 @@ Draft SortiePlanner::plan(Set set, double worth, std::uint64_t enough) {
 // Each aircraft flies to the nearest cell each time. The ways for these times are among the others from then on.
 void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t enough) {
     const Set set = draft.set;
-    if (set.size() > few_targets || could_cost(draft) >= worth) return;
+    if (set.size() > tuning::most_targets_in_all_orders || could_cost(draft) >= worth) return;
     Sorties sorties(problem_.aircraft().size());
     const auto give = [&](auto& self, std::size_t first, std::size_t given) -> void {
         if (ways_.effort() >= enough || problem_.interrupts().due()) return;
@@ -103,12 +98,12 @@ bool SortiePlanner::find_timed_ways(const Draft& draft, bool thorough) {
         const auto is_earlier = [&](const Way& other) {
             return arrival(*problem_.vehicles()[i], other, {}) < time_of(i) * (1 - rounding);
         };
-        if (std::ranges::any_of(ways_.of(i, draft.set, crew_.own()), is_earlier)) late.push_back(i);
+        if (std::ranges::any_of(ways_.of(i, draft.set, workers_.own()), is_earlier)) late.push_back(i);
     }
     std::vector<char> found(late.size(), false);
-    crew_.for_each(late.size(), [&](std::size_t at, Hand& hand) {
+    workers_.for_each(late.size(), [&](std::size_t at, Worker& worker) {
         if (problem_.interrupts().due()) return;
-        found[at] = ways_.find_timed(late[at], draft.set, draft.openings, time_of(late[at]), thorough, hand);
+        found[at] = ways_.find_timed(late[at], draft.set, draft.openings, time_of(late[at]), thorough, worker);
     });
     return std::ranges::find(found, true) != found.end();
 }
@@ -118,7 +113,7 @@ void SortiePlanner::search_ways(const Set& set) {
     for (std::size_t i = 0; i < problem_.vehicles().size(); ++i) {
         if (!ways_.knows(i, set)) unknown.push_back(i);
     }
-    crew_.for_each(unknown.size(), [&](std::size_t at, Hand& hand) { ways_.of(unknown[at], set, hand); });
+    workers_.for_each(unknown.size(), [&](std::size_t at, Worker& worker) { ways_.of(unknown[at], set, worker); });
 }
 
 void SortiePlanner::prepare(const Set& set) {
@@ -133,7 +128,7 @@ void SortiePlanner::prepare(const Set& set) {
         const Agent& agent = *problem_.vehicles()[i];
         std::vector<const Way*>& menu = menus_.emplace_back();
         std::vector<Drive> drives;
-        for (const Way& way : ways_.of(i, set, crew_.own())) {
+        for (const Way& way : ways_.of(i, set, workers_.own())) {
             menu.push_back(&way);
             Drive& drive = drives.emplace_back(Drive{arrival(agent, way, {})});
             if (!waits) continue;

@@ -26,14 +26,15 @@ struct Draft {
 class SortiePlanner {
   public:
     // All arguments must outlive it.
-    SortiePlanner(const Problem& problem, Ways& ways, Crew& crew) : problem_(problem), ways_(ways), crew_(crew) {}
+    SortiePlanner(const Problem& problem, Ways& ways, Workers& workers)
+        : problem_(problem), ways_(ways), workers_(workers) {}
 
     // The best sorties found for a set: obstacles are inserted in the order in which vehicles come to them, a few of
     // them in every order; then single ones are moved, and cells exchanged, while that gains. Obstacles that nobody
-    // drives through are left out, unless they must be removed. The same each time.
+    // drives through are left out, but for those of `kept`. The same each time.
     // `worth`: what it should cost less than; else no effort is made. Until ways have taken `enough` effort, they are
     // looked for in the times of every order in which the aircraft may work, too.
-    Draft plan(Set set, double worth, std::uint64_t enough = 0);
+    Draft plan(Set set, const Set& kept, double worth, std::uint64_t enough = 0);
 
   private:
     void prepare(const Set& set);
@@ -47,7 +48,7 @@ class SortiePlanner {
 
     const Problem& problem_;
     Ways& ways_;
-    Crew& crew_;
+    Workers& workers_;
     std::vector<Target> targets_;
     std::vector<std::vector<const Way*>> menus_;  // by vehicle
     Precedence precedence_;                       // of all on any way of theirs

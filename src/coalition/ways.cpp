@@ -4,22 +4,13 @@
 #include <iterator>
 #include <utility>
 
+#include "coalition/tuning.hpp"
 #include "drive/opening.hpp"
 #include "drive/punctual.hpp"
 #include "drive/shortened.hpp"
 #include "plan/timeline.hpp"
 
 namespace waybreaker::coalition {
-namespace {
-
-constexpr std::size_t most_ways = 16;  // for one set
-constexpr std::uint64_t most_expansions_in_time = 2'000;
-constexpr std::uint64_t effort_of_label = 8;  // of a judged path: 1
-constexpr std::size_t most_bent = 3;          // of the known ways, to come later
-constexpr std::uint64_t most_expansions = 20'000;
-
-}  // namespace
-
 double arrival(const Agent& agent, const Way& way, const Openings& openings) {
     double delay = 0;
     for (const Gate& gate : way.gates) {
@@ -42,7 +33,7 @@ bool Ways::knows(std::size_t vehicle, const Set& set) const {
     return part.empty() || known_[vehicle].contains(part) || larger_menu(vehicle, part) != nullptr;
 }
 
-const std::vector<Way>& Ways::of(std::size_t vehicle, const Set& set, Hand& hand) {
+const std::vector<Way>& Ways::of(std::size_t vehicle, const Set& set, Worker& worker) {
     Set part = near(vehicle, set);
     const auto known = known_[vehicle].find(part);
     if (known != known_[vehicle].end()) return known->second.ways;
@@ -53,7 +44,7 @@ const std::vector<Way>& Ways::of(std::size_t vehicle, const Set& set, Hand& hand
         };
         std::ranges::copy_if(larger->ways, std::back_inserter(menu.ways), fits);
     } else {
-        menu = search(vehicle, part, hand);
+        menu = search(vehicle, part, worker);
     }
     return known_[vehicle].emplace(std::move(part), std::move(menu)).first->second.ways;
 }
@@ -100,7 +91,7 @@ Way Ways::way_of(const Agent& agent, std::span<const Point> path, std::span<cons
     return way;
 }
 
-Ways::Menu Ways::search(std::size_t vehicle, const Set& set, Hand& hand) {
+Ways::Menu Ways::search(std::size_t vehicle, const Set& set, Worker& worker) {
     const team::Vehicle& closed = closed_[vehicle];
     Menu menu;
     if (!closed.way.empty()) menu.ways.push_back(closed_way(vehicle));
@@ -109,16 +100,16 @@ Ways::Menu Ways::search(std::size_t vehicle, const Set& set, Hand& hand) {
         return menu;
     }
     if (team::is_wide(closed.agent.body)) {
-        search_wide(vehicle, set, menu, hand);
+        search_wide(vehicle, set, menu, worker);
         return menu;
     }
     if (team::drives_by_crossing(closed.agent.body)) {
-        search_crossing(vehicle, set, menu, hand);
+        search_crossing(vehicle, set, menu, worker);
         return menu;
     }
     const SearchOptions options{.body = closed.agent.body, .limits = problem_.interrupts().limits()};
     const OpenedMap opened(problem_.map(), set);
-    const SearchResult found = hand.theta.find(opened, closed.agent.start, closed.agent.goal, options);
+    const SearchResult found = worker.theta.find(opened, closed.agent.start, closed.agent.goal, options);
     if (found.status != SearchStatus::found) return menu;
     Way& way =
         menu.ways.emplace_back(way_of(closed.agent, std::vector<Point>(found.path.begin(), found.path.end()), set));
@@ -135,7 +126,7 @@ CrossingOptions Ways::options_for(std::size_t vehicle, const Set& set) const {
     options.crossings = int(set.size());
     options.only = set;
     options.limits = problem_.interrupts().limits();
-    options.limits.expansions = std::min(options.limits.expansions, most_expansions);
+    options.limits.expansions = std::min(options.limits.expansions, tuning::most_path_expansions);
     if (!closed.way.empty()) {
         options.length_limit = (closed.alone - closed.agent.ready_at) * closed.agent.speed;
         options.expected = options.length_limit;  // it is all looked at
@@ -143,18 +134,18 @@ CrossingOptions Ways::options_for(std::size_t vehicle, const Set& set) const {
     return options;
 }
 
-void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Hand& hand) {
+void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker) {
     const Agent& agent = closed_[vehicle].agent;
     const CrossingOptions options = options_for(vehicle, set);
     const std::size_t before = menu.ways.size();
     const CrossingResult all =
-        hand.crossing.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
+        worker.crossing.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (!path.crossed.empty())
                 menu.ways.push_back(way_of(agent, shorter(agent, path.path, path.crossed), path.crossed));
-            return menu.ways.size() < before + most_ways;
+            return menu.ways.size() < before + tuning::most_paths;
         });
-    effort_[vehicle] += effort_of_label * all.expanded;
-    menu.complete = menu.ways.size() < before + most_ways && came_to_its_end(all.status);
+    effort_[vehicle] += tuning::effort_of_expansion * all.expanded;
+    menu.complete = menu.ways.size() < before + tuning::most_paths && came_to_its_end(all.status);
     for (Way& way : std::span(menu.ways).subspan(before)) {
         way.expanded = all.expanded;
         way.generated = all.generated;
@@ -163,17 +154,17 @@ void Ways::search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Hand
 
 // As in a mission of its own, for each set that gains for the square or for the relaxed body: the disc fits where its
 // square does not.
-void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu, Hand& hand) {
-    std::vector<Set> sets = gaining(vehicle, set, false, menu, hand);
-    for (Set& other : gaining(vehicle, set, true, menu, hand)) {
+void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker) {
+    std::vector<Set> sets = gaining(vehicle, set, false, menu, worker);
+    for (Set& other : gaining(vehicle, set, true, menu, worker)) {
         if (std::ranges::find(sets, other) == sets.end()) sets.push_back(std::move(other));
     }
     const Agent& agent = closed_[vehicle].agent;
     const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts());
     const double longest = options_for(vehicle, set).length_limit;
     for (const Set& crossed : sets) {
-        const Opening opening = open(trip, {hand.theta, hand.crossing}, crossed);
-        effort_[vehicle] += effort_of_label * opening.ground.expanded;
+        const Opening opening = open(trip, {worker.theta, worker.crossing}, crossed);
+        effort_[vehicle] += tuning::effort_of_expansion * opening.ground.expanded;
         menu.complete = menu.complete && !opening.limited;
         if (opening.status != SearchStatus::found || *opening.ground.length > longest) continue;
         Way& way = menu.ways.emplace_back(way_of(agent, opening.ground.path, crossed));
@@ -183,19 +174,19 @@ void Ways::search_wide(std::size_t vehicle, const Set& set, Menu& menu, Hand& ha
 }
 
 // The sets that a search tells of.
-std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu, Hand& hand) {
+std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu, Worker& worker) {
     const Agent& agent = closed_[vehicle].agent;
     CrossingOptions options = options_for(vehicle, set);
     options.relaxed = relaxed;
     std::vector<Set> sets;
     const CrossingResult all =
-        hand.crossing.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
+        worker.crossing.enumerate(problem_.map(), agent.start, agent.goal, options, [&](const CrossingPath& path) {
             if (path.crossed.empty()) return true;
             std::ranges::sort(sets.emplace_back(path.crossed));
-            return sets.size() < most_ways;
+            return sets.size() < tuning::most_paths;
         });
-    effort_[vehicle] += effort_of_label * all.expanded;
-    menu.complete = menu.complete && came_to_its_end(all.status) && sets.size() < most_ways;
+    effort_[vehicle] += tuning::effort_of_expansion * all.expanded;
+    menu.complete = menu.complete && came_to_its_end(all.status) && sets.size() < tuning::most_paths;
     return sets;
 }
 
@@ -208,7 +199,7 @@ Way Ways::closed_way(std::size_t vehicle) const {
 }
 
 bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before,
-                      bool thorough, Hand& hand) {
+                      bool thorough, Worker& worker) {
     const Agent& agent = closed_[vehicle].agent;
     const Set part = near(vehicle, set);
     if (part.empty() || !team::drives_by_crossing(agent.body) || !(arrive_before > agent.ready_at)) return false;
@@ -219,7 +210,7 @@ bool Ways::find_timed(std::size_t vehicle, const Set& set, const Openings& openi
     tried->second = thorough;
     std::vector<Way> found;
     if (thorough) found = waiting(vehicle, part, openings, arrive_before);
-    if (std::optional<Way> way = search_timed(vehicle, part, openings, arrive_before, hand))
+    if (std::optional<Way> way = search_timed(vehicle, part, openings, arrive_before, worker))
         found.push_back(std::move(*way));
     if (found.empty()) return false;
     const OpenedMap opened(problem_.map(), part);
@@ -242,32 +233,32 @@ std::vector<Way> Ways::waiting(std::size_t vehicle, const Set& part, const Openi
     std::vector<Way> ways = known_[vehicle][part].ways;
     std::erase_if(ways, [&](const Way& way) { return arrival(agent, way, {}) >= arrive_before; });
     std::ranges::stable_sort(ways, {}, [&](const Way& way) { return arrival(agent, way, openings); });
-    if (ways.size() > most_bent) ways.resize(most_bent);
+    if (ways.size() > tuning::most_bent_paths) ways.resize(tuning::most_bent_paths);
     return ways;
 }
 
 // A path of the crossing search in time, as the vehicle can drive it.
 std::optional<Way> Ways::search_timed(std::size_t vehicle, const Set& part, const Openings& openings,
-                                      double arrive_before, Hand& hand) {
-    const Remembering remembering(hand.crossing, memories_[vehicle]);
+                                      double arrive_before, Worker& worker) {
+    const Remembering remembering(worker.crossing, memories_[vehicle]);
     const Agent& agent = closed_[vehicle].agent;
     CrossingOptions options;
     options.body = agent.body;
     options.crossings = int(part.size());
     options.only = part;
     options.limits = problem_.interrupts().limits();
-    options.limits.expansions = std::min(options.limits.expansions, most_expansions_in_time);
+    options.limits.expansions = std::min(options.limits.expansions, tuning::most_path_expansions_in_time);
     options.length_limit = (arrive_before - agent.ready_at) * agent.speed * (1 - rounding);
     options.opened_after = [&](std::span<const ObstacleId> crossed) {
         double last = 0;
         for (const ObstacleId id : crossed) last = std::max(last, openings.at(id) - agent.ready_at);
         return last * agent.speed;
     };
-    const CrossingResult found = hand.crossing.find(problem_.map(), agent.start, agent.goal, options);
-    effort_[vehicle] += effort_of_label * found.expanded;
+    const CrossingResult found = worker.crossing.find(problem_.map(), agent.start, agent.goal, options);
+    effort_[vehicle] += tuning::effort_of_expansion * found.expanded;
     if (found.best.path.empty()) return std::nullopt;
     const Trip trip = team::trip_of(problem_.map(), agent, problem_.interrupts());
-    const Opening driven = drivable(trip, {hand.theta, hand.crossing}, found.best, part);
+    const Opening driven = drivable(trip, {worker.theta, worker.crossing}, found.best, part);
     if (driven.status != SearchStatus::found) return std::nullopt;
     // Not shortened: who bends may do so to come late.
     Way way = way_of(agent, driven.ground.path, part);

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "coalition/crew.hpp"
 #include "coalition/problem.hpp"
+#include "coalition/workers.hpp"
 
 namespace waybreaker::coalition {
 
@@ -31,7 +31,7 @@ using Openings = std::map<ObstacleId, double>;
 // Alone, with a stop before every gate that is not open yet; without openings, all are.
 double arrival(const Agent& agent, const Way& way, const Openings& openings);
 
-// For two vehicles, two hands may use it at once.
+// For two vehicles, two workers may use it at once.
 class Ways {
   public:
     // The vehicles, each with its way past all obstacles, or with none.
@@ -39,7 +39,7 @@ class Ways {
 
     // Of a vehicle with a set removed sooner or later: a way for each part of the set that is worth having open. Stays
     // where it is.
-    const std::vector<Way>& of(std::size_t vehicle, const Set& set, Hand& hand);
+    const std::vector<Way>& of(std::size_t vehicle, const Set& set, Worker& worker);
     // Whether that takes no search.
     bool knows(std::size_t vehicle, const Set& set) const;
 
@@ -47,7 +47,7 @@ class Ways {
     // to wait anyway waits where the rest of the way is shortest. Whether there is one; it is among its ways from then
     // on. `thorough`: also by bends of known ways.
     bool find_timed(std::size_t vehicle, const Set& set, const Openings& openings, double arrive_before, bool thorough,
-                    Hand& hand);
+                    Worker& worker);
 
     // Of all that was done so far: labels of searches and paths judged, as many as take as long.
     std::uint64_t effort() const { return std::accumulate(effort_.begin(), effort_.end(), std::uint64_t{0}); }
@@ -59,14 +59,14 @@ class Ways {
     };
     Set near(std::size_t vehicle, const Set& set) const;
     const Menu* larger_menu(std::size_t vehicle, const Set& part) const;
-    Menu search(std::size_t vehicle, const Set& set, Hand& hand);
+    Menu search(std::size_t vehicle, const Set& set, Worker& worker);
     CrossingOptions options_for(std::size_t vehicle, const Set& set) const;
-    void search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Hand& hand);
-    void search_wide(std::size_t vehicle, const Set& set, Menu& menu, Hand& hand);
-    std::vector<Set> gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu, Hand& hand);
+    void search_crossing(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker);
+    void search_wide(std::size_t vehicle, const Set& set, Menu& menu, Worker& worker);
+    std::vector<Set> gaining(std::size_t vehicle, const Set& set, bool relaxed, Menu& menu, Worker& worker);
     std::vector<Way> waiting(std::size_t vehicle, const Set& part, const Openings& openings, double arrive_before);
     std::optional<Way> search_timed(std::size_t vehicle, const Set& part, const Openings& openings,
-                                    double arrive_before, Hand& hand);
+                                    double arrive_before, Worker& worker);
     Way punctual_way(const OpenedMap& opened, std::size_t vehicle, const Way& way, const Set& part,
                      const Openings& openings);
     Way closed_way(std::size_t vehicle) const;

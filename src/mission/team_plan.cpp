@@ -1,6 +1,7 @@
 #include "mission/team_plan.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "coalition/coalition.hpp"
 #include "core/stopwatch.hpp"
 #include "mission/plan_status.hpp"
+#include "mission/team_hits.hpp"
 #include "plan/objective.hpp"
 #include "plan/timeline.hpp"
 #include "team/team.hpp"
@@ -111,7 +113,8 @@ void add_paths(const Mission& mission, team::TeamPlan& team, Flights flights, Pl
     }
     set_figures(plan.after, finish);
     const double reached = rank(mission.rules.objective, finish).first;
-    const double bound = std::min(plan.bound.value_or(0), reached);
+    if (!plan.bound) return;
+    const double bound = std::min(*plan.bound, reached);
     plan.bound = bound;
     plan.gap = bound > 0 ? reached / bound - 1 : 0;
 }
@@ -138,6 +141,23 @@ void add_entries(const Map& map, const Mission& mission, Plan& plan) {
     }
 }
 
+coalition::Choice choice_of(const Map& map, const Mission& mission, const Method& method,
+                            std::span<const std::uint32_t> hits) {
+    using coalition::Selecting;
+    switch (method.select) {
+        case Selection::exact:
+            return {Selecting::exact};
+        case Selection::hits:
+            return {mission.rules.timing == Timing::ignore ? Selecting::as_list : Selecting::listed,
+                    most_hit_of_team(map, mission.rules, hits), method.bound};
+        case Selection::greedy:
+            return {Selecting::greedy, {}, method.bound};
+        case Selection::none:
+            break;
+    }
+    return {Selecting::none};
+}
+
 Plan plan_coalition(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                     coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
     const Stopwatch total;
@@ -146,8 +166,10 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
     const auto tell = [&](double objective, double bound) {
         if (limits.progress) limits.progress({.best = objective, .bound = bound});
     };
-    coalition::CoalitionPlan made = coalition::plan_coalition(map, mission, method.select != Selection::none, fewer,
-                                                              interrupts, crossing, searcher, tell);
+    std::vector<std::uint32_t> hits;
+    if (method.select == Selection::hits) hits = hits_of_team(map, mission, method, interrupts, searcher);
+    coalition::CoalitionPlan made = coalition::plan_coalition(map, mission, choice_of(map, mission, method, hits),
+                                                              fewer, interrupts, crossing, searcher, tell);
     Plan plan;
     plan.status = plan_status(made.status);
     const std::size_t vehicles = std::size_t(std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind));
@@ -156,13 +178,14 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
     } else {
         add_nothing(mission, plan.before);
     }
-    plan.bound = made.bound;
+    plan.bound.reset();
     if (plan.status == PlanStatus::solved) {
+        if (made.proven) plan.bound = made.bound;
         plan.breaches = std::move(made.breaches);
+        for (Breach& breach : plan.breaches) breach.hits = hits.empty() ? 0 : hits[breach.obstacle.value];
         add_paths(mission, made.team, std::move(made.flights), plan);
         add_entries(map, mission, plan);
     } else {
-        plan.bound.reset();
         add_nothing(mission, plan.after);
     }
     plan.limit_reached = made.limited || plan.status == PlanStatus::limit_reached;

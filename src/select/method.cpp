@@ -86,9 +86,6 @@ void validate_team(const Mission& mission, const Method& method) {
             "the aircraft of a team fly by optimal; nearest, the paper's rule, is for one vehicle and one aircraft");
     }
     if (vehicles == 1 && aircraft > 0) return;
-    if (removes && (method.select == Selection::hits || method.select == Selection::greedy)) {
-        throw InputError("what is removed for several ground agents is selected by exact, or none is");
-    }
     if (!method.diagonal) throw InputError("several ground agents move by eight neighbours, not by four");
 }
 

@@ -177,15 +177,15 @@ double proven(const Map& map, const Mission& mission, double reached) {
     const coalition::Problem problem(map, mission, interrupts);
     CrossingSearcher crossing;
     Searcher theta;
-    coalition::Crew crew(problem, crossing, theta);
-    coalition::Columns columns(problem, crew, coalition::Shape::relaxed);
-    coalition::Relaxation relaxation(problem, columns, crew);
+    coalition::Workers workers(problem, crossing, theta);
+    coalition::Columns columns(problem, workers, coalition::Shape::relaxed);
+    coalition::Relaxation relaxation(problem, columns, workers);
     double bound = relaxation.bound();
     const auto list = [&](double margin) {
         relaxation.list(margin);
         bound = std::max(bound, relaxation.bound());
         if (!relaxation.proof().complete) return;
-        coalition::Joint joint(problem, columns, relaxation.proof(), crew.own().openings, reached);
+        coalition::Joint joint(problem, columns, relaxation.proof(), workers.own().openings, reached);
         joint.next();
         bound = std::max(bound, joint.bound());
     };

@@ -1,26 +1,26 @@
-#include "coalition/crew.hpp"
+#include "coalition/workers.hpp"
 
 #include <algorithm>
 
 namespace waybreaker::coalition {
 
-Crew::Crew(const Problem& problem, CrossingSearcher& crossing, Searcher& theta)
+Workers::Workers(const Problem& problem, CrossingSearcher& crossing, Searcher& theta)
     : problem_(problem), most_(thread_count(problem.interrupts().threads)), crossing_(crossing), theta_(theta) {}
 
-Hand& Crew::own() {
+Worker& Workers::own() {
     gather(1);
-    return hands_.front();
+    return all_.front();
 }
 
-void Crew::gather(std::size_t count) {
+void Workers::gather(std::size_t count) {
     const auto openings = [this] {
         return EarliestOpenings(problem_.map(), problem_.rules(),
                                 {problem_.aircraft().begin(), problem_.aircraft().end()});
     };
-    if (hands_.empty()) hands_.push_back({crossing_, crossing_.another(), theta_, openings()});
-    while (hands_.size() < std::min(most_, count)) {
+    if (all_.empty()) all_.push_back({crossing_, crossing_.another(), theta_, openings()});
+    while (all_.size() < std::min(most_, count)) {
         CrossingSearcher& crossing = crossings_.emplace_back(crossing_.another());
-        hands_.push_back({crossing, hands_.front().limits.another(), thetas_.emplace_back(), openings()});
+        all_.push_back({crossing, all_.front().limits.another(), thetas_.emplace_back(), openings()});
     }
 }
 

@@ -1,4 +1,4 @@
-// Crew: threads that plan the vehicles of a team side by side. What comes out does not depend on how many there are.
+// Workers: threads that plan the vehicles of a team side by side. What comes out does not depend on how many there are.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 namespace waybreaker::coalition {
 
 // What one thread plans with, and remembers.
-struct Hand {
+struct Worker {
     CrossingSearcher& crossing;  // of the vehicles' own bodies
     CrossingSearcher limits;     // for lower limits: a searcher remembers more of one kind of body than of two in turn
     Searcher& theta;
     EarliestOpenings openings;
 };
 
-// A vehicle's own memory, in use for as long as this lives: what comes out does not depend on whose hand it is in.
+// A vehicle's own memory, in use for as long as this lives: what comes out does not depend on which worker uses it.
 class Remembering {
   public:
     Remembering(CrossingSearcher& searcher, CrossingMemory& memory) : searcher_(searcher), memory_(memory) {
@@ -35,34 +35,33 @@ class Remembering {
     CrossingMemory& memory_;
 };
 
-class Crew {
+class Workers {
   public:
-    // The searchers are for the thread that calls; all arguments must outlive it. All hands share the maps that
+    // The searchers are for the thread that calls; all arguments must outlive it. All workers share the maps that
     // `crossing` has grown for wide bodies before they first have work.
-    Crew(const Problem& problem, CrossingSearcher& crossing, Searcher& theta);
+    Workers(const Problem& problem, CrossingSearcher& crossing, Searcher& theta);
 
     // Of the thread that calls.
-    Hand& own();
+    Worker& own();
 
-    // Calls work(i, hand) for i = 0 .. count - 1, each once, in any order.
+    // Calls work(i, worker) for i = 0 .. count - 1, each once, in any order.
     template <class Work>
     void for_each(std::size_t count, const Work& work) {
         gather(count);
-        for_each_index(count, unsigned(hands_.size()),
-                       [&](std::size_t i, std::size_t thread) { work(i, hands_[thread]); });
+        for_each_index(count, unsigned(all_.size()), [&](std::size_t i, std::size_t thread) { work(i, all_[thread]); });
     }
 
   private:
-    // As many hands as there is work for.
+    // As many as there is work for.
     void gather(std::size_t count);
 
     const Problem& problem_;
-    std::size_t most_;  // hands
+    std::size_t most_;
     CrossingSearcher& crossing_;
     Searcher& theta_;
-    std::deque<CrossingSearcher> crossings_;  // of the hands but the first
+    std::deque<CrossingSearcher> crossings_;  // of all but the first
     std::deque<Searcher> thetas_;
-    std::deque<Hand> hands_;
+    std::deque<Worker> all_;
 };
 
 }  // namespace waybreaker::coalition

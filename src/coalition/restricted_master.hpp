@@ -1,5 +1,5 @@
-// Picks: good sets of obstacles by what is known of the vehicles' wishes, quickly; as if aircraft worked for each
-// vehicle alone, and collisions aside.
+// Restricted master problem: the best set of obstacles for the columns in the pools; as if aircraft worked for each
+// vehicle alone, and collisions aside. Solved greedily, then by exchanges: quickly, without proof.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace waybreaker::coalition {
 
-class Picks {
+class RestrictedMaster {
   public:
     // Columns must outlive it and not change meanwhile.
-    Picks(const Problem& problem, const Columns& columns);
+    RestrictedMaster(const Problem& problem, const Columns& columns);
 
     // Greedy by gain for each obstacle, whole columns at a time, from a set on; then exchanges of one obstacle for
     // others, while that gains. The same each time.

@@ -1,4 +1,4 @@
-#include "coalition/picks.hpp"
+#include "coalition/restricted_master.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,12 +11,13 @@ constexpr double stranded = 1e12;
 
 }  // namespace
 
-Picks::Picks(const Problem& problem, const Columns& columns) : problem_(problem), columns_(columns) {
+RestrictedMaster::RestrictedMaster(const Problem& problem, const Columns& columns)
+    : problem_(problem), columns_(columns) {
     std::map<ObstacleId, std::uint32_t> number_of;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        const Wishes& wishes = columns.of(i);
+        const Pool& pool = columns.of(i);
         std::vector<std::uint32_t> numbers;
-        for (const ObstacleId id : wishes.obstacles) {
+        for (const ObstacleId id : pool.obstacles) {
             const auto [known, is_new] = number_of.try_emplace(id, std::uint32_t(numbered_.size()));
             if (is_new) {
                 numbered_.push_back(id);
@@ -26,7 +27,7 @@ Picks::Picks(const Problem& problem, const Columns& columns) : problem_(problem)
             vehicles_of_[known->second].push_back(std::uint32_t(i));
         }
         std::vector<std::vector<std::uint32_t>>& sets = sets_.emplace_back();
-        for (const Column& column : wishes.columns) {
+        for (const Column& column : pool.columns) {
             std::vector<std::uint32_t>& set = sets.emplace_back();
             for (const std::uint32_t at : column.opened) set.push_back(numbers[at]);
             std::ranges::sort(set);
@@ -41,7 +42,7 @@ Picks::Picks(const Problem& problem, const Columns& columns) : problem_(problem)
     for (std::size_t i = 0; i < arrivals_.size(); ++i) arrivals_[i] = arrival(i);
 }
 
-double Picks::arrival(std::size_t vehicle) const {
+double RestrictedMaster::arrival(std::size_t vehicle) const {
     double least = stranded;
     for (std::size_t c = 0; c < sets_[vehicle].size(); ++c) {
         const double arrival = columns_.of(vehicle).columns[c].arrival;
@@ -51,7 +52,7 @@ double Picks::arrival(std::size_t vehicle) const {
     return least;
 }
 
-double Picks::objective() const {
+double RestrictedMaster::objective() const {
     double sum = 0;
     double last = 0;
     for (const double arrival : arrivals_) {
@@ -68,7 +69,7 @@ double Picks::objective() const {
     return sum + detour;
 }
 
-bool Picks::fits(const std::vector<std::uint32_t>& more) const {
+bool RestrictedMaster::fits(const std::vector<std::uint32_t>& more) const {
     std::size_t count = 0;
     double weight = 0;
     for (std::size_t j = 0; j < open_.size(); ++j) {
@@ -80,7 +81,7 @@ bool Picks::fits(const std::vector<std::uint32_t>& more) const {
 }
 
 // Opens what gains most for each obstacle. Whether anything gains.
-bool Picks::add_best() {
+bool RestrictedMaster::add_best() {
     const double now = objective();
     double best_gain = rounding * now;
     const std::vector<std::uint32_t>* best = nullptr;
@@ -119,12 +120,12 @@ bool Picks::add_best() {
     return true;
 }
 
-void Picks::set_open(const Set& set) {
+void RestrictedMaster::set_open(const Set& set) {
     for (std::size_t j = 0; j < open_.size(); ++j) open_[j] = contains(set, numbered_[j]) ? 1 : 0;
     for (std::size_t i = 0; i < arrivals_.size(); ++i) arrivals_[i] = arrival(i);
 }
 
-Set Picks::opened() const {
+Set RestrictedMaster::opened() const {
     Set set;
     for (std::size_t j = 0; j < open_.size(); ++j) {
         if (is_open(j)) set.push_back(numbered_[j]);
@@ -133,7 +134,7 @@ Set Picks::opened() const {
     return set;
 }
 
-Set Picks::best_from(const Set& start) {
+Set RestrictedMaster::best_from(const Set& start) {
     const auto fill = [this] {
         while (!problem_.interrupts().due() && add_best()) {
         }

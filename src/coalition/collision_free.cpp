@@ -1,0 +1,138 @@
+#include "coalition/collision_free.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "coalition/tuning.hpp"
+#include "plan/objective.hpp"
+#include "schedule/tour_times.hpp"
+
+namespace waybreaker::coalition {
+namespace {
+
+class DraftPlanner {
+  public:
+    DraftPlanner(const Problem& problem, const team::Interrupts& interrupts, const CoalitionPlan& plan,
+                 const Draft& draft)
+        : problem_(problem),
+          interrupts_(interrupts),
+          closed_(plan.closed),
+          bound_(plan.bound),
+          unproven_(plan.proven ? draft.cost.first - plan.bound : 0),
+          draft_(draft) {}
+
+    // How long an aircraft stays at a target of the draft.
+    auto stay() const {
+        return [this](std::size_t target) { return problem_.breach_time(draft_.set[target]); };
+    }
+
+    // With nothing removed, just as a team without aircraft.
+    team::TeamPlan plan_paths() const {
+        const bool removes = !draft_.set.empty();
+        team::Ground ground{OpenedMap(problem_.map(), draft_.set)};
+        for (const auto& [obstacle, time] : draft_.openings) ground.openings.push_back({obstacle, time});
+        std::vector<team::Vehicle> vehicles(closed_.begin(), closed_.end());
+        for (std::size_t v = 0; removes && v < vehicles.size(); ++v) vehicles[v] = vehicle(v);
+        const auto enough = [&](std::span<team::Vehicle> all) {
+            const double alone = team::objective_alone(all, problem_.rules().objective);
+            return std::max(removes ? alone + tolerable_loss(draft_.cost.first, unproven_) : 0, good_enough());
+        };
+        return team::plan_paths(ground, std::move(vehicles), problem_.rules(), interrupts_, enough,
+                                [](const team::Cost&) {});
+    }
+
+    std::vector<team::Path> flights() const {
+        std::vector<team::Path> flights;
+        for (std::size_t a = 0; a < draft_.sorties.size(); ++a) {
+            flights.push_back(flown(*problem_.aircraft()[a], draft_.sorties[a], stay()));
+        }
+        return flights;
+    }
+
+    double objective(const std::vector<team::Path>& paths, const std::vector<team::Path>& flights) const {
+        Finish finish;
+        for (const team::Path& path : paths) finish.add(AgentKind::ground, path.back().t);
+        for (const team::Path& path : flights) finish.add(AgentKind::air, path.back().t);
+        return rank(problem_.rules().objective, finish).first;
+    }
+
+    std::vector<Breach> breaches() const {
+        std::vector<Breach> breaches;
+        for (std::size_t a = 0; a < draft_.sorties.size(); ++a) {
+            const Agent& aircraft = *problem_.aircraft()[a];
+            fly(aircraft, draft_.sorties[a], stay(), [&](const Stop& stop, double begun, double cleared) {
+                const Obstacle& obstacle = problem_.map().obstacle(draft_.set[stop.target]);
+                Breach& breach = breaches.emplace_back();
+                breach.obstacle = obstacle.id;
+                breach.source_id = obstacle.source_id;
+                breach.cells = obstacle.cells;
+                breach.at = stop.at;
+                breach.by = aircraft.id;
+                breach.begun_at = begun;
+                breach.cleared_at = cleared;
+            });
+        }
+        std::ranges::stable_sort(breaches, {}, &Breach::cleared_at);
+        return breaches;
+    }
+
+  private:
+    // Of the vehicles' objective, with the flights of the draft; 0 if none is.
+    double good_enough() const {
+        if (interrupts_.gap == 0) return 0;
+        double flown = 0;
+        if (problem_.sums()) {
+            for (const team::Path& path : flights()) flown += path.back().t;
+        }
+        return bound_ * (1 + interrupts_.gap) - flown;
+    }
+
+    team::Vehicle vehicle(std::size_t v) const {
+        const Way& way = draft_.taken[v];
+        team::Vehicle vehicle;
+        vehicle.agent = closed_[v].agent;
+        vehicle.way = way.path;
+        vehicle.alone = arrival(vehicle.agent, way, draft_.openings);
+        vehicle.expanded = way.expanded;
+        vehicle.generated = way.generated;
+        return vehicle;
+    }
+
+    const Problem& problem_;
+    const team::Interrupts& interrupts_;
+    std::span<const team::Vehicle> closed_;
+    double bound_;
+    double unproven_;  // what the draft may be above the best; 0 where nobody knows
+    const Draft& draft_;
+};
+
+}  // namespace
+
+double tolerable_loss(double objective, double unproven) {
+    return std::max(tuning::tolerable_loss * objective, tuning::tolerable_part_of_gap * unproven);
+}
+
+void plan_collision_free(const Problem& problem, const team::Interrupts& interrupts, std::span<const Draft> drafts,
+                         std::size_t most, const std::function<void(double, double)>& improved, CoalitionPlan& plan) {
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        const Draft& draft = drafts[i];
+        if (draft.cost.first >= plan.objective || (plan.objective < infinity && interrupts.due())) break;
+        if (interrupts.good_enough(plan.objective, plan.bound)) break;
+        if (i >= most && !draft.set.empty() && plan.objective < infinity) continue;
+        const DraftPlanner planner(problem, interrupts, plan, draft);
+        team::TeamPlan planned = planner.plan_paths();
+        if (planned.status != SearchStatus::found) continue;
+        std::vector<team::Path> flights = planner.flights();
+        const double reached = planner.objective(planned.paths, flights);
+        if (reached >= plan.objective) continue;
+        plan.objective = reached;
+        plan.status = SearchStatus::found;
+        plan.limited = plan.limited || planned.limited;
+        plan.team = std::move(planned);
+        plan.flights = std::move(flights);
+        plan.breaches = planner.breaches();
+        improved(reached, std::min(plan.bound, reached));
+    }
+}
+
+}  // namespace waybreaker::coalition

@@ -1,0 +1,22 @@
+// Collision-free paths for sets of obstacles that have been put in time.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "coalition/coalition.hpp"
+
+namespace waybreaker::coalition {
+
+// What vehicles may lose on each other where nobody would do otherwise: of an objective, collisions aside, so much of
+// which is not proven.
+double tolerable_loss(double objective, double unproven);
+
+// Plans the vehicles past each other for the best drafts, until no other can be better, and puts the best plan into
+// `plan`. Plans at most so many drafts beside that of nothing, and as many more as it takes to find a plan. `drafts`:
+// the best first. REQUIRES: plan.closed and plan.bound.
+void plan_collision_free(const Problem& problem, const team::Interrupts& interrupts, std::span<const Draft> drafts,
+                         std::size_t most, const std::function<void(double objective, double bound)>& improved,
+                         CoalitionPlan& plan);
+
+}  // namespace waybreaker::coalition

@@ -1,0 +1,98 @@
+#include "coalition/exact_choice.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "coalition/all_sets.hpp"
+#include "coalition/joint.hpp"
+#include "coalition/restricted_master.hpp"
+#include "coalition/tuning.hpp"
+
+namespace waybreaker::coalition {
+void ExactChoice::run() {
+    improve_prices();
+    const bool none = evaluation_.drafts().empty();
+    if (none) try_for_own_bodies();
+    try_jointly();
+    if (!none && !is_within(tuning::gap_for_own_bodies)) try_for_own_bodies();
+    if (!is_within(tuning::gap_of_choice)) try_all();
+}
+
+// Prices learn from the best set, and find new columns; these find better sets.
+void ExactChoice::improve_prices() {
+    evaluation_.evaluate(RestrictedMaster(problem_, columns_).best_from({}));
+    for (int round = 0; round < tuning::most_price_rounds && !due() && !is_within(tuning::gap_for_prices); ++round) {
+        const double aim = std::min(reached(), tuning::farthest_aim * bound_);
+        const bool found = relaxation_.tighten(aim);
+        const double gain = relaxation_.bound() - bound_;
+        const double missing = reached() - bound_;
+        bound_ = relaxation_.bound();
+        if (!found) return;
+        evaluation_.evaluate(RestrictedMaster(problem_, columns_).best_from({}));
+        if (round > 1 && gain <= tuning::least_gain_of_round * missing) return;
+    }
+}
+
+// Sets in the order of their limits, until none can be better, or several do not improve the incumbent.
+void ExactChoice::try_jointly() {
+    if (evaluation_.drafts().empty() || is_within(tuning::gap_of_choice) || due()) return;
+    // All that could be part of a better plan, or what is likely to be. Where vehicles are many, lists as long as that
+    // say too little.
+    const double gap = problem_.interrupts().gap;
+    const double useless = reached() / (1 + gap);
+    const double longest = tuning::most_margin * reached() / double(columns_.size());
+    if (problem_.sums() && longest < tuning::least_gain_of_round * (useless - bound_)) return;
+    relaxation_.list(std::min(useless - bound_, tuning::margin_of_enumeration * reached()));
+    bound_ = std::max(bound_, relaxation_.bound());
+    if (!relaxation_.proof().complete) return;
+    Joint joint(problem_, columns_, relaxation_.proof(), workers_.own().openings, useless);
+    const double enough = 1 + std::max(tuning::gap_of_choice, gap);
+    for (int without_gain = 0; without_gain < tuning::most_sets_without_gain && reached() > joint.rest() * enough;) {
+        const std::optional<Set> set = joint.next();
+        if (!set) break;
+        const double before = reached();
+        evaluation_.evaluate(*set);
+        without_gain = reached() < before ? 0 : without_gain + 1;
+    }
+    bound_ = std::max(bound_, std::min(joint.bound(), reached()));
+}
+
+// A vehicle may need more open than a point, which slips through.
+void ExactChoice::try_for_own_bodies() {
+    if (due()) return;
+    const Columns own(problem_, workers_, Shape::own);
+    RestrictedMaster master(problem_, own);
+    evaluation_.evaluate(master.best_from({}));
+    evaluation_.evaluate(master.best_from(most_wanted()));
+}
+
+// With more care than before, as long as that takes little. Of more sets, the first that has a plan, if none had.
+void ExactChoice::try_all() {
+    const std::uint64_t enough = evaluation_.effort() + tuning::most_effort_for_all_sets;
+    const bool none = evaluation_.drafts().empty();
+    const std::vector<Set> sets =
+        all_sets(problem_, columns_, none ? tuning::most_sets_without_plan : tuning::most_sets_evaluated);
+    for (const Set& set : sets) {
+        if (due() || evaluation_.effort() >= enough) return;
+        if (sets.size() > tuning::most_sets_evaluated && !evaluation_.drafts().empty()) return;
+        evaluation_.evaluate_carefully(set, enough);
+    }
+}
+
+// As many as may be removed together.
+Set ExactChoice::most_wanted() const {
+    Set set;
+    double weight = 0;
+    for (const ObstacleId id : relaxation_.wanted()) {
+        if (set.size() == std::size_t(problem_.spare_removals())) break;
+        const double more = weight + problem_.map().obstacle(id).weight;
+        if (more > problem_.spare_budget()) continue;
+        weight = more;
+        set.push_back(id);
+    }
+    std::ranges::sort(set);
+    return set;
+}
+
+}  // namespace waybreaker::coalition

@@ -1,0 +1,38 @@
+#include "mission/team_hits.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "drive/opening.hpp"
+#include "select/hits.hpp"
+
+namespace waybreaker {
+
+std::vector<std::uint32_t> hits_of_team(const Map& map, const Mission& mission, const Method& method,
+                                        const team::Interrupts& interrupts, Searcher& searcher) {
+    constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> all(map.obstacles().size() + 1, 0);
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind != AgentKind::ground) continue;
+        const Trip trip{map,
+                        agent,
+                        search_options(method, agent.body),
+                        interrupts.deadline,
+                        interrupts.expansions,
+                        interrupts.stop};
+        SearchOptions counting = trip.by_cells();
+        counting.count_hits = true;
+        const SearchResult search = searcher.find(OpenedMap(map), agent.start, agent.goal, counting);
+        for (std::size_t id = 0; id < search.hits.size(); ++id) all[id] += std::min(search.hits[id], most - all[id]);
+    }
+    return all;
+}
+
+std::vector<ObstacleId> most_hit_of_team(const Map& map, const Rules& rules, std::span<const std::uint32_t> hits) {
+    std::vector<std::uint32_t> countable(hits.begin(), hits.end());
+    for (const ObstacleId id : rules.protect) countable[id.value] = 0;
+    for (const ObstacleId id : rules.force) countable[id.value] = 0;
+    return most_hit(map, countable, rules.removals);
+}
+
+}  // namespace waybreaker
