@@ -10,7 +10,7 @@
 #include "io/map_file.hpp"
 #include "named_files.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/search_options.hpp"
 
 namespace waybreaker::apps {
 

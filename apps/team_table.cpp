@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "render/caption.hpp"
 #include "table.hpp"
 

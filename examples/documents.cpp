@@ -1,5 +1,6 @@
 // Mission in, plan and picture out, as the files that the command reads and writes; no GDAL. Built where the sources
-// are a subproject, with WAYBREAKER_FORMATS=ON.
+// are a subproject, with WAYBREAKER_FORMATS=ON; links waybreaker::io and waybreaker::render, and waybreaker::mission to
+// plan.
 #include <fstream>
 #include <iostream>
 

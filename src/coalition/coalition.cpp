@@ -7,7 +7,7 @@
 #include "coalition/joint.hpp"
 #include "coalition/picks.hpp"
 #include "coalition/relaxation.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "schedule/tour_times.hpp"
 
 namespace waybreaker::coalition {

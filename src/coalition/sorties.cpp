@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "flight/target.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "schedule/sorties.hpp"
 
 namespace waybreaker::coalition {

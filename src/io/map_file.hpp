@@ -18,7 +18,7 @@
 #include "site/sections.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/search_options.hpp"
 
 namespace waybreaker::io {
 

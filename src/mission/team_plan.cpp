@@ -9,8 +9,8 @@
 #include "coalition/coalition.hpp"
 #include "core/stopwatch.hpp"
 #include "mission/plan_status.hpp"
-#include "plan/objective.hpp"
-#include "plan/timeline.hpp"
+#include "model/objective.hpp"
+#include "model/timeline.hpp"
 #include "team/team.hpp"
 
 namespace waybreaker {
