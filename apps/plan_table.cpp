@@ -128,13 +128,13 @@ std::string area(std::uint32_t cells, const io::MapFile& map) {
 
 // "3 openings in 2 buildings, 640 m²"; empty where it would say nothing new.
 std::string demolition(const Plan& plan, const io::MapFile& map) {
-    if (!map.has_metres() && map.sections.empty()) return "";
+    if (!map.has_metres() && map.annotations.sections.empty()) return "";
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
-    const site::Demolition all = site::demolition(map.map, map.sections, removed);
+    const site::Demolition all = site::demolition(map.map, map.annotations.sections, removed);
     const std::string extent =
         map.has_metres() ? site::area_text(map.square_metres(all.cells)) : fmt::format("{} cells", all.cells);
-    return site::removals_text(all, map.sections) + ", " + extent + "\n";
+    return site::removals_text(all, map.annotations.sections) + ", " + extent + "\n";
 }
 
 // "no plan within 0.5 % of the best demolishes less"
@@ -177,7 +177,7 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
     const bool explained =
         std::ranges::any_of(plan.breaches, [](const Breach& breach) { return breach.saves.has_value(); });
-    const auto name_of = [&](const Breach& breach) { return context.map.name_of(breach.obstacle); };
+    const auto name_of = [&](const Breach& breach) { return context.map.annotations.name_of(breach.obstacle); };
     const bool names = !std::ranges::all_of(plan.breaches, &std::string_view::empty, name_of);
     const bool counted = context.method.select == Selection::hits;
     std::vector<Row> rows{
@@ -260,7 +260,7 @@ std::string front(const io::PlanContext& context, const TableStyle& style) {
 std::string next(const Plan& plan, const io::PlanContext& context) {
     std::string lines;
     for (const NextBreach& next : plan.next) {
-        const std::string_view name = context.map.name_of(next.obstacle);
+        const std::string_view name = context.map.annotations.name_of(next.obstacle);
         lines += fmt::format("\none removal more, obstacle {}{}, would save {:.3f}\n", next.obstacle.value,
                              name.empty() ? "" : fmt::format(" ({})", shortened(name)), next.saves);
     }

@@ -23,7 +23,7 @@ std::string reason(const Wait& wait, const io::MapFile& map) {
         case WaitReason::readiness:
             return ", until it is ready";
         case WaitReason::opening: {
-            const std::string_view name = map.name_of(wait.obstacle);
+            const std::string_view name = map.annotations.name_of(wait.obstacle);
             return fmt::format(", until {} has opened {}{}", shortened(wait.agent), wait.obstacle.value,
                                name.empty() ? "" : fmt::format(" ({})", shortened(name)));
         }

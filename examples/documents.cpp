@@ -23,5 +23,6 @@ int main() {
     const waybreaker::Plan plan = waybreaker::MissionPlanner().plan(map.map, asked.mission, asked.method, asked.limits);
     std::cout << waybreaker::io::plan_json(
         plan, {.map = map, .mission = asked.mission, .method = asked.method, .timing_fields = false});
-    std::ofstream("documents.svg") << waybreaker::render::svg(map.map, asked.mission, plan, {.title = "Yard"});
+    std::ofstream("documents.svg") << waybreaker::render::svg(map.map, asked.mission, plan,
+                                                              {.annotations = {.title = "Yard"}});
 }

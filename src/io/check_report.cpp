@@ -60,7 +60,7 @@ class DemolitionJudge {
             expect_area(fmt::format("of the step of {} removals", step.removed.size()), step.area_m2, step.removed);
         }
         expect_area("that is demolished", file_.demolition.area_m2, removed);
-        const site::Demolition truth = site::demolition(map_.map, map_.sections, known(removed));
+        const site::Demolition truth = site::demolition(map_.map, map_.annotations.sections, known(removed));
         expect("the number of removals", file_.demolition.removals, double(file_.plan.breaches.size()));
         expect("the number of demolished cells", file_.demolition.cells, double(truth.cells));
         expect("the number of structures", file_.demolition.structures, double(truth.structures.size()));

@@ -111,18 +111,18 @@ Json bound_json(const Plan& plan, Objective objective) {
 // Who an obstacle is in the world, as far as it is known.
 void add_identity(Json& json, ObstacleId id, std::int64_t source_id, const MapFile& map) {
     if (source_id != 0) json["source_id"] = source_id;
-    if (const std::string_view name = map.name_of(id); !name.empty()) json["name"] = name;
+    if (const std::string_view name = map.annotations.name_of(id); !name.empty()) json["name"] = name;
 }
 
 // What all removals destroy; empty where neither area nor structures are known.
 Json demolition_json(const Plan& plan, const MapFile& map) {
-    if (!map.has_metres() && map.sections.empty() && !plan.least_demolition) return nullptr;
+    if (!map.has_metres() && map.annotations.sections.empty() && !plan.least_demolition) return nullptr;
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
-    const site::Demolition demolition = site::demolition(map.map, map.sections, removed);
+    const site::Demolition demolition = site::demolition(map.map, map.annotations.sections, removed);
     Json json{{"removals", demolition.removals}, {"cells", demolition.cells}};
     if (map.has_metres()) json["area_m2"] = number(map.square_metres(demolition.cells));
-    if (!map.sections.empty()) json["structures"] = demolition.structures.size();
+    if (!map.annotations.sections.empty()) json["structures"] = demolition.structures.size();
     if (!plan.least_demolition) return json;
     json["least_cells"] = *plan.least_demolition;
     if (map.has_metres()) json["least_area_m2"] = number(map.square_metres(*plan.least_demolition));
@@ -133,7 +133,7 @@ Json breach_json(const Breach& breach, const PlanContext& context) {
     Json json{{"obstacle", breach.obstacle.value}, {"cells", breach.cells}, {"hits", breach.hits}};
     if (context.map.has_metres()) json["area_m2"] = number(context.map.square_metres(breach.cells));
     add_identity(json, breach.obstacle, breach.source_id, context.map);
-    Json structures = structures_json(breach.obstacle, context.map.sections);
+    Json structures = structures_json(breach.obstacle, context.map.annotations.sections);
     if (!structures.empty()) json["structures"] = std::move(structures);
     const double weight = context.map.map.obstacle(breach.obstacle).weight;
     if (weight != 1 || std::isfinite(context.mission.rules.budget)) json["weight"] = number(weight);

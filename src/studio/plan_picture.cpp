@@ -12,15 +12,13 @@ render::PictureOptions options_of(const io::MapFile& map, const io::PlanFile& pl
 }  // namespace
 
 render::PictureOptions picture_options(const io::MapFile& map, Objective objective, bool in_seconds) {
-    return {.cell_size = map.cell_size,
-            .metres = map.has_metres(),
-            .seconds = in_seconds,
-            .title = map.title.empty() ? map.source : map.title,
-            .attribution = map.attribution,
-            .objective = objective,
-            .background = map.background,
-            .kinds = map.kinds,
-            .sections = map.sections};
+    render::PictureOptions options{.cell_size = map.cell_size,
+                                   .metres = map.has_metres(),
+                                   .seconds = in_seconds,
+                                   .objective = objective,
+                                   .annotations = map.annotations};
+    options.annotations.title = map.name();
+    return options;
 }
 
 std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan) {

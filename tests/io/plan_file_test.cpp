@@ -25,8 +25,7 @@ MapFile map_file(Map map) {
             .format = "MovingAI map",
             .digest = "sha256:00",
             .georeference = {},
-            .attribution = {},
-            .title = {},
+            .annotations = {},
             .task = {}};
 }
 

@@ -60,8 +60,7 @@ class PlanJson : public testing::Test {
                  .format = "MovingAI map",
                  .digest = "sha256:00",
                  .georeference = {},
-                 .attribution = {},
-                 .title = {},
+                 .annotations = {},
                  .task = {}};
     Mission mission = ground_and_air({0, 0}, {4, 2});
     Method method;
@@ -175,10 +174,10 @@ TEST_F(PlanJson, NamesTheSourceOfARemovedObstacleWhereItIsKnown) {
 TEST_F(PlanJson, HasTheNamesOfObstaclesThatHaveOne) {
     EXPECT_FALSE(has_key(json(), "name"));
     plan.next = {{.obstacle = {2}, .source_id = 0, .saves = 0.5}};
-    file.names = {"", "Town \"Hall\"", ""};
+    file.annotations.names = {"", "Town \"Hall\"", ""};
     EXPECT_EQ(json()["removed"][0]["name"], "Town \"Hall\"");
     EXPECT_EQ(keys(json()["next"][0]), (Keys{"obstacle", "saves"}));
-    file.names = {"", "", "Mill"};
+    file.annotations.names = {"", "", "Mill"};
     EXPECT_FALSE(has_key(json()["removed"], "name"));
     EXPECT_EQ(json()["next"][0]["name"], "Mill");
     const PlanFile read = parse_plan(text(), "plan.json");
@@ -220,10 +219,10 @@ TEST_F(PlanJson, SaysWhatIsDestroyedWhereTheMapHasMetresOrSections) {
     file.cell_size = 2.4;
     EXPECT_EQ(file.square_metres(6641), 38252.16) << "and not 38252.159999999996";
     file.cell_size = 1;
-    file.sections = {.structures = {{site::ObstacleKind::building, 7, "Mill"},
-                                    {site::ObstacleKind::barrier, 0, ""},
-                                    {site::ObstacleKind::building, 9, "Barn"}},
-                     .parts = {{}, {0, 1}}};
+    file.annotations.sections = {.structures = {{site::ObstacleKind::building, 7, "Mill"},
+                                                {site::ObstacleKind::barrier, 0, ""},
+                                                {site::ObstacleKind::building, 9, "Barn"}},
+                                 .parts = {{}, {0, 1}}};
     EXPECT_EQ(json()["removed"][0]["structures"].dump(),
               R"([{"kind":"building","source_id":7,"name":"Mill"},{"kind":"barrier"}])");
     EXPECT_EQ(json()["demolition"].dump(), R"({"removals":1,"cells":2,"structures":2})");

@@ -142,7 +142,7 @@ TEST(PlanRequest, KeepsThePlannerAndTheRemovalsOfAMissionFile) {
 
 TEST(PlanRequest, ProtectsByTag) {
     io::MapFile map = three_cells();
-    map.tags = {{"building=church", {{2}}}};
+    map.annotations.tags = {{"building=church", {{2}}}};
     const auto kept = [&map](const std::string& protect) {
         const PlanRequest request = parse_plan_request(fmt::format(
             R"({{"mission": {{"start": [0, 0], "goal": [2, 0]}}, "options": {{"protect": [{}]}}}})", protect));
