@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <utility>
 
 #include "core/range.hpp"
-#include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "note.hpp"
 #include "plan_options.hpp"
@@ -16,16 +14,12 @@
 
 namespace waybreaker::apps {
 std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
-                                              const io::MapFile& map) {
-    if (mission.area_budget && !options.weights.empty()) {
+                                              const Map& map) {
+    if (options.weights.empty()) return std::nullopt;
+    if (mission.area_budget) {
         throw InputError("a budget of square metres weighs obstacles by their area, which --weights contradicts");
     }
-    if (mission.area_budget) return io::area_weights(map);
-    if (options.weights.empty()) return std::nullopt;
-    if (options.weights != "cells") return io::read_weights(options.weights, map.map);
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(obstacle.cells);
-    return weights;
+    return options.weights == "cells" ? io::cell_weights(map) : io::read_weights(options.weights, map);
 }
 
 namespace {
@@ -141,12 +135,10 @@ void set_rules(const PlanOptions& options, const io::MapFile& file, Rules& rules
     rules.at_goal = options.at_goal.value_or(rules.at_goal);
 }
 
-void set_protected(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
-    if (!options.protect.empty() || !options.protect_tags.empty()) {
-        document.mission.rules.protect = options.protect;
-        document.protect_tags = options.protect_tags;
-    }
-    io::protect_tagged(map, std::exchange(document.protect_tags, {}), document.mission.rules);
+void set_protected(const PlanOptions& options, io::MissionDocument& document) {
+    if (options.protect.empty() && options.protect_tags.empty()) return;
+    document.mission.rules.protect = options.protect;
+    document.protect_tags = options.protect_tags;
 }
 
 void set_method(const PlanOptions& options, Method& method) {
@@ -175,7 +167,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     set_clock(options, map, result);
     set_rules(options, map, mission.rules);
     if (options.budget) result.area_budget = options.area_budget;
-    set_protected(options, map, result);
+    set_protected(options, result);
     if (from_map) {
         const SearchOptions& search = map.task->search;
         method.heuristic = search.heuristic;

@@ -11,7 +11,6 @@
 
 #include "core/range.hpp"
 #include "io/option_words.hpp"
-#include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "option.hpp"
 #include "team_options.hpp"

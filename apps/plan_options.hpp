@@ -86,10 +86,10 @@ void validate(const PlanOptions& options);
 // Whether an option applies only to a search with a heuristic.
 bool needs_search(const PlanOptions& options);
 
-// What obstacles weigh, by id, where the options or the mission's budget say so; throws InputError as io::read_weights
-// and io::area_weights do.
+// What obstacles weigh, by id, where the options say so; throws InputError if the mission contradicts that, and as
+// io::read_weights does.
 std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
-                                              const io::MapFile& map);
+                                              const Map& map);
 
 // The options, else what the mission file says or --paper stands for, else what the map file says, else the defaults.
 io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map);

@@ -21,8 +21,7 @@ int main() {
         "rules": {"removals": 1, "breach_time": 3}})",
                                                                                 "mission.json");
     const waybreaker::Plan plan = waybreaker::MissionPlanner().plan(map.map, asked.mission, asked.method, asked.limits);
-    std::cout << waybreaker::io::plan_json(
-        plan, {.map = map, .mission = asked.mission, .method = asked.method, .timing_fields = false});
+    std::cout << waybreaker::io::plan_json(plan, {.map = map, .asked = asked, .timing_fields = false});
     std::ofstream("documents.svg") << waybreaker::render::svg(map.map, asked.mission, plan,
                                                               {.annotations = {.title = "Yard"}});
 }

@@ -51,7 +51,7 @@ class PlanJson : public testing::Test {
         plan.agents = {{"ground", AgentKind::ground, 1, {{0, 0, 0}, {4, 1.5, 4.5}}, {0, 0}, {4, 2}},
                        {"air", AgentKind::air, 2, {{0, 0, 0}, {4, 2, 2.25}}, {0, 0}, {4, 2}}};
     }
-    std::string text() const { return plan_json(plan, {file, mission, method, Connectivity::eight, timing_fields}); }
+    std::string text() const { return plan_json(plan, {file, {mission, method}, Connectivity::eight, timing_fields}); }
     Json json() const { return Json::parse(text()); }
 
     Plan plan;
@@ -231,14 +231,15 @@ TEST_F(PlanJson, SaysWhatIsDestroyedWhereTheMapHasMetresOrSections) {
 TEST_F(PlanJson, NamesABudgetOfSquareMetres) {
     mission.rules.budget = 40;
     const auto written = [&](bool area) {
-        return Json::parse(plan_json(plan, {.map = file, .mission = mission, .method = method, .area_budget = area}));
+        return Json::parse(
+            plan_json(plan, {.map = file, .asked = {.mission = mission, .method = method, .area_budget = area}}));
     };
     EXPECT_EQ(written(true)["options"]["budget_m2"], 40.0);
     EXPECT_EQ(written(true)["mission"]["rules"]["budget_m2"], 40.0);
     EXPECT_FALSE(has_key(written(true), "budget"));
     EXPECT_FALSE(has_key(written(false), "budget_m2"));
-    EXPECT_TRUE(parse_plan(written(true).dump(), "p.json").area_budget);
-    EXPECT_FALSE(parse_plan(written(false).dump(), "p.json").area_budget);
+    EXPECT_TRUE(parse_plan(written(true).dump(), "p.json").asked.area_budget);
+    EXPECT_FALSE(parse_plan(written(false).dump(), "p.json").asked.area_budget);
 }
 
 TEST_F(PlanJson, HasNoSecondsWithoutTimingFields) {
