@@ -129,10 +129,7 @@ void set_rules(const PlanOptions& options, const io::MapFile& file, Rules& rules
     if (options.breach_time) rules.breach_time.per_obstacle = time_of(*options.breach_time);
     if (options.breach_time_per_cell) rules.breach_time.per_cell = time_of(*options.breach_time_per_cell);
     if (!options.force.empty()) rules.force = options.force;
-    rules.objective = options.objective.value_or(rules.objective);
-    if (options.minimise_demolition) rules.minimise_demolition = options.minimise_demolition;
     if (options.separation) rules.separation = in_cells(*options.separation, file, radii);
-    rules.at_goal = options.at_goal.value_or(rules.at_goal);
 }
 
 void set_protected(const PlanOptions& options, io::MissionDocument& document) {
@@ -148,7 +145,6 @@ void set_method(const PlanOptions& options, Method& method) {
     if (options.heuristic) method.heuristic = options.heuristic;
     method.weight = options.weight.value_or(method.weight);
     method.tie_break = options.tie_break.value_or(method.tie_break);
-    method.diagonal = options.diagonal.value_or(method.diagonal);
     method.bound = method.bound || options.bound;
     method.explain = method.explain || options.explain;
 }
@@ -178,13 +174,9 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     } else if (needs_search(options)) {
         method.planner = Planner::theta;
     }
-    if (options.paper) follow_paper(mission.rules, method);
+    say(options, result);
     set_method(options, method);
-    mission.rules.timing = options.timing.value_or(mission.rules.timing);
-    result.limits.seconds = options.time_limit.value_or(result.limits.seconds);
-    result.limits.gap = options.gap.value_or(result.limits.gap);
     result.limits.threads = options.threads;
-    result.limits.expansions = options.expansion_limit.value_or(result.limits.expansions);
     const Planner planner = planner_of(method, mission.ground_body());
     if (options.planner == Planner::optimal && planner != Planner::optimal) {
         throw InputError(
