@@ -52,13 +52,13 @@ std::string as_text(const std::vector<Violation>& violations, const std::string&
 
 // Holds why agents wait against what is found from the paths once more.
 void judge_causes(const io::PlanFile& file, const Map& map, double tolerance, std::vector<Violation>& violations) {
-    const std::vector<Agent>& asked = file.mission.agents;
+    const std::vector<Agent>& asked = file.asked.mission.agents;
     const std::vector<Itinerary>& stated = file.plan.agents;
     const auto explained = [](const Itinerary& agent) { return !agent.waits.empty(); };
     if (!std::ranges::equal(asked, stated, {}, &Agent::id, &Itinerary::id)) return;
     if (std::ranges::none_of(stated, explained)) return;
     Plan again = file.plan;
-    add_waits(map, file.mission, again);
+    add_waits(map, file.asked.mission, again);
     const auto same = [tolerance](const Wait& a, const Wait& b) {
         constexpr double rounding = 2e-6;  // of the times at which they change
         const double hair = rounding + tolerance * std::max(1.0, std::abs(a.until));
@@ -77,10 +77,10 @@ void judge_causes(const io::PlanFile& file, const Map& map, double tolerance, st
 void judge_by_planning(const io::PlanFile& file, const Map& map, double tolerance, std::vector<Violation>& violations) {
     const Progress progress("planning again");
     const Plan& plan = file.plan;
-    Method method = file.method;
+    Method method = file.asked.method;
     method.bound = plan.bound.has_value();
     method.explain = false;
-    const Plan again = MissionPlanner().plan(map, file.mission, method, {.seconds = seconds_to_replan});
+    const Plan again = MissionPlanner().plan(map, file.asked.mission, method, {.seconds = seconds_to_replan});
     const auto report = [&](Rule rule, const char* what, double stated, double found) {
         violations.push_back(
             {rule, fmt::format("{} is {:.9g} by the plan, and {:.9g} when it is planned again", what, stated, found)});
@@ -112,7 +112,7 @@ void run(const CheckOptions& options) {
         return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
     }();
     io::JudgeOptions judging{.tolerance = options.tolerance, .ignore_digest = options.ignore_digest};
-    if (plan.area_budget && !options.weights.empty()) {
+    if (plan.asked.area_budget && !options.weights.empty()) {
         throw InputError(io::input_name(options.plan), 0, "has a budget of square metres: --weights is not for it");
     }
     if (!options.weights.empty()) judging.weights = io::read_weights(options.weights, map.map);

@@ -58,8 +58,7 @@ void run(const ExportOptions& options) {
     const io::PlanFile plan = io::parse_plan(text, options.plan);
     const io::MapFile map = read_map(options, plan);
     require_valid(options, plan, map);
-    auto files = export_plan(options.exports, plan.plan, map, search_options(plan.method, plan.mission.ground_body()),
-                             plan.in_seconds);
+    auto files = export_plan(options.exports, plan.plan, map, plan.asked);
     if (!options.html.empty())
         files.emplace_back(options.html, studio::plan_html(map, std::array{studio::NamedPlan{"plan", text}}));
     for (const auto& [path, bytes] : files) io::write_whole(path, bytes);

@@ -39,21 +39,21 @@ city::ImportReport import_with_progress(const ImportOptions& options) {
 
 // How many things have one: sections have those of their structures.
 std::size_t name_count(const geotiff::LabelTiff& tiff) {
-    const site::Sections& sections = tiff.sections;
-    if (sections.empty()) return site::name_count(tiff.names);
+    const site::Sections& sections = tiff.annotations.sections;
+    if (sections.empty()) return site::name_count(tiff.annotations.names);
     std::size_t count = 0;
     for (const std::uint32_t one : site::cut_structures(sections)) {
         if (!sections.structures[one].name.empty()) ++count;
     }
-    for (std::size_t id = 1; id < tiff.names.size(); ++id) {
-        if (sections.parts[id].empty() && !tiff.names[id].empty()) ++count;
+    for (std::size_t id = 1; id < tiff.annotations.names.size(); ++id) {
+        if (sections.parts[id].empty() && !tiff.annotations.names[id].empty()) ++count;
     }
     return count;
 }
 
 // What helps a reader recognise the place: "; 120 names, 85 streets, 2 waters"; empty if the source has none.
 std::string kept(const geotiff::LabelTiff& tiff) {
-    std::vector<std::string> counts = background_summary(tiff.background);
+    std::vector<std::string> counts = background_summary(tiff.annotations.background);
     const std::size_t names = name_count(tiff);
     if (names > 0) counts.insert(counts.begin(), fmt::format("{} {}", names, names == 1 ? "name" : "names"));
     return counts.empty() ? "" : fmt::format("; {}", fmt::join(counts, ", "));
@@ -63,7 +63,7 @@ std::string kept(const geotiff::LabelTiff& tiff) {
 std::string ground_of(const city::ImportReport& report) {
     if (report.profile == city::Profile::paper) return "";
     const Map& map = report.tiff.map;
-    const auto cells = site::cells_by_kind(map, report.tiff.kinds);
+    const auto cells = site::cells_by_kind(map, report.tiff.annotations.kinds);
     std::string text;
     for (const auto kind : {site::ObstacleKind::water, site::ObstacleKind::cliff, site::ObstacleKind::forbidden}) {
         const std::uint64_t count = cells[std::size_t(kind)];
@@ -78,11 +78,11 @@ std::string ground_of(const city::ImportReport& report) {
 
 std::string summary_line(const std::string& file, const city::ImportReport& report, const char* things) {
     const Map& map = report.tiff.map;
-    return fmt::format("{}: {} x {} cells of {:.6g} m, {} {}{}, {} obstacles, {:.1f} % blocked{}{}\n", file,
-                       map.width(), map.height(), report.tiff.cell_size, report.buildings, things,
-                       report.tiff.sections.empty() ? "" : ", " + site::sections_summary(report.tiff.sections),
-                       map.obstacles().size(), 100 * mapfile::summarise(map).density, ground_of(report),
-                       kept(report.tiff));
+    return fmt::format(
+        "{}: {} x {} cells of {:.6g} m, {} {}{}, {} obstacles, {:.1f} % blocked{}{}\n", file, map.width(), map.height(),
+        report.tiff.cell_size, report.buildings, things,
+        report.tiff.annotations.sections.empty() ? "" : ", " + site::sections_summary(report.tiff.annotations.sections),
+        map.obstacles().size(), 100 * mapfile::summarise(map).density, ground_of(report), kept(report.tiff));
 }
 
 const char* things_of(const ImportOptions& options) {

@@ -32,7 +32,7 @@ struct MapInfoOptions {
 std::string identity(const io::MapFile& file, const Obstacle& obstacle) {
     std::vector<std::string> words;
     if (obstacle.source_id != 0) words.push_back(fmt::format("OSM {}", obstacle.source_id));
-    if (const std::string_view name = file.name_of(obstacle.id); !name.empty()) words.emplace_back(name);
+    if (const std::string_view name = file.annotations.name_of(obstacle.id); !name.empty()) words.emplace_back(name);
     return words.empty() ? "" : fmt::format(" ({})", fmt::join(words, ", "));
 }
 
@@ -76,7 +76,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     const auto line = [](const std::string& name, const std::string& value) {
         return value.empty() ? std::string() : fmt::format("{:<13}{}\n", name, value);
     };
-    std::string text = line("file", file.source) + line("format", file.format) + line("title", file.title) +
+    std::string text = line("file", file.source) + line("format", file.format) + line("title", file.annotations.title) +
                        line("size", fmt::format("{} x {} cells", map.width(), map.height()));
     if (file.has_metres()) {
         text += line("cell size", fmt::format("{:.6g} m, in all {:.6g} m x {:.6g} m", file.cell_size,
@@ -87,19 +87,19 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     if (file.unknown > 0) text += line("unknown", fmt::format("{} cells", file.unknown));
     text += line("protected", protected_text(file));
     text += line("obstacles", std::to_string(map.obstacles().size()));
-    if (!file.sections.empty()) {
-        text +=
-            line("sections", fmt::format("{} of {}", site::section_count(file.sections),
-                                         site::structures_text(file.sections, site::cut_structures(file.sections))));
+    if (!file.annotations.sections.empty()) {
+        text += line("sections", fmt::format("{} of {}", site::section_count(file.annotations.sections),
+                                             site::structures_text(file.annotations.sections,
+                                                                   site::cut_structures(file.annotations.sections))));
     }
     if (const Obstacle* largest = summary.largest) {
         text += line("largest", fmt::format("obstacle {}{}, {} cells", largest->id.value, identity(file, *largest),
                                             largest->cells));
     }
-    if (const std::size_t names = site::name_count(file.names); names > 0) {
+    if (const std::size_t names = site::name_count(file.annotations.names); names > 0) {
         text += line("names", fmt::format("of {} obstacles", names));
     }
-    text += line("background", fmt::format("{}", fmt::join(background_summary(file.background), ", ")));
+    text += line("background", fmt::format("{}", fmt::join(background_summary(file.annotations.background), ", ")));
     if (file.georeference) {
         const auto [longitude, latitude] = mapfile::center(file);
         const std::string name = geotiff::crs_name(*file.georeference);
@@ -121,7 +121,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
         text += line("goal", fmt::format("{},{}", file.task->goal->x, file.task->goal->y));
     if (file.task && !file.task->agents.empty()) text += line("agents", fmt::format("{}", file.task->agents.size()));
     for (const std::string& note : file.notes) text += line("note", note);
-    return text + line("source", file.attribution) + line("digest", file.digest);
+    return text + line("source", file.annotations.attribution) + line("digest", file.digest);
 }
 
 io::MapFile read_map(const MapInfoOptions& options) {

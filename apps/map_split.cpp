@@ -52,7 +52,8 @@ void require_format(const std::string& path) {
 std::string split_summary(const io::MapFile& file, const std::string& path, int side) {
     const std::string length =
         file.has_metres() ? fmt::format("{:.6g} m", side * file.cell_size) : fmt::format("{} cells", side);
-    const std::string sections = file.sections.empty() ? "nothing to cut" : site::sections_summary(file.sections);
+    const std::string sections =
+        file.annotations.sections.empty() ? "nothing to cut" : site::sections_summary(file.annotations.sections);
     return fmt::format("{}: {}, squares of {}\n", path, sections, length);
 }
 

@@ -78,9 +78,9 @@ CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<M
     return app.add_option_function<std::string>(name, read, text)->type_name(type);
 }
 
-CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optional<double>& value,
+CLI::Option* add_time_limit(CLI::App& app, const std::string& name, const std::function<void(double)>& assign,
                             const std::string& text) {
-    const auto read = [name, &value](const std::string& given) {
+    const auto read = [name, assign](const std::string& given) {
         std::optional<double> limit = given == "none" ? std::numeric_limits<double>::infinity() : number(given);
         if (!limit) limit = with_unit(given, time_units);
         if (!limit || !(*limit > 0)) {
@@ -88,7 +88,7 @@ CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optiona
                 name,
                 fmt::format("'{}' is neither a number of seconds above 0, such as 30 or 2min, nor none", shown(given)));
         }
-        value = limit;
+        assign(*limit);
     };
     return app.add_option_function<std::string>(name, read, text)->type_name("SECONDS|none");
 }

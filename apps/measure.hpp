@@ -38,7 +38,7 @@ CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<M
                          const Units& units, const std::string& type, const std::string& text);
 
 // A number of seconds above 0, also as 30s or 2min; or "none".
-CLI::Option* add_time_limit(CLI::App& app, const std::string& name, std::optional<double>& value,
+CLI::Option* add_time_limit(CLI::App& app, const std::string& name, const std::function<void(double)>& assign,
                             const std::string& text);
 
 // A length or a speed in cells. Throws InputError, naming the option, if it is metric, and the map has no metres, or

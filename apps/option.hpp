@@ -7,10 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -83,6 +85,16 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const Choices<Va
     for (const auto& choice : choices) words.push_back(choice.first);
     const auto assign = [choices, &target](std::size_t i) { target = choices[i].second; };
     return add_word(app, name, words, assign, text);
+}
+
+// The same, given to `assign`.
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, const Choices<Value>& choices,
+                        const std::type_identity_t<std::function<void(Value)>>& assign, const std::string& text) {
+    std::vector<std::string> words;
+    for (const auto& choice : choices) words.push_back(choice.first);
+    return add_word(
+        app, name, words, [choices, assign](std::size_t i) { assign(choices[i].second); }, text);
 }
 
 // How blocked cells make obstacles.

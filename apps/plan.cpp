@@ -95,43 +95,38 @@ std::string html(const io::PlanContext& context, const Plan& chosen, const Limit
         return left;
     };
     std::vector<studio::NamedPlan> plans;
-    const auto json = [&](const Mission& mission, const Method& method, const Plan& plan,
-                          std::span<const Plan> front = {}) {
+    const auto json = [&](const io::MissionDocument& asked, const Plan& plan, std::span<const Plan> front = {}) {
         return io::plan_json(plan, {.map = context.map,
-                                    .mission = mission,
-                                    .method = method,
+                                    .asked = asked,
                                     .connectivity = context.connectivity,
                                     .timing_fields = context.timing_fields,
                                     .image = context.image,
-                                    .front = front,
-                                    .area_budget = context.area_budget,
-                                    .in_seconds = context.in_seconds});
+                                    .front = front});
     };
-    const auto add = [&](const std::string& name, const Mission& mission, const Method& method) {
-        Plan plan = planner.plan(context.map.map, mission, method, what_is_left());
-        plans.push_back({name, json(mission, method, plan)});
+    const auto add = [&](const std::string& name, const io::MissionDocument& asked) {
+        Plan plan = planner.plan(context.map.map, asked.mission, asked.method, what_is_left());
+        plans.push_back({name, json(asked, plan)});
         return plan;
     };
-    plans.push_back({"plan", json(context.mission, context.method, chosen)});
-    Method usual = context.method;
-    usual.explain = false;
-    Mission none = context.mission;
-    none.rules.removals = 0;
-    none.rules.force.clear();
-    const Plan before = add("before", none, usual);
-    const bool is_team = context.mission.is_team();
-    if (usual.select == Selection::exact && !is_team) {
-        Mission mission = context.mission;
-        Method paper = usual;
-        follow_paper(mission.rules, paper);
-        add("paper", mission, paper);
+    plans.push_back({"plan", json(context.asked, chosen)});
+    io::MissionDocument usual = context.asked;
+    usual.method.explain = false;
+    io::MissionDocument none = usual;
+    none.mission.rules.removals = 0;
+    none.mission.rules.force.clear();
+    const Plan before = add("before", none);
+    const bool is_team = usual.mission.is_team();
+    if (usual.method.select == Selection::exact && !is_team) {
+        io::MissionDocument paper = usual;
+        follow_paper(paper.mission.rules, paper.method);
+        add("paper", paper);
     }
     if (is_team && deadline.passed()) return studio::plan_html(context.map, plans);
-    Mission more = context.mission;
-    more.rules.removals = std::max(more.rules.removals, usual_most_removals);
-    std::vector<Plan> front = planner.front(context.map.map, more, usual, what_is_left());
-    if (deadline.passed()) front = as_far_as_known(std::move(front), context.mission.rules, before, chosen);
-    return studio::plan_html(context.map, plans, json(more, usual, front.back(), front));
+    io::MissionDocument more = usual;
+    more.mission.rules.removals = std::max(more.mission.rules.removals, usual_most_removals);
+    std::vector<Plan> front = planner.front(context.map.map, more.mission, more.method, what_is_left());
+    if (deadline.passed()) front = as_far_as_known(std::move(front), usual.mission.rules, before, chosen);
+    return studio::plan_html(context.map, plans, json(more, front.back(), front));
 }
 
 // Writes all outputs, standard output last, when all files are complete. `outputs`: what is known without a plan.
@@ -139,31 +134,27 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
                    const io::PlanContext& context, const Plan& explained, const Limits& limits,
                    const Deadline& deadline) {
     Plan plan = explained;
-    if (!context.method.explain) {  // for the page alone
+    const io::MissionDocument& asked = context.asked;
+    if (!asked.method.explain) {  // for the page alone
         for (Breach& breach : plan.breaches) breach.saves.reset();
         plan.next.clear();
         for (Itinerary& agent : plan.agents) agent.gain.reset();
     }
     const io::MapFile& file = context.map;
-    const render::PictureOptions picture =
-        studio::picture_options(file, context.mission.rules.objective, context.in_seconds);
+    const render::PictureOptions picture = studio::picture_options(file, asked);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
-    if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, context.mission, plan, picture));
+    if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, asked.mission, plan, picture));
     if (!options.png.empty())
-        outputs.emplace_back(options.png, raster::png_of(render::svg(file.map, context.mission, plan, picture)));
+        outputs.emplace_back(options.png, raster::png_of(render::svg(file.map, asked.mission, plan, picture)));
     if (!options.html.empty()) outputs.emplace_back(options.html, html(context, explained, limits, deadline));
     if (!options.trace.empty()) {
-        outputs.emplace_back(options.trace, trace(file.map, context.mission, context.method));
+        outputs.emplace_back(options.trace, trace(file.map, asked.mission, asked.method));
     }
     Plan exported = plan;
     if (options.no_timing) {
         for (Route& route : exported.after.routes) route.seconds = 0;
     }
-    for (auto& output :
-         export_plan(options.exports, exported, file, search_options(context.method, context.mission.ground_body()),
-                     context.in_seconds)) {
-        outputs.push_back(std::move(output));
-    }
+    for (auto& output : export_plan(options.exports, exported, file, asked)) outputs.push_back(std::move(output));
     const auto last =
         std::stable_partition(outputs.begin(), outputs.end(), [](const auto& output) { return output.first != "-"; });
     if (last == outputs.end() && plan.status == PlanStatus::solved) {
@@ -235,7 +226,7 @@ void run(const PlanOptions& options) {
     const Stopwatch since_start;
     io::MapFile file = read_map(options);
     io::MissionDocument asked = mission_of(options, file);
-    if (const auto weights = weights_of(options, asked, file)) file.map = file.map.with_weights(*weights);
+    if (auto weighed = io::resolve(asked, file, weights_of(options, asked, file.map))) file.map = std::move(*weighed);
     std::vector<std::pair<std::string, std::string>> outputs;
     if (!options.save_mission.empty()) outputs.emplace_back(options.save_mission, io::mission_text(asked));
     const Deadline deadline(asked.limits.seconds - since_start.seconds());
@@ -257,14 +248,11 @@ void run(const PlanOptions& options) {
     if (options.removals_auto) rules.removals = int(plans.size() + rules.force.size()) - 1;
     const Plan& plan = plans.back();
     const io::PlanContext context{.map = file,
-                                  .mission = asked.mission,
-                                  .method = asked.method,
+                                  .asked = asked,
                                   .connectivity = options.connectivity,
                                   .timing_fields = !options.no_timing,
                                   .image = options.image,
-                                  .front = options.removals_auto ? std::span(plans) : std::span<const Plan>(),
-                                  .area_budget = asked.area_budget,
-                                  .in_seconds = asked.in_seconds};
+                                  .front = options.removals_auto ? std::span(plans) : std::span<const Plan>()};
     write_outputs(std::move(outputs), options, context, plan, asked.limits, deadline);
     require_plan(plan, asked.mission, asked.limits, options, file);
 }

@@ -51,16 +51,18 @@ NamedFiles named_outputs(const PlanExports& exports) {
 }
 
 std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
-                                                             const io::MapFile& map, const SearchOptions& search,
-                                                             bool in_seconds) {
-    const io::ExportUnits units{.in_seconds = in_seconds, .crs = mapfile::frame_crs(map)};
+                                                             const io::MapFile& map, const io::MissionDocument& asked) {
+    const io::ExportUnits units{.in_seconds = asked.in_seconds, .crs = mapfile::frame_crs(map)};
     std::vector<std::pair<std::string, std::string>> files;
     if (!exports.geojson.empty())
         files.emplace_back(exports.geojson, io::plan_geojson(plan, map, geotiff::lon_lat_of(map.georeference), units));
     if (!exports.csv.empty())
         files.emplace_back(exports.csv, io::plan_csv(plan, map, geotiff::lon_lat_of(map.georeference), units));
     if (!exports.ros_path.empty()) files.emplace_back(exports.ros_path, io::plan_ros_path(plan, map, exports.step));
-    if (!exports.xml.empty()) files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));
+    if (!exports.xml.empty()) {
+        const SearchOptions search = search_options(asked.method, asked.mission.ground_body());
+        files.emplace_back(exports.xml, authors::plan_xml(plan, map, search));
+    }
     if (!exports.opened_map.empty()) {
         for (mapfile::OutputFile& file : opened_map(exports.opened_map, plan, map)) {
             files.emplace_back(std::move(file.path), std::move(file.bytes));

@@ -8,9 +8,9 @@
 
 #include "commands.hpp"
 #include "io/map_file.hpp"
+#include "io/mission_document.hpp"
 #include "named_files.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker::apps {
 
@@ -28,10 +28,8 @@ void add_plan_exports(CLI::App& command, PlanExports& exports);
 
 NamedFiles named_outputs(const PlanExports& exports);
 
-// Path and bytes of each file. Precondition: the plan is one for this map, whatever was searched for it. `in_seconds`:
-// a unit of its time is a second.
+// Path and bytes of each file. Precondition: the plan is one for this map, whatever was asked.
 std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
-                                                             const io::MapFile& map, const SearchOptions& search,
-                                                             bool in_seconds);
+                                                             const io::MapFile& map, const io::MissionDocument& asked);
 
 }  // namespace waybreaker::apps

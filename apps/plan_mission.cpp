@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <utility>
 
 #include "core/range.hpp"
-#include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "note.hpp"
 #include "plan_options.hpp"
@@ -16,16 +14,12 @@
 
 namespace waybreaker::apps {
 std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
-                                              const io::MapFile& map) {
-    if (mission.area_budget && !options.weights.empty()) {
+                                              const Map& map) {
+    if (options.weights.empty()) return std::nullopt;
+    if (mission.area_budget) {
         throw InputError("a budget of square metres weighs obstacles by their area, which --weights contradicts");
     }
-    if (mission.area_budget) return io::area_weights(map);
-    if (options.weights.empty()) return std::nullopt;
-    if (options.weights != "cells") return io::read_weights(options.weights, map.map);
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.map.obstacles()) weights.push_back(obstacle.cells);
-    return weights;
+    return options.weights == "cells" ? io::cell_weights(map) : io::read_weights(options.weights, map);
 }
 
 namespace {
@@ -135,18 +129,13 @@ void set_rules(const PlanOptions& options, const io::MapFile& file, Rules& rules
     if (options.breach_time) rules.breach_time.per_obstacle = time_of(*options.breach_time);
     if (options.breach_time_per_cell) rules.breach_time.per_cell = time_of(*options.breach_time_per_cell);
     if (!options.force.empty()) rules.force = options.force;
-    rules.objective = options.objective.value_or(rules.objective);
-    if (options.minimise_demolition) rules.minimise_demolition = options.minimise_demolition;
     if (options.separation) rules.separation = in_cells(*options.separation, file, radii);
-    rules.at_goal = options.at_goal.value_or(rules.at_goal);
 }
 
-void set_protected(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
-    if (!options.protect.empty() || !options.protect_tags.empty()) {
-        document.mission.rules.protect = options.protect;
-        document.protect_tags = options.protect_tags;
-    }
-    io::protect_tagged(map, std::exchange(document.protect_tags, {}), document.mission.rules);
+void set_protected(const PlanOptions& options, io::MissionDocument& document) {
+    if (options.protect.empty() && options.protect_tags.empty()) return;
+    document.mission.rules.protect = options.protect;
+    document.protect_tags = options.protect_tags;
 }
 
 void set_method(const PlanOptions& options, Method& method) {
@@ -156,7 +145,6 @@ void set_method(const PlanOptions& options, Method& method) {
     if (options.heuristic) method.heuristic = options.heuristic;
     method.weight = options.weight.value_or(method.weight);
     method.tie_break = options.tie_break.value_or(method.tie_break);
-    method.diagonal = options.diagonal.value_or(method.diagonal);
     method.bound = method.bound || options.bound;
     method.explain = method.explain || options.explain;
 }
@@ -175,7 +163,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     set_clock(options, map, result);
     set_rules(options, map, mission.rules);
     if (options.budget) result.area_budget = options.area_budget;
-    set_protected(options, map, result);
+    set_protected(options, result);
     if (from_map) {
         const SearchOptions& search = map.task->search;
         method.heuristic = search.heuristic;
@@ -186,13 +174,9 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     } else if (needs_search(options)) {
         method.planner = Planner::theta;
     }
-    if (options.paper) follow_paper(mission.rules, method);
+    say(options, result);
     set_method(options, method);
-    mission.rules.timing = options.timing.value_or(mission.rules.timing);
-    result.limits.seconds = options.time_limit.value_or(result.limits.seconds);
-    result.limits.gap = options.gap.value_or(result.limits.gap);
     result.limits.threads = options.threads;
-    result.limits.expansions = options.expansion_limit.value_or(result.limits.expansions);
     const Planner planner = planner_of(method, mission.ground_body());
     if (options.planner == Planner::optimal && planner != Planner::optimal) {
         throw InputError(

@@ -11,7 +11,6 @@
 
 #include "core/range.hpp"
 #include "io/option_words.hpp"
-#include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "option.hpp"
 #include "team_options.hpp"
@@ -19,6 +18,8 @@
 
 namespace waybreaker::apps {
 namespace {
+
+using Document = io::MissionDocument;
 
 const Choices<bool> move_counts{{"8", true}, {"4", false}};
 
@@ -160,11 +161,13 @@ void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
     const auto read = [&options](const std::string& given) {
         constexpr double usual = 0.005;
         const bool alone = given == "true";  // as CLI11 calls it
-        options.minimise_demolition = alone ? usual : share_from(given);
-        if (options.minimise_demolition) return;
-        throw CLI::ValidationError(
-            "--minimise-demolition",
-            fmt::format("'{}' is not a share from 0 to 1, such as =0.005 or =0.5%", shown(given)));
+        const std::optional<double> tolerance = alone ? usual : share_from(given);
+        if (!tolerance) {
+            throw CLI::ValidationError(
+                "--minimise-demolition",
+                fmt::format("'{}' is not a share from 0 to 1, such as =0.005 or =0.5%", shown(given)));
+        }
+        says(options, [](Document& d) -> auto& { return d.mission.rules.minimise_demolition; })(tolerance);
     };
     command
         .add_option_function<std::string>("--minimise-demolition", read,
@@ -177,10 +180,12 @@ void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
 
 void add_gap(CLI::App& command, PlanOptions& options) {
     const auto read = [&options](const std::string& given) {
-        options.gap = share_from(given);
-        if (options.gap) return;
-        throw CLI::ValidationError("--gap",
-                                   fmt::format("'{}' is not a share from 0 to 1, such as 0.01 or 1%", shown(given)));
+        const std::optional<double> gap = share_from(given);
+        if (!gap) {
+            throw CLI::ValidationError(
+                "--gap", fmt::format("'{}' is not a share from 0 to 1, such as 0.01 or 1%", shown(given)));
+        }
+        says(options, [](Document& d) -> auto& { return d.limits.gap; })(*gap);
     };
     command
         .add_option_function<std::string>("--gap", read,
@@ -204,7 +209,7 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
              "Weights of obstacles: a file with lines \"ID WEIGHT\", or the word cells for each obstacle's number of "
              "cells");
     add_time_limit(
-        command, "--time-limit", options.time_limit,
+        command, "--time-limit", says(options, [](Document& d) -> auto& { return d.limits.seconds; }),
         "Stop planning so long after the start, with the best plan known and how far it can be from the best; none "
         "takes the time it needs (default: 10)");
     add_gap(command, options);
@@ -219,10 +224,12 @@ void add_method_options(CLI::App& command, PlanOptions& options) {
     add_choice(command, "--flight", io::flight_words, options.flight,
                "Shortest flight that touches every removed obstacle, or the paper's: past the cells nearest to the "
                "straight line (default: optimal)");
-    add_choice(command, "--timing", io::timing_words, options.timing,
+    add_choice(command, "--timing", io::timing_words,
+               says(options, [](Document& d) -> auto& { return d.mission.rules.timing; }),
                "An obstacle is solid until it has been breached, so that the ground agent waits or drives around; or, "
                "as in the paper, removed obstacles are taken as never there (default: enforce)");
-    add_choice(command, "--objective", io::objective_words, options.objective,
+    add_choice(command, "--objective", io::objective_words,
+               says(options, [](Document& d) -> auto& { return d.mission.rules.objective; }),
                "What the plan makes small: when the last agent arrives, the sum of all arrival times, or when the "
                "ground agent "
                "arrives, whenever the aircraft is home (default: makespan)");
@@ -244,10 +251,14 @@ void add_search_options(CLI::App& command, PlanOptions& options) {
                "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
     add_measure(command, "--radius", options.radius, radii, length_units, "LENGTH",
                 "Radius of the ground agent, in cells, or metres such as 0.8m; 0 for a point (default: 0.5)");
-    add_choice(command, "--moves", move_counts, options.diagonal, "Steps from a cell (default: 8)");
+    add_choice(command, "--moves", move_counts, says(options, [](Document& d) -> auto& { return d.method.diagonal; }),
+               "Steps from a cell (default: 8)");
     add_count(
-        command, "--expansion-limit", [&options](std::int64_t n) { options.expansion_limit = std::uint64_t(n); }, 1,
-        INT64_MAX, "Give up a search after so many expansions");
+        command, "--expansion-limit",
+        [&options](std::int64_t n) {
+            says(options, [](Document& d) -> auto& { return d.limits.expansions; })(std::uint64_t(n));
+        },
+        1, INT64_MAX, "Give up a search after so many expansions");
 }
 
 void add_output_options(CLI::App& command, PlanOptions& options) {
@@ -299,8 +310,16 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
     add_output_options(command, options);
 }
 
+void say(const PlanOptions& options, io::MissionDocument& document) {
+    if (options.paper) follow_paper(document.mission.rules, document.method);
+    for (const auto& one : options.said) one(document);
+}
+
 void validate(const PlanOptions& options) {
     validate_places(options);
+    io::MissionDocument said;
+    say(options, said);
+    const Rules& rules = said.mission.rules;
     if (options.planner == Planner::optimal && needs_search(options)) {
         throw InputError("--planner optimal has no --heuristic, --weight, --tie-break or --trace; use theta for them");
     }
@@ -317,13 +336,13 @@ void validate(const PlanOptions& options) {
     if (options.paper && options.flight == FlightRule::optimal && options.removals.value_or(3) > 1) {
         throw InputError("--paper stands for --flight nearest, which --flight optimal contradicts; drop one of them");
     }
-    if (options.paper && options.timing == Timing::enforce) {
+    if (options.paper && rules.timing == Timing::enforce) {
         throw InputError("--paper stands for --timing ignore, which --timing enforce contradicts; drop one of them");
     }
-    if (options.paper && options.minimise_demolition) {
+    if (options.paper && rules.minimise_demolition) {
         throw InputError("--minimise-demolition needs --select exact, which --paper contradicts; drop one of them");
     }
-    if (options.gap.value_or(0) > 0 && (options.explain || options.minimise_demolition)) {
+    if (said.limits.gap > 0 && (options.explain || rules.minimise_demolition)) {
         throw InputError(fmt::format("{} compares plans that are best, which --gap contradicts; drop one of them",
                                      options.explain ? "--explain" : "--minimise-demolition"));
     }

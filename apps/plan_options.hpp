@@ -1,7 +1,7 @@
 // The options of `waybreaker plan`, and the mission they describe together with a map file.
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,11 +32,8 @@ struct PlanOptions {
     std::optional<Selection> select;
     std::optional<double> budget;
     std::string weights;
-    std::optional<double> time_limit;  // seconds, of the whole call
-    std::optional<double> gap;         // a share
-    unsigned threads = 0;              // 0: all cores
+    unsigned threads = 0;  // 0: all cores
     std::optional<FlightRule> flight;
-    std::optional<Timing> timing;
     std::optional<Measure> ground_speed;
     std::optional<Measure> air_speed;
     std::optional<Measure> breach_time;
@@ -44,10 +41,7 @@ struct PlanOptions {
     std::vector<ObstacleId> protect;
     std::vector<site::TagFilter> protect_tags;  // beside these
     std::vector<ObstacleId> force;
-    std::optional<Objective> objective;
-    std::optional<double> minimise_demolition;
     std::optional<Measure> separation;
-    std::optional<AtGoal> at_goal;
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;
 
@@ -57,8 +51,8 @@ struct PlanOptions {
     std::optional<TieBreak> tie_break;
     std::optional<Corners> corners;
     std::optional<Measure> radius;
-    std::optional<bool> diagonal;
-    std::optional<std::uint64_t> expansion_limit;
+    // What options say that no other one has to know of; over what --paper stands for.
+    std::vector<std::function<void(io::MissionDocument&)>> said;
 
     std::optional<double> cell_size;
     std::string json;
@@ -78,18 +72,29 @@ struct PlanOptions {
     bool map_metres = false;  // they are metres of the map's frame
 };
 
+// Reads an option of which no other has to know into a member of the mission: `member` gives a reference to it.
+template <class Member>
+auto says(PlanOptions& options, Member member) {
+    return [&options, member](auto value) {
+        options.said.emplace_back([member, value](io::MissionDocument& document) { member(document) = value; });
+    };
+}
+
 void add_plan_options(CLI::App& command, PlanOptions& options);
 
 // Throws InputError, naming the options, if they contradict each other.
 void validate(const PlanOptions& options);
 
+// What --paper and the list above make of the mission.
+void say(const PlanOptions& options, io::MissionDocument& document);
+
 // Whether an option applies only to a search with a heuristic.
 bool needs_search(const PlanOptions& options);
 
-// What obstacles weigh, by id, where the options or the mission's budget say so; throws InputError as io::read_weights
-// and io::area_weights do.
+// What obstacles weigh, by id, where the options say so; throws InputError if the mission contradicts that, and as
+// io::read_weights does.
 std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
-                                              const io::MapFile& map);
+                                              const Map& map);
 
 // The options, else what the mission file says or --paper stands for, else what the map file says, else the defaults.
 io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map);

@@ -24,13 +24,13 @@ std::string heading(const io::PlanContext& context, const TableStyle& style) {
     if (style.metres) line += fmt::format(" of {:.6g} m", context.map.cell_size);
     line += fmt::format(", {} {}\n", map.obstacles().size(), map.obstacles().size() == 1 ? "obstacle" : "obstacles");
     const std::string team_units = fmt::format("lengths in cells, times in {}\n", time_unit(context));
-    if (context.mission.is_team()) {
-        const std::size_t count = context.mission.agents.size();
+    if (context.asked.mission.is_team()) {
+        const std::size_t count = context.asked.mission.agents.size();
         return line + fmt::format("{} {}\n", count, count == 1 ? "agent" : "agents") + team_units;
     }
-    for (const Agent& agent : context.mission.agents) {
+    for (const Agent& agent : context.asked.mission.agents) {
         line += fmt::format("{} agent from {} to {}", shortened(agent.id), text(agent.start), text(agent.goal));
-        if (context.in_seconds && style.metres) {
+        if (context.asked.in_seconds && style.metres) {
             line += fmt::format(", {:.6g} m/s\n", agent.speed * context.map.cell_size);
         } else {
             line += times_are_lengths(context) ? "\n" : fmt::format(", {:.6g} cells per unit of time\n", agent.speed);
@@ -43,12 +43,12 @@ std::string heading(const io::PlanContext& context, const TableStyle& style) {
 
 // The rules beside how many removals there may be; empty where there are none.
 std::string rules(const io::PlanContext& context) {
-    const Rules& asked = context.mission.rules;
+    const Rules& asked = context.asked.mission.rules;
     std::vector<std::string> parts;
     const auto counted = [](std::size_t count) { return fmt::format("{} obstacle{}", count, count == 1 ? "" : "s"); };
     if (asked.budget < INFINITY) {
-        parts.push_back(context.area_budget ? fmt::format("at most {:.6g} m\u00b2 demolished", asked.budget)
-                                            : fmt::format("removals that weigh at most {:.6g}", asked.budget));
+        parts.push_back(context.asked.area_budget ? fmt::format("at most {:.6g} m\u00b2 demolished", asked.budget)
+                                                  : fmt::format("removals that weigh at most {:.6g}", asked.budget));
     }
     if (asked.minimise_demolition == 0.0) parts.emplace_back("of the best plans the one that demolishes least");
     if (const double tolerance = asked.minimise_demolition.value_or(0); tolerance > 0) {
@@ -109,8 +109,9 @@ std::string outcomes(const Plan& plan, const io::PlanContext& context, const Tab
     const double cell_size = context.map.cell_size;
     const bool seconds = style.metres && times_are_lengths(context);
     std::vector<Quantity> times;
-    for (const Objective time : render::shown_times(context.mission.rules.objective)) {
-        times.push_back({std::string(render::name_of(time, context.mission)), value(before, time), value(after, time)});
+    for (const Objective time : render::shown_times(context.asked.mission.rules.objective)) {
+        times.push_back(
+            {std::string(render::name_of(time, context.asked.mission)), value(before, time), value(after, time)});
     }
     return quantities("length",
                       {{"path A (ground)", before.ground().length, after.ground().length},
@@ -128,13 +129,13 @@ std::string area(std::uint32_t cells, const io::MapFile& map) {
 
 // "3 openings in 2 buildings, 640 m²"; empty where it would say nothing new.
 std::string demolition(const Plan& plan, const io::MapFile& map) {
-    if (!map.has_metres() && map.sections.empty()) return "";
+    if (!map.has_metres() && map.annotations.sections.empty()) return "";
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
-    const site::Demolition all = site::demolition(map.map, map.sections, removed);
+    const site::Demolition all = site::demolition(map.map, map.annotations.sections, removed);
     const std::string extent =
         map.has_metres() ? site::area_text(map.square_metres(all.cells)) : fmt::format("{} cells", all.cells);
-    return site::removals_text(all, map.sections) + ", " + extent + "\n";
+    return site::removals_text(all, map.annotations.sections) + ", " + extent + "\n";
 }
 
 // "no plan within 0.5 % of the best demolishes less"
@@ -142,7 +143,7 @@ std::string least_demolition(const Plan& plan, const io::PlanContext& context) {
     if (!plan.least_demolition) return "";
     std::uint64_t cells = 0;
     for (const Breach& breach : plan.breaches) cells += breach.cells;
-    const double percent = 100 * context.mission.rules.minimise_demolition.value_or(0);
+    const double percent = 100 * context.asked.mission.rules.minimise_demolition.value_or(0);
     const std::string as_good =
         percent == 0 ? "as good as the best" : fmt::format("within {:.3g} % of the best", percent);
     const std::uint64_t least = *plan.least_demolition;
@@ -177,9 +178,9 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     const bool source_ids = std::any_of(plan.breaches.begin(), plan.breaches.end(), named);
     const bool explained =
         std::ranges::any_of(plan.breaches, [](const Breach& breach) { return breach.saves.has_value(); });
-    const auto name_of = [&](const Breach& breach) { return context.map.name_of(breach.obstacle); };
+    const auto name_of = [&](const Breach& breach) { return context.map.annotations.name_of(breach.obstacle); };
     const bool names = !std::ranges::all_of(plan.breaches, &std::string_view::empty, name_of);
-    const bool counted = context.method.select == Selection::hits;
+    const bool counted = context.asked.method.select == Selection::hits;
     std::vector<Row> rows{
         {"removed", "obstacle", "cells", "breach cell", timed("breached at", context), timed("entered at", context)}};
     if (counted) rows.front().insert(rows.front().begin() + 3, "hits");
@@ -203,16 +204,16 @@ std::string removals(const Plan& plan, const io::PlanContext& context, const Tab
     }
     if (rows.size() > 1) {
         return aligned(rows, style.bold, names) + demolition(plan, context.map) + least_demolition(plan, context) +
-               (explained ? saved_together(plan, context.mission) : "");
+               (explained ? saved_together(plan, context.asked.mission) : "");
     }
-    if (context.mission.rules.removals == 0) return "nothing removed, as asked for\n";
-    if (context.method.select == Selection::none) return "nothing removed: none was asked for\n";
+    if (context.asked.mission.rules.removals == 0) return "nothing removed, as asked for\n";
+    if (context.asked.method.select == Selection::none) return "nothing removed: none was asked for\n";
     if (plan.limit_reached) return "nothing removed: no better plan was found in time\n";
     if (plan.least_demolition) {
         return fmt::format("nothing removed: no removal gains more than {:.3g} %\n",
-                           100 * context.mission.rules.minimise_demolition.value_or(0));
+                           100 * context.asked.mission.rules.minimise_demolition.value_or(0));
     }
-    if (counted && context.mission.rules.timing == Timing::ignore) {
+    if (counted && context.asked.mission.rules.timing == Timing::ignore) {
         return "nothing removed: the search ran into no obstacle\n";
     }
     return is_best(plan) ? "nothing removed: no removal gains anything\n"
@@ -233,13 +234,13 @@ std::string words(Objective objective) {
 // What each further removal saves.
 std::string front(const io::PlanContext& context, const TableStyle& style) {
     if (context.front.empty()) return "";
-    std::vector<Row> rows{{"removals", timed(words(context.mission.rules.objective).c_str(), context),
+    std::vector<Row> rows{{"removals", timed(words(context.asked.mission.rules.objective).c_str(), context),
                            timed("saves", context), "no plan below"}};
     if (style.metres) rows.front().emplace_back("m\u00b2");
     rows.front().emplace_back("obstacles");
     std::optional<double> before;
     for (const Plan& plan : context.front) {
-        const std::optional<double> reached = value(plan.after, context.mission.rules.objective);
+        const std::optional<double> reached = value(plan.after, context.asked.mission.rules.objective);
         const std::optional<double> saves = before && reached ? std::optional(*before - *reached) : std::nullopt;
         std::vector<std::uint32_t> ids;
         std::uint32_t cells = 0;
@@ -260,7 +261,7 @@ std::string front(const io::PlanContext& context, const TableStyle& style) {
 std::string next(const Plan& plan, const io::PlanContext& context) {
     std::string lines;
     for (const NextBreach& next : plan.next) {
-        const std::string_view name = context.map.name_of(next.obstacle);
+        const std::string_view name = context.map.annotations.name_of(next.obstacle);
         lines += fmt::format("\none removal more, obstacle {}{}, would save {:.3f}\n", next.obstacle.value,
                              name.empty() ? "" : fmt::format(" ({})", shortened(name)), next.saves);
     }
@@ -269,13 +270,13 @@ std::string next(const Plan& plan, const io::PlanContext& context) {
 
 // How far the plan can be from the best.
 std::string bound(const Plan& plan, const io::PlanContext& context) {
-    const std::optional<double> reached = value(plan.after, context.mission.rules.objective);
+    const std::optional<double> reached = value(plan.after, context.asked.mission.rules.objective);
     if (!plan.bound || !plan.gap || !reached) return "";
-    const std::string objective = words(context.mission.rules.objective);
+    const std::string objective = words(context.asked.mission.rules.objective);
     const double gap = *plan.gap;
-    const int n = context.mission.removals_allowed();
+    const int n = context.asked.mission.removals_allowed();
     const std::string removals = n == 1 ? "1 removal" : fmt::format("{} removals", n);
-    if (context.mission.is_team()) {
+    if (context.asked.mission.is_team()) {
         if (is_best(plan)) return fmt::format("\nno plan has a smaller {}\n", objective);
         return fmt::format("\nno {} is below {:.3f}: the gap is {:.2f} %\n", objective, *plan.bound, 100 * gap);
     }
@@ -292,24 +293,24 @@ std::string limit(const Plan& plan) {
 
 // The paper's choice of obstacles can be worse than none.
 std::string warning(const Plan& plan, const io::PlanContext& context) {
-    const std::optional<double> before = value(plan.before, context.mission.rules.objective);
-    const std::optional<double> after = value(plan.after, context.mission.rules.objective);
+    const std::optional<double> before = value(plan.before, context.asked.mission.rules.objective);
+    const std::optional<double> after = value(plan.after, context.asked.mission.rules.objective);
     if (!before || !after || *after <= *before) return "";
     return fmt::format("\nnote: this plan is worse than removing nothing: {} {:.3f} instead of {:.3f}\n",
-                       words(context.mission.rules.objective), *after, *before);
+                       words(context.asked.mission.rules.objective), *after, *before);
 }
 
 }  // namespace
 
 std::string plan_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
-    if (context.mission.is_team()) {
+    if (context.asked.mission.is_team()) {
         const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
         const bool may_remove =
-            context.mission.rules.removals > 0 && std::ranges::any_of(context.mission.agents, flies);
+            context.asked.mission.rules.removals > 0 && std::ranges::any_of(context.asked.mission.agents, flies);
         return heading(context, style) + rules(context) + "\n" + front(context, style) +
                team_table(plan, context, style) +
-               (may_remove ? "\n" + removals(plan, context, style) : without_aircraft(context.mission)) +
-               next(plan, context) + (context.method.explain ? waits(plan, context) : "") + bound(plan, context) +
+               (may_remove ? "\n" + removals(plan, context, style) : without_aircraft(context.asked.mission)) +
+               next(plan, context) + (context.asked.method.explain ? waits(plan, context) : "") + bound(plan, context) +
                limit(plan);
     }
     return heading(context, style) + rules(context) + "\n" + front(context, style) + outcomes(plan, context, style) +

@@ -70,15 +70,17 @@ std::string change(std::optional<double> before, std::optional<double> after) {
 }
 
 bool times_are_lengths(const io::PlanContext& context) {
-    return !context.in_seconds && unit_speeds(context.mission);
+    return !context.asked.in_seconds && unit_speeds(context.asked.mission);
 }
 
 const char* time_unit(const io::PlanContext& context) {
-    return context.in_seconds ? "seconds" : unit_speeds(context.mission) ? "cells at speed 1" : "units of time";
+    return context.asked.in_seconds             ? "seconds"
+           : unit_speeds(context.asked.mission) ? "cells at speed 1"
+                                                : "units of time";
 }
 
 std::string timed(const char* what, const io::PlanContext& context) {
-    return what + std::string(context.in_seconds ? " (s)" : "");
+    return what + std::string(context.asked.in_seconds ? " (s)" : "");
 }
 
 }  // namespace waybreaker::apps

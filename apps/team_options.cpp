@@ -163,7 +163,8 @@ void add_team_options(CLI::App& command, PlanOptions& options) {
         "How many obstacles each of the aircraft may breach (default: as many as may be removed)");
     add_measure(command, "--separation", options.separation, radii, length_units, "LENGTH",
                 "Room between any two ground agents, in cells, or metres such as 2m (default: 0)");
-    add_choice(command, "--at-goal", io::at_goal_words, options.at_goal,
+    add_choice(command, "--at-goal", io::at_goal_words,
+               says(options, [](io::MissionDocument& d) -> auto& { return d.mission.rules.at_goal; }),
                "Whether ground agents that have arrived stay, in the way of others, or leave (default: stay)");
 }
 

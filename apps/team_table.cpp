@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "render/caption.hpp"
 #include "table.hpp"
 
@@ -23,7 +23,7 @@ std::string reason(const Wait& wait, const io::MapFile& map) {
         case WaitReason::readiness:
             return ", until it is ready";
         case WaitReason::opening: {
-            const std::string_view name = map.name_of(wait.obstacle);
+            const std::string_view name = map.annotations.name_of(wait.obstacle);
             return fmt::format(", until {} has opened {}{}", shortened(wait.agent), wait.obstacle.value,
                                name.empty() ? "" : fmt::format(" ({})", shortened(name)));
         }
@@ -40,12 +40,12 @@ std::string reason(const Wait& wait, const io::MapFile& map) {
 std::string team_table(const Plan& plan, const io::PlanContext& context, const TableStyle& style) {
     std::vector<Row> rows{
         {"agent", "from", "to", "alone", "length", timed("arrival", context), timed("wait", context)}};
-    if (context.method.explain) rows.front().push_back(timed("gain", context));
+    if (context.asked.method.explain) rows.front().push_back(timed("gain", context));
     for (std::size_t i = 0; i < plan.agents.size(); ++i) {
         const Itinerary& agent = plan.agents[i];
         rows.push_back({shortened(agent.id), text(agent.start), text(agent.goal), text(plan.before.routes[i].length, 3),
                         text(plan.after.routes[i].length, 3), text(agent.path.back().t, 3), text(waited(agent), 3)});
-        if (context.method.explain) rows.back().push_back(text(agent.gain, 3));
+        if (context.asked.method.explain) rows.back().push_back(text(agent.gain, 3));
     }
     const double cell_size = context.map.cell_size;
     const bool seconds = style.metres && times_are_lengths(context);
@@ -55,14 +55,14 @@ std::string team_table(const Plan& plan, const io::PlanContext& context, const T
         times.push_back({std::string(name), text(alone, 3), text(together, 3), change(alone, together)});
         if (seconds) times.back().push_back(fmt::format("{:.1f}", together.value_or(0) * cell_size));
     };
-    for (const Objective time : render::shown_times(context.mission.rules.objective)) {
-        add(render::name_of(time, context.mission), value(plan.before, time), value(plan.after, time));
+    for (const Objective time : render::shown_times(context.asked.mission.rules.objective)) {
+        add(render::name_of(time, context.asked.mission), value(plan.before, time), value(plan.after, time));
     }
     return aligned(rows, style.bold) + "\n" + aligned(times, style.bold);
 }
 
 std::string waits(const Plan& plan, const io::PlanContext& context) {
-    const bool explained = context.method.explain;
+    const bool explained = context.asked.method.explain;
     double all = 0;
     std::vector<std::string> lines;
     for (const Itinerary& agent : plan.agents) {
@@ -74,7 +74,8 @@ std::string waits(const Plan& plan, const io::PlanContext& context) {
                                         wait.until, explained ? reason(wait, context.map) : ""));
         }
     }
-    if (lines.size() > 1 && !context.mission.is_team()) lines.push_back(fmt::format("it waits {:.3f} in all\n", all));
+    if (lines.size() > 1 && !context.asked.mission.is_team())
+        lines.push_back(fmt::format("it waits {:.3f} in all\n", all));
     return lines.empty() ? "" : fmt::format("\n{}", fmt::join(lines, ""));
 }
 

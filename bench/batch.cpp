@@ -56,7 +56,7 @@ struct Batch {
         std::string text;
         for (std::size_t i = 0; i < plans.size(); ++i) {
             text += io::plan_json(plans[i].plan.value(),
-                                  {.map = map, .mission = missions[i], .method = {}, .timing_fields = false});
+                                  {.map = map, .asked = {.mission = missions[i]}, .timing_fields = false});
         }
         return text;
     }

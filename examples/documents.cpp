@@ -1,5 +1,6 @@
 // Mission in, plan and picture out, as the files that the command reads and writes; no GDAL. Built where the sources
-// are a subproject, with WAYBREAKER_FORMATS=ON.
+// are a subproject, with WAYBREAKER_FORMATS=ON; links waybreaker::io and waybreaker::render, and waybreaker::mission to
+// plan.
 #include <fstream>
 #include <iostream>
 
@@ -20,7 +21,7 @@ int main() {
         "rules": {"removals": 1, "breach_time": 3}})",
                                                                                 "mission.json");
     const waybreaker::Plan plan = waybreaker::MissionPlanner().plan(map.map, asked.mission, asked.method, asked.limits);
-    std::cout << waybreaker::io::plan_json(
-        plan, {.map = map, .mission = asked.mission, .method = asked.method, .timing_fields = false});
-    std::ofstream("documents.svg") << waybreaker::render::svg(map.map, asked.mission, plan, {.title = "Yard"});
+    std::cout << waybreaker::io::plan_json(plan, {.map = map, .asked = asked, .timing_fields = false});
+    std::ofstream("documents.svg") << waybreaker::render::svg(map.map, asked.mission, plan,
+                                                              {.annotations = {.title = "Yard"}});
 }

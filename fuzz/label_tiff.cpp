@@ -10,8 +10,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         waybreaker::law(tiff.cell_size > 0);
         waybreaker::law(!tiff.origin ||
                         (!tiff.georeference && std::isfinite(tiff.origin->at(0)) && std::isfinite(tiff.origin->at(1))));
-        waybreaker::law(tiff.names.empty() || tiff.names.size() == tiff.map.obstacles().size() + 1);
-        for (const auto& feature : tiff.background.features) {
+        waybreaker::law(tiff.annotations.names.empty() ||
+                        tiff.annotations.names.size() == tiff.map.obstacles().size() + 1);
+        for (const auto& feature : tiff.annotations.background.features) {
             waybreaker::law(!feature.parts.empty());
             for (const auto& part : feature.parts) {
                 waybreaker::law(!part.empty());

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     waybreaker::read_or_refuse(data, size, [](std::string_view bytes) {
         const waybreaker::io::PlanFile file = waybreaker::io::parse_plan(bytes, "input");
         waybreaker::law(file.plan.breaches.size() < bytes.size() && file.plan.agents.size() < bytes.size());
-        for (const waybreaker::Violation& violation : waybreaker::check(map, file.mission, file.plan)) {
+        for (const waybreaker::Violation& violation : waybreaker::check(map, file.asked.mission, file.plan)) {
             waybreaker::law(!violation.message.empty());
             for (const char c : violation.message) waybreaker::law(static_cast<unsigned char>(c) >= ' ');
         }

@@ -9,9 +9,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const io::MapFile map = mapfile::parse_map("type octile\nheight 2\nwidth 5\nmap\n.@.@@\n.....\n", "map");
     read_or_refuse(data, size, [](std::string_view bytes) {
         const service::PlanRequest request = service::parse_plan_request(bytes, "input");
-        law(request.variants.size() <= bytes.size() && request.options.rules.protect.size() <= bytes.size());
+        law(request.variants.size() <= bytes.size() &&
+            request.options.asked.mission.rules.protect.size() <= bytes.size());
         try {
-            const io::MissionDocument asked = service::document_of(request.mission, request.options, map);
+            const io::MissionDocument asked = service::on_map(request.mission, request.options, map).asked;
             validate(map.map, asked.mission, asked.method, asked.limits);
         } catch (const InputError& error) {
             for (const char c : std::string_view(error.what())) law(static_cast<unsigned char>(c) >= ' ');

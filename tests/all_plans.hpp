@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 

@@ -10,7 +10,7 @@
 #include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/search_options.hpp"
 
 namespace waybreaker {
 

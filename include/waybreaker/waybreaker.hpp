@@ -1,21 +1,22 @@
 // waybreaker, all of it: missions of ground agents whose way aircraft can open. Depends on the standard library alone.
 #pragma once
 
-#include "waybreaker/body.hpp"           // IWYU pragma: export
-#include "waybreaker/cell.hpp"           // IWYU pragma: export
-#include "waybreaker/check.hpp"          // IWYU pragma: export
-#include "waybreaker/crossing.hpp"       // IWYU pragma: export
-#include "waybreaker/error.hpp"          // IWYU pragma: export
-#include "waybreaker/flight.hpp"         // IWYU pragma: export
-#include "waybreaker/grid.hpp"           // IWYU pragma: export
-#include "waybreaker/limits.hpp"         // IWYU pragma: export
-#include "waybreaker/map.hpp"            // IWYU pragma: export
-#include "waybreaker/method.hpp"         // IWYU pragma: export
-#include "waybreaker/mission.hpp"        // IWYU pragma: export
-#include "waybreaker/movingai.hpp"       // IWYU pragma: export
-#include "waybreaker/place_error.hpp"    // IWYU pragma: export
-#include "waybreaker/plan.hpp"           // IWYU pragma: export
-#include "waybreaker/planner.hpp"        // IWYU pragma: export
-#include "waybreaker/safe_interval.hpp"  // IWYU pragma: export
-#include "waybreaker/schedule.hpp"       // IWYU pragma: export
-#include "waybreaker/search.hpp"         // IWYU pragma: export
+#include "waybreaker/body.hpp"            // IWYU pragma: export
+#include "waybreaker/cell.hpp"            // IWYU pragma: export
+#include "waybreaker/check.hpp"           // IWYU pragma: export
+#include "waybreaker/crossing.hpp"        // IWYU pragma: export
+#include "waybreaker/error.hpp"           // IWYU pragma: export
+#include "waybreaker/flight.hpp"          // IWYU pragma: export
+#include "waybreaker/grid.hpp"            // IWYU pragma: export
+#include "waybreaker/limits.hpp"          // IWYU pragma: export
+#include "waybreaker/map.hpp"             // IWYU pragma: export
+#include "waybreaker/method.hpp"          // IWYU pragma: export
+#include "waybreaker/mission.hpp"         // IWYU pragma: export
+#include "waybreaker/movingai.hpp"        // IWYU pragma: export
+#include "waybreaker/place_error.hpp"     // IWYU pragma: export
+#include "waybreaker/plan.hpp"            // IWYU pragma: export
+#include "waybreaker/planner.hpp"         // IWYU pragma: export
+#include "waybreaker/safe_interval.hpp"   // IWYU pragma: export
+#include "waybreaker/schedule.hpp"        // IWYU pragma: export
+#include "waybreaker/search.hpp"          // IWYU pragma: export
+#include "waybreaker/search_options.hpp"  // IWYU pragma: export

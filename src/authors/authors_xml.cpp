@@ -130,10 +130,10 @@ AuthorsXml parse_authors_xml(std::string_view bytes, const std::string& name) {
     const Element& map = *found;
     const int width = side_of(map, "width");
     const int height = side_of(map, "height");
-    AuthorsXml result{read_grid(map, width, height), {}};
+    AuthorsXml result{.grid = read_grid(map, width, height)};
+    if (const auto title = map.find("title")) result.title = title->trimmed_text();
+    if (const auto cell_size = map.find("cellsize")) result.cell_size = positive_number_of(*cell_size);
     io::MapTask& task = result.task;
-    if (const auto title = map.find("title")) task.title = title->trimmed_text();
-    if (const auto cell_size = map.find("cellsize")) task.cell_size = positive_number_of(*cell_size);
     XmlAgents agents = agents_of(file.root());
     if (agents.agents.empty()) {
         task.start = read_cell(map, "startx", "starty", result.grid);

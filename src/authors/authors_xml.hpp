@@ -24,7 +24,9 @@ namespace waybreaker::authors {
 
 struct AuthorsXml {
     Grid grid;
-    io::MapTask task;
+    std::string title = {};
+    double cell_size = 1;
+    io::MapTask task = {};
 };
 
 // `name` is how the input is called in errors. Throws InputError with name and line. Nothing is allocated for the grid

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "waybreaker/search.hpp"
+#include "waybreaker/search_options.hpp"
 
 namespace waybreaker::authors {
 

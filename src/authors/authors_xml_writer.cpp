@@ -38,12 +38,13 @@ void put_grid(pugi::xml_node& map, const Grid& grid) {
 
 }  // namespace
 
-void append_task(pugi::xml_node root, const Grid& grid, const io::MapTask& task) {
+void append_task(pugi::xml_node root, const io::MapFile& file, const io::MapTask& task) {
+    const Grid& grid = file.map.grid();
     pugi::xml_node map = root.append_child("map");
-    if (!task.title.empty()) put(map, "title", task.title.c_str());
+    if (!file.annotations.title.empty()) put(map, "title", file.annotations.title.c_str());
     put(map, "width", grid.width());
     put(map, "height", grid.height());
-    put(map, "cellsize", io::shortest_text(task.cell_size).c_str());
+    put(map, "cellsize", io::shortest_text(file.cell_size).c_str());
     put_cell(map, "startx", "starty", task.start);
     put_cell(map, "finishx", "finishy", task.goal);
     put_grid(map, grid);
@@ -65,9 +66,9 @@ std::string text_of(const pugi::xml_document& document) {
     return text.str();
 }
 
-std::string authors_xml_text(const Grid& grid, const io::MapTask& task) {
+std::string authors_xml_text(const io::MapFile& file) {
     pugi::xml_document document;
-    append_task(document.append_child("root"), grid, task);
+    append_task(document.append_child("root"), file, file.task.value_or(io::MapTask{}));
     return text_of(document);
 }
 

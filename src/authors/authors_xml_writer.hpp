@@ -9,12 +9,12 @@
 namespace waybreaker::authors {
 
 // Adds the elements <map> and <algorithm>. What the format has no word for (a planner, say) is left out.
-void append_task(pugi::xml_node root, const Grid& grid, const io::MapTask& task);
+void append_task(pugi::xml_node root, const io::MapFile& file, const io::MapTask& task);
 
 // The text of a document, indented.
 std::string text_of(const pugi::xml_document& document);
 
-// A whole task file.
-std::string authors_xml_text(const Grid& grid, const io::MapTask& task);
+// A whole task file: the map and its task.
+std::string authors_xml_text(const io::MapFile& file);
 
 }  // namespace waybreaker::authors

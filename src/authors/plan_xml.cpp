@@ -122,14 +122,14 @@ std::string plan_xml(const Plan& plan, const io::MapFile& map, const SearchOptio
     if (plan.after.routes.size() != 2) throw InputError("the authors' XML describes one ground and one air agent");
     const Itinerary* const ground = agent_of(plan, AgentKind::ground);
     const Itinerary* const air = agent_of(plan, AgentKind::air);
-    io::MapTask task{.title = map.title, .cell_size = map.cell_size, .start = {}, .goal = {}, .search = search};
+    io::MapTask task{.search = search};
     if (ground != nullptr) {
         task.start = ground->start;
         task.goal = ground->goal;
     }
     pugi::xml_document document;
     pugi::xml_node root = document.append_child("root");
-    append_task(root, map.map.grid(), task);
+    append_task(root, map, task);
     pugi::xml_node log = root.append_child("log");
     log.append_child("mapfilename").text().set(map.source.c_str());
     append_summary(log, plan.after.ground(), map.cell_size);

@@ -15,7 +15,7 @@
 
 #include "io/map_file.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/search_options.hpp"
 
 namespace waybreaker::authors {
 

@@ -266,21 +266,18 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
         cells.kinds.clear();
         cells.tags.clear();
     }
-    site::DescribedMap described = site::described(std::move(cells));
+    site::DescribedMap described =
+        site::described(std::move(cells),
+                        {.title = title_of(source, window, options.cell),
+                         .attribution = material.footprints.from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
+                         .background = background_within(material.survey.scenery, window.window.bounds, options.cell)});
     if (const int side = section_side(options); side > 0) {
-        described = site::split(described.map, described.names, described.kinds, described.tags, {.side = side});
+        described = site::split(described.map, described.annotations, {.side = side});
     }
-    geotiff::LabelTiff tiff{
-        .map = std::move(described.map),
-        .cell_size = options.cell,
-        .georeference = window.georeference,
-        .attribution = material.footprints.from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
-        .title = title_of(source, window, options.cell),
-        .names = std::move(described.names),
-        .background = background_within(material.survey.scenery, window.window.bounds, options.cell),
-        .kinds = std::move(described.kinds),
-        .tags = std::move(described.tags),
-        .sections = std::move(described.sections)};
+    geotiff::LabelTiff tiff{.map = std::move(described.map),
+                            .cell_size = options.cell,
+                            .georeference = window.georeference,
+                            .annotations = std::move(described.annotations)};
     ImportReport report{.tiff = std::move(tiff),
                         .covered = material.covered,
                         .profile = profile_of(options),

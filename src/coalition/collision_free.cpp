@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "coalition/tuning.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "schedule/tour_times.hpp"
 
 namespace waybreaker::coalition {

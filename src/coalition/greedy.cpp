@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "coalition/tuning.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 
 namespace waybreaker::coalition {
 namespace {}  // namespace

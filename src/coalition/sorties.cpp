@@ -9,7 +9,7 @@
 
 #include "coalition/tuning.hpp"
 #include "flight/target.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "schedule/sorties.hpp"
 
 namespace waybreaker::coalition {

@@ -8,7 +8,7 @@
 #include "drive/opening.hpp"
 #include "drive/punctual.hpp"
 #include "drive/shortened.hpp"
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker::coalition {
 double arrival(const Agent& agent, const Way& way, const Openings& openings) {

@@ -9,7 +9,7 @@
 
 #include "drive/shortened.hpp"
 #include "map/line_of_sight.hpp"
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "drive/fitted.hpp"
 #include "drive/shortened.hpp"
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "map/line_of_sight.hpp"
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker {
 namespace {

@@ -5,10 +5,7 @@
 namespace waybreaker::experiment {
 
 std::string document_of(const Mission& mission, const std::string& map) {
-    io::MissionDocument document;
-    document.mission = mission;
-    document.map = map;
-    nlohmann::ordered_json json = io::mission_json(document);
+    nlohmann::ordered_json json = io::mission_json({.mission = mission, .map = map});
     json.erase("method");
     json.erase("limits");
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

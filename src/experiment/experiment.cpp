@@ -14,7 +14,6 @@
 #include "io/map_file.hpp"
 #include "io/mission_json.hpp"
 #include "io/output_file.hpp"
-#include "io/tagged_obstacles.hpp"
 #include "mapfile/digest.hpp"
 #include "mapfile/map_reader.hpp"
 #include "waybreaker/error.hpp"
@@ -107,7 +106,7 @@ class MissionReader {
                 const io::MapFile file = mapfile::read_map_file(experiment_.maps[index].path);
                 experiment_.maps[index].width = file.map.width();
                 experiment_.maps[index].height = file.map.height();
-                io::protect_tagged(file, document.protect_tags, document.mission.rules);
+                io::resolve(document, file);
             }
             experiment_.missions.push_back({set, index, std::move(document.mission), std::nullopt});
         }

@@ -82,7 +82,9 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     read_sections(*file, name, layer);
     const int width = layer.width;
     const int height = layer.height;
-    site::Background background = read_background(*file, place, width, height, name);
+    site::Annotations annotations{.title = metadata(*file, title_item),
+                                  .attribution = metadata(*file, attribution_item),
+                                  .background = read_background(*file, place, width, height, name)};
     layer.labels = read_labels(*file, memory, name);
     const std::vector<std::uint32_t>& labels = layer.labels;
     const bool mask = attributes.size() == 1 && has_one_value(labels);
@@ -91,21 +93,15 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
             map_bytes(width, height,
                       mask ? count_obstacles(grid_of(width, height, labels), connectivity) : count_labels(labels)));
     }
-    site::DescribedMap described = mask ? site::DescribedMap{Map(grid_of(width, height, labels), connectivity)}
-                                        : site::described(std::move(layer));
-    LabelTiff tiff{.map = std::move(described.map),
-                   .cell_size = place.cell_size,
-                   .georeference = std::move(place.georeference),
-                   .origin = place.origin,
-                   .attribution = metadata(*file, attribution_item),
-                   .title = metadata(*file, title_item),
-                   .names = std::move(described.names),
-                   .background = std::move(background),
-                   .kinds = std::move(described.kinds),
-                   .tags = std::move(described.tags),
-                   .sections = std::move(described.sections),
-                   .mask = mask};
-    return tiff;
+    site::DescribedMap described =
+        mask ? site::DescribedMap{Map(grid_of(width, height, labels), connectivity), std::move(annotations)}
+             : site::described(std::move(layer), std::move(annotations));
+    return {.map = std::move(described.map),
+            .cell_size = place.cell_size,
+            .georeference = std::move(place.georeference),
+            .origin = place.origin,
+            .annotations = std::move(described.annotations),
+            .mask = mask};
 }
 
 std::string label_tiff_bytes(const LabelTiff& tiff) {
@@ -139,14 +135,15 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     const auto set = [&](const char* item, const std::string& text) {
         if (!text.empty()) file->SetMetadataItem(item, text.c_str());
     };
-    set(title_item, tiff.title);
-    set(attribution_item, tiff.attribution);
+    const site::Annotations& known = tiff.annotations;
+    set(title_item, known.title);
+    set(attribution_item, known.attribution);
     for (const auto& [item, text] : obstacle_metadata(tiff.map)) set(item, text);
-    set(names_item, names_text(tiff.names));
-    set(kinds_item, kinds_text(tiff.kinds));
-    set(tags_item, tags_text(tiff.tags));
-    set(sections_item, sections_text(tiff.sections));
-    if (tiff.georeference) set(background_item, background_text(tiff.background, *tiff.georeference));
+    set(names_item, names_text(known.names));
+    set(kinds_item, kinds_text(known.kinds));
+    set(tags_item, tags_text(known.tags));
+    set(sections_item, sections_text(known.sections));
+    if (tiff.georeference) set(background_item, background_text(known.background, *tiff.georeference));
 
     auto* labels = const_cast<std::uint32_t*>(tiff.map.labels().data());  // GDAL only reads it
     const CPLErr outcome = file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, width, height, labels, width, height,

@@ -15,10 +15,7 @@
 #include "geotiff/georeference.hpp"
 #include "geotiff/obstacle_names.hpp"
 #include "map/map_size.hpp"
-#include "site/background.hpp"
-#include "site/obstacle_kinds.hpp"
-#include "site/obstacle_tags.hpp"
-#include "site/sections.hpp"
+#include "site/annotations.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::geotiff {
@@ -29,14 +26,8 @@ struct LabelTiff {
     std::optional<site::Georeference> georeference = {};
     // Without a coordinate system: the lower-left corner, in metres of the frame that a robot knows the map in.
     std::optional<std::array<double, 2>> origin = {};
-    std::string attribution = {};    // of the source data; may be empty
-    std::string title = {};          // place and window, for captions; may be empty
-    site::ObstacleNames names = {};  // what people call the obstacles
-    site::Background background = {};
-    site::ObstacleKinds kinds = {};  // what the obstacles are
-    site::ObstacleTags tags = {};    // what the source says of them
-    site::Sections sections = {};    // what they are parts of, where they are cut
-    bool mask = false;               // the file says which cells are blocked, but not by which obstacle
+    site::Annotations annotations = {};
+    bool mask = false;  // the file says which cells are blocked, but not by which obstacle
 };
 
 // The bytes of a GeoTIFF (or BigTIFF) file with one band of up to 32-bit integers, by whatever program. Where all that

@@ -60,7 +60,7 @@ class DemolitionJudge {
             expect_area(fmt::format("of the step of {} removals", step.removed.size()), step.area_m2, step.removed);
         }
         expect_area("that is demolished", file_.demolition.area_m2, removed);
-        const site::Demolition truth = site::demolition(map_.map, map_.sections, known(removed));
+        const site::Demolition truth = site::demolition(map_.map, map_.annotations.sections, known(removed));
         expect("the number of removals", file_.demolition.removals, double(file_.plan.breaches.size()));
         expect("the number of demolished cells", file_.demolition.cells, double(truth.cells));
         expect("the number of structures", file_.demolition.structures, double(truth.structures.size()));
@@ -105,7 +105,7 @@ void append(Violations& all, const Violations& more) {
 
 std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const JudgeOptions& options) {
     const Map& map = file.map;
-    if (plan.area_budget) {
+    if (plan.asked.area_budget) {
         return map.with_weights(area_weights(map, file.has_metres() ? file.cell_size : plan.cell_size));
     }
     if (options.weights) return map.with_weights(*options.weights);
@@ -114,9 +114,7 @@ std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const Ju
                stated.weight == map.obstacle(stated.obstacle).cells;
     };
     if (plan.weights.empty() || !std::ranges::all_of(plan.weights, counts_cells)) return std::nullopt;
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
-    return map.with_weights(weights);
+    return map.with_weights(cell_weights(map));
 }
 
 Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options) {
@@ -127,7 +125,7 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
     const Map& on = other ? *other : map.map;
     append(violations, judge_weights(plan, on));
     append(violations, DemolitionJudge(plan, map, options.tolerance).judge());
-    append(violations, check(on, plan.mission, plan.plan, options.tolerance));
+    append(violations, check(on, plan.asked.mission, plan.plan, options.tolerance));
     return violations;
 }
 

@@ -6,19 +6,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/ros_yaml.hpp"
-#include "site/background.hpp"
+#include "site/annotations.hpp"
 #include "site/georeference.hpp"
-#include "site/obstacle_kinds.hpp"
-#include "site/obstacle_names.hpp"
-#include "site/obstacle_tags.hpp"
-#include "site/sections.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/search_options.hpp"
 
 namespace waybreaker::io {
 
@@ -45,10 +40,8 @@ struct ImageReading {
 
 // The mission that a map file holds beside its map: only the authors' XML does.
 struct MapTask {
-    std::string title;
-    double cell_size = 1;
-    std::optional<Cell> start;
-    std::optional<Cell> goal;
+    std::optional<Cell> start = {};
+    std::optional<Cell> goal = {};
     SearchOptions search = {};       // what the file leaves out has our defaults
     bool smoothing = false;          // it asks for paths to be smoothed, which nothing does
     std::vector<Agent> agents = {};  // of a task for many, in place of start and goal
@@ -66,13 +59,7 @@ struct MapFile {
     std::optional<site::Georeference> georeference = {};
     // Without a georeference: the lower-left corner, in metres of the frame that a robot knows the map in.
     std::optional<std::array<double, 2>> origin = {};
-    std::string attribution = {};
-    std::string title = {};
-    site::ObstacleNames names = {};    // what people call the obstacles
-    site::Background background = {};  // streets, water, ...
-    site::ObstacleKinds kinds = {};    // what the obstacles are: buildings, water, ...
-    site::ObstacleTags tags = {};      // what the source says of them: amenity=school, ...
-    site::Sections sections = {};      // what they are parts of, where they are cut
+    site::Annotations annotations = {};
     std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};
     std::uint64_t unknown = 0;            // cells of unknown occupancy
@@ -82,10 +69,8 @@ struct MapFile {
     bool has_metres() const { return cell_size_given || georeference || ros || cell_size != 1; }
     // Of so many cells. REQUIRES: has_metres().
     double square_metres(std::uint64_t cells) const { return io::square_metres(cells, cell_size); }
-    // Empty where it is unknown.
-    std::string_view name_of(ObstacleId id) const {
-        return id.value < names.size() ? names[id.value] : std::string_view();
-    }
+    // What people call it: its title, or its file.
+    const std::string& name() const { return annotations.title.empty() ? source : annotations.title; }
 };
 
 }  // namespace waybreaker::io

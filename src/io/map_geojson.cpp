@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 Json properties_of(const Obstacle& obstacle, const MapFile& map) {
     Json properties{{"obstacle", obstacle.id.value}};
     if (obstacle.source_id != 0) properties["osm_id"] = obstacle.source_id;
-    if (const std::string_view name = map.name_of(obstacle.id); !name.empty()) properties["name"] = name;
+    if (const std::string_view name = map.annotations.name_of(obstacle.id); !name.empty()) properties["name"] = name;
     properties["cells"] = obstacle.cells;
     properties["protected"] = obstacle.destructible ? "no" : "yes";
     properties["weight"] = obstacle.weight;
@@ -34,8 +34,8 @@ std::string map_geojson(const MapFile& map, const site::ToLonLat& to_lon_lat) {
                             {"geometry", polygons_json(to_lon_lat, outlines[obstacle.id.value])}});
     }
     Json head = Json::object();
-    if (!map.title.empty()) head["title"] = map.title;
-    if (!map.attribution.empty()) head["attribution"] = map.attribution;
+    if (!map.annotations.title.empty()) head["title"] = map.annotations.title;
+    if (!map.annotations.attribution.empty()) head["attribution"] = map.annotations.attribution;
     return collection_text(head, features);
 }
 

@@ -51,9 +51,11 @@ void read_ids(const JsonField& object, const char* key, std::vector<ObstacleId>&
 }
 
 // Ids, and tags such as "amenity=hospital".
-void read_protected(const JsonField& object, std::vector<ObstacleId>& ids, std::vector<site::TagFilter>& tags) {
+void read_protected(const JsonField& object, MissionDocument& document) {
     const auto field = object.find("protect");
     if (!field) return;
+    std::vector<ObstacleId>& ids = document.mission.rules.protect;
+    std::vector<site::TagFilter>& tags = document.protect_tags;
     ids.clear();
     tags.clear();
     for (const JsonField& item : field->items()) {
@@ -109,9 +111,8 @@ Json ids_json(const std::vector<ObstacleId>& ids) {
 
 Json rules_json(const MissionDocument& document) {
     const Rules& rules = document.mission.rules;
-    const bool area_budget = document.area_budget;
     Json json{{"removals", rules.removals}};
-    if (std::isfinite(rules.budget)) json[area_budget ? "budget_m2" : "budget"] = number(rules.budget);
+    if (std::isfinite(rules.budget)) json[document.area_budget ? "budget_m2" : "budget"] = number(rules.budget);
     json["protect"] = ids_json(rules.protect);
     for (const site::TagFilter& tag : document.protect_tags) json["protect"].push_back(tag.text());
     json["force"] = ids_json(rules.force);
@@ -156,13 +157,13 @@ void read_limits(const JsonField& field, Limits& limits) {
     if (const auto gap = field.find("gap")) limits.gap = read_share(*gap);
 }
 
-void read_budget(const JsonField& field, Rules& rules, bool& area_budget) {
+void read_budget(const JsonField& field, MissionDocument& document) {
     const auto weight = field.find("budget");
     const auto area = field.find("budget_m2");
     if (weight && area) area->fail("stands beside budget; give one of them");
     if (!weight && !area) return;
-    rules.budget = read_not_negative(weight ? *weight : *area);
-    area_budget = area.has_value();
+    document.mission.rules.budget = read_not_negative(weight ? *weight : *area);
+    document.area_budget = area.has_value();
 }
 
 std::string pretty(const Json& json, const std::string& indent) {
@@ -219,10 +220,11 @@ void read_body(const JsonField& field, Body& body) {
     if (const auto radius = field.find("radius")) body.radius = read_between(*radius, 0, most_radius);
 }
 
-void read_rules(const JsonField& field, Rules& rules, bool& area_budget, std::vector<site::TagFilter>& protect_tags) {
+void read_rules(const JsonField& field, MissionDocument& document) {
+    Rules& rules = document.mission.rules;
     if (const auto count = field.find("removals")) rules.removals = int(count->whole_number(0, INT_MAX));
-    read_budget(field, rules, area_budget);
-    read_protected(field, rules.protect, protect_tags);
+    read_budget(field, document);
+    read_protected(field, document);
     read_ids(field, "force", rules.force);
     if (const auto time = field.find("breach_time")) {
         rules.breach_time.per_obstacle = read_between(*time, 0, most_breach_time);
@@ -267,7 +269,7 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (const auto rules = document.find("rules")) {
         rules->allow({"removals", "budget", "budget_m2", "protect", "force", "breach_time", "breach_time_per_cell",
                       "timing", "objective", "minimise_demolition", "separation", "at_goal"});
-        read_rules(*rules, result.mission.rules, result.area_budget, result.protect_tags);
+        read_rules(*rules, result);
     }
     if (const auto method = document.find("method")) {
         method->allow({"select", "flight", "planner", "heuristic", "weight", "tie_break", "moves", "bound", "explain"});

@@ -13,25 +13,11 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "io/json_field.hpp"
-#include "site/tag_filter.hpp"
-#include "waybreaker/method.hpp"
+#include "io/mission_document.hpp"
 
 namespace waybreaker::io {
-
-struct MissionDocument {
-    Mission mission;
-    Method method = {};
-    Limits limits = {};        // but for what stops or reports
-    bool area_budget = false;  // the budget is one of square metres: obstacles weigh their area (weights.hpp)
-    bool in_seconds = false;   // a unit of time is a second
-    // What is protected beside mission.rules.protect, until the map is known (tagged_obstacles.hpp).
-    std::vector<site::TagFilter> protect_tags = {};
-    // Which map it is for, as seen from the document's file; empty where that is said elsewhere.
-    std::string map = {};
-};
 
 // Larger files are refused.
 inline constexpr std::size_t max_mission_bytes = std::size_t{1} << 20;
@@ -61,7 +47,7 @@ double read_not_negative(const JsonField& field);
 double read_share(const JsonField& field);  // 0 to 1
 // Members of `field` that are rules, under the names of Rules, over what is there; budget_m2 is a budget of square
 // metres, and what is protected may be ids or tags.
-void read_rules(const JsonField& field, Rules& rules, bool& area_budget, std::vector<site::TagFilter>& protect_tags);
+void read_rules(const JsonField& field, MissionDocument& document);
 // Members of `field` that say how the mission is planned.
 void read_method(const JsonField& field, Method& method);
 void read_body(const JsonField& field, Body& body);

@@ -21,9 +21,9 @@ using Json = nlohmann::ordered_json;
 using TagsById = std::vector<std::vector<std::string_view>>;
 
 TagsById tags_by_id(const MapFile& file) {
-    if (file.tags.empty()) return {};
+    if (file.annotations.tags.empty()) return {};
     TagsById result(file.map.obstacles().size() + 1);
-    for (const auto& [tag, obstacles] : file.tags) {
+    for (const auto& [tag, obstacles] : file.annotations.tags) {
         for (const ObstacleId id : obstacles) result[id.value].push_back(tag);
     }
     return result;
@@ -31,9 +31,10 @@ TagsById tags_by_id(const MapFile& file) {
 
 // What the source of the map says of it, as far as the map keeps that.
 void describe(Json& json, const MapFile& file, ObstacleId id, const TagsById& tags) {
-    if (!file.kinds.empty()) json["kind"] = site::obstacle_kind_words[std::size_t(site::kind_of(file.kinds, id))];
+    if (!file.annotations.kinds.empty())
+        json["kind"] = site::obstacle_kind_words[std::size_t(site::kind_of(file.annotations.kinds, id))];
     if (!tags.empty() && !tags[id.value].empty()) json["tags"] = tags[id.value];
-    Json structures = structures_json(id, file.sections);
+    Json structures = structures_json(id, file.annotations.sections);
     if (!structures.empty()) json["structures"] = std::move(structures);
 }
 
@@ -41,7 +42,7 @@ void append_obstacle(std::string& text, const MapFile& file, const Obstacle& obs
     const Box& box = obstacle.bounds;
     Json json{{"id", obstacle.id.value},
               {"source_id", obstacle.source_id},
-              {"name", file.name_of(obstacle.id)},
+              {"name", file.annotations.name_of(obstacle.id)},
               {"cells", obstacle.cells},
               {"bounds", {box.min.x, box.min.y, box.max.x, box.max.y}},
               {"destructible", obstacle.destructible},

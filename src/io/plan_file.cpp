@@ -29,7 +29,7 @@ MissionDocument asked(const JsonField& root, const std::vector<Itinerary>& itine
     const JsonField options = root["options"];
     for (const char* member : {"timing", "objective", "corners"}) options[member].text();
     options["radius"].number();
-    read_rules(options, result.mission.rules, result.area_budget, result.protect_tags);
+    read_rules(options, result);
     if (!result.protect_tags.empty()) options.fail("protects by tag, where a plan names obstacles by their ids");
     read_method(options, result.method);
     if (!copy) {
@@ -201,17 +201,13 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     if (neighbours != 4 && neighbours != 8) connectivity.fail("is neither 4 nor 8");
     file.connectivity = neighbours == 8 ? Connectivity::eight : Connectivity::four;
     for (const JsonField& field : root["agents"].items()) file.plan.agents.push_back(agent(field));
-    MissionDocument made_for = asked(root, file.plan.agents);
-    file.mission = std::move(made_for.mission);
-    file.method = made_for.method;
-    file.area_budget = made_for.area_budget;
-    file.in_seconds = made_for.in_seconds;
+    file.asked = asked(root, file.plan.agents);
     if (const auto size = root["map"].find("cell_size")) file.cell_size = cell_size(*size);
-    file.plan.before = outcome(root["before"], file.mission);
-    file.plan.after = outcome(root["after"], file.mission);
+    file.plan.before = outcome(root["before"], file.asked.mission);
+    file.plan.after = outcome(root["after"], file.asked.mission);
     set_ways(file.plan);
     if (const auto bound = root.find("bound")) {
-        file.plan.bound = (*bound)[word_of(objective_keys, file.mission.rules.objective).data()].number_or_null();
+        file.plan.bound = (*bound)[word_of(objective_keys, file.asked.mission.rules.objective).data()].number_or_null();
         file.plan.gap = number_or_null(bound->find("gap"));
     }
     for (const JsonField& field : root["removed"].items()) {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "io/map_file.hpp"
-#include "waybreaker/method.hpp"
+#include "io/mission_document.hpp"
 #include "waybreaker/plan.hpp"
 
 namespace waybreaker::io {
@@ -13,8 +13,7 @@ namespace waybreaker::io {
 struct PlanFile {
     Plan plan;  // without seconds of its parts
     // What was asked and how it was planned. Files of the first version do not say all of it: the rest has defaults.
-    Mission mission;
-    Method method;
+    MissionDocument asked;
     struct Weight {
         ObstacleId obstacle;
         double weight = 1;
@@ -34,8 +33,6 @@ struct PlanFile {
         double area_m2 = 0;
     };
     std::vector<Step> front = {};  // those that say an area
-    bool area_budget = false;      // the mission's budget is one of square metres
-    bool in_seconds = false;       // a unit of time is a second
     Connectivity connectivity = Connectivity::four;
     ImageReading image;
     // The map it was made for.

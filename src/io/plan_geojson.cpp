@@ -28,7 +28,8 @@ Json properties_of(const Breach& breach, const MapFile& map, const ExportUnits& 
                    std::size_t order) {
     Json properties{{"role", role}, {"order", order}, {"obstacle", breach.obstacle.value}};
     properties["source_id"] = breach.source_id != 0 ? Json(breach.source_id) : Json();
-    if (const std::string_view name = map.name_of(breach.obstacle); !name.empty()) properties["name"] = name;
+    if (const std::string_view name = map.annotations.name_of(breach.obstacle); !name.empty())
+        properties["name"] = name;
     properties["cells"] = breach.cells;
     if (map.has_metres()) properties["area_m2"] = map.square_metres(breach.cells);
     if (!breach.by.empty()) properties["by"] = breach.by;
@@ -60,8 +61,8 @@ std::string plan_geojson(const Plan& plan, const MapFile& map, const site::ToLon
         features.push_back(feature(properties_of(plan.breaches[i], map, units, "breach", i + 1), place));
     }
     Json head = Json::object();
-    if (!map.title.empty()) head["title"] = map.title;
-    if (!map.attribution.empty()) head["attribution"] = map.attribution;
+    if (!map.annotations.title.empty()) head["title"] = map.annotations.title;
+    if (!map.annotations.attribution.empty()) head["attribution"] = map.annotations.attribution;
     return collection_text(head, features);
 }
 

@@ -36,15 +36,15 @@ Json map_json(const MapFile& map, const ImageReading& image) {
 
 // What plan files of the first version say of mission and method.
 Json options_json(const PlanContext& context) {
-    const Rules& rules = context.mission.rules;
-    const Body& body = context.mission.ground_body();
-    const SearchOptions search = search_options(context.method, body);
+    const Rules& rules = context.asked.mission.rules;
+    const Body& body = context.asked.mission.ground_body();
+    const SearchOptions search = search_options(context.asked.method, body);
     Json json{{"planner", word_of(planner_words, search.planner)},
               {"heuristic", word_of(heuristic_words, heuristic_of(search))},
               {"weight", number(search.weight)},
               {"tie_break", word_of(tie_break_words, search.tie_break)},
-              {"select", word_of(selection_words, context.method.select)},
-              {"flight", word_of(flight_words, context.method.flight)},
+              {"select", word_of(selection_words, context.asked.method.select)},
+              {"flight", word_of(flight_words, context.asked.method.flight)},
               {"timing", word_of(timing_words, rules.timing)},
               {"objective", word_of(objective_words, rules.objective)},
               {"removals", rules.removals},
@@ -57,16 +57,13 @@ Json options_json(const PlanContext& context) {
     if (rules.at_goal != AtGoal::stay) json["at_goal"] = word_of(at_goal_words, rules.at_goal);
     for (const ObstacleId id : rules.protect) json["protect"].push_back(id.value);
     for (const ObstacleId id : rules.force) json["force"].push_back(id.value);
-    if (std::isfinite(rules.budget)) json[context.area_budget ? "budget_m2" : "budget"] = number(rules.budget);
+    if (std::isfinite(rules.budget)) json[context.asked.area_budget ? "budget_m2" : "budget"] = number(rules.budget);
     return json;
 }
 
 // What was asked and how it was planned; how long that may have taken is nothing that a plan depends on.
 Json mission_copy(const PlanContext& context) {
-    Json json = mission_json({.mission = context.mission,
-                              .method = context.method,
-                              .area_budget = context.area_budget,
-                              .in_seconds = context.in_seconds});
+    Json json = mission_json(context.asked);
     json.erase("limits");
     return json;
 }
@@ -111,18 +108,18 @@ Json bound_json(const Plan& plan, Objective objective) {
 // Who an obstacle is in the world, as far as it is known.
 void add_identity(Json& json, ObstacleId id, std::int64_t source_id, const MapFile& map) {
     if (source_id != 0) json["source_id"] = source_id;
-    if (const std::string_view name = map.name_of(id); !name.empty()) json["name"] = name;
+    if (const std::string_view name = map.annotations.name_of(id); !name.empty()) json["name"] = name;
 }
 
 // What all removals destroy; empty where neither area nor structures are known.
 Json demolition_json(const Plan& plan, const MapFile& map) {
-    if (!map.has_metres() && map.sections.empty() && !plan.least_demolition) return nullptr;
+    if (!map.has_metres() && map.annotations.sections.empty() && !plan.least_demolition) return nullptr;
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
-    const site::Demolition demolition = site::demolition(map.map, map.sections, removed);
+    const site::Demolition demolition = site::demolition(map.map, map.annotations.sections, removed);
     Json json{{"removals", demolition.removals}, {"cells", demolition.cells}};
     if (map.has_metres()) json["area_m2"] = number(map.square_metres(demolition.cells));
-    if (!map.sections.empty()) json["structures"] = demolition.structures.size();
+    if (!map.annotations.sections.empty()) json["structures"] = demolition.structures.size();
     if (!plan.least_demolition) return json;
     json["least_cells"] = *plan.least_demolition;
     if (map.has_metres()) json["least_area_m2"] = number(map.square_metres(*plan.least_demolition));
@@ -133,10 +130,10 @@ Json breach_json(const Breach& breach, const PlanContext& context) {
     Json json{{"obstacle", breach.obstacle.value}, {"cells", breach.cells}, {"hits", breach.hits}};
     if (context.map.has_metres()) json["area_m2"] = number(context.map.square_metres(breach.cells));
     add_identity(json, breach.obstacle, breach.source_id, context.map);
-    Json structures = structures_json(breach.obstacle, context.map.sections);
+    Json structures = structures_json(breach.obstacle, context.map.annotations.sections);
     if (!structures.empty()) json["structures"] = std::move(structures);
     const double weight = context.map.map.obstacle(breach.obstacle).weight;
-    if (weight != 1 || std::isfinite(context.mission.rules.budget)) json["weight"] = number(weight);
+    if (weight != 1 || std::isfinite(context.asked.mission.rules.budget)) json["weight"] = number(weight);
     json["at"] = cell_json(breach.at);
     if (!breach.by.empty()) json["by"] = breach.by;
     if (breach.begun_at) json["begun_at"] = number(breach.begun_at);
@@ -214,9 +211,9 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     json.update(Json{{"map", map_json(context.map, context.image)},
                      {"options", options_json(context)},
                      {"mission", mission_copy(context)},
-                     {"before", outcome_json(plan.before, context.mission, context.timing_fields)},
-                     {"after", outcome_json(plan.after, context.mission, context.timing_fields)},
-                     {"bound", bound_json(plan, context.mission.rules.objective)},
+                     {"before", outcome_json(plan.before, context.asked.mission, context.timing_fields)},
+                     {"after", outcome_json(plan.after, context.asked.mission, context.timing_fields)},
+                     {"bound", bound_json(plan, context.asked.mission.rules.objective)},
                      {"removed", Json::array()}});
     for (const Breach& breach : plan.breaches) {
         json["removed"].push_back(breach_json(breach, context));
@@ -227,7 +224,7 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     for (const NextBreach& next : plan.next) json["next"].push_back(next_json(next, context.map));
     json["agents"] = Json::array();
     for (const Plan& step : context.front) {
-        json["front"].push_back(step_json(step, context.mission.rules.objective, context.map));
+        json["front"].push_back(step_json(step, context.asked.mission.rules.objective, context.map));
     }
     for (const Itinerary& agent : plan.agents) json["agents"].push_back(agent_json(agent));
     if (context.timing_fields) json["seconds"] = seconds_json(plan.seconds);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/map_file.hpp"
-#include "waybreaker/method.hpp"
+#include "io/mission_document.hpp"
 #include "waybreaker/plan.hpp"
 
 namespace waybreaker::io {
@@ -13,14 +13,11 @@ namespace waybreaker::io {
 // What a plan file says of its making beside the plan itself.
 struct PlanContext {
     const MapFile& map;
-    const Mission& mission;
-    const Method& method;
+    const MissionDocument& asked;
     Connectivity connectivity = Connectivity::four;
     bool timing_fields = true;         // false: no "seconds" anywhere, so that equal input gives equal bytes
     ImageReading image = {};           // how the map was read
     std::span<const Plan> front = {};  // the plans for 0, 1, 2, ... removals, if asked for
-    bool area_budget = false;          // the mission's budget is one of square metres
-    bool in_seconds = false;           // a unit of time is a second
 };
 
 // The whole document, indented, with a final newline. Same input, same bytes, `seconds` aside.

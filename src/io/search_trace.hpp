@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "waybreaker/search.hpp"
+#include "waybreaker/search_options.hpp"
 
 namespace waybreaker::io {
 

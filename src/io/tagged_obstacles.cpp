@@ -17,8 +17,8 @@ constexpr std::string_view name_key = "name";
 
 bool is_called(const MapFile& map, ObstacleId id, const site::TagFilter& filter) {
     const auto fits = [&filter](const std::string& name) { return !name.empty() && filter.accepts(name); };
-    const site::Sections& sections = map.sections;
-    if (sections.empty() || sections.parts[id.value].empty()) return fits(std::string(map.name_of(id)));
+    const site::Sections& sections = map.annotations.sections;
+    if (sections.empty() || sections.parts[id.value].empty()) return fits(std::string(map.annotations.name_of(id)));
     return std::ranges::any_of(sections.parts[id.value],
                                [&](std::uint32_t structure) { return fits(sections.structures[structure].name); });
 }
@@ -35,7 +35,7 @@ std::vector<ObstacleId> called(const MapFile& map, const site::TagFilter& filter
 std::string values_of(const MapFile& map, const std::string& key) {
     constexpr std::size_t most = 8;
     std::vector<std::pair<std::size_t, std::string>> values;
-    for (const auto& [tag, obstacles] : map.tags) {
+    for (const auto& [tag, obstacles] : map.annotations.tags) {
         if (tag.starts_with(key + "=")) values.emplace_back(obstacles.size(), tag.substr(key.size() + 1));
     }
     std::ranges::stable_sort(values, std::ranges::greater(), &std::pair<std::size_t, std::string>::first);
@@ -51,7 +51,7 @@ InputError nothing_matches(const MapFile& map, const site::TagFilter& filter) {
         return InputError(what + "is called " + in_quotes(filter.text().substr(name_key.size() + 1)) +
                           "; a * stands for any text");
     }
-    if (map.tags.empty()) {
+    if (map.annotations.tags.empty()) {
         return InputError(what + "has tags such as " + in_quotes(filter.text()) +
                           ": maps that waybreaker import makes for a rover, truck or walker keep them");
     }
@@ -67,7 +67,7 @@ InputError nothing_matches(const MapFile& map, const site::TagFilter& filter) {
 std::vector<ObstacleId> tagged_obstacles(const MapFile& map, const site::TagFilter& filter) {
     if (filter.key == name_key) return called(map, filter);
     std::vector<ObstacleId> found;
-    for (const auto& [tag, obstacles] : map.tags) {
+    for (const auto& [tag, obstacles] : map.annotations.tags) {
         const std::size_t equals = tag.find('=');
         const bool fits =
             filter.key == "*" || (tag.compare(0, equals, filter.key) == 0 && filter.accepts(tag.substr(equals + 1)));

@@ -37,6 +37,12 @@ std::vector<double> read_weights(const std::string& path, const Map& map) {
     return weights;
 }
 
+std::vector<double> cell_weights(const Map& map) {
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.cells);
+    return weights;
+}
+
 std::vector<double> area_weights(const MapFile& map) {
     if (!map.has_metres()) {
         throw InputError(map.source +

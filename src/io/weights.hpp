@@ -1,4 +1,5 @@
-// What obstacles weigh, by a text file, one "ID WEIGHT" a line ("#" begins a comment), or by their area.
+// What obstacles weigh, by a text file, one "ID WEIGHT" a line ("#" begins a comment), by their cells, or by
+// their area.
 #pragma once
 
 #include <string>
@@ -13,6 +14,9 @@ namespace waybreaker::io {
 // naming file and line, on anything else, on ids the map does not have or that come twice, and on weights that are not
 // positive numbers.
 std::vector<double> read_weights(const std::string& path, const Map& map);
+
+// The same, of each its number of cells.
+std::vector<double> cell_weights(const Map& map);
 
 // The same, of each its area in square metres. Throws InputError if the map does not say how large a cell is.
 std::vector<double> area_weights(const MapFile& map);

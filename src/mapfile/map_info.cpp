@@ -18,11 +18,11 @@ MapSummary summarise(const Map& map) {
 }
 
 std::optional<GroundSummary> summarise_ground(const io::MapFile& file) {
-    if (file.kinds.empty()) return std::nullopt;
+    if (file.annotations.kinds.empty()) return std::nullopt;
     GroundSummary summary{.open = file.map.grid().cell_count()};
     for (const Obstacle& obstacle : file.map.obstacles()) {
         summary.open -= obstacle.cells;
-        switch (file.kinds[obstacle.id.value]) {
+        switch (file.annotations.kinds[obstacle.id.value]) {
             case site::ObstacleKind::water:
                 summary.water += obstacle.cells;
                 break;
@@ -41,7 +41,7 @@ std::optional<GroundSummary> summarise_ground(const io::MapFile& file) {
 
 std::map<std::string, std::size_t> protected_tags(const io::MapFile& file) {
     std::map<std::string, std::size_t> counts;
-    for (const auto& [tag, obstacles] : file.tags) {
+    for (const auto& [tag, obstacles] : file.annotations.tags) {
         const auto stays = [&](ObstacleId id) { return !file.map.obstacle(id).destructible; };
         const auto count = std::size_t(std::ranges::count_if(obstacles, stays));
         if (count > 0) counts.emplace(tag, count);
@@ -65,21 +65,22 @@ std::string map_info_json(const io::MapFile& file) {
     Json json{{"source", file.source},       {"format", file.format},       {"width", file.map.width()},
               {"height", file.map.height()}, {"cell_size", file.cell_size}, {"blocked", summary.blocked},
               {"density", summary.density}};
-    json["obstacles"] = {
-        {"count", file.map.obstacles().size()}, {"named", site::name_count(file.names)}, {"largest", nullptr}};
+    json["obstacles"] = {{"count", file.map.obstacles().size()},
+                         {"named", site::name_count(file.annotations.names)},
+                         {"largest", nullptr}};
     if (const Obstacle* largest = summary.largest) {
         json["obstacles"]["largest"] = {{"id", largest->id.value},
                                         {"source_id", largest->source_id},
-                                        {"name", file.name_of(largest->id)},
+                                        {"name", file.annotations.name_of(largest->id)},
                                         {"cells", largest->cells}};
     }
-    if (!file.sections.empty()) {
-        json["obstacles"]["sections"] = site::section_count(file.sections);
-        json["obstacles"]["structures"] = site::cut_structures(file.sections).size();
+    if (!file.annotations.sections.empty()) {
+        json["obstacles"]["sections"] = site::section_count(file.annotations.sections);
+        json["obstacles"]["structures"] = site::cut_structures(file.annotations.sections).size();
     }
-    if (!file.tags.empty()) {
+    if (!file.annotations.tags.empty()) {
         Json& tags = json["obstacles"]["tags"];
-        for (const auto& [tag, obstacles] : file.tags) tags[tag] = obstacles.size();
+        for (const auto& [tag, obstacles] : file.annotations.tags) tags[tag] = obstacles.size();
         json["obstacles"]["protected_tags"] = protected_tags(file);
     }
     json["ground"] = nullptr;
@@ -92,7 +93,7 @@ std::string map_info_json(const io::MapFile& file) {
                           {"forbidden", ground->forbidden}};
     }
     for (const std::string_view kind : site::background_kinds) json["background"][std::string(kind)] = 0;
-    for (const site::Background::Feature& feature : file.background.features) {
+    for (const site::Background::Feature& feature : file.annotations.background.features) {
         Json& count = json["background"][std::string(site::background_kinds[std::size_t(feature.kind)])];
         count = count.get<int>() + 1;
     }
@@ -110,8 +111,8 @@ std::string map_info_json(const io::MapFile& file) {
     }
     json["start"] = file.task ? cell(file.task->start) : Json();
     json["goal"] = file.task ? cell(file.task->goal) : Json();
-    json["title"] = file.title;
-    json["attribution"] = file.attribution;
+    json["title"] = file.annotations.title;
+    json["attribution"] = file.annotations.attribution;
     json["notes"] = file.notes;
     json["digest"] = file.digest;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -74,13 +74,7 @@ io::MapFile read_tiff(std::string_view bytes, const std::string& path, Connectiv
                      .cell_size = tiff.cell_size,
                      .georeference = std::move(tiff.georeference),
                      .origin = tiff.origin,
-                     .attribution = std::move(tiff.attribution),
-                     .title = std::move(tiff.title),
-                     .names = std::move(tiff.names),
-                     .background = std::move(tiff.background),
-                     .kinds = std::move(tiff.kinds),
-                     .tags = std::move(tiff.tags),
-                     .sections = std::move(tiff.sections),
+                     .annotations = std::move(tiff.annotations),
                      .notes = std::move(notes)};
     file.unknown = tagged_unknown_cells(file);
     return file;
@@ -91,8 +85,8 @@ io::MapFile read_xml(std::string& bytes, const std::string& path, Connectivity c
     release(bytes);
     require_at_most(limits.cells, xml.grid, path);
     io::MapFile file = labelled(std::move(xml.grid), connectivity, "authors' XML", limits);
-    file.cell_size = xml.task.cell_size;
-    file.title = xml.task.title;
+    file.cell_size = xml.cell_size;
+    file.annotations.title = std::move(xml.title);
     if (xml.task.smoothing) {
         file.notes.emplace_back("its <postsmoothing> is not heeded: paths stay as its planner finds them");
     }

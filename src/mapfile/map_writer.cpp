@@ -88,9 +88,10 @@ std::string lost_obstacles(const io::MapFile& file, bool to_ros) {
     const auto any = [&](auto holds) { return std::any_of(map.obstacles().begin(), map.obstacles().end(), holds); };
     if (any([](const Obstacle& o) { return o.source_id != 0; }))
         loss += (loss.empty() ? "" : ", ") + std::string("source ids");
-    if (!file.names.empty()) loss += (loss.empty() ? "" : ", ") + std::string("names");
-    if (!file.kinds.empty()) loss += (loss.empty() ? "" : ", ") + std::string("kinds");
-    if (file.tags.size() > file.tags.count(unknown_tag)) loss += (loss.empty() ? "" : ", ") + std::string("tags");
+    const site::Annotations& known = file.annotations;
+    if (!known.names.empty()) loss += (loss.empty() ? "" : ", ") + std::string("names");
+    if (!known.kinds.empty()) loss += (loss.empty() ? "" : ", ") + std::string("kinds");
+    if (known.tags.size() > known.tags.count(unknown_tag)) loss += (loss.empty() ? "" : ", ") + std::string("tags");
     if (any([](const Obstacle& o) { return o.weight != 1 || o.breach_time != 0; })) {
         loss += (loss.empty() ? "" : ", ") + std::string("what their removal costs");
     }
@@ -120,10 +121,12 @@ std::vector<std::string> losses_of(const io::MapFile& map, const Format& format)
          "that cells are unknown: they are written as they were taken, blocked or free");
     lose(format.mission || !map.task || !map.task->start, "start, goal and search options");
     lose(!map.task || map.task->agents.empty(), "the agents of a task for many");
-    lose(format.background || map.background.features.empty(),
+    const site::Annotations& known = map.annotations;
+    lose(format.background || known.background.features.empty(),
          "streets, water and what else lies around the obstacles");
-    lose(format.title || map.title.empty(), "the title");
-    lose(format.attribution || map.attribution.empty(), "the attribution, which must go with it: " + map.attribution);
+    lose(format.title || known.title.empty(), "the title");
+    lose(format.attribution || known.attribution.empty(),
+         "the attribution, which must go with it: " + known.attribution);
     return losses;
 }
 
@@ -164,31 +167,18 @@ std::vector<OutputFile> ros_files(const io::MapFile& map, const std::string& pat
     return {{image_path.string(), pgm_bytes(grid.width(), grid.height(), pixels)}, {path, ros_yaml_text(yaml)}};
 }
 
-io::MapTask task_of(const io::MapFile& map) {
-    io::MapTask task = map.task.value_or(io::MapTask{});
-    task.title = map.title;
-    task.cell_size = map.cell_size;
-    return task;
-}
-
 std::string bytes_of(const io::MapFile& map, std::string_view extension) {
     const Grid& grid = map.map.grid();
     if (extension == ".map") return movingai_bytes(grid);
     if (extension == ".geojson") return io::map_geojson(map, geotiff::lon_lat_of(map.georeference));
-    if (extension == ".xml") return authors::authors_xml_text(grid, task_of(map));
+    if (extension == ".xml") return authors::authors_xml_text(map);
     if (extension == ".png") return png_bytes(grid.width(), grid.height(), grey(grid, white));
     if (extension == ".pgm") return pgm_bytes(grid.width(), grid.height(), grey(grid, white));
     return geotiff::label_tiff_bytes({.map = map.map,
                                       .cell_size = map.cell_size,
                                       .georeference = map.georeference,
                                       .origin = map.origin,
-                                      .attribution = map.attribution,
-                                      .title = map.title,
-                                      .names = map.names,
-                                      .background = map.background,
-                                      .kinds = map.kinds,
-                                      .tags = tags_with_unknown(map),
-                                      .sections = map.sections});
+                                      .annotations = annotations_with_unknown(map)});
 }
 
 }  // namespace

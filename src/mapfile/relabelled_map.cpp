@@ -55,21 +55,17 @@ io::RosFiles opened(const io::RosFiles& files, const std::string& name, const Ma
     return result;
 }
 
-// Takes the map, and what is known of its obstacles.
 void describe(io::MapFile& file, site::DescribedMap&& described) {
     file.map = std::move(described.map);
-    file.names = std::move(described.names);
-    file.kinds = std::move(described.kinds);
-    file.tags = std::move(described.tags);
-    file.sections = std::move(described.sections);
+    file.annotations = std::move(described.annotations);
 }
 
 }  // namespace
 
 void relabel(io::MapFile& file, std::vector<std::uint32_t> labels) {
-    site::LabelLayer layer = site::label_layer(file.map, file.names, file.kinds, file.tags, file.sections);
+    site::LabelLayer layer = site::label_layer(file.map, file.annotations);
     layer.labels = std::move(labels);
-    describe(file, site::described(std::move(layer)));
+    describe(file, site::described(std::move(layer), std::move(file.annotations)));
 }
 
 io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleId> removed) {
@@ -87,11 +83,10 @@ io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleI
 }
 
 io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice) {
-    if (!file.sections.empty()) {
+    if (!file.annotations.sections.empty()) {
         throw InputError(file.source + ": is cut into sections already; give the map that it was made from");
     }
-    file.tags = tags_with_unknown(file);
-    describe(file, site::split(file.map, file.names, file.kinds, file.tags, lattice));
+    describe(file, site::split(file.map, annotations_with_unknown(file), lattice));
     file.digest.clear();
     file.ros.reset();  // its cells say nothing of sections
     return file;

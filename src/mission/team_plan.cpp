@@ -11,8 +11,8 @@
 #include "core/stopwatch.hpp"
 #include "mission/plan_status.hpp"
 #include "mission/team_hits.hpp"
-#include "plan/objective.hpp"
-#include "plan/timeline.hpp"
+#include "model/objective.hpp"
+#include "model/timeline.hpp"
 #include "team/team.hpp"
 
 namespace waybreaker {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "safe_interval/motion.hpp"
 #include "safe_interval/traffic.hpp"
 

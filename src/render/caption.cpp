@@ -44,7 +44,7 @@ std::string change(std::optional<double> before, std::optional<double> after) {
 std::string removals(const Map& map, const Plan& plan, const PictureOptions& options) {
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) removed.push_back(breach.obstacle);
-    const site::Demolition demolition = site::demolition(map, options.sections, removed);
+    const site::Demolition demolition = site::demolition(map, options.annotations.sections, removed);
     std::string text = site::removals_text(demolition);
     if (!options.metres || removed.empty()) return text;
     return text + ", " + site::area_text(double(demolition.cells) * (options.cell_size * options.cell_size));

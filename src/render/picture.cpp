@@ -63,8 +63,8 @@ struct Scene {
 
 std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
-    std::string out =
-        rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) + ground(scene.options.background, layout);
+    std::string out = rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) +
+                      ground(scene.options.annotations.background, layout);
     for (const Style style : {Style::water, Style::forbidden, Style::cliff, Style::obstacle, Style::barrier,
                               Style::fixed_obstacle, Style::removed}) {
         out += obstacle_sign(style, scene.outline(style), {layout.map.x, layout.map.y}, scene.raster_scale(),
@@ -352,11 +352,11 @@ std::size_t figure_rows(const Scene& scene) {
 std::string draw_title(const Scene& scene) {
     constexpr double bold_width = 0.68;  // of a bold letter's height
     const double room = (1000 - 2 * size::margin) / bold_width;
-    const std::size_t letters = letter_count(scene.options.title);
+    const std::size_t letters = letter_count(scene.options.annotations.title);
     const double height = std::clamp(room / double(std::max<std::size_t>(letters, 1)), size::text, size::title);
     return text({size::margin * scene.unit(), 44 * scene.unit()},
-                xml_text(scene.options.title, std::size_t(room / height)), height * scene.unit(), colour::ink,
-                Anchor::start, true);
+                xml_text(scene.options.annotations.title, std::size_t(room / height)), height * scene.unit(),
+                colour::ink, Anchor::start, true);
 }
 
 std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entries) {
@@ -369,8 +369,8 @@ std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entri
            text({left, 75 * unit}, headline(scene.map, scene.mission, scene.plan, scene.options), size::headline * unit,
                 colour::ink) +
            draw_scale_bar(scene) + draw_legend(scene, entries, footer) + draw_figures(scene, footer) +
-           text({left, layout.height - 14 * unit}, xml_text(scene.options.attribution, 110), size::small_text * unit,
-                colour::faded_ink);
+           text({left, layout.height - 14 * unit}, xml_text(scene.options.annotations.attribution, 110),
+                size::small_text * unit, colour::faded_ink);
 }
 
 }  // namespace
@@ -378,7 +378,7 @@ std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entri
 std::string svg(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
     validate(options);
     Scene scene = {map, mission, plan, options, lay_out(map, options, 0), {}};
-    const Sample sample(map, plan.breaches, scene.layout.sample_step, options.kinds);
+    const Sample sample(map, plan.breaches, scene.layout.sample_step, options.annotations.kinds);
     scene.outlines = outlines(sample.raster(), sample.styles());
     const std::vector<LegendEntry> entries = legend(scene);
     scene.layout = lay_out(map, options, std::max(figure_rows(scene), rows_of(entries)));
@@ -386,7 +386,7 @@ std::string svg(const Map& map, const Mission& mission, const Plan& plan, const 
     const std::string head = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:g}" height="{1:g}" viewBox="0 0 {0:g} {1:g}" role="img" font-family="DejaVu Sans, Verdana, Helvetica, sans-serif">)"
         "\n<title>{2}</title>\n<desc>{3}</desc>\n<defs>\n{4}</defs>\n",
-        layout.width, layout.height, xml_text(options.title, 200), headline(map, mission, plan, options),
+        layout.width, layout.height, xml_text(options.annotations.title, 200), headline(map, mission, plan, options),
         patterns(layout.unit, scene.raster_scale()));
     return head + rectangle({0, 0, layout.width, layout.height}, fmt::format(R"(fill="{}")", colour::paper)) +
            draw_obstacles(scene) + draw_paths(scene) + draw_marks(scene) + draw_words(scene, entries) + "</svg>\n";

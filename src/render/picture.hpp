@@ -1,13 +1,11 @@
 // The picture of a plan: map, obstacles, removed ones, both agents' paths before and after, legend, scale bar, caption.
 //
-//     save("plan.svg", render::svg(map, mission, plan, {.title = "Berlin_0_512.map"}));
+//     save("plan.svg", render::svg(map, mission, plan, {.annotations = {.title = "Berlin"}}));
 #pragma once
 
 #include <string>
 
-#include "site/background.hpp"
-#include "site/obstacle_kinds.hpp"
-#include "site/sections.hpp"
+#include "site/annotations.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
@@ -18,16 +16,14 @@ inline constexpr int least_width = 300;
 inline constexpr int most_width = 8000;
 
 struct PictureOptions {
-    int width = 1200;              // pixels, least_width to most_width; the height follows from the map
-    double cell_size = 1;          // metres a cell, > 0: lengths are multiplied by it
-    bool metres = false;           // what lengths are then called: metres, or cells
-    bool seconds = false;          // a unit of the mission's time is a second
-    std::string title = {};        // first line; any bytes
-    std::string attribution = {};  // small print, e.g. "© OpenStreetMap contributors, ODbL 1.0"; any bytes
+    int width = 1200;                           // pixels, least_width to most_width; the height follows from the map
+    double cell_size = 1;                       // metres a cell, > 0: lengths are multiplied by it
+    bool metres = false;                        // what lengths are then called: metres, or cells
+    bool seconds = false;                       // a unit of the mission's time is a second
     Objective objective = Objective::makespan;  // what the plan's bound is one of
-    site::Background background = {};           // drawn beneath the obstacles
-    site::ObstacleKinds kinds = {};             // water is drawn as such
-    site::Sections sections = {};               // what is removed is called by them
+    // The title is the first line, the attribution small print; the background is drawn beneath the obstacles, water as
+    // such; what is removed is called by its sections.
+    site::Annotations annotations = {};
 };
 
 // An SVG document. Obstacles are outlines; those of maps with cells smaller than half a pixel are drawn coarser, so

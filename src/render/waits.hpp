@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker::render {
 

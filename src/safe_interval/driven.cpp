@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker::safe_interval {
 

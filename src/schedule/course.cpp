@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker {
 

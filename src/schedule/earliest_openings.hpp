@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 

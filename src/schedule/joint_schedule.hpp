@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "waybreaker/schedule.hpp"
 
 namespace waybreaker {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "flight/target.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 
 namespace waybreaker {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 
 namespace waybreaker {
 

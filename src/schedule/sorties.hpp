@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "flight/target.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "schedule/precedence.hpp"
 
 namespace waybreaker {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/range.hpp"
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "schedule/tour_times.hpp"
 #include "waybreaker/error.hpp"
 

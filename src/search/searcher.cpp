@@ -1,5 +1,4 @@
 // Puts a search together from its parts, as the options say.
-#include "core/range.hpp"
 #include "search/best_first.hpp"
 #include "search/jump_steps.hpp"
 #include "search/observers.hpp"
@@ -20,13 +19,6 @@ Searcher::Searcher() : memory_(std::make_unique<Memory>()) {}
 Searcher::~Searcher() = default;
 Searcher::Searcher(Searcher&&) noexcept = default;
 Searcher& Searcher::operator=(Searcher&&) noexcept = default;
-
-Heuristic heuristic_of(const SearchOptions& options) {
-    if (options.planner == Planner::dijkstra || options.planner == Planner::bfs) return Heuristic::zero;
-    if (options.heuristic) return *options.heuristic;
-    if (options.planner == Planner::theta || options.planner == Planner::lazy_theta) return Heuristic::euclidean;
-    return options.diagonal ? Heuristic::octile : Heuristic::manhattan;
-}
 
 namespace {
 
@@ -92,28 +84,6 @@ struct Assembly {
 };
 
 }  // namespace
-
-bool can_drive_optimally(const Body& body, bool diagonal) {
-    return diagonal && body.corners == Corners::none;
-}
-
-void validate(const SearchOptions& options) {
-    require_enumerator(options.planner, Planner::optimal, "the planner");
-    if (options.heuristic) require_enumerator(*options.heuristic, Heuristic::zero, "the heuristic");
-    require_enumerator(options.tie_break, TieBreak::g_min, "the tie-break");
-    require_range(options.weight, 1, most_heuristic_weight, "the heuristic's weight");
-    if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
-    validate(options.body);
-    if (options.planner == Planner::optimal) {
-        if (can_drive_optimally(options.body, options.diagonal)) return;
-        throw InputError(
-            "the optimal planner drives an agent that passes no blocked corner by eight moves: use theta for others");
-    }
-    if (options.planner != Planner::jps) return;
-    if (!options.diagonal) throw InputError("jps needs eight neighbours: use astar for four");
-    if (is_wide(options.body))
-        throw InputError("jps plans for a radius of at most 0.5: use astar or theta for larger agents");
-}
 
 SearchResult Searcher::find(const OpenedMap& map, Cell start, Cell goal, const SearchOptions& options) {
     validate(options);

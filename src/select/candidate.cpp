@@ -5,7 +5,7 @@
 #include "core/stopwatch.hpp"
 #include "drive/shortened.hpp"
 #include "map/line_of_sight.hpp"
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/stopwatch.hpp"
 #include "drive/punctual.hpp"
 #include "drive/shortened.hpp"
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "select/bound.hpp"
 #include "select/tuning.hpp"
 

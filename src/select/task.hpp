@@ -9,7 +9,7 @@
 
 #include "core/stopwatch.hpp"
 #include "drive/opening.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "waybreaker/method.hpp"
 
 namespace waybreaker {

@@ -37,7 +37,7 @@ using Json = nlohmann::ordered_json;
 
 // A validated mission; `reweighted` is a copy of the map, if the request sets weights of obstacles.
 struct PreparedMission {
-    io::MissionDocument document;
+    io::MissionDocument asked;
     std::optional<io::MapFile> reweighted;
 };
 
@@ -45,7 +45,7 @@ struct PreparedMission {
 class TimeBudget {
   public:
     TimeBudget(const Task& task, const http::Worker& worker)
-        : seconds_(std::min(task.request.options.limits.seconds, task.seconds)) {
+        : seconds_(std::min(task.request.options.asked.limits.seconds, task.seconds)) {
         worker.set_time_limit(seconds_);
     }
 
@@ -68,16 +68,17 @@ const io::MapFile& map_of(const Task& task, const PreparedMission& prepared) {
 PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const http::Worker& worker,
                         double seconds) try {
     const io::MapFile& file = task.map->file;
-    PreparedMission prepared{document_of(task.request.mission, wanted, file), {}};
-    if (const auto weights = weights_of(wanted, file)) {
+    MissionOnMap made = on_map(task.request.mission, wanted, file);
+    PreparedMission prepared{std::move(made.asked), {}};
+    if (made.reweighted) {
         prepared.reweighted = file;
-        prepared.reweighted->map = file.map.with_weights(*weights);
+        prepared.reweighted->map = std::move(*made.reweighted);
     }
-    Limits& limits = prepared.document.limits;
+    Limits& limits = prepared.asked.limits;
     limits.stop = worker.stop;
     limits.progress = task.report;
     limits.seconds = std::min(limits.seconds, seconds);
-    validate(map_of(task, prepared).map, prepared.document.mission, prepared.document.method, limits);
+    validate(map_of(task, prepared).map, prepared.asked.mission, prepared.asked.method, limits);
     return prepared;
 } catch (const InputError& error) {
     throw http::Problem(http::unprocessable, error.what(), "mission-unfit");
@@ -85,19 +86,16 @@ PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const ht
 
 io::PlanContext context_of(const Task& task, const PreparedMission& prepared, std::span<const Plan> front = {}) {
     return {.map = map_of(task, prepared),
-            .mission = prepared.document.mission,
-            .method = prepared.document.method,
+            .asked = prepared.asked,
             .connectivity = task.map->connectivity,
             .timing_fields = task.request.timing_fields,
-            .front = front,
-            .area_budget = prepared.document.area_budget,
-            .in_seconds = prepared.document.in_seconds};
+            .front = front};
 }
 
 std::string plan_text(const Task& task, const OptionsRequest& wanted, const http::Worker& worker,
                       PlannerPool::Loan& planner, double seconds) {
     const PreparedMission prepared = prepare(task, wanted, worker, seconds);
-    const io::MissionDocument& asked = prepared.document;
+    const io::MissionDocument& asked = prepared.asked;
     const Plan plan = planner.plan(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
     return io::plan_json(plan, context_of(task, prepared));
 }
@@ -105,10 +103,10 @@ std::string plan_text(const Task& task, const OptionsRequest& wanted, const http
 // The default comparison: no removals, the paper's method, the exact method.
 std::vector<Variant> usual_variants(const OptionsRequest& common) {
     Variant none{"none", common};
-    none.options.rules.removals = 0;
-    none.options.rules.force.clear();
+    none.options.asked.mission.rules.removals = 0;
+    none.options.asked.mission.rules.force.clear();
     Variant paper{"paper", common};
-    follow_paper(paper.options.rules, paper.options.method);
+    follow_paper(paper.options.asked.mission.rules, paper.options.asked.method);
     paper.options.planner_given = true;
     return {std::move(none), std::move(paper), Variant{"exact", common}};
 }
@@ -160,12 +158,12 @@ const std::map<std::string, std::string> export_types{{"json", json_type},
 
 std::string export_body(const io::MapFile& file, const io::PlanFile& plan, const std::string& bytes,
                         const std::string& format) {
-    const io::ExportUnits units{.in_seconds = plan.in_seconds, .crs = mapfile::frame_crs(file)};
+    const io::ExportUnits units{.in_seconds = plan.asked.in_seconds, .crs = mapfile::frame_crs(file)};
     if (format == "geojson") return io::plan_geojson(plan.plan, file, geotiff::lon_lat_of(file.georeference), units);
     if (format == "csv") return io::plan_csv(plan.plan, file, geotiff::lon_lat_of(file.georeference), units);
     if (format == "ros-path") return io::plan_ros_path(plan.plan, file);
     if (format == "xml")
-        return authors::plan_xml(plan.plan, file, search_options(plan.method, plan.mission.ground_body()));
+        return authors::plan_xml(plan.plan, file, search_options(plan.asked.method, plan.asked.mission.ground_body()));
     if (format == "svg") return drawn(file, plan);
     if (format == "png") return raster::png_of(drawn(file, plan));
     if (format == "html") return studio::plan_html(file, std::array{studio::NamedPlan{"plan", bytes}});
@@ -204,7 +202,7 @@ std::string plan_answer(const Task& task, const http::Worker& worker) {
 
 std::string front_answer(const Task& task, const http::Worker& worker) {
     PreparedMission prepared = prepare(task, task.request.options, worker, TimeBudget(task, worker).share(1));
-    io::MissionDocument& asked = prepared.document;
+    io::MissionDocument& asked = prepared.asked;
     PlannerPool::Loan planner = task.planners.borrow(task.map);
     const std::vector<Plan> plans =
         planner.front(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);

@@ -64,7 +64,7 @@ bool are_connected_sets(const io::MapFile& file, Connectivity connectivity) {
         return obstacle.destructible && obstacle.source_id == 0 && obstacle.weight == 1 && obstacle.breach_time == 0;
     };
     const auto obstacles = map.obstacles();
-    if (!file.names.empty() || !std::all_of(obstacles.begin(), obstacles.end(), plain)) return false;
+    if (!file.annotations.names.empty() || !std::all_of(obstacles.begin(), obstacles.end(), plain)) return false;
     const Map seen(Grid(map.grid()), connectivity);
     return std::equal(seen.labels().begin(), seen.labels().end(), map.labels().begin());
 }
@@ -122,8 +122,8 @@ StoredMap edited_map(const StoredMap& map, const MapEdits& edits, const MapLimit
     io::MapFile file = mapfile::parse_map(bytes, "the map", map.connectivity, {}, limits);
     file.task = map.file.task;
     file.origin = map.file.origin;
-    file.title = map.file.title;
-    file.attribution = map.file.attribution;
+    file.annotations.title = map.file.annotations.title;
+    file.annotations.attribution = map.file.annotations.attribution;
     return {.file = std::move(file), .connectivity = map.connectivity, .bytes = std::move(bytes)};
 }
 

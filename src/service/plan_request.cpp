@@ -5,8 +5,8 @@
 #include <set>
 
 #include "io/json_field.hpp"
+#include "io/mission_json.hpp"
 #include "io/option_words.hpp"
-#include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "waybreaker/error.hpp"
 
@@ -33,9 +33,9 @@ void set_truth(const JsonField& object, const char* key, bool& target) {
     if (const auto field = object.find(key)) target = field->truth();
 }
 
-MissionRequest short_mission(const JsonField& field) {
+ShortMission short_mission(const JsonField& field) {
     field.allow({"start", "goal", "air_start", "air_goal", "ground_speed", "air_speed", "time_unit"});
-    MissionRequest result;
+    ShortMission result;
     result.start = cell_if(field.find("start"));
     result.goal = cell_if(field.find("goal"));
     result.air_start = cell_if(field.find("air_start"));
@@ -63,7 +63,7 @@ void set_paper(const JsonField& field, OptionsRequest& result) {
     bool paper = false;
     set_truth(field, "paper", paper);
     if (!paper) return;
-    follow_paper(result.rules, result.method);
+    follow_paper(result.asked.mission.rules, result.asked.method);
     result.planner_given = true;
 }
 
@@ -99,7 +99,7 @@ OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
                  "moves",
                  "minimise_demolition"});
     if (const auto removals = field.find("removals")) {
-        result.rules.removals = int(removals->whole_number(0, most_removals));
+        result.asked.mission.rules.removals = int(removals->whole_number(0, most_removals));
         result.removals_given = true;
     }
     set_paper(field, result);
@@ -110,14 +110,15 @@ OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
         result.budget_given = true;
     }
     if (const auto weights = field.find("weights")) set_weights(*weights, result);
-    if (const auto limit = field.find("time_limit")) result.limits.seconds = positive(*limit);
-    if (const auto gap = field.find("gap")) result.limits.gap = io::read_share(*gap);
-    io::read_rules(field, result.rules, result.area_budget, result.protect_tags);
-    io::read_method(field, result.method);
+    if (const auto limit = field.find("time_limit")) result.asked.limits.seconds = positive(*limit);
+    if (const auto gap = field.find("gap")) result.asked.limits.gap = io::read_share(*gap);
+    io::read_rules(field, result.asked);
+    io::read_method(field, result.asked.method);
     result.planner_given = result.planner_given || field.find("planner");
     // What only a search from cell to cell knows asks for one; a mission file names its planner itself.
     const bool asks = field.find("heuristic") || field.find("weight") || field.find("tie_break");
-    if (asks && !result.planner_given && has_search_words(result.method)) result.method.planner = Planner::theta;
+    Method& method = result.asked.method;
+    if (asks && !result.planner_given && has_search_words(method)) method.planner = Planner::theta;
     if (const auto radius = field.find("radius")) result.radius = io::read_not_negative(*radius);
     if (const auto corners = field.find("corners")) result.corners = corners->one_of(io::corner_words);
     return result;
@@ -125,18 +126,13 @@ OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
 
 // A mission file inside a request, or as one.
 void set_document(const JsonField& field, PlanRequest& request) {
-    io::MissionDocument document = io::read_mission(field);
-    if (document.mission.rules.removals > most_removals) {
+    io::MissionDocument& asked = request.options.asked;
+    asked = io::read_mission(field);
+    asked.map.clear();  // it is for the map that the request is sent to
+    if (asked.mission.rules.removals > most_removals) {
         field["rules"]["removals"].fail("is above " + std::to_string(most_removals));
     }
-    request.mission.agents = std::move(document.mission.agents);
-    request.options.rules = std::move(document.mission.rules);
     request.options.removals_given = true;
-    request.options.area_budget = document.area_budget;
-    request.options.in_seconds = document.in_seconds;
-    request.options.protect_tags = std::move(document.protect_tags);
-    request.options.method = document.method;
-    request.options.limits = document.limits;
 }
 
 std::vector<Variant> variants(const JsonField& field, const OptionsRequest& common) {
@@ -151,8 +147,7 @@ std::vector<Variant> variants(const JsonField& field, const OptionsRequest& comm
     return result;
 }
 
-std::vector<Agent> agents_of(const MissionRequest& request, const io::MapFile& map) {
-    if (!request.agents.empty()) return request.agents;
+std::vector<Agent> agents_of(const ShortMission& request, const io::MapFile& map) {
     const auto place = [&map](const std::optional<Cell>& given, std::optional<Cell> io::MapTask::*in_file,
                               const std::string& member) {
         if (given) return *given;
@@ -174,6 +169,24 @@ std::vector<Agent> agents_of(const MissionRequest& request, const io::MapFile& m
     return agents;
 }
 
+// Weights of obstacles by id, if the request sets any.
+std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const Map& map) {
+    if (!request.weights_of_cells && request.weights.empty()) return std::nullopt;
+    if (request.asked.area_budget) {
+        throw InputError("budget_m2 weighs obstacles by their area, which weights contradict");
+    }
+    if (request.weights_of_cells) return io::cell_weights(map);
+    std::vector<double> weights{0};
+    for (const Obstacle& obstacle : map.obstacles()) weights.push_back(obstacle.weight);
+    for (const auto& [obstacle, weight] : request.weights) {
+        if (obstacle.value >= weights.size()) {
+            throw InputError("there is no obstacle " + std::to_string(obstacle.value) + " to weigh");
+        }
+        weights[obstacle.value] = weight;
+    }
+    return weights;
+}
+
 }  // namespace
 
 PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) {
@@ -192,7 +205,7 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) 
         } else {
             request.mission = short_mission(*field);
             if (const auto unit = field->find("time_unit")) {
-                request.options.in_seconds = unit->one_of<bool>({{"s", true}});
+                request.options.asked.in_seconds = unit->one_of<bool>({{"s", true}});
             }
         }
     }
@@ -202,52 +215,29 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) 
     return request;
 }
 
-io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map) {
-    io::MissionDocument result{{agents_of(mission, map), options.rules},
-                               options.method,
-                               options.limits,
-                               options.area_budget,
-                               options.in_seconds};
-    Rules& rules = result.mission.rules;
-    io::protect_tagged(map, options.protect_tags, rules);
-    if (options.budget_given && !options.removals_given)
-        rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
+MissionOnMap on_map(const ShortMission& mission, const OptionsRequest& options, const io::MapFile& map) {
+    MissionOnMap result{.asked = options.asked, .reweighted = {}};
+    io::MissionDocument& asked = result.asked;
+    if (asked.mission.agents.empty()) asked.mission.agents = agents_of(mission, map);
+    if (options.budget_given && !options.removals_given) {
+        asked.mission.rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
+    }
     waybreaker::Body body;
-    for (Agent& agent : result.mission.agents) {
+    for (Agent& agent : asked.mission.agents) {
         if (agent.kind == AgentKind::air) continue;
         agent.body.radius = options.radius.value_or(agent.body.radius);
         agent.body.corners = options.corners.value_or(agent.body.corners);
         body = agent.body;
     }
-    Method& method = result.method;
+    Method& method = asked.method;
     const Planner planner = planner_of(method, body);
     if (options.planner_given && method.planner == Planner::optimal && planner != Planner::optimal) {
         throw InputError(
             "the planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits");
     }
     method.planner = planner;
+    result.reweighted = io::resolve(asked, map, weights_of(options, map.map));
     return result;
-}
-
-std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const io::MapFile& file) {
-    const bool weighed = request.weights_of_cells || !request.weights.empty();
-    if (request.area_budget && weighed) {
-        throw InputError("budget_m2 weighs obstacles by their area, which weights contradict");
-    }
-    if (request.area_budget) return io::area_weights(file);
-    if (!weighed) return std::nullopt;
-    const Map& map = file.map;
-    std::vector<double> weights{0};
-    for (const Obstacle& obstacle : map.obstacles()) {
-        weights.push_back(request.weights_of_cells ? obstacle.cells : obstacle.weight);
-    }
-    for (const auto& [obstacle, weight] : request.weights) {
-        if (obstacle.value >= weights.size()) {
-            throw InputError("there is no obstacle " + std::to_string(obstacle.value) + " to weigh");
-        }
-        weights[obstacle.value] = weight;
-    }
-    return weights;
 }
 
 }  // namespace waybreaker::service

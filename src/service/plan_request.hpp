@@ -13,17 +13,15 @@
 #include <vector>
 
 #include "io/map_file.hpp"
-#include "io/mission_json.hpp"
-#include "waybreaker/method.hpp"
+#include "io/mission_document.hpp"
 
 namespace waybreaker::service {
 
 // Largest request that is parsed.
 inline constexpr std::size_t max_request_bytes = std::size_t{1} << 20;
 
-// The agents of a mission file, or the short form.
-struct MissionRequest {
-    std::vector<Agent> agents;  // empty: the short form below
+// A mission in short.
+struct ShortMission {
     std::optional<Cell> start;  // default: as in the map file
     std::optional<Cell> goal;
     std::optional<Cell> air_start;  // default: the ground agent's
@@ -33,9 +31,7 @@ struct MissionRequest {
 };
 
 struct OptionsRequest {
-    Rules rules;
-    Method method;
-    Limits limits;
+    io::MissionDocument asked;     // without agents where the mission is one in short
     std::optional<double> radius;  // of the ground agent; default: as in the mission
     std::optional<Corners> corners;
     bool planner_given = false;
@@ -43,12 +39,9 @@ struct OptionsRequest {
         ObstacleId obstacle;
         double weight = 1;
     };
-    std::vector<Weight> weights;                // of some obstacles; others keep the map's
-    bool weights_of_cells = false;              // weight = number of cells
-    bool area_budget = false;                   // weight = area, in square metres
-    bool in_seconds = false;                    // a unit of time is a second
-    std::vector<site::TagFilter> protect_tags;  // beside rules.protect
-    bool budget_given = false;                  // replaces the number of removals unless that is given too
+    std::vector<Weight> weights;    // of some obstacles; others keep the map's
+    bool weights_of_cells = false;  // weight = number of cells
+    bool budget_given = false;      // replaces the number of removals unless that is given too
     bool removals_given = false;
 };
 
@@ -59,7 +52,7 @@ struct Variant {
 };
 
 struct PlanRequest {
-    MissionRequest mission;
+    ShortMission mission;
     OptionsRequest options;
     std::vector<Variant> variants;  // their options default to those of the request
     bool timing_fields = true;      // false: no measured seconds in the response
@@ -68,9 +61,13 @@ struct PlanRequest {
 // Throws InputError that says where and what is wrong; `name` is what errors call the input.
 PlanRequest parse_plan_request(std::string_view bytes, const std::string& name = "request");
 
-// The mission on a map. Throws InputError if it does not fit the map.
-io::MissionDocument document_of(const MissionRequest& mission, const OptionsRequest& options, const io::MapFile& map);
-// Weights of obstacles by id, if the request sets any. Throws InputError if they do not fit the map, or its budget.
-std::optional<std::vector<double>> weights_of(const OptionsRequest& request, const io::MapFile& file);
+// A mission on its map.
+struct MissionOnMap {
+    io::MissionDocument asked;
+    std::optional<Map> reweighted;  // the map to plan on, if the request says what obstacles weigh
+};
+
+// Throws InputError if the mission, or what obstacles weigh, does not fit the map, or each other.
+MissionOnMap on_map(const ShortMission& mission, const OptionsRequest& options, const io::MapFile& map);
 
 }  // namespace waybreaker::service

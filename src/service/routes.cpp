@@ -70,7 +70,7 @@ const std::string& edition() {
 std::string tag_of(const StoredMap& map, const std::string& part) {
     return http::entity_tag(
         mapfile::sha256_digest(fmt::format("{} {} {} {} {} {}", map.file.digest, int(map.connectivity), part, edition(),
-                                           map.file.title, map.file.attribution)));
+                                           map.file.annotations.title, map.file.annotations.attribution)));
 }
 
 // A response that clients can cache and revalidate.
@@ -183,7 +183,7 @@ Route obstacles_route(MapStore& store) {
 Route background_route(MapStore& store) {
     const auto handle = [&store](const Call& call) -> Answer {
         return tagged(call, store, "background", [encodings = accepted_encodings(call)](const SharedMap& map) {
-            return compressible_response(encodings, io::background_json(map->file.background));
+            return compressible_response(encodings, io::background_json(map->file.annotations.background));
         });
     };
     return {"GET", "/api/v1/maps/{id}/background", http::BodyType::none, false, handle};

@@ -1,13 +1,10 @@
-// A map with what is known of its obstacles.
+// A map with its annotations, and as a layer of labels.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "site/obstacle_kinds.hpp"
-#include "site/obstacle_names.hpp"
-#include "site/obstacle_tags.hpp"
-#include "site/sections.hpp"
+#include "site/annotations.hpp"
 #include "waybreaker/map.hpp"
 
 namespace waybreaker::site {
@@ -27,17 +24,14 @@ struct LabelLayer {
 
 struct DescribedMap {
     Map map;
-    ObstacleNames names = {};
-    ObstacleKinds kinds = {};
-    ObstacleTags tags = {};
-    Sections sections = {};
+    Annotations annotations = {};
 };
 
-// The map of a label layer: what is known of a label is known of its obstacle. Throws as Map::from_labels.
-DescribedMap described(LabelLayer layer);
+// The map of a label layer: what is known of a label is known of its obstacle, whatever `annotations` say of obstacles;
+// of these the rest is kept. Throws as Map::from_labels.
+DescribedMap described(LabelLayer layer, Annotations annotations = {});
 
-// The label layer of a map of which that is known; its labels are the obstacles' ids.
-LabelLayer label_layer(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const ObstacleTags& tags,
-                       const Sections& sections = {});
+// The label layer of a map; its labels are the obstacles' ids.
+LabelLayer label_layer(const Map& map, const Annotations& annotations);
 
 }  // namespace waybreaker::site

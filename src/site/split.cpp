@@ -159,44 +159,42 @@ ObstacleAttributes attributes_of(const Map& map, std::span<const Part> parts, bo
 }
 
 // All names, each once.
-std::string name_of(const ObstacleNames& names, std::span<const Part> parts) {
-    std::vector<std::string> called;
+std::string name_of(const Annotations& annotations, std::span<const Part> parts) {
+    std::vector<std::string_view> called;
     for (const Part& part : parts) {
-        const std::string& name = names.empty() ? std::string() : names[part.of.value];
+        const std::string_view name = annotations.name_of(part.of);
         if (!name.empty() && std::find(called.begin(), called.end(), name) == called.end()) called.push_back(name);
     }
     std::string text;
-    for (const std::string& name : called) text += (text.empty() ? "" : ", ") + name;
+    for (const std::string_view name : called) text.append(text.empty() ? "" : ", ").append(name);
     return text;
 }
 
 // Makes structures of what is destructible; gives their positions, by obstacle id.
-std::vector<std::uint32_t> append_structures(const Map& map, const ObstacleKinds& kinds, LabelLayer& layer) {
+std::vector<std::uint32_t> append_structures(const Map& map, const Annotations& annotations, LabelLayer& layer) {
     std::vector<std::uint32_t> positions(map.obstacles().size() + 1, 0);
     for (const Obstacle& o : map.obstacles()) {
         if (!o.destructible) continue;
         positions[o.id.value] = std::uint32_t(layer.structures.size());
-        const auto name = layer.names.find(o.id.value);
         layer.structures.push_back(
-            {kind_of(kinds, o.id), o.source_id, name == layer.names.end() ? std::string() : name->second});
+            {kind_of(annotations.kinds, o.id), o.source_id, std::string(annotations.name_of(o.id))});
     }
     return positions;
 }
 
 }  // namespace
 
-DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const ObstacleTags& tags,
-                   const Lattice& lattice) {
+DescribedMap split(const Map& map, const Annotations& annotations, const Lattice& lattice) {
     if (lattice.side < 1) throw InputError("a section needs a side of at least one cell");
     const Squares squares(map, {std::min(lattice.side, max_side), lattice.origin});
     const std::vector<std::uint32_t> goes_to = joined(map, squares);
     const std::vector<Part> parts = parts_of(map, squares, goes_to);
     const bool weighed = std::any_of(map.obstacles().begin(), map.obstacles().end(),
                                      [](const Obstacle& o) { return o.destructible && o.weight != 1; });
-    LabelLayer layer = label_layer(map, names, kinds, tags);
+    LabelLayer layer = label_layer(map, annotations);
     const LabelTags tags_of_whole = layer.tags;
     const auto tags_of = by_label(tags_of_whole);
-    const std::vector<std::uint32_t> structures = append_structures(map, kinds, layer);
+    const std::vector<std::uint32_t> structures = append_structures(map, annotations, layer);
     std::vector<std::uint32_t> label_of(squares.count(), 0);
     for (auto first = parts.begin(); first != parts.end();) {
         const auto end =
@@ -205,8 +203,10 @@ DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKin
         const auto label = std::uint32_t(layer.attributes.size());
         label_of[first->square] = label;
         layer.attributes.push_back(attributes_of(map, section, weighed));
-        if (std::string name = name_of(names, section); !name.empty()) layer.names.emplace(label, std::move(name));
-        if (!kinds.empty()) layer.kinds.emplace(label, kind_of(kinds, first->of));
+        if (std::string name = name_of(annotations, section); !name.empty()) {
+            layer.names.emplace(label, std::move(name));
+        }
+        if (!annotations.kinds.empty()) layer.kinds.emplace(label, kind_of(annotations.kinds, first->of));
         std::vector<std::uint32_t>& of = layer.parts[label];
         for (const Part& part : section) {
             of.push_back(structures[part.of.value]);
@@ -223,7 +223,7 @@ DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKin
             if (is_destructible(map, c)) *cell = label_of[goes_to[squares.at(c)]];
         }
     }
-    return described(std::move(layer));
+    return described(std::move(layer), annotations);
 }
 
 }  // namespace waybreaker::site

@@ -15,8 +15,7 @@ namespace waybreaker::site {
 // any case, go to the sections of a structure by their share of its cells, and add up. It has the tags of all.
 //
 // Time O(cells + s log s), s being the parts that the lattice cuts structures into. Throws InputError if the side is
-// below 1.
-DescribedMap split(const Map& map, const ObstacleNames& names, const ObstacleKinds& kinds, const ObstacleTags& tags,
-                   const Lattice& lattice);
+// below 1. REQUIRES: the map has no sections yet.
+DescribedMap split(const Map& map, const Annotations& annotations, const Lattice& lattice);
 
 }  // namespace waybreaker::site

@@ -17,8 +17,8 @@ std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, 
     auto description = Json::parse(mapfile::map_info_json(map));
     description["id"] = map.source;
     std::string data = "{\"map\": " + description.dump() + ",\"obstacles\": " + io::obstacles_json(map) +
-                       ",\"background\": " + io::background_json(map.background) + ",\n\"plans\": [";
-    StillPlan still{.title = "Plan: " + (map.title.empty() ? map.source : map.title)};
+                       ",\"background\": " + io::background_json(map.annotations.background) + ",\n\"plans\": [";
+    StillPlan still{.title = "Plan: " + map.name()};
     for (const NamedPlan& plan : plans) {
         const io::PlanFile file = io::parse_plan(plan.json, "the plan");
         if (data.back() == '[') {

@@ -3,32 +3,23 @@
 #include "render/caption.hpp"
 
 namespace waybreaker::studio {
-namespace {
 
-render::PictureOptions options_of(const io::MapFile& map, const io::PlanFile& plan) {
-    return picture_options(map, plan.mission.rules.objective, plan.in_seconds);
-}
-
-}  // namespace
-
-render::PictureOptions picture_options(const io::MapFile& map, Objective objective, bool in_seconds) {
-    return {.cell_size = map.cell_size,
-            .metres = map.has_metres(),
-            .seconds = in_seconds,
-            .title = map.title.empty() ? map.source : map.title,
-            .attribution = map.attribution,
-            .objective = objective,
-            .background = map.background,
-            .kinds = map.kinds,
-            .sections = map.sections};
+render::PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked) {
+    render::PictureOptions options{.cell_size = map.cell_size,
+                                   .metres = map.has_metres(),
+                                   .seconds = asked.in_seconds,
+                                   .objective = asked.mission.rules.objective,
+                                   .annotations = map.annotations};
+    options.annotations.title = map.name();
+    return options;
 }
 
 std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan) {
-    return render::svg(map.map, plan.mission, plan.plan, options_of(map, plan));
+    return render::svg(map.map, plan.asked.mission, plan.plan, picture_options(map, plan.asked));
 }
 
 std::string plan_sentence(const io::MapFile& map, const io::PlanFile& plan) {
-    return render::headline(map.map, plan.mission, plan.plan, options_of(map, plan));
+    return render::headline(map.map, plan.asked.mission, plan.plan, picture_options(map, plan.asked));
 }
 
 }  // namespace waybreaker::studio

@@ -9,8 +9,8 @@
 
 namespace waybreaker::studio {
 
-// How a plan on this map is drawn. `in_seconds`: a unit of the mission's time is a second.
-render::PictureOptions picture_options(const io::MapFile& map, Objective objective, bool in_seconds);
+// How a plan on this map is drawn.
+render::PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked);
 
 // An SVG document.
 std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "safe_interval/driven.hpp"
 #include "safe_interval/traffic.hpp"
 #include "team/tuning.hpp"

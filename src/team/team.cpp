@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "drive/centres.hpp"
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 #include "team/in_lockstep.hpp"
 #include "team/neighbourhoods.hpp"
 #include "team/tuning.hpp"

@@ -178,6 +178,15 @@ TEST(Layout, EveryFolderOfTheTableExists) {
     }
 }
 
+// Who reads missions and writes plans and pictures need not link what plans them.
+TEST(Layout, DocumentsPicturesAndTheCheckerDoNotUseThePlanner) {
+    for (const char* folder : {"io", "render", "check"}) {
+        for (const char* planning : {"search", "crossing", "flight", "schedule", "select", "coalition", "mission"}) {
+            EXPECT_FALSE(rules().may_use.at(folder).contains(planning)) << folder << " may use " << planning;
+        }
+    }
+}
+
 TEST(Layout, FilesCanBeReadInOneSitting) {
     for_each_file({"src", "apps", "include", "tests", "fuzz", "bench", "examples", "cmake", "scripts"},
                   [](const fs::path& path, const std::string& text) {

@@ -35,16 +35,17 @@ TEST(AuthorsXml, HoldsGridStartGoalAndTitle) {
     EXPECT_EQ(xml.grid.height(), 2);
     for (const Cell c : {Cell{0, 0}, {1, 0}, {0, 1}, {2, 1}}) EXPECT_FALSE(xml.grid.blocked(c));
     for (const Cell c : {Cell{2, 0}, {1, 1}}) EXPECT_TRUE(xml.grid.blocked(c));
-    EXPECT_EQ(xml.task.title, "Moscow & more");
-    EXPECT_EQ(xml.task.cell_size, 5);
+    EXPECT_EQ(xml.title, "Moscow & more");
+    EXPECT_EQ(xml.cell_size, 5);
     EXPECT_EQ(xml.task.start, (Cell{0, 1}));
     EXPECT_EQ(xml.task.goal, (Cell{2, 1}));
 }
 
 TEST(AuthorsXml, NeedsNothingButItsGrid) {
-    const io::MapTask plain = read(task()).task;
+    const AuthorsXml xml = read(task());
+    EXPECT_EQ(xml.cell_size, 1);
+    const io::MapTask& plain = xml.task;
     EXPECT_FALSE(plain.start || plain.goal);
-    EXPECT_EQ(plain.cell_size, 1);
     EXPECT_EQ(plain.search.planner, Planner::theta);
     EXPECT_EQ(plain.search.heuristic, std::nullopt);
     EXPECT_EQ(plain.search.weight, 1);

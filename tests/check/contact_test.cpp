@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "project_folder.hpp"
 #include "random_map.hpp"
 #include "slow_sight.hpp"

@@ -20,7 +20,7 @@ TEST(CityImport, draws_geojson) {
     const Source source("scene.geojson", geojson(scene()));
     const ImportReport report = import_city(source.path(), window);
     expect_scene(report);
-    EXPECT_EQ(report.tiff.title, "scene, 120 m around 13.4000, 52.5200");
+    EXPECT_EQ(report.tiff.annotations.title, "scene, 120 m around 13.4000, 52.5200");
     EXPECT_EQ(geotiff::label_tiff_bytes(report.tiff),
               geotiff::label_tiff_bytes(import_city(source.path(), window).tiff));
 }

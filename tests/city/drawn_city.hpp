@@ -203,7 +203,7 @@ inline void expect_scene(const ImportReport& report) {
     EXPECT_EQ(report.tiff.map.obstacles().size(), 6U);
     EXPECT_EQ(report.buildings, buildings_in_window);
     EXPECT_NEAR(report.area, area_in_window, 2);  // corners are rounded to a centimetre in OpenStreetMap's own format
-    EXPECT_EQ(report.tiff.attribution, "(c) OpenStreetMap contributors, ODbL 1.0");
+    EXPECT_EQ(report.tiff.annotations.attribution, "(c) OpenStreetMap contributors, ODbL 1.0");
     EXPECT_EQ(geotiff::crs_name(*report.tiff.georeference), "WGS 84 / UTM zone 33N");
     const auto [lon, lat] = geotiff::ToLonLat(*report.tiff.georeference)(cells / 2.0 - 0.5, cells / 2.0 - 0.5);
     EXPECT_NEAR(lon, window.longitude, 1e-8);

@@ -22,7 +22,7 @@ std::string picture(const geotiff::LabelTiff& tiff) {
     for (Cell c; c.y < tiff.map.height(); ++c.y) {
         for (c.x = 0; c.x < tiff.map.width(); ++c.x) {
             const ObstacleId id = tiff.map.obstacle_at(c);
-            const char letter = id ? letters[std::size_t(tiff.kinds.at(id.value))] : '.';
+            const char letter = id ? letters[std::size_t(tiff.annotations.kinds.at(id.value))] : '.';
             text += letter == 'B' && !tiff.map.obstacle(id).destructible ? 'P' : letter;
         }
         text += '\n';
@@ -139,7 +139,7 @@ TEST_F(Ground, of_a_motorway_is_crossed_below_and_above) {
     EXPECT_EQ(drawn(Profile::walker), north + drive + drive + walked + walked + walked + south);
     EXPECT_EQ(drawn(Profile::truck), north + drive + drive + drive + free + free + south);
     EXPECT_EQ(import(drawing_, {.longitude = 13.4, .latitude = 52.52, .size = 28, .cell = 2, .profile = Profile::paper})
-                  .tiff.kinds.size(),
+                  .tiff.annotations.kinds.size(),
               0U);
 }
 
@@ -231,7 +231,7 @@ TEST_F(Ground, stays_under_a_house_that_is_destroyed) {
               "..............\n"
               "..............\n");
     for (const Obstacle& obstacle : report.tiff.map.obstacles()) {
-        const bool water = report.tiff.kinds[obstacle.id.value] == site::ObstacleKind::water;
+        const bool water = report.tiff.annotations.kinds[obstacle.id.value] == site::ObstacleKind::water;
         EXPECT_EQ(obstacle.destructible, !water);
     }
 }
@@ -288,7 +288,7 @@ TEST_F(Ground, is_left_when_all_is_destroyed) {
                 const bool blocked = lasting && !before.map.obstacle(lasting).destructible;
                 ASSERT_EQ(blocked, left && !after.map.obstacle(left).destructible) << picture(before) << picture(after);
                 if (!blocked) continue;
-                ASSERT_EQ(before.kinds[lasting.value], after.kinds[left.value]);
+                ASSERT_EQ(before.annotations.kinds[lasting.value], after.annotations.kinds[left.value]);
             }
         }
     }

@@ -207,7 +207,7 @@ TEST_F(ObstacleChoices, AreCutOutByTheEdgesOfABox) {
     EXPECT_EQ(tiff.map.width(), 6);
     EXPECT_EQ(tiff.map.height(), 4);
     EXPECT_EQ(picture(tiff.map), "......\n.AA.BB\n.AA.BB\n......\n");
-    EXPECT_EQ(tiff.title, "town, 60 x 40 m around 8.9996, 50.0004");
+    EXPECT_EQ(tiff.annotations.title, "town, 60 x 40 m around 8.9996, 50.0004");
     const auto [lon, lat] = geotiff::ToLonLat(*tiff.georeference)(-0.5, -0.5);
     EXPECT_NEAR(lon, west, 2e-6);
     EXPECT_NEAR(lat, north, 2e-6);

@@ -43,10 +43,10 @@ TEST_F(PremisesOfHouses, hold_more_than_half_of_a_house) {
     const ImportReport report = import(drawing);
     EXPECT_EQ(fates(report.tiff), "-dd");
     EXPECT_EQ(report.sheltered, 1U);
-    EXPECT_EQ(report.tiff.tags.at("amenity=hospital"), std::vector<ObstacleId>{{1}});
-    EXPECT_EQ(report.tiff.tags.at("building=yes").size(), 3U);
-    EXPECT_EQ(report.tiff.names.at(1), "Charité");
-    EXPECT_EQ(report.tiff.names.at(2), "");
+    EXPECT_EQ(report.tiff.annotations.tags.at("amenity=hospital"), std::vector<ObstacleId>{{1}});
+    EXPECT_EQ(report.tiff.annotations.tags.at("building=yes").size(), 3U);
+    EXPECT_EQ(report.tiff.annotations.names.at(1), "Charité");
+    EXPECT_EQ(report.tiff.annotations.names.at(2), "");
     drawing.area("amenity=hospital", box(6.5, 3.5, 7.5, 4.5));  // a cell more
     EXPECT_EQ(fates(import(drawing).tiff), "--d");
 }
@@ -57,12 +57,12 @@ TEST_F(PremisesOfHouses, may_be_of_several_kinds) {
     drawing.area("landuse=religious", box(9.5, 2.5, 12.5, 7.5));
     const geotiff::LabelTiff tiff = import(drawing).tiff;
     EXPECT_EQ(fates(tiff), "---");
-    EXPECT_EQ(tiff.tags, (site::ObstacleTags{{"amenity=hospital", {{1}, {2}}},
-                                             {"amenity=kindergarten", {{1}}},
-                                             {"building=yes", {{1}, {2}, {3}}},
-                                             {"heritage=4", {{1}, {2}}},
-                                             {"landuse=religious", {{3}}}}));
-    EXPECT_EQ(tiff.names.at(1), "Hummeln");
+    EXPECT_EQ(tiff.annotations.tags, (site::ObstacleTags{{"amenity=hospital", {{1}, {2}}},
+                                                         {"amenity=kindergarten", {{1}}},
+                                                         {"building=yes", {{1}, {2}, {3}}},
+                                                         {"heritage=4", {{1}, {2}}},
+                                                         {"landuse=religious", {{3}}}}));
+    EXPECT_EQ(tiff.annotations.names.at(1), "Hummeln");
 }
 
 TEST_F(PremisesOfHouses, leave_a_house_its_own_name_and_tags) {
@@ -71,10 +71,11 @@ TEST_F(PremisesOfHouses, leave_a_house_its_own_name_and_tags) {
     drawing.area("building=yes|amenity=school|name=Aula", box(5.6, 3.6, 7.4, 6.4));
     drawing.area("amenity=school|name=Gymnasium", box(0.5, 2.5, 8.5, 7.5));
     const geotiff::LabelTiff tiff = import(drawing).tiff;
-    EXPECT_EQ(tiff.names.at(1), "Weg 1");
-    EXPECT_EQ(tiff.names.at(2), "Aula");
-    EXPECT_EQ(tiff.tags, (site::ObstacleTags{
-                             {"amenity=cafe", {{1}}}, {"amenity=school", {{1}, {2}}}, {"building=yes", {{1}, {2}}}}));
+    EXPECT_EQ(tiff.annotations.names.at(1), "Weg 1");
+    EXPECT_EQ(tiff.annotations.names.at(2), "Aula");
+    EXPECT_EQ(
+        tiff.annotations.tags,
+        (site::ObstacleTags{{"amenity=cafe", {{1}}}, {"amenity=school", {{1}, {2}}}, {"building=yes", {{1}, {2}}}}));
 }
 
 TEST_F(PremisesOfHouses, may_be_relations_with_courtyards) {
@@ -96,8 +97,8 @@ TEST_F(PremisesOfHouses, may_be_points_within) {
     drawing.point("amenity=school", {11.6, 5});  // beside the third house, by less than half a cell
     const geotiff::LabelTiff tiff = import(drawing).tiff;
     EXPECT_EQ(fates(tiff), "-dd");
-    EXPECT_EQ(tiff.tags.at("amenity=hospital"), std::vector<ObstacleId>{{1}});
-    EXPECT_EQ(tiff.names.at(1), "Praxis");
+    EXPECT_EQ(tiff.annotations.tags.at("amenity=hospital"), std::vector<ObstacleId>{{1}});
+    EXPECT_EQ(tiff.annotations.names.at(1), "Praxis");
     // By the wall, where the cell's centre is outside; and heritage that is a house.
     drawing.point("amenity=kindergarten", {5.65, 3.65}).point("historic=manor", {10.5, 5});
     EXPECT_EQ(fates(import(drawing).tiff), "---");
@@ -109,8 +110,8 @@ TEST_F(PremisesOfHouses, let_their_fence_be_opened) {
     drawing.way("barrier=wall|historic=citywalls", {{8.5, 3}, {8.5, 7}});
     const geotiff::LabelTiff tiff = import(drawing).tiff;
     for (const Obstacle& o : tiff.map.obstacles()) {
-        const bool wall = tiff.kinds[o.id.value] == site::ObstacleKind::barrier;
-        const auto& old = tiff.tags.at("historic=citywalls");
+        const bool wall = tiff.annotations.kinds[o.id.value] == site::ObstacleKind::barrier;
+        const auto& old = tiff.annotations.tags.at("historic=citywalls");
         EXPECT_EQ(o.destructible, wall && std::find(old.begin(), old.end(), o.id) == old.end());
     }
 }
@@ -123,7 +124,7 @@ TEST_F(PremisesOfHouses, keep_sections_off) {
     const ObstacleId ward = tiff.map.obstacle_at({2, 4});
     EXPECT_FALSE(tiff.map.obstacle(ward).destructible);
     EXPECT_EQ(tiff.map.obstacle(ward).cells, 6U);
-    EXPECT_EQ(tiff.tags.at("amenity=hospital"), std::vector<ObstacleId>{ward});
+    EXPECT_EQ(tiff.annotations.tags.at("amenity=hospital"), std::vector<ObstacleId>{ward});
     EXPECT_TRUE(tiff.map.obstacle(tiff.map.obstacle_at({6, 4})).destructible);
 }
 
@@ -151,7 +152,7 @@ TEST_F(PremisesOfHouses, protect_what_the_user_wants) {
     EXPECT_EQ(fates(imported({.destructible = {{"building"}}}).tiff), "ddd");
     EXPECT_EQ(imported({.destructible = {{"building"}}}).sheltered, 0U);
     // A mission can still protect them.
-    EXPECT_EQ(imported({.destructible = {{"building"}}}).tiff.tags.at("amenity=hospital").size(), 1U);
+    EXPECT_EQ(imported({.destructible = {{"building"}}}).tiff.annotations.tags.at("amenity=hospital").size(), 1U);
     EXPECT_EQ(fates(imported({}, Profile::paper).tiff), "ddd");
     // Misspelt; and a house in a park is no park.
     for (const TagFilter& tag : {TagFilter{"amenity", {"hospitel"}}, TagFilter{"leisure", {"park"}}}) {

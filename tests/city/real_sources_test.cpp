@@ -178,10 +178,11 @@ TEST_P(CommittedMaps, hold_what_they_should) {
     EXPECT_EQ(tiff.cell_size, 2.4);
     EXPECT_EQ(tiff.map.obstacles().size(), expected.obstacles);
     EXPECT_NEAR(density(tiff.map), expected.density, 5e-4);
-    EXPECT_EQ(tiff.attribution, "(c) OpenStreetMap contributors, ODbL 1.0");
+    EXPECT_EQ(tiff.annotations.attribution, "(c) OpenStreetMap contributors, ODbL 1.0");
     for (const Obstacle& obstacle : tiff.map.obstacles()) {
         // Only the sea has no id.
-        const bool sea = !tiff.kinds.empty() && tiff.kinds[obstacle.id.value] == site::ObstacleKind::water;
+        const bool sea =
+            !tiff.annotations.kinds.empty() && tiff.annotations.kinds[obstacle.id.value] == site::ObstacleKind::water;
         EXPECT_TRUE(obstacle.source_id != 0 || sea);
     }
     const auto [lon, lat] = geotiff::ToLonLat(*tiff.georeference)(250, 250);
@@ -203,9 +204,9 @@ TEST_P(CommittedMaps, can_be_made_again) {
     EXPECT_TRUE(std::equal(made.map.obstacles().begin(), made.map.obstacles().end(), committed.map.obstacles().begin(),
                            committed.map.obstacles().end(),
                            [](const Obstacle& a, const Obstacle& b) { return a.source_id == b.source_id; }));
-    EXPECT_EQ(made.names, committed.names);
+    EXPECT_EQ(made.annotations.names, committed.annotations.names);
     EXPECT_EQ(geotiff::label_tiff_bytes(made), geotiff::label_tiff_bytes(committed));
-    EXPECT_EQ(made.title, committed.title);
+    EXPECT_EQ(made.annotations.title, committed.annotations.title);
     EXPECT_EQ(made.georeference->crs, committed.georeference->crs);
 }
 
@@ -293,7 +294,7 @@ TEST(CommittedMapOfManhattan, has_the_empire_state_building_where_it_stands) {
     const ObstacleId id = tiff.map.obstacle_at(cell);
     ASSERT_TRUE(id);
     EXPECT_EQ(tiff.map.obstacle(id).source_id, way);
-    EXPECT_EQ(tiff.names.at(id.value), "Empire State Building");
+    EXPECT_EQ(tiff.annotations.names.at(id.value), "Empire State Building");
 
     const auto [lon, lat] = geotiff::ToLonLat(*tiff.georeference)(cell.x, cell.y);
     const double metres_east = (lon - longitude) * 111320 * std::cos(latitude * 3.14159265 / 180);

@@ -78,7 +78,7 @@ TEST_F(SceneryOf, a_town_comes_back_as_it_was_drawn) {
         .area("highway=pedestrian|area=yes|name=Market", {{14, 12}, {22, 12}, {22, 20}, {14, 20}})
         .point("place=square|name=Market", {18, 16})
         .point("place=suburb|name=Old Town", {5, 12});
-    expect_background(import(town).tiff.background,
+    expect_background(import(town).tiff.annotations.background,
                       {{Kind::street, "primary", "High Street", Shape::line, {{{2, 5}, {12, 5}, {20, 9}, {39.5, 9}}}},
                        {Kind::street, "pedestrian", "Market", Shape::area, {{{14, 20}, {22, 20}, {22, 12}, {14, 12}}}},
                        {Kind::street, "residential", "", Shape::line, {{{12, 5}, {12, 25}}}},
@@ -108,21 +108,21 @@ TEST_F(SceneryOf, what_cannot_be_seen_is_left_out) {
         .point("place=square", {18, 16})
         .point("amenity=cafe|name=Corner", {5, 12})
         .point("place=suburb|name=Elsewhere", {5, 62});
-    expect_background(import(town).tiff.background, {});
+    expect_background(import(town).tiff.annotations.background, {});
 }
 
 TEST_F(SceneryOf, areas_of_one_name_are_one_where_they_overlap) {
     OsmDrawing town(window);
     town.area("leisure=park", {{2, 2}, {12, 2}, {12, 12}, {2, 12}})
         .area("leisure=park", {{7, 2}, {22, 2}, {22, 12}, {7, 12}});
-    expect_background(import(town).tiff.background,
+    expect_background(import(town).tiff.annotations.background,
                       {{Kind::green, "park", "", Shape::area, {{{2, 12}, {22, 12}, {22, 2}, {2, 2}}}}});
 }
 
 TEST_F(SceneryOf, bends_below_half_a_cell_go) {
     OsmDrawing town(window);
     town.way("highway=primary", {{2, 5}, {6, 5.3}, {12, 5}, {15, 5.8}, {20, 5}});
-    expect_background(import(town).tiff.background,
+    expect_background(import(town).tiff.annotations.background,
                       {{Kind::street, "primary", "", Shape::line, {{{2, 5}, {12, 5}, {15, 5.8}, {20, 5}}}}});
 }
 
@@ -131,7 +131,7 @@ TEST_F(SceneryOf, a_place_is_named_once_where_it_can_be_seen) {
     town.area("place=square|name=Market", {{14, 12}, {22, 12}, {22, 20}, {14, 20}})
         .point("place=square|name=Market", {17, 15})
         .area("place=square|name=Green", {{-40, 12}, {2, 12}, {2, 20}, {-40, 20}});
-    const site::Background background = import(town).tiff.background;
+    const site::Background background = import(town).tiff.annotations.background;
     expect_background(background, {{Kind::place, "square", "Green", Shape::point, {{{0.75, 16}}}},
                                    {Kind::place, "square", "Market", Shape::point, {{{17, 15}}}}});
 }
@@ -144,7 +144,7 @@ TEST_F(SceneryOf, tiles_is_for_each_its_own) {
     std::vector<site::Background> seen;
     import_tiles(write("town.osm", town.xml()), window, 40, [&](const ImportTile& tile) {
         EXPECT_EQ(tile.row, 0);
-        seen.push_back(tile.report.tiff.background);
+        seen.push_back(tile.report.tiff.annotations.background);
     });
     ASSERT_EQ(seen.size(), 2U);
     expect_background(seen[0], {{Kind::street, "primary", "", Shape::line, {{{2, 5}, {19.5, 5}}}}});
@@ -164,8 +164,9 @@ TEST_F(SceneryOf, geojson_is_found_by_its_attributes) {
 ]}})",
         at(2, 2), at(12, 2), at(12, 12), at(5, 20), at(30, 20));
     const geotiff::LabelTiff tiff = import_city(write("town.geojson", text), window).tiff;
-    expect_background(tiff.background, {{Kind::street, "primary", "High Street", Shape::line, {{{5, 20}, {30, 20}}}}});
-    EXPECT_EQ(tiff.names, (site::ObstacleNames{"", "Hall"}));
+    expect_background(tiff.annotations.background,
+                      {{Kind::street, "primary", "High Street", Shape::line, {{{5, 20}, {30, 20}}}}});
+    EXPECT_EQ(tiff.annotations.names, (site::ObstacleNames{"", "Hall"}));
 }
 
 TEST_F(SceneryOf, nothing_is_kept_of_it_if_it_is_not_wanted) {
@@ -177,8 +178,8 @@ TEST_F(SceneryOf, nothing_is_kept_of_it_if_it_is_not_wanted) {
                                                .area("building=yes|name=Hall", {{2, 8}, {6, 8}, {6, 12}}),
                                            options)
                                         .tiff;
-    EXPECT_EQ(tiff.background, site::Background{});
-    EXPECT_EQ(tiff.names, site::ObstacleNames{});
+    EXPECT_EQ(tiff.annotations.background, site::Background{});
+    EXPECT_EQ(tiff.annotations.names, site::ObstacleNames{});
 }
 
 using NamesOf = SceneryOf;
@@ -190,7 +191,8 @@ TEST_F(NamesOf, buildings_are_their_own_or_their_address) {
         .area("building=yes|addr:housename=The Cottage|addr:housenumber=2", {{12, 2}, {16, 2}, {16, 6}, {12, 6}})
         .area("building=yes|addr:street=High Street|addr:housenumber=3", {{22, 2}, {26, 2}, {26, 6}, {22, 6}})
         .area("building=yes|addr:housenumber=4", {{32, 2}, {36, 2}, {36, 6}, {32, 6}});
-    EXPECT_EQ(import(town).tiff.names, (site::ObstacleNames{"", "Town Hall", "The Cottage", "High Street 3", "", ""}));
+    EXPECT_EQ(import(town).tiff.annotations.names,
+              (site::ObstacleNames{"", "Town Hall", "The Cottage", "High Street 3", "", ""}));
 }
 
 TEST_F(NamesOf, blocks_are_that_of_the_largest_part_that_has_one) {
@@ -201,7 +203,7 @@ TEST_F(NamesOf, blocks_are_that_of_the_largest_part_that_has_one) {
         .area("building=yes|name=Medium", {{18, 2}, {21, 2}, {21, 12}, {18, 12}});
     ImportOptions options = window;
     options.merge_touching = true;
-    EXPECT_EQ(import(town, options).tiff.names, (site::ObstacleNames{"", "Large", ""}));
+    EXPECT_EQ(import(town, options).tiff.annotations.names, (site::ObstacleNames{"", "Large", ""}));
 }
 
 }  // namespace

@@ -36,25 +36,26 @@ class ImportedSections : public TemporaryFolder {
 
 TEST_F(ImportedSections, are_those_of_the_whole_map_cut) {
     const geotiff::LabelTiff map = import(0);
-    EXPECT_TRUE(map.sections.empty());
+    EXPECT_TRUE(map.annotations.sections.empty());
     for (const auto& [metres, cells] : std::vector<std::pair<std::optional<double>, int>>{{{}, 10}, {6.9, 3}, {2, 1}}) {
         const geotiff::LabelTiff cut = import(metres);
-        const site::DescribedMap expected = site::split(map.map, map.names, map.kinds, map.tags, {.side = cells});
+        const site::DescribedMap expected = site::split(map.map, map.annotations, {.side = cells});
         EXPECT_TRUE(std::equal(cut.map.labels().begin(), cut.map.labels().end(), expected.map.labels().begin()));
-        EXPECT_EQ(cut.sections, expected.sections);
-        EXPECT_EQ(cut.names, expected.names);
-        EXPECT_EQ(cut.kinds, expected.kinds);
+        EXPECT_EQ(cut.annotations.sections, expected.annotations.sections);
+        EXPECT_EQ(cut.annotations.names, expected.annotations.names);
+        EXPECT_EQ(cut.annotations.kinds, expected.annotations.kinds);
     }
 }
 
 TEST_F(ImportedSections, come_back_from_a_file) {
     const geotiff::LabelTiff cut = import(5);
-    EXPECT_EQ(geotiff::read_label_tiff(geotiff::label_tiff_bytes(cut), "cut.tif").sections, cut.sections);
+    EXPECT_EQ(geotiff::read_label_tiff(geotiff::label_tiff_bytes(cut), "cut.tif").annotations.sections,
+              cut.annotations.sections);
 }
 
 TEST_F(ImportedSections, are_none_for_the_paper_unless_asked_for) {
-    EXPECT_TRUE(import({}, Profile::paper).sections.empty());
-    EXPECT_FALSE(import(20, Profile::paper).sections.empty());
+    EXPECT_TRUE(import({}, Profile::paper).annotations.sections.empty());
+    EXPECT_FALSE(import(20, Profile::paper).annotations.sections.empty());
 }
 
 TEST_F(ImportedSections, have_the_side_of_a_cell_at_least) {

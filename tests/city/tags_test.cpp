@@ -48,7 +48,7 @@ TEST_F(Tags, that_protect_a_building_keep_it_out_of_sections) {
         if (o.destructible) all.push_back(o.id);
     }
     const OpenedMap opened(map, all);
-    const auto& schools = report.tiff.tags.at("building=school");
+    const auto& schools = report.tiff.annotations.tags.at("building=school");
     ASSERT_EQ(schools.size(), 1U);
     EXPECT_EQ(map.obstacle(schools[0]).cells, 3U * 6U);
     for (Cell c; c.y < map.height(); ++c.y) {
@@ -63,13 +63,13 @@ TEST_F(Tags, that_are_kept_are_some) {
                                       {"barrier=hedge", {{3}}},
                                       {"building=church", {{2}}},
                                       {"building=yes", {{1}}}};
-    EXPECT_EQ(import(drawing_).tiff.tags, expected);
+    EXPECT_EQ(import(drawing_).tiff.annotations.tags, expected);
     ImportOptions options = town_window;
     options.profile = Profile::paper;
-    EXPECT_TRUE(import(drawing_, options).tiff.tags.empty());
+    EXPECT_TRUE(import(drawing_, options).tiff.annotations.tags.empty());
     options.profile = Profile::rover;
     options.merge_touching = true;
-    EXPECT_EQ(import(drawing_, options).tiff.tags, expected);
+    EXPECT_EQ(import(drawing_, options).tiff.annotations.tags, expected);
 }
 
 // A file of the cells 5, 70000 and 0 with that item.
@@ -87,13 +87,14 @@ std::string file_with(const char* item) {
 }
 
 site::ObstacleTags read(const char* item) {
-    return geotiff::read_label_tiff(file_with(item), "city.tif").tags;
+    return geotiff::read_label_tiff(file_with(item), "city.tif").annotations.tags;
 }
 
 TEST(TagsOfFiles, come_back) {
     geotiff::LabelTiff town{.map = Map::from_labels(3, 1, {1, 2, 3})};
-    town.tags = {{"amenity=café <old>", {{1}, {3}}}, {"building=yes", {{1}}}};
-    EXPECT_EQ(geotiff::read_label_tiff(geotiff::label_tiff_bytes(town), "town.tif").tags, town.tags);
+    town.annotations.tags = {{"amenity=café <old>", {{1}, {3}}}, {"building=yes", {{1}}}};
+    EXPECT_EQ(geotiff::read_label_tiff(geotiff::label_tiff_bytes(town), "town.tif").annotations.tags,
+              town.annotations.tags);
 }
 
 TEST(TagsOfFiles, are_those_of_obstacles_that_are_there) {

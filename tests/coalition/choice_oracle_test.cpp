@@ -14,8 +14,8 @@
 
 #include "checked_plan.hpp"
 #include "coalition/all_sets.hpp"
+#include "model/timeline.hpp"
 #include "plain_map.hpp"
-#include "plan/timeline.hpp"
 #include "vehicle.hpp"
 #include "waybreaker/planner.hpp"
 

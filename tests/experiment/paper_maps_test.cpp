@@ -29,7 +29,7 @@ TEST(PaperMaps, AreWhatTheirIndexSays) {
         EXPECT_EQ(file.map.width(), 501) << name;
         EXPECT_EQ(file.map.height(), 501) << name;
         EXPECT_DOUBLE_EQ(file.cell_size, 2.4) << name;
-        EXPECT_NE(file.attribution.find("OpenStreetMap contributors"), std::string::npos) << name;
+        EXPECT_NE(file.annotations.attribution.find("OpenStreetMap contributors"), std::string::npos) << name;
         std::size_t blocked = 0;
         for (const Obstacle& obstacle : file.map.obstacles()) blocked += obstacle.cells;
         const std::string figures =

@@ -84,10 +84,10 @@ TEST(Background, comes_back_out_of_a_map_file) {
     const LabelTiff written{.map = Map::from_labels(40, 30, std::vector<std::uint32_t>(1200, 0)),
                             .cell_size = 2.4,
                             .georeference = utm_place(),
-                            .background = scene()};
+                            .annotations = {.background = scene()}};
     const std::string bytes = label_tiff_bytes(written);
     const LabelTiff read = read_label_tiff(bytes, "city.tif");
-    expect_same(read.background, scene(), decimetre);
+    expect_same(read.annotations.background, scene(), decimetre);
     EXPECT_EQ(label_tiff_bytes(read), bytes);
 }
 

@@ -15,10 +15,10 @@ TEST(LabelTiff, comes_back_whole) {
     const LabelTiff read = read_label_tiff(label_tiff_bytes(written), "city.tif");
     expect_same_obstacles(written.map, read.map);
     EXPECT_EQ(read.cell_size, 2.4);
-    EXPECT_EQ(read.attribution, written.attribution);
-    EXPECT_EQ(read.title, written.title);
-    EXPECT_EQ(read.names, written.names);
-    EXPECT_EQ(read.kinds, written.kinds);
+    EXPECT_EQ(read.annotations.attribution, written.annotations.attribution);
+    EXPECT_EQ(read.annotations.title, written.annotations.title);
+    EXPECT_EQ(read.annotations.names, written.annotations.names);
+    EXPECT_EQ(read.annotations.kinds, written.annotations.kinds);
     ASSERT_TRUE(read.georeference);
     EXPECT_EQ(read.georeference->transform, written.georeference->transform);
     EXPECT_EQ(crs_name(*read.georeference), "WGS 84 / UTM zone 33N");
@@ -89,10 +89,10 @@ TEST(LabelTiff, survives_gdal_translate) {
         SCOPED_TRACE(arguments.empty() ? "plain" : arguments.back());
         const LabelTiff read = read_label_tiff(translated(bytes, arguments), "city.tif");
         expect_same_obstacles(original.map, read.map);
-        EXPECT_EQ(read.attribution, original.attribution);
-        EXPECT_EQ(read.title, original.title);
-        EXPECT_EQ(read.names, original.names);
-        EXPECT_EQ(read.kinds, original.kinds);
+        EXPECT_EQ(read.annotations.attribution, original.annotations.attribution);
+        EXPECT_EQ(read.annotations.title, original.annotations.title);
+        EXPECT_EQ(read.annotations.names, original.annotations.names);
+        EXPECT_EQ(read.annotations.kinds, original.annotations.kinds);
         EXPECT_EQ(read.georeference->transform, original.georeference->transform);
     }
 }
@@ -106,9 +106,9 @@ TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
     EXPECT_FALSE(map.obstacle(map.obstacle_at({0, 0})).destructible);
     EXPECT_EQ(map.obstacle(map.obstacle_at({2, 2})).source_id, 0);
     EXPECT_TRUE(map.obstacle(map.obstacle_at({2, 2})).destructible);
-    EXPECT_EQ(tiff.names, (site::ObstacleNames{"", "", "7"}));
-    EXPECT_EQ(tiff.kinds, (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
-    EXPECT_EQ(tiff.sections, (site::Sections{small_map().sections.structures, {{}, {}, {1}}}));
+    EXPECT_EQ(tiff.annotations.names, (site::ObstacleNames{"", "", "7"}));
+    EXPECT_EQ(tiff.annotations.kinds, (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
+    EXPECT_EQ(tiff.annotations.sections, (site::Sections{small_map().annotations.sections.structures, {{}, {}, {1}}}));
 }
 
 TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {
@@ -120,7 +120,7 @@ TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {
             write_cells(f, labels);
             f.SetMetadataItem("WAYBREAKER_NAMES", names);
         });
-        return read_label_tiff(bytes, "city.tif").names;
+        return read_label_tiff(bytes, "city.tif").annotations.names;
     };
     EXPECT_EQ(named("5 Town hall\n6 Nobody\n70000  Café \t \x01"), (site::ObstacleNames{"", "Café", "Town hall"}));
     EXPECT_EQ(named("5 First\n5 Second"), (site::ObstacleNames{"", "", "First"}));
@@ -137,7 +137,7 @@ TEST(LabelTiff, says_of_some_obstacles_what_they_are) {
             write_cells(f, labels);
             f.SetMetadataItem("WAYBREAKER_KINDS", text);
         });
-        return read_label_tiff(bytes, "city.tif").kinds;
+        return read_label_tiff(bytes, "city.tif").annotations.kinds;
     };
     EXPECT_EQ(kinds("water 6 70000\nbarrier 5"), (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
     EXPECT_EQ(kinds("swamp 70000\ncliff 5\n"), (site::ObstacleKinds{Kind::unknown, Kind::unknown, Kind::cliff}));

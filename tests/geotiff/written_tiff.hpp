@@ -71,18 +71,19 @@ inline LabelTiff small_map() {
     utm.SetUTM(33, TRUE);
     char* text = nullptr;
     utm.exportToWkt(&text);
-    LabelTiff tiff{.map = Map::from_labels(5, 3,
-                                           {1, 1, 2, 0, 0,  //
-                                            0, 2, 2, 0, 3,  //
-                                            0, 0, 0, 0, 3},
-                                           attributes),
-                   .cell_size = 2.4,
-                   .georeference = site::Georeference{text, {390000.25, 2.4, 0, 5820000.75, 0, -2.4}},
-                   .attribution = "(c) somebody, some licence 1.0",
-                   .title = "Place, 12 m around Zürich",
-                   .names = {"", "Grand \"Hôtel\" & <Café>", "", "7"},
-                   .kinds = {Kind::unknown, Kind::building, Kind::water, Kind::barrier},
-                   .sections = {{{Kind::building, 4711, "7"}, {Kind::barrier, -12, ""}}, {{}, {0}, {}, {1}}}};
+    LabelTiff tiff{
+        .map = Map::from_labels(5, 3,
+                                {1, 1, 2, 0, 0,  //
+                                 0, 2, 2, 0, 3,  //
+                                 0, 0, 0, 0, 3},
+                                attributes),
+        .cell_size = 2.4,
+        .georeference = site::Georeference{text, {390000.25, 2.4, 0, 5820000.75, 0, -2.4}},
+        .annotations = {.title = "Place, 12 m around Zürich",
+                        .attribution = "(c) somebody, some licence 1.0",
+                        .names = {"", "Grand \"Hôtel\" & <Café>", "", "7"},
+                        .kinds = {Kind::unknown, Kind::building, Kind::water, Kind::barrier},
+                        .sections = {{{Kind::building, 4711, "7"}, {Kind::barrier, -12, ""}}, {{}, {0}, {}, {1}}}}};
     CPLFree(text);
     return tiff;
 }

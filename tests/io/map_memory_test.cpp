@@ -39,10 +39,10 @@ TEST(MapMemory, IsWhatTheHeapGives) {
 TEST(MapMemory, CountsNamesAndBackground) {
     MapFile file{.map = Map(studded(10))};
     const std::size_t bare = memory_of(file);
-    file.names.assign(26, std::string(250, 'x'));
+    file.annotations.names.assign(26, std::string(250, 'x'));
     EXPECT_GT(memory_of(file), bare + 26 * 250);
     const std::size_t named = memory_of(file);
-    file.background.features.push_back({.parts = {std::vector<Point>(1000)}});
+    file.annotations.background.features.push_back({.parts = {std::vector<Point>(1000)}});
     EXPECT_GT(memory_of(file), named + 1000 * sizeof(Point));
 }
 

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 TEST(ObstaclesJson, DescribesEachObstacle) {
-    MapFile file{.map = map_from_ascii(".#...\n.#..#\n....."), .names = {"", "", "Dom \"A\""}};
+    MapFile file{.map = map_from_ascii(".#...\n.#..#\n....."), .annotations = {.names = {"", "", "Dom \"A\""}}};
     const Json json = Json::parse(obstacles_json(file));
     EXPECT_EQ(json["width"], 5);
     EXPECT_EQ(json["height"], 3);
@@ -30,10 +30,10 @@ TEST(ObstaclesJson, DescribesEachObstacle) {
 
 TEST(ObstaclesJson, SaysWhatTheSourceSays) {
     using enum site::ObstacleKind;
-    MapFile file{.map = map_from_ascii("#.#.#"), .kinds = {unknown, building, water, barrier}};
-    file.tags = {{"amenity=school", {{1}}}, {"barrier=wall", {{3}}}, {"building=yes", {{1}}}};
-    file.sections.structures = {{building, 17, "Schule"}, {barrier, 0, ""}};
-    file.sections.parts = {{}, {0, 1}, {}, {}};
+    MapFile file{.map = map_from_ascii("#.#.#"), .annotations = {.kinds = {unknown, building, water, barrier}}};
+    file.annotations.tags = {{"amenity=school", {{1}}}, {"barrier=wall", {{3}}}, {"building=yes", {{1}}}};
+    file.annotations.sections.structures = {{building, 17, "Schule"}, {barrier, 0, ""}};
+    file.annotations.sections.parts = {{}, {0, 1}, {}, {}};
     const Json obstacles = Json::parse(obstacles_json(file))["obstacles"];
     EXPECT_EQ(obstacles[0]["kind"], "building");
     EXPECT_EQ(obstacles[0]["tags"], Json({"amenity=school", "building=yes"}));

@@ -25,8 +25,7 @@ MapFile map_file(Map map) {
             .format = "MovingAI map",
             .digest = "sha256:00",
             .georeference = {},
-            .attribution = {},
-            .title = {},
+            .annotations = {},
             .task = {}};
 }
 
@@ -129,12 +128,13 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     }
     for (Itinerary& agent : plan.agents) explain(agent);
     plan.next = {{.obstacle = {7}, .source_id = -7, .saves = 0.7}};
-    const PlanFile read = parse_plan(plan_json(plan, {file, mission, method, Connectivity::eight, true}), "plan.json");
+    const PlanFile read =
+        parse_plan(plan_json(plan, {file, {mission, method}, Connectivity::eight, true}), "plan.json");
 
     RC_ASSERT(read.width == file.map.width() && read.height == file.map.height());
     RC_ASSERT(read.digest == file.digest);
     RC_ASSERT(read.connectivity == Connectivity::eight);
-    const Rules& rules = read.mission.rules;
+    const Rules& rules = read.asked.mission.rules;
     RC_ASSERT(rules.timing == mission.rules.timing);
     RC_ASSERT(rules.breach_time.per_obstacle == mission.rules.breach_time.per_obstacle);
     RC_ASSERT(rules.breach_time.per_cell == mission.rules.breach_time.per_cell);
@@ -143,23 +143,23 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(rules.protect == mission.rules.protect);
     RC_ASSERT(rules.force == mission.rules.force);
     RC_ASSERT(rules.budget == mission.rules.budget);
-    RC_ASSERT(read.mission.agents.size() == 2U);
+    RC_ASSERT(read.asked.mission.agents.size() == 2U);
     for (std::size_t i = 0; i < read.plan.agents.size(); ++i) {
         expect_way(read.plan.after.routes[i], read.plan.agents[i]);
     }
     for (std::size_t i = 0; i < 2; ++i) {
-        const Agent& agent = read.mission.agents[i];
+        const Agent& agent = read.asked.mission.agents[i];
         RC_ASSERT(agent.id == mission.agents[i].id && agent.kind == mission.agents[i].kind);
         RC_ASSERT(agent.start == mission.agents[i].start && agent.goal == mission.agents[i].goal);
         RC_ASSERT(agent.speed == mission.agents[i].speed && agent.body == mission.agents[i].body);
     }
-    RC_ASSERT(read.method.select == method.select);
-    RC_ASSERT(read.method.flight == method.flight);
-    RC_ASSERT(read.method.planner == planner_of(method, mission.agents[0].body));
-    RC_ASSERT(read.method.weight == method.weight);
-    RC_ASSERT(read.method.tie_break == method.tie_break);
-    RC_ASSERT(read.method.diagonal == method.diagonal);
-    RC_ASSERT(read.method.bound == method.bound);
+    RC_ASSERT(read.asked.method.select == method.select);
+    RC_ASSERT(read.asked.method.flight == method.flight);
+    RC_ASSERT(read.asked.method.planner == planner_of(method, mission.agents[0].body));
+    RC_ASSERT(read.asked.method.weight == method.weight);
+    RC_ASSERT(read.asked.method.tie_break == method.tie_break);
+    RC_ASSERT(read.asked.method.diagonal == method.diagonal);
+    RC_ASSERT(read.asked.method.bound == method.bound);
     const bool weighed = weight != 1 || std::isfinite(rules.budget);
     RC_ASSERT(read.weights.size() == (weighed ? plan.breaches.size() : 0));
     for (const auto& [obstacle, stated] : read.weights) RC_ASSERT(stated == weight);
@@ -218,16 +218,17 @@ std::string plan_refusal(const std::string& bytes) {
 
 TEST(PlanFile, IsReadAndHolds) {
     const PlanFile file = parse_plan(small_plan, "p.json");
-    EXPECT_TRUE(check(map_from_ascii("..#."), file.mission, file.plan).empty());
+    EXPECT_TRUE(check(map_from_ascii("..#."), file.asked.mission, file.plan).empty());
     EXPECT_EQ(file.plan.agents[0].goal, (Cell{3, 0})) << "where its path ends, as nothing else is said";
 }
 
 TEST(PlanFile, MaySayMore) {
     PlanFile file = parse_plan(with("/options/breach_time", 2), "p.json");
-    EXPECT_EQ(file.mission.rules.breach_time.per_obstacle, 2);
-    EXPECT_EQ(parse_plan(with("/options/breach_time_per_cell", 0.5), "p.json").mission.rules.breach_time.per_cell, 0.5);
-    EXPECT_EQ(parse_plan(with("/options/budget", 2.5), "p.json").mission.rules.budget, 2.5);
-    EXPECT_EQ(parse_plan(with("/options/protect", {3, 4}), "p.json").mission.rules.protect,
+    EXPECT_EQ(file.asked.mission.rules.breach_time.per_obstacle, 2);
+    EXPECT_EQ(parse_plan(with("/options/breach_time_per_cell", 0.5), "p.json").asked.mission.rules.breach_time.per_cell,
+              0.5);
+    EXPECT_EQ(parse_plan(with("/options/budget", 2.5), "p.json").asked.mission.rules.budget, 2.5);
+    EXPECT_EQ(parse_plan(with("/options/protect", {3, 4}), "p.json").asked.mission.rules.protect,
               (std::vector<ObstacleId>{{3}, {4}}));
     EXPECT_EQ(parse_plan(with("/removed/0/weight", 7), "p.json").weights.at(0).weight, 7);
     EXPECT_EQ(parse_plan(with("/removed/0/saves", 7), "p.json").plan.breaches[0].saves, 7);
@@ -242,7 +243,7 @@ TEST(PlanFile, MaySayMore) {
     EXPECT_EQ(file.plan.next[0].source_id, 5);
     EXPECT_EQ(file.plan.next[0].saves, 1.5);
     EXPECT_EQ(parse_plan(without("/bound"), "p.json").plan.bound, std::nullopt);
-    EXPECT_EQ(parse_plan(without("/options/removals"), "p.json").mission.rules.removals, INT_MAX);
+    EXPECT_EQ(parse_plan(without("/options/removals"), "p.json").asked.mission.rules.removals, INT_MAX);
     file = parse_plan(with("/bound", {{"makespan", 2.5}, {"gap", 0.2}}), "p.json");
     EXPECT_EQ(file.plan.bound, 2.5);
     EXPECT_EQ(file.plan.gap, 0.2);

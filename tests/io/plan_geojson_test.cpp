@@ -99,14 +99,14 @@ TEST_F(PlanGeojson, HasBreachesAndRemovedObstacles) {
     ASSERT_EQ(plan.breaches.size(), 3U);
     ASSERT_EQ(breaches.size(), 3U);
     ASSERT_EQ(removed.size(), 3U);
-    EXPECT_EQ(map.name_of(plan.breaches[0].obstacle), "ARD-Hauptstadtstudio");
+    EXPECT_EQ(map.annotations.name_of(plan.breaches[0].obstacle), "ARD-Hauptstadtstudio");
     for (std::size_t i = 0; i < removed.size(); ++i) {
         const Breach& breach = plan.breaches[i];
         expect_at(*breaches[i]->GetGeometryRef()->toPoint(), breach.at.x, breach.at.y);
         for (const auto* feature : {breaches[i].get(), removed[i].get()}) {
             EXPECT_EQ(feature->GetFieldAsInteger64("source_id"), breach.source_id);
             EXPECT_EQ(feature->GetFieldAsInteger("obstacle"), int(breach.obstacle.value));
-            EXPECT_EQ(feature->GetFieldAsString("name"), map.name_of(breach.obstacle));
+            EXPECT_EQ(feature->GetFieldAsString("name"), map.annotations.name_of(breach.obstacle));
             EXPECT_EQ(feature->GetFieldAsDouble("cleared_at"), breach.cleared_at);
         }
         OGRGeometry* shape = removed[i]->GetGeometryRef();

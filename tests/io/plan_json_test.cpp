@@ -51,7 +51,7 @@ class PlanJson : public testing::Test {
         plan.agents = {{"ground", AgentKind::ground, 1, {{0, 0, 0}, {4, 1.5, 4.5}}, {0, 0}, {4, 2}},
                        {"air", AgentKind::air, 2, {{0, 0, 0}, {4, 2, 2.25}}, {0, 0}, {4, 2}}};
     }
-    std::string text() const { return plan_json(plan, {file, mission, method, Connectivity::eight, timing_fields}); }
+    std::string text() const { return plan_json(plan, {file, {mission, method}, Connectivity::eight, timing_fields}); }
     Json json() const { return Json::parse(text()); }
 
     Plan plan;
@@ -60,8 +60,7 @@ class PlanJson : public testing::Test {
                  .format = "MovingAI map",
                  .digest = "sha256:00",
                  .georeference = {},
-                 .attribution = {},
-                 .title = {},
+                 .annotations = {},
                  .task = {}};
     Mission mission = ground_and_air({0, 0}, {4, 2});
     Method method;
@@ -175,10 +174,10 @@ TEST_F(PlanJson, NamesTheSourceOfARemovedObstacleWhereItIsKnown) {
 TEST_F(PlanJson, HasTheNamesOfObstaclesThatHaveOne) {
     EXPECT_FALSE(has_key(json(), "name"));
     plan.next = {{.obstacle = {2}, .source_id = 0, .saves = 0.5}};
-    file.names = {"", "Town \"Hall\"", ""};
+    file.annotations.names = {"", "Town \"Hall\"", ""};
     EXPECT_EQ(json()["removed"][0]["name"], "Town \"Hall\"");
     EXPECT_EQ(keys(json()["next"][0]), (Keys{"obstacle", "saves"}));
-    file.names = {"", "", "Mill"};
+    file.annotations.names = {"", "", "Mill"};
     EXPECT_FALSE(has_key(json()["removed"], "name"));
     EXPECT_EQ(json()["next"][0]["name"], "Mill");
     const PlanFile read = parse_plan(text(), "plan.json");
@@ -220,10 +219,10 @@ TEST_F(PlanJson, SaysWhatIsDestroyedWhereTheMapHasMetresOrSections) {
     file.cell_size = 2.4;
     EXPECT_EQ(file.square_metres(6641), 38252.16) << "and not 38252.159999999996";
     file.cell_size = 1;
-    file.sections = {.structures = {{site::ObstacleKind::building, 7, "Mill"},
-                                    {site::ObstacleKind::barrier, 0, ""},
-                                    {site::ObstacleKind::building, 9, "Barn"}},
-                     .parts = {{}, {0, 1}}};
+    file.annotations.sections = {.structures = {{site::ObstacleKind::building, 7, "Mill"},
+                                                {site::ObstacleKind::barrier, 0, ""},
+                                                {site::ObstacleKind::building, 9, "Barn"}},
+                                 .parts = {{}, {0, 1}}};
     EXPECT_EQ(json()["removed"][0]["structures"].dump(),
               R"([{"kind":"building","source_id":7,"name":"Mill"},{"kind":"barrier"}])");
     EXPECT_EQ(json()["demolition"].dump(), R"({"removals":1,"cells":2,"structures":2})");
@@ -232,14 +231,15 @@ TEST_F(PlanJson, SaysWhatIsDestroyedWhereTheMapHasMetresOrSections) {
 TEST_F(PlanJson, NamesABudgetOfSquareMetres) {
     mission.rules.budget = 40;
     const auto written = [&](bool area) {
-        return Json::parse(plan_json(plan, {.map = file, .mission = mission, .method = method, .area_budget = area}));
+        return Json::parse(
+            plan_json(plan, {.map = file, .asked = {.mission = mission, .method = method, .area_budget = area}}));
     };
     EXPECT_EQ(written(true)["options"]["budget_m2"], 40.0);
     EXPECT_EQ(written(true)["mission"]["rules"]["budget_m2"], 40.0);
     EXPECT_FALSE(has_key(written(true), "budget"));
     EXPECT_FALSE(has_key(written(false), "budget_m2"));
-    EXPECT_TRUE(parse_plan(written(true).dump(), "p.json").area_budget);
-    EXPECT_FALSE(parse_plan(written(false).dump(), "p.json").area_budget);
+    EXPECT_TRUE(parse_plan(written(true).dump(), "p.json").asked.area_budget);
+    EXPECT_FALSE(parse_plan(written(false).dump(), "p.json").asked.area_budget);
 }
 
 TEST_F(PlanJson, HasNoSecondsWithoutTimingFields) {

@@ -12,12 +12,12 @@ namespace {
 // A church; a section of a school and a shop; a section of the shop alone; a wall without a name.
 MapFile town() {
     MapFile map{.map = map_from_ascii("aa.bb.c.d"), .source = "town.tif"};
-    map.names = {"", "St. Mary", "Upper School, Corner Shop", "Corner Shop", ""};
-    map.tags = {{"amenity=place_of_worship", {{1}}},
-                {"amenity=school", {{2}}},
-                {"building=church", {{1}}},
-                {"building=yes", {{2}, {3}}}};
-    map.sections = {{{.name = "Upper School"}, {.name = "Corner Shop"}}, {{}, {}, {0, 1}, {1}, {}}};
+    map.annotations.names = {"", "St. Mary", "Upper School, Corner Shop", "Corner Shop", ""};
+    map.annotations.tags = {{"amenity=place_of_worship", {{1}}},
+                            {"amenity=school", {{2}}},
+                            {"building=church", {{1}}},
+                            {"building=yes", {{2}, {3}}}};
+    map.annotations.sections = {{{.name = "Upper School"}, {.name = "Corner Shop"}}, {{}, {}, {0, 1}, {1}, {}}};
     return map;
 }
 

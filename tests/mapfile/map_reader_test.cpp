@@ -35,7 +35,7 @@ TEST_F(MapFiles, OfTheAuthors) {
     for (const std::string before : {"", " \r\n", "\xEF\xBB\xBF"}) {
         const io::MapFile file = read_map_file(put("task.map", before + std::string(xml)));
         EXPECT_EQ(file.format, "authors' XML");
-        EXPECT_EQ(file.title, "Town");
+        EXPECT_EQ(file.annotations.title, "Town");
         EXPECT_EQ(file.cell_size, 5);
         EXPECT_EQ(file.map.obstacles().size(), 2U);
         ASSERT_TRUE(file.task);
@@ -44,12 +44,13 @@ TEST_F(MapFiles, OfTheAuthors) {
 }
 
 TEST_F(MapFiles, WithLabels) {
-    const geotiff::LabelTiff tiff{.map = Map::from_labels(3, 1, {7, 7, 0}), .cell_size = 2, .title = "Town"};
+    const geotiff::LabelTiff tiff{
+        .map = Map::from_labels(3, 1, {7, 7, 0}), .cell_size = 2, .annotations = {.title = "Town"}};
     const std::string bytes = geotiff::label_tiff_bytes(tiff);
     const io::MapFile file = read_map_file(put("city.tif", bytes), Connectivity::eight);
     EXPECT_EQ(file.format, "GeoTIFF label map");
     EXPECT_EQ(file.digest, sha256_digest(bytes));
-    EXPECT_EQ(file.title, "Town");
+    EXPECT_EQ(file.annotations.title, "Town");
     EXPECT_EQ(file.cell_size, 2);
     ASSERT_EQ(file.map.obstacles().size(), 1U);
     EXPECT_EQ(file.map.obstacles()[0].cells, 2U);

@@ -43,8 +43,7 @@ io::MapFile labelled_yard() {
     return {.map = Map::from_labels(5, 3, {drawn.labels().begin(), drawn.labels().end()}, attributes),
             .cell_size = 2.5,
             .origin = std::array{100.0, 42.5},
-            .attribution = "(c) somebody",
-            .title = "Yard"};
+            .annotations = {.title = "Yard", .attribution = "(c) somebody"}};
 }
 
 TEST_F(WrittenMaps, ComeBackWithTheirCells) {
@@ -67,8 +66,8 @@ TEST_F(WrittenMaps, KeepWhatTheirFormatHolds) {
     EXPECT_TRUE(std::equal(tiff.map.labels().begin(), tiff.map.labels().end(), map.map.labels().begin()));
     EXPECT_EQ(tiff.map.obstacles()[1].source_id, -4711);
     EXPECT_FALSE(tiff.map.obstacles()[1].destructible);
-    EXPECT_EQ(tiff.title, "Yard");
-    EXPECT_EQ(tiff.attribution, "(c) somebody");
+    EXPECT_EQ(tiff.annotations.title, "Yard");
+    EXPECT_EQ(tiff.annotations.attribution, "(c) somebody");
 
     write(map, "y.yaml");
     const io::MapFile ros = read_map_file(path("y.yaml"));
@@ -78,14 +77,12 @@ TEST_F(WrittenMaps, KeepWhatTheirFormatHolds) {
 
     write(map, "y.xml");
     EXPECT_EQ(read_map_file(path("y.xml")).cell_size, 2.5);
-    EXPECT_EQ(read_map_file(path("y.xml")).title, "Yard");
+    EXPECT_EQ(read_map_file(path("y.xml")).annotations.title, "Yard");
 }
 
 TEST_F(WrittenMaps, KeepATask) {
     io::MapFile map = labelled_yard();
-    map.task = io::MapTask{.title = "Yard",
-                           .cell_size = 2.5,
-                           .start = Cell{0, 0},
+    map.task = io::MapTask{.start = Cell{0, 0},
                            .goal = Cell{4, 0},
                            .search = {.planner = Planner::jps, .heuristic = Heuristic::octile, .weight = 1.25}};
     map.task->search.body.corners = Corners::cut;
@@ -123,8 +120,8 @@ TEST_F(WrittenMaps, SayWhatIsLost) {
 // Names and what lies around go with a map, as far as its format takes them.
 TEST_F(WrittenMaps, AreStillKnownByTheirNames) {
     const io::MapFile city = read_map_file(project_folder() / "data" / "berlin-mitte.tif");
-    ASSERT_EQ(site::name_count(city.names), 809U);
-    ASSERT_FALSE(city.background.features.empty());
+    ASSERT_EQ(site::name_count(city.annotations.names), 809U);
+    ASSERT_FALSE(city.annotations.background.features.empty());
     EXPECT_TRUE(write(city, "b.tif").losses.empty());
     EXPECT_EQ(bytes_of("b.tif"), bytes_of(project_folder() / "data" / "berlin-mitte.tif"));
 
@@ -135,7 +132,7 @@ TEST_F(WrittenMaps, AreStillKnownByTheirNames) {
     all_of_it.choice.obstacles = {{.key = "*"}};
     const geotiff::LabelTiff imported = city::import_city(path("b.geojson"), all_of_it).tiff;
     EXPECT_TRUE(imported.map.grid() == city.map.grid());
-    EXPECT_EQ(imported.names, city.names);
+    EXPECT_EQ(imported.annotations.names, city.annotations.names);
 
     const std::vector<std::string> losses = write_map(city, "b.png").losses;
     EXPECT_NE(losses.front().find("source ids, names"), std::string::npos) << losses.front();
@@ -250,15 +247,16 @@ TEST_F(WrittenMaps, OfRosWithoutObstaclesHoldWhatWasRead) {
 
 TEST_F(WrittenMaps, WithoutObstaclesKeepTheOthers) {
     io::MapFile map = labelled_yard();
-    map.names = {"", "Shed", "Barn", "", "Wall"};
+    map.annotations.names = {"", "Shed", "Barn", "", "Wall"};
     using Kind = site::ObstacleKind;
-    map.kinds = {Kind::unknown, Kind::building, Kind::building, Kind::water, Kind::barrier};
+    map.annotations.kinds = {Kind::unknown, Kind::building, Kind::building, Kind::water, Kind::barrier};
     const io::MapFile opened = without_obstacles(map, std::array{ObstacleId{1}});
     EXPECT_EQ(opened.map.grid(), map_from_ascii("...#. ...## ..#.#").grid());
     ASSERT_EQ(opened.map.obstacles().size(), 3U);
     EXPECT_EQ(opened.map.obstacles()[0].source_id, -4711);
-    EXPECT_EQ(opened.names, (site::ObstacleNames{"", "Barn", "", "Wall"}));
-    EXPECT_EQ(opened.kinds, (site::ObstacleKinds{Kind::unknown, Kind::building, Kind::water, Kind::barrier}));
+    EXPECT_EQ(opened.annotations.names, (site::ObstacleNames{"", "Barn", "", "Wall"}));
+    EXPECT_EQ(opened.annotations.kinds,
+              (site::ObstacleKinds{Kind::unknown, Kind::building, Kind::water, Kind::barrier}));
     EXPECT_EQ(input_error([&] { without_obstacles(map, std::array{ObstacleId{5}}); }),
               "there is no obstacle 5: the map has 4 obstacles");
     EXPECT_EQ(input_error([&] { without_obstacles(map, std::array{ObstacleId{2}}); }),
@@ -281,12 +279,13 @@ TEST_F(WrittenMaps, KeepTheirSectionsInLabels) {
     write(cut, "cut.tif");
     const io::MapFile back = read_map_file(path("cut.tif"));
     EXPECT_TRUE(std::equal(cut.map.labels().begin(), cut.map.labels().end(), back.map.labels().begin()));
-    EXPECT_EQ(back.sections, cut.sections);
+    EXPECT_EQ(back.annotations.sections, cut.annotations.sections);
     // Opened, those that are left are still parts of what they were.
     const ObstacleId first = back.map.obstacle_at({1, 0});
     const ObstacleId second = back.map.obstacle_at({2, 0});
     const io::MapFile opened = without_obstacles(back, std::array{first});
-    EXPECT_EQ(opened.sections.parts[opened.map.obstacle_at({2, 0}).value], back.sections.parts[second.value]);
+    EXPECT_EQ(opened.annotations.sections.parts[opened.map.obstacle_at({2, 0}).value],
+              back.annotations.sections.parts[second.value]);
     EXPECT_EQ(input_error([&] { in_sections(back, {.side = 2}); }),
               "cut.tif: is cut into sections already; give the map that it was made from");
 }

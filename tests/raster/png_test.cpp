@@ -58,7 +58,7 @@ bool is_near(unsigned a, unsigned b, int tolerance = 2) {
 TEST(Png, ShowsThePlan) {
     const render::World world = render::wall();
     for (const int width : {600, 1200, 2000}) {
-        const render::PictureOptions options = {.width = width, .title = "The wall"};
+        const render::PictureOptions options = {.width = width, .annotations = {.title = "The wall"}};
         const std::string bytes = png(world, options);
         ASSERT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
         const Image image(bytes);
@@ -92,7 +92,7 @@ TEST(Png, SameInputSameBytes) {
 TEST(Png, DrawsTheStrangestMaps) {
     for (const auto& [width, height] : {std::pair(1, 1), {1, 700}, {700, 1}, {16384, 2}}) {
         const render::World world = render::unsolved(Map(Grid(width, height)), {0, 0}, {0, 0});
-        const Image image(png(world, {.width = 400, .title = "\xFF<\x02"}));
+        const Image image(png(world, {.width = 400, .annotations = {.title = "\xFF<\x02"}}));
         EXPECT_EQ(image.width(), 400);
     }
 }

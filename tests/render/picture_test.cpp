@@ -20,7 +20,7 @@ std::size_t count(const pugi::xml_document& picture, const std::string& query) {
 }
 
 TEST(Picture, ShowsTheFigures) {
-    const auto picture = parsed(svg_of(wall(), {.title = "The wall", .attribution = "By hand"}));
+    const auto picture = parsed(svg_of(wall(), {.annotations = {.title = "The wall", .attribution = "By hand"}}));
     EXPECT_TRUE(says(picture, "The wall"));
     EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 cells at speed 1 (−37.4 %), 1 obstacle removed"));
     EXPECT_TRUE(says(picture, "8 × 7 cells"));
@@ -41,7 +41,7 @@ TEST(Picture, ScalesLengthsToMetres) {
 TEST(Picture, CallsSectionsOpenings) {
     const site::Sections sections{{{site::ObstacleKind::building, 7, "Mill"}, {site::ObstacleKind::barrier, 8, ""}},
                                   {{}, {0, 1}}};
-    const auto picture = parsed(svg_of(wall(), {.sections = sections}));
+    const auto picture = parsed(svg_of(wall(), {.annotations = {.sections = sections}}));
     EXPECT_TRUE(says(picture, "Makespan 11.5 → 7.2 cells at speed 1 (−37.4 %), 1 opening"));
 }
 
@@ -122,8 +122,8 @@ TEST(Picture, TellsApartWhatTheGroundIs) {
     for (const std::size_t fixed : {1U, 2U, 3U, 4U}) attributes[fixed].destructible = false;
     const World world = unsolved(Map::from_labels(8, 1, {0, 1, 2, 3, 4, 5, 6, 0}, attributes), {0, 0}, {7, 0});
     using enum site::ObstacleKind;
-    const auto picture =
-        parsed(svg_of(world, {.kinds = {unknown, water, cliff, forbidden, building, barrier, building}}));
+    const auto picture = parsed(
+        svg_of(world, {.annotations = {.kinds = {unknown, water, cliff, forbidden, building, barrier, building}}}));
     const auto drawn = [&](const std::string& fill, const std::string& path) {
         return count(picture, "/svg/path[@fill='" + fill + "'][@d='" + path + "']");
     };
@@ -170,8 +170,8 @@ TEST(Picture, HasRoomForALongLegend) {
     for (const std::size_t fixed : {2U, 3U, 4U, 5U}) attributes[fixed].destructible = false;
     world.map = Map::from_labels(map.width(), map.height(), labels, attributes);
     using enum site::ObstacleKind;
-    const auto [last, higher] =
-        lowest_and_height({.kinds = {unknown, building, water, cliff, forbidden, building, barrier, building}});
+    const auto [last, higher] = lowest_and_height(
+        {.annotations = {.kinds = {unknown, building, water, cliff, forbidden, building, barrier, building}}});
     EXPECT_GT(higher, height + 29);
     EXPECT_LT(last, higher);
     EXPECT_DOUBLE_EQ(height - usual, higher - last) << "the attribution, below the legend";
@@ -182,7 +182,7 @@ TEST(Picture, TellsWaterFromTheRest) {
     attributes[1].destructible = false;
     const World world = unsolved(Map::from_labels(5, 1, {0, 1, 2, 2, 0}, attributes), {0, 0}, {4, 0});
     using enum site::ObstacleKind;
-    const auto picture = parsed(svg_of(world, {.kinds = {unknown, water, building}}));
+    const auto picture = parsed(svg_of(world, {.annotations = {.kinds = {unknown, water, building}}}));
     EXPECT_TRUE(says(picture, "water"));
     EXPECT_TRUE(says(picture, "obstacle"));
     EXPECT_FALSE(says(picture, "not removable"));
@@ -211,10 +211,10 @@ TEST(Picture, SaysThatRemovalOpenedTheWay) {
 
 TEST(Picture, SurvivesHostileNames) {
     const std::string hostile = "</title><script>alert('&')</script>\x01\xFF\"";
-    const auto picture = parsed(svg_of(wall(), {.title = hostile, .attribution = hostile}));
+    const auto picture = parsed(svg_of(wall(), {.annotations = {.title = hostile, .attribution = hostile}}));
     EXPECT_EQ(count(picture, "//script"), 0U);
     EXPECT_STREQ(picture.child("svg").child("title").text().get(), "</title><script>alert('&')</script>\uFFFD\uFFFD\"");
-    EXPECT_LT(svg_of(wall(), {.title = std::string(1 << 20, '<')}).size(), 20'000U);
+    EXPECT_LT(svg_of(wall(), {.annotations = {.title = std::string(1 << 20, '<')}}).size(), 20'000U);
 }
 
 TEST(Picture, RefusesSizesOutOfRange) {
@@ -252,7 +252,7 @@ TEST(Picture, LegendAndCaptionCoverNothing) {
         worlds.push_back(unsolved(Map(Grid(width, height)), {0, 0}, {width - 1, height - 1}));
     }
     for (const World& world : worlds) {
-        const PictureOptions options = {.title = "t", .attribution = "a"};
+        const PictureOptions options = {.annotations = {.title = "t", .attribution = "a"}};
         const Layout layout = lay_out(world.map, options, 6);
         const auto picture = parsed(svg_of(world, options));
         EXPECT_LE(layout.height, 2 * layout.width);

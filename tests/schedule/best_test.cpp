@@ -8,7 +8,7 @@
 #include <set>
 
 #include "ascii_map.hpp"
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "random_map.hpp"
 #include "waybreaker/schedule.hpp"
 #include "world.hpp"

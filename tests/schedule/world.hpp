@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 #include "random_map.hpp"
 #include "waybreaker/schedule.hpp"
 

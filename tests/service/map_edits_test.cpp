@@ -42,10 +42,10 @@ StoredMap labelled(const std::string& rows) {
     geotiff::LabelTiff tiff{.map = Map::from_labels(width, height, labels, attributes),
                             .cell_size = 2.5,
                             .georeference = site::Georeference{utm, {500000, 2.5, 0, 5800000, 0, -2.5}},
-                            .title = "Town"};
-    tiff.names.resize(tiff.map.obstacles().size() + 1);
+                            .annotations = {.title = "Town"}};
+    tiff.annotations.names.resize(tiff.map.obstacles().size() + 1);
     for (const Obstacle& o : tiff.map.obstacles()) {
-        if (o.source_id == 100) tiff.names[o.id.value] = "Alpha";
+        if (o.source_id == 100) tiff.annotations.names[o.id.value] = "Alpha";
     }
     return stored(geotiff::label_tiff_bytes(tiff));
 }
@@ -104,12 +104,12 @@ TEST(MapEdits, LabelsStayAndWallsStandBesideThem) {
               ".1...\n"
               "a1..b\n"
               ".....\n");
-    EXPECT_EQ(edited.file.name_of({2}), "Alpha");
-    EXPECT_EQ(edited.file.name_of({1}), "");
+    EXPECT_EQ(edited.file.annotations.name_of({2}), "Alpha");
+    EXPECT_EQ(edited.file.annotations.name_of({1}), "");
     EXPECT_FALSE(edited.file.map.obstacle({3}).destructible);
     EXPECT_TRUE(edited.file.map.obstacle({1}).destructible);
     EXPECT_EQ(edited.file.cell_size, 2.5);
-    EXPECT_EQ(edited.file.title, "Town");
+    EXPECT_EQ(edited.file.annotations.title, "Town");
     ASSERT_TRUE(edited.file.georeference);
     EXPECT_EQ(edited.file.georeference->transform, map.file.georeference->transform);
 }
@@ -128,8 +128,8 @@ TEST(MapEdits, TheBuiltInMapKeepsItsNamesAndBackground) {
     const StoredMap edited = edited_map(city, {});
     EXPECT_TRUE(
         std::equal(city.file.map.labels().begin(), city.file.map.labels().end(), edited.file.map.labels().begin()));
-    EXPECT_EQ(edited.file.names, city.file.names);
-    EXPECT_EQ(edited.file.background.features.size(), city.file.background.features.size());
+    EXPECT_EQ(edited.file.annotations.names, city.file.annotations.names);
+    EXPECT_EQ(edited.file.annotations.background.features.size(), city.file.annotations.background.features.size());
     EXPECT_EQ(edited_map(city, {}).bytes, edited.bytes);
 }
 

@@ -19,16 +19,15 @@ std::string refusal(const std::string& text) {
 
 TEST(PlanRequest, WhatIsLeftOutHasTheDefaultsOfTheCommand) {
     const PlanRequest request = parse_plan_request("{}");
-    EXPECT_EQ(request.options.rules.removals, Rules().removals);
-    EXPECT_EQ(request.options.method.planner, Planner::optimal);
-    EXPECT_FALSE(weights_of(request.options, three_cells()));
+    EXPECT_EQ(request.options.asked.mission.rules.removals, Rules().removals);
+    EXPECT_EQ(request.options.asked.method.planner, Planner::optimal);
     EXPECT_TRUE(request.timing_fields);
 }
 
 TEST(PlanRequest, AgentsHaveTheirStartsAndGoals) {
     const PlanRequest request = parse_plan_request(
         R"({"mission": {"start": [0, 0], "goal": [2, 0], "air_goal": [4, 0], "air_speed": 2, "ground_speed": 0.5}})");
-    const Mission mission = document_of(request.mission, request.options, three_cells()).mission;
+    const Mission mission = on_map(request.mission, request.options, three_cells()).asked.mission;
     ASSERT_EQ(mission.agents.size(), 2U);
     for (const Agent& agent : mission.agents) {
         const bool flies = agent.kind == AgentKind::air;
@@ -41,7 +40,7 @@ TEST(PlanRequest, AgentsHaveTheirStartsAndGoals) {
 TEST(PlanRequest, AMissionInShortMayBeInSecondsToo) {
     const auto in_seconds = [](const std::string& mission) {
         const PlanRequest request = parse_plan_request(R"({"mission": )" + mission + "}");
-        return document_of(request.mission, request.options, three_cells()).in_seconds;
+        return on_map(request.mission, request.options, three_cells()).asked.in_seconds;
     };
     EXPECT_TRUE(in_seconds(R"({"start": [0, 0], "goal": [2, 0], "time_unit": "s"})"));
     EXPECT_FALSE(in_seconds(R"({"start": [0, 0], "goal": [2, 0]})"));
@@ -50,31 +49,39 @@ TEST(PlanRequest, AMissionInShortMayBeInSecondsToo) {
 TEST(PlanRequest, ThePaperIsItsMethodUnlessOneSaysOtherwise) {
     const PlanRequest request =
         parse_plan_request(R"({"options": {"paper": true, "removals": 2, "timing": "enforce"}})");
-    const Method& method = request.options.method;
+    const Method& method = request.options.asked.method;
     EXPECT_EQ(method.select, Selection::hits);
     EXPECT_EQ(method.flight, FlightRule::nearest);
     EXPECT_EQ(method.planner, Planner::theta);
-    EXPECT_EQ(request.options.rules.timing, Timing::enforce);
+    EXPECT_EQ(request.options.asked.mission.rules.timing, Timing::enforce);
 }
 
 TEST(PlanRequest, WeightsAndBudget) {
     const auto weights = [](const std::string& options) {
-        const PlanRequest request = parse_plan_request(fmt::format(R"({{"options": {}}})", options));
-        return weights_of(request.options, three_cells()).value();
+        const PlanRequest request = parse_plan_request(
+            fmt::format(R"({{"mission": {{"start": [0, 0], "goal": [2, 0]}}, "options": {}}})", options));
+        const Map map = on_map(request.mission, request.options, three_cells()).reweighted.value();
+        return std::vector{map.obstacle({1}).weight, map.obstacle({2}).weight};
     };
     const auto rules = [](const std::string& options) {
         const PlanRequest request = parse_plan_request(
             fmt::format(R"({{"mission": {{"start": [0, 0], "goal": [2, 0]}}, "options": {}}})", options));
-        return document_of(request.mission, request.options, three_cells()).mission.rules;
+        return on_map(request.mission, request.options, three_cells()).asked.mission.rules;
     };
-    EXPECT_EQ(weights(R"({"weights": [[2, 0.5]]})"), (std::vector<double>{0, 1, 0.5}));
-    EXPECT_EQ(weights(R"({"weights": "cells", "budget": 2})"), (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(weights(R"({"weights": [[2, 0.5]]})"), (std::vector<double>{1, 0.5}));
+    EXPECT_EQ(weights(R"({"weights": "cells", "budget": 2})"), (std::vector<double>{1, 2}));
     EXPECT_EQ(rules(R"({"weights": "cells", "budget": 2})").removals, 2) << "a budget alone stands in place of a count";
     EXPECT_EQ(rules(R"({"budget": 2, "removals": 1})").removals, 1);
     EXPECT_NE(input_error([&] { weights(R"({"weights": [[3, 1]]})"); }), "");
     EXPECT_NE(input_error([&] { weights(R"({"budget_m2": 2})"); }), "") << "the map has no metres";
     EXPECT_NE(input_error([&] { weights(R"({"budget_m2": 2, "weights": "cells"})"); }), "");
-    EXPECT_EQ(rules(R"({"budget_m2": 2})").removals, 2);
+    io::MapFile in_metres = three_cells();
+    in_metres.cell_size = 2;
+    const PlanRequest area =
+        parse_plan_request(R"({"mission": {"start": [0, 0], "goal": [2, 0]}, "options": {"budget_m2": 2}})");
+    const MissionOnMap made = on_map(area.mission, area.options, in_metres);
+    EXPECT_EQ(made.asked.mission.rules.removals, 2);
+    EXPECT_EQ(made.reweighted.value().obstacle({2}).weight, 8) << "square metres";
 }
 
 TEST(PlanRequest, MethodsStartFromTheOptions) {
@@ -82,10 +89,10 @@ TEST(PlanRequest, MethodsStartFromTheOptions) {
         R"({"options": {"removals": 1, "protect": [2]}, "methods": [{"name": "a", "options": {"select": "hits"}},
                                                                     {"name": "b", "options": {"removals": 0}}]})");
     ASSERT_EQ(request.variants.size(), 2U);
-    EXPECT_EQ(request.variants[0].options.rules.removals, 1);
-    EXPECT_EQ(request.variants[0].options.method.select, Selection::hits);
-    EXPECT_EQ(request.variants[1].options.rules.removals, 0);
-    EXPECT_EQ(request.variants[1].options.rules.protect, (std::vector<ObstacleId>{{2}}));
+    EXPECT_EQ(request.variants[0].options.asked.mission.rules.removals, 1);
+    EXPECT_EQ(request.variants[0].options.asked.method.select, Selection::hits);
+    EXPECT_EQ(request.variants[1].options.asked.mission.rules.removals, 0);
+    EXPECT_EQ(request.variants[1].options.asked.mission.rules.protect, (std::vector<ObstacleId>{{2}}));
 }
 
 TEST(PlanRequest, SaysWhatIsWrongAndWhere) {
@@ -113,7 +120,7 @@ TEST(PlanRequest, TakesAMissionFile) {
     const std::string inside = fmt::format(R"({{"mission": {}, "options": {{"removals": 1}}}})", mission_file);
     for (const std::string& text : {std::string(mission_file), inside}) {
         const PlanRequest request = parse_plan_request(text);
-        const io::MissionDocument asked = document_of(request.mission, request.options, three_cells());
+        const io::MissionDocument asked = on_map(request.mission, request.options, three_cells()).asked;
         ASSERT_EQ(asked.mission.agents.size(), 2U);
         EXPECT_EQ(asked.mission.agents[0].id, "robot");
         EXPECT_EQ(asked.mission.agents[0].body, point_body);
@@ -132,7 +139,7 @@ TEST(PlanRequest, KeepsThePlannerAndTheRemovalsOfAMissionFile) {
             R"({{"mission": {{"format": "waybreaker-mission/1", "agents": [
                 {{"id": "a", "kind": "ground", "start": [0, 0], "goal": [2, 0]}}], "method": {}}}, "options": {}}})",
             method, options));
-        return document_of(request.mission, request.options, three_cells());
+        return on_map(request.mission, request.options, three_cells()).asked;
     };
     EXPECT_EQ(asked(R"({"weight": 1.5})", "{}").method.planner, Planner::optimal);
     EXPECT_EQ(asked("{}", R"({"weight": 1.5})").method.planner, Planner::theta);
@@ -142,11 +149,11 @@ TEST(PlanRequest, KeepsThePlannerAndTheRemovalsOfAMissionFile) {
 
 TEST(PlanRequest, ProtectsByTag) {
     io::MapFile map = three_cells();
-    map.tags = {{"building=church", {{2}}}};
+    map.annotations.tags = {{"building=church", {{2}}}};
     const auto kept = [&map](const std::string& protect) {
         const PlanRequest request = parse_plan_request(fmt::format(
             R"({{"mission": {{"start": [0, 0], "goal": [2, 0]}}, "options": {{"protect": [{}]}}}})", protect));
-        return document_of(request.mission, request.options, map).mission.rules.protect;
+        return on_map(request.mission, request.options, map).asked.mission.rules.protect;
     };
     EXPECT_EQ(kept("1"), (std::vector<ObstacleId>{{1}}));
     EXPECT_EQ(kept(R"("building", 1)"), (std::vector<ObstacleId>{{1}, {2}}));
@@ -159,7 +166,7 @@ TEST(PlanRequest, AVariantMayCountWhereTheOthersHaveABudget) {
         R"({"mission": {"start": [0, 0], "goal": [2, 0]}, "options": {"budget": 2},
             "methods": [{"name": "a", "options": {"removals": 1}}, {"name": "b", "options": {}}]})");
     const auto removals = [&](std::size_t i) {
-        return document_of(request.mission, request.variants[i].options, three_cells()).mission.rules.removals;
+        return on_map(request.mission, request.variants[i].options, three_cells()).asked.mission.rules.removals;
     };
     EXPECT_EQ(removals(0), 1);
     EXPECT_EQ(removals(1), 2);

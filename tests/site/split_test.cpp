@@ -20,7 +20,7 @@ namespace {
 struct Town {
     DescribedMap whole;
     Lattice lattice;
-    DescribedMap cut() const { return split(whole.map, whole.names, whole.kinds, whole.tags, lattice); }
+    DescribedMap cut() const { return split(whole.map, whole.annotations, lattice); }
 };
 
 LabelLayer random_layer(bool weighed) {
@@ -112,10 +112,11 @@ RC_GTEST_PROP(Split, LeavesWholeWhatCannotBeDestroyed, ()) {
         RC_ASSERT(after.source_id == before.source_id);
         RC_ASSERT(after.weight == before.weight);
         RC_ASSERT(after.breach_time == before.breach_time);
-        RC_ASSERT(cut.kinds[after.id.value] == town.whole.kinds[before.id.value]);
-        const bool named = !town.whole.names.empty() && !town.whole.names[before.id.value].empty();
-        if (named) RC_ASSERT(cut.names[after.id.value] == town.whole.names[before.id.value]);
-        if (!cut.sections.empty()) RC_ASSERT(cut.sections.parts[after.id.value].empty());
+        RC_ASSERT(cut.annotations.kinds[after.id.value] == town.whole.annotations.kinds[before.id.value]);
+        const bool named =
+            !town.whole.annotations.names.empty() && !town.whole.annotations.names[before.id.value].empty();
+        if (named) RC_ASSERT(cut.annotations.names[after.id.value] == town.whole.annotations.names[before.id.value]);
+        if (!cut.annotations.sections.empty()) RC_ASSERT(cut.annotations.sections.parts[after.id.value].empty());
     }
 }
 
@@ -169,20 +170,20 @@ RC_GTEST_PROP(Split, KnowsOfWhatEachSectionIsAPart, ()) {
         for_each_cell(cut.map, [&](Cell c) {
             if (cut.map.obstacle_at(c) == section.id) ++cells[town.whole.map.obstacle_at(c).value];
         });
-        const auto& parts = cut.sections.parts[section.id.value];
+        const auto& parts = cut.annotations.sections.parts[section.id.value];
         RC_ASSERT(parts.size() == cells.size());
         int most = 0;
         for (const auto& [id, count] : cells) most = std::max(most, count);
         auto part = parts.begin();
         for (const auto& [id, count] : cells) {  // structures are in the order of the obstacles
-            const Structure& structure = cut.sections.structures[*part++];
-            const std::string name = town.whole.names.empty() ? "" : town.whole.names[id];
+            const Structure& structure = cut.annotations.sections.structures[*part++];
+            const std::string name = town.whole.annotations.names.empty() ? "" : town.whole.annotations.names[id];
             const Obstacle& before = town.whole.map.obstacle({id});
-            RC_ASSERT(structure == (Structure{town.whole.kinds[id], before.source_id, name}));
-            if (!name.empty()) RC_ASSERT(cut.names[section.id.value].find(name) != std::string::npos);
+            RC_ASSERT(structure == (Structure{town.whole.annotations.kinds[id], before.source_id, name}));
+            if (!name.empty()) RC_ASSERT(cut.annotations.names[section.id.value].find(name) != std::string::npos);
             if (count < most) continue;
             RC_ASSERT(section.source_id == before.source_id);
-            RC_ASSERT(cut.kinds[section.id.value] == structure.kind);
+            RC_ASSERT(cut.annotations.kinds[section.id.value] == structure.kind);
             most = INT_MAX;  // the first one among equals
         }
     }
@@ -192,10 +193,10 @@ RC_GTEST_PROP(Split, KnowsOfWhatEachSectionIsAPart, ()) {
 RC_GTEST_PROP(Split, GivesTagsToWhoHasAPartOfTheTagged, ()) {
     const Town town = random_town();
     const DescribedMap cut = town.cut();
-    RC_ASSERT(cut.tags.size() == town.whole.tags.size());
-    for (const auto& [tag, obstacles] : cut.tags) {
+    RC_ASSERT(cut.annotations.tags.size() == town.whole.annotations.tags.size());
+    for (const auto& [tag, obstacles] : cut.annotations.tags) {
         std::set<ObstacleId> expected;
-        for_each_cell(cut.map, [&, &whole = town.whole.tags.at(tag)](Cell c) {
+        for_each_cell(cut.map, [&, &whole = town.whole.annotations.tags.at(tag)](Cell c) {
             if (std::ranges::count(whole, town.whole.map.obstacle_at(c)) > 0) expected.insert(cut.map.obstacle_at(c));
         });
         RC_ASSERT(std::set<ObstacleId>(obstacles.begin(), obstacles.end()) == expected);
@@ -232,8 +233,8 @@ RC_GTEST_PROP(Split, IsTheSameWhereverTheLatticeIsSaidToBegin, ()) {
     town.lattice.origin.y += 2 * town.lattice.side;
     const DescribedMap again = town.cut();
     RC_ASSERT(std::equal(once.map.labels().begin(), once.map.labels().end(), again.map.labels().begin()));
-    RC_ASSERT(once.names == again.names);
-    RC_ASSERT(once.sections == again.sections);
+    RC_ASSERT(once.annotations.names == again.annotations.names);
+    RC_ASSERT(once.annotations.sections == again.annotations.sections);
 }
 
 TEST(Split, CutsAlongTheLatticeAndJoinsSlivers) {
@@ -246,7 +247,7 @@ TEST(Split, CutsAlongTheLatticeAndJoinsSlivers) {
         ...........c.
         ...........c.
         ..d..........)");
-    const DescribedMap cut = split(map, {}, {}, {}, {.side = 5});
+    const DescribedMap cut = split(map, {}, {.side = 5});
     const auto at = [&](Cell c) { return cut.map.obstacle_at(c).value; };
     EXPECT_EQ(cut.map.obstacles().size(), 5U);
     EXPECT_EQ(at({4, 4}), 1U);
@@ -255,8 +256,8 @@ TEST(Split, CutsAlongTheLatticeAndJoinsSlivers) {
     EXPECT_EQ(at({11, 3}), 3U);
     EXPECT_EQ(at({11, 5}), 4U) << "two of 25 cells are no sliver";
     EXPECT_EQ(at({2, 7}), 5U) << "a sliver that touches nothing stays alone";
-    EXPECT_EQ(cut.sections.parts[2], (std::vector<std::uint32_t>{0, 1}));
-    const DescribedMap wider = split(map, {}, {}, {}, {.side = 8});
+    EXPECT_EQ(cut.annotations.sections.parts[2], (std::vector<std::uint32_t>{0, 1}));
+    const DescribedMap wider = split(map, {}, {.side = 8});
     EXPECT_EQ(wider.map.obstacles().size(), 2U);
     EXPECT_EQ(wider.map.obstacle_at({2, 7}), ObstacleId{1});
 }
@@ -271,13 +272,13 @@ TEST(Split, JoinsASliverToWhatItTouchesMost) {
         aaaaaaaab
         aaaaaaaa.
         aaaaaaaa.)");
-    const DescribedMap cut = split(map, {}, {}, {}, {.side = 8});
+    const DescribedMap cut = split(map, {}, {.side = 8});
     EXPECT_EQ(cut.map.obstacles().size(), 1U);
-    EXPECT_EQ(cut.sections.parts[1].size(), 2U);
+    EXPECT_EQ(cut.annotations.sections.parts[1].size(), 2U);
 }
 
 TEST(Split, RefusesSquaresOfNoCell) {
-    EXPECT_EQ(input_error([] { split(map_from_ascii("#."), {}, {}, {}, {.side = 0}); }),
+    EXPECT_EQ(input_error([] { split(map_from_ascii("#."), {}, {.side = 0}); }),
               "a section needs a side of at least one cell");
 }
 

@@ -1,4 +1,4 @@
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 #include <algorithm>
 #include <array>

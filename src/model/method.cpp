@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/range.hpp"
-#include "plan/idle.hpp"
+#include "model/idle.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {

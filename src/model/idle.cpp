@@ -1,10 +1,10 @@
-#include "plan/idle.hpp"
+#include "model/idle.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 namespace waybreaker {
 namespace {

@@ -1,5 +1,5 @@
 // Times and touches compared with samples at many moments of the drive.
-#include "plan/timeline.hpp"
+#include "model/timeline.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // What each objective makes small, and by what it breaks ties.
-#include "plan/objective.hpp"
+#include "model/objective.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,35 @@
+// The mission document: what is asked, how it is planned, how long that may take. The command line, requests, mission
+// files and files of missions fill one; plan files hold a copy.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/map_file.hpp"
+#include "site/tag_filter.hpp"
+#include "waybreaker/limits.hpp"
+#include "waybreaker/method.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker::io {
+
+struct MissionDocument {
+    Mission mission = {};
+    Method method = {};
+    Limits limits = {};        // but for what stops or reports
+    bool area_budget = false;  // the budget is one of square metres: obstacles weigh their area
+    bool in_seconds = false;   // a unit of time is a second
+    // What is protected beside mission.rules.protect, until the map is known.
+    std::vector<site::TagFilter> protect_tags = {};
+    // Which map it is for, as seen from the document's file; empty where that is said elsewhere.
+    std::string map = {};
+};
+
+// Makes the mission one of this map: what has the tags is protected by its id, and the tags are gone. Gives the map to
+// plan on where it differs: its obstacles weigh their area where the budget is one, else `weights` by id, if any.
+// Throws InputError if nothing has a tag, or the map does not say how large a cell is.
+std::optional<Map> resolve(MissionDocument& document, const MapFile& file,
+                           const std::optional<std::vector<double>>& weights = {});
+
+}  // namespace waybreaker::io

@@ -1,0 +1,31 @@
+// Annotations: what people know a map by. Planning uses none of it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "site/background.hpp"
+#include "site/obstacle_kinds.hpp"
+#include "site/obstacle_names.hpp"
+#include "site/obstacle_tags.hpp"
+#include "site/sections.hpp"
+#include "waybreaker/map.hpp"
+
+namespace waybreaker::site {
+
+struct Annotations {
+    std::string title = {};        // place and window, for captions; any bytes, may be empty
+    std::string attribution = {};  // of the source data: "© OpenStreetMap contributors, ODbL 1.0"; any bytes
+    ObstacleNames names = {};      // what people call the obstacles
+    ObstacleKinds kinds = {};      // what the obstacles are: buildings, water, ...
+    ObstacleTags tags = {};        // what the source says of them: amenity=school, ...
+    Sections sections = {};        // what they are parts of, where they are cut
+    Background background = {};    // streets, water, ...
+
+    // Empty where it is unknown.
+    std::string_view name_of(ObstacleId id) const {
+        return id.value < names.size() ? names[id.value] : std::string_view();
+    }
+};
+
+}  // namespace waybreaker::site
