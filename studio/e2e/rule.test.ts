@@ -73,7 +73,6 @@ it("keeps a limit that it has no control for, plans as the command does, and dro
   const { page } = studio;
   await studio.settled();
   await page.getByLabel("File to open").setInputFiles(file);
-  await page.getByText("Left out: ready_at, which the page has only for vehicles of a team.").waitFor();
   const choice = page.getByText("Also asked: budget 100\u00a0m²", { exact: true });
   await choice.waitFor();
   await studio.settled();
@@ -81,6 +80,7 @@ it("keeps a limit that it has no control for, plans as the command does, and dro
   expect(options.budget_m2).toBe(100);
   expect(demolition!.area_m2).toBeLessThanOrEqual(100);
   expect(mission!.time_unit).toBe("s");
+  expect(mission!.agents[0]).toMatchObject({ id: "ground", ready_at: 12 }); // 5 cells of 2.4 m at 1 m/s
   expect((await studio.figures())[0]).toBeGreaterThan(800); // seconds at 1 m/s, as the command says
   await page.getByRole("button", { name: /^Take back: Also asked/ }).click();
   await choice.waitFor({ state: "detached" });
