@@ -18,24 +18,24 @@ void Evaluation::add(Draft draft) {
 }
 
 void Evaluation::evaluate(const Set& set) {
-    const Set all = united(problem_.forced(), set);
+    const Set all = with_forced(set);
     if (is_new(all)) add(sorties_.plan(all, problem_.forced(), reached()));
 }
 
 void Evaluation::evaluate_growing(const Set& set) {
-    const Set all = united(problem_.forced(), set);
+    const Set all = with_forced(set);
     if (!is_new(all)) return;
     Draft draft = sorties_.plan(all, problem_.forced(), reached());
     if (draft.cost.first < reached() * (1 - rounding)) add(std::move(draft));
 }
 
 void Evaluation::evaluate_whole(const Set& set) {
-    const Set all = united(problem_.forced(), set);
+    const Set all = with_forced(set);
     if (is_new(all)) add(sorties_.plan(all, all, reached()));
 }
 
 void Evaluation::evaluate_carefully(const Set& set, std::uint64_t enough) {
-    add(sorties_.plan(united(problem_.forced(), set), problem_.forced(), reached(), enough));
+    add(sorties_.plan(with_forced(set), problem_.forced(), reached(), enough));
 }
 
 }  // namespace waybreaker::coalition

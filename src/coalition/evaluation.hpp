@@ -31,6 +31,7 @@ class Evaluation {
     double reached() const { return drafts_.empty() ? infinity : drafts_.front().cost.first; }
 
   private:
+    Set with_forced(const Set& set) const { return united(problem_.forced(), set); }
     bool is_new(const Set& all);
     void add(Draft draft);
 

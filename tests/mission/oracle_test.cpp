@@ -142,6 +142,19 @@ RC_GTEST_PROP(Oracle, TheSameForSeveralAircraft, ()) {
     expect_between_bound_and_plan(world);
 }
 
+RC_GTEST_PROP(Oracle, TheSameWithWhatMustBeRemoved, ()) {
+    World world = any_world();
+    Rules& rules = world.mission.rules;
+    rules.protect.clear();
+    std::vector<ObstacleId> removable;
+    for (const Obstacle& obstacle : world.map.obstacles()) {
+        if (obstacle.destructible) removable.push_back(obstacle.id);
+    }
+    RC_PRE(!removable.empty());
+    rules.force = {*rc::gen::elementOf(removable)};
+    expect_between_bound_and_plan(world);
+}
+
 // Each world was once planned worse, for the reason given.
 TEST(Oracle, NoneBeatsThePlan) {
     World gate_where_an_obstacle_stood = world_of({"a.bcc.", "a.bb..", ".bc..b", ".a..b."}, {5, 0}, {1, 1});
