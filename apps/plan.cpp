@@ -211,7 +211,9 @@ std::vector<Plan> plan_mission(const io::MapFile& file, const io::MissionDocumen
     Limits limits = asked.limits;
     limits.progress = [&progress](const waybreaker::Progress& known) {
         if (!std::isfinite(known.best)) return;
-        progress.update(fmt::format("best {:.1f}, none below {:.1f}", known.best, known.bound));
+        std::string line = fmt::format("best {:.1f}", known.best);
+        if (known.bound > 0) line += fmt::format(", none below {:.1f}", known.bound);
+        progress.update(line);
     };
     MissionPlanner planner;
     std::vector<Plan> plans = front ? planner.front(file.map, asked.mission, asked.method, limits)

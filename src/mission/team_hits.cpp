@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "drive/opening.hpp"
-#include "select/hits.hpp"
 
 namespace waybreaker {
 
@@ -26,13 +25,6 @@ std::vector<std::uint32_t> hits_of_team(const Map& map, const Mission& mission, 
         for (std::size_t id = 0; id < search.hits.size(); ++id) all[id] += std::min(search.hits[id], most - all[id]);
     }
     return all;
-}
-
-std::vector<ObstacleId> most_hit_of_team(const Map& map, const Rules& rules, std::span<const std::uint32_t> hits) {
-    std::vector<std::uint32_t> countable(hits.begin(), hits.end());
-    for (const ObstacleId id : rules.protect) countable[id.value] = 0;
-    for (const ObstacleId id : rules.force) countable[id.value] = 0;
-    return most_hit(map, countable, rules.removals);
 }
 
 }  // namespace waybreaker

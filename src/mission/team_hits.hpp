@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "team/vehicle.hpp"
@@ -16,9 +15,5 @@ namespace waybreaker {
 // planner (Theta* in place of the optimal one).
 std::vector<std::uint32_t> hits_of_team(const Map& map, const Mission& mission, const Method& method,
                                         const team::Interrupts& interrupts, Searcher& searcher);
-
-// The obstacles that were hit and may be removed, but do not have to be: most hits first, of equal counts the smaller
-// id.
-std::vector<ObstacleId> most_hit_of_team(const Map& map, const Rules& rules, std::span<const std::uint32_t> hits);
 
 }  // namespace waybreaker

@@ -13,6 +13,7 @@
 #include "mission/team_hits.hpp"
 #include "model/objective.hpp"
 #include "model/timeline.hpp"
+#include "select/hits.hpp"
 #include "team/team.hpp"
 
 namespace waybreaker {
@@ -149,7 +150,7 @@ coalition::Choice choice_of(const Map& map, const Mission& mission, const Method
             return {Selecting::exact};
         case Selection::hits:
             return {mission.rules.timing == Timing::ignore ? Selecting::as_list : Selecting::listed,
-                    most_hit_of_team(map, mission.rules, hits), method.bound};
+                    most_hit(map, mission.rules, hits, mission.rules.removals), method.bound};
         case Selection::greedy:
             return {Selecting::greedy, {}, method.bound};
         case Selection::none:

@@ -157,10 +157,11 @@ Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& o
     return best;
 }
 
-Pool::Pool(const Task& task, const Searchers& searchers, OpeningTimes& opening_times, const Candidate& start)
+Evaluation::Evaluation(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
+                       const Candidate& start)
     : task_(task), searchers_(searchers), opening_times_(opening_times), least_(cost(task, start)) {}
 
-double Pool::add(std::span<const ObstacleId> others, const CrossingResult* found, double seconds) {
+double Evaluation::add(std::span<const ObstacleId> others, const CrossingResult* found, double seconds) {
     std::vector<ObstacleId> removed = task_.with_forced(others);
     std::ranges::sort(removed);
     if (const auto known = objectives_.find(removed); known != objectives_.end()) return known->second;

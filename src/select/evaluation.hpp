@@ -1,4 +1,4 @@
-// Evaluation: what a set of obstacles is worth, E(X), and the pool of sets that have been evaluated.
+// Evaluation: what a set of obstacles is worth, E(X), and which sets have been evaluated.
 #pragma once
 
 #include <map>
@@ -10,10 +10,10 @@
 
 namespace waybreaker {
 
-// What makes a path through a set useless.
+// Where the evaluation of a set may end early: its worth is right then only as far as the cutoff asks.
 struct Cutoff {
-    double reached = infinity;  // objective of the incumbent: no more is wanted
-    double enough = 0;          // no plan is below: who reaches that is not improved
+    double reached = infinity;  // objective of the incumbent: a set that cannot beat it is not improved
+    double enough = 0;          // no plan is below: nor is one that reaches that
 };
 
 // E(X): the best timetable found of the mission that removes these obstacles, whoever proposed them and whatever else
@@ -27,10 +27,10 @@ Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& o
                    double seconds = 0);
 
 // Sets that have been evaluated, each once, and the incumbent among them.
-class Pool {
+class Evaluation {
   public:
     // All must outlive it. `start` removes nothing but what must be; `opening_times` are those with waits.
-    Pool(const Task& task, const Searchers& searchers, OpeningTimes& opening_times, const Candidate& start);
+    Evaluation(const Task& task, const Searchers& searchers, OpeningTimes& opening_times, const Candidate& start);
 
     // Evaluates what must be removed and these. Returns the objective; infinity where it cannot beat the incumbent.
     double add(std::span<const ObstacleId> others, const CrossingResult* found = nullptr, double seconds = 0);

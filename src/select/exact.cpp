@@ -11,19 +11,19 @@ Selected ExactSelector::select(const Task& task, const Candidate& start) {
     const Deadline deadline = task.deadline.share(tuning::share_of_proof);
     task.report(cost(task, start), 0);
     OpeningTimes opening_times(task);
-    Pool pool(task, searchers_, opening_times, start);
+    Evaluation evaluation(task, searchers_, opening_times, start);
     Selected selected;
     const auto choose = [&] {
         if (opening_times.matter() && task.spare_removals() > 0) {
             // Often nobody has to wait; and what is proven as if nobody did makes the search in time short.
             OpeningTimes at_once = OpeningTimes::at_once(task);
             const Deadline soon = deadline.share(tuning::share_at_once);
-            if (ExactSelection(task, searchers_, start, at_once, soon, pool, selected).prove_at_once()) return;
+            if (ExactSelection(task, searchers_, start, at_once, soon, evaluation, selected).prove_at_once()) return;
         }
-        ExactSelection(task, searchers_, start, opening_times, deadline, pool, selected).run();
+        ExactSelection(task, searchers_, start, opening_times, deadline, evaluation, selected).run();
     };
     choose();
-    selected.candidates = std::move(pool).candidates();
+    selected.candidates = std::move(evaluation).candidates();
     return selected;
 }
 

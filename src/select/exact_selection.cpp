@@ -29,7 +29,7 @@ ExactSelection::ExactSelection(const Task& task, const ExactSelection& more, dou
       start_(more.start_),
       opening_times_(more.opening_times_),
       deadline_(more.deadline_),
-      pool_(more.pool_),
+      evaluation_(more.evaluation_),
       selected_(selected),
       bound_(more.bound_),
       best_(reached),
@@ -268,15 +268,15 @@ void ExactSelection::try_out(const CrossingPath& path, const CrossingResult& sea
 }
 
 void ExactSelection::add(std::span<const ObstacleId> others, const CrossingResult* found, double seconds) {
-    best_ = std::min(best_, pool_.add(others, found, seconds));
+    best_ = std::min(best_, evaluation_.add(others, found, seconds));
     since_last_ = {};
-    task_.report(pool_.least(), bound());
+    task_.report(evaluation_.least(), bound());
 }
 
 void ExactSelection::raise_bound(double objective) {
     selected_.bound = std::max(bound(), objective);
-    if (!of_fewer_) pool_.raise_bound(bound());
-    task_.report(pool_.least(), bound());
+    if (!of_fewer_) evaluation_.raise_bound(bound());
+    task_.report(evaluation_.least(), bound());
 }
 
 void ExactSelection::raise_bound_by_square(const CrossingResult& found) {

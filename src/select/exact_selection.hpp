@@ -1,4 +1,4 @@
-// One exact selection: proposers give sets, a pool evaluates them, a bound says when to stop. docs/exact.md has the
+// One exact selection: proposers give sets, each is evaluated once, a bound says when to stop. docs/exact.md has the
 // proposers, their order and their budgets in one table.
 #pragma once
 
@@ -16,17 +16,18 @@ namespace waybreaker {
 
 class ExactSelection {
   public:
-    // `opening_times`: with waits, or as if nobody waited. What is found and proven goes to the pool and to `selected`.
+    // `opening_times`: with waits, or as if nobody waited. What is found and proven goes to `evaluation` and
+    // `selected`.
     ExactSelection(const Task& task, const Searchers& searchers, const Candidate& start, OpeningTimes& opening_times,
-                   const Deadline& deadline, Pool& pool, Selected& selected)
+                   const Deadline& deadline, Evaluation& evaluation, Selected& selected)
         : task_(task),
           searchers_(searchers),
           start_(start),
           opening_times_(opening_times),
           deadline_(deadline),
-          pool_(pool),
+          evaluation_(evaluation),
           selected_(selected),
-          best_(pool.least()) {}
+          best_(evaluation.least()) {}
 
     void run();
     // The set that is best if nobody waits. Whether it is proven to be the best with waits.
@@ -83,7 +84,7 @@ class ExactSelection {
     const Candidate& start_;  // removes nothing but what must be
     OpeningTimes& opening_times_;
     Deadline deadline_;
-    Pool& pool_;
+    Evaluation& evaluation_;
     Selected& selected_;
     Bound bound_;                           // of the relaxed body
     std::optional<CrossingResult> square_;  // of try_square_first(), where it came to its end

@@ -30,6 +30,13 @@ std::vector<ObstacleId> most_hit(const Map& map, std::span<const std::uint32_t> 
     return chosen;
 }
 
+std::vector<ObstacleId> most_hit(const Map& map, const Rules& rules, std::span<const std::uint32_t> hits, int n) {
+    std::vector<std::uint32_t> countable(hits.begin(), hits.end());
+    for (const ObstacleId id : rules.protect) countable[id.value] = 0;
+    for (const ObstacleId id : rules.force) countable[id.value] = 0;
+    return most_hit(map, countable, n);
+}
+
 SearchResult search_counting_hits(const Task& task, Searcher& searcher) {
     SearchOptions counting = task.trip().by_cells();
     counting.count_hits = true;
@@ -37,12 +44,8 @@ SearchResult search_counting_hits(const Task& task, Searcher& searcher) {
 }
 
 std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::uint32_t> hits) {
-    const Rules& rules = task.rules;
-    std::vector<std::uint32_t> countable(hits.begin(), hits.end());
-    for (const ObstacleId id : rules.protect) countable[id.value] = 0;
-    for (const ObstacleId id : rules.force) countable[id.value] = 0;
-    std::vector<ObstacleId> chosen = task.with_forced(most_hit(task.map, countable, task.spare_removals()));
-    double budget = rules.budget;
+    std::vector<ObstacleId> chosen = task.with_forced(most_hit(task.map, task.rules, hits, task.spare_removals()));
+    double budget = task.rules.budget;
     std::erase_if(chosen, [&](ObstacleId id) {
         const double weight = task.map.obstacle(id).weight;
         if (weight > budget) return true;

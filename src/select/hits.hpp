@@ -13,6 +13,9 @@ namespace waybreaker {
 // hit is never chosen, so there may be fewer than n. `hits` is SearchResult::hits.
 std::vector<ObstacleId> most_hit(const Map& map, std::span<const std::uint32_t> hits, int n);
 
+// The same of those that the rules allow to be removed, but do not force.
+std::vector<ObstacleId> most_hit(const Map& map, const Rules& rules, std::span<const std::uint32_t> hits, int n);
+
 // What must be removed, then the most hit obstacles that the rules allow to be removed, most hits first.
 std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::uint32_t> hits);
 
