@@ -39,8 +39,9 @@ class Planning {
         plan_.limited = plan_.limited || choice_.due() || std::ranges::any_of(plan_.closed, &team::Vehicle::limited);
         plan_.status = interrupts_.end_without_plan(plan_.limited);
         if (!evaluation.drafts().empty()) reached_alone_ = evaluation.reached();
-        // Who chooses without a bound evaluates few sets.
-        const std::size_t most = exact ? tuning::most_collision_free : evaluation.drafts().size();
+        // Who chooses without a bound evaluates few sets, and more removals must not be worse.
+        std::optional<std::size_t> most;
+        if (exact) most = tuning::most_collision_free;
         plan_collision_free(problem_, interrupts_, evaluation.drafts(), most, improved, plan_);
         // Last, so that the plan does not depend on whether it is asked for.
         if (choice.proves_bound && !plan_.proven && plan_.status == SearchStatus::found) prove_bound();

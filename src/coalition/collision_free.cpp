@@ -1,6 +1,7 @@
 #include "coalition/collision_free.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "coalition/tuning.hpp"
@@ -113,12 +114,13 @@ double tolerable_loss(double objective, double unproven) {
 }
 
 void plan_collision_free(const Problem& problem, const team::Interrupts& interrupts, std::span<const Draft> drafts,
-                         std::size_t most, const std::function<void(double, double)>& improved, CoalitionPlan& plan) {
+                         std::optional<std::size_t> most, const std::function<void(double, double)>& improved,
+                         CoalitionPlan& plan) {
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         const Draft& draft = drafts[i];
-        if (draft.cost.first >= plan.objective || (plan.objective < infinity && interrupts.due())) break;
+        if ((most && draft.cost.first >= plan.objective) || (plan.objective < infinity && interrupts.due())) break;
         if (interrupts.good_enough(plan.objective, plan.bound)) break;
-        if (i >= most && !draft.set.empty() && plan.objective < infinity) continue;
+        if (most && i >= *most && !draft.set.empty() && plan.objective < infinity) continue;
         const DraftPlanner planner(problem, interrupts, plan, draft);
         team::TeamPlan planned = planner.plan_paths();
         if (planned.status != SearchStatus::found) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "coalition/coalition.hpp"
@@ -12,11 +13,12 @@ namespace waybreaker::coalition {
 // which is not proven.
 double tolerable_loss(double objective, double unproven);
 
-// Plans the vehicles past each other for the best drafts, until no other can be better, and puts the best plan into
-// `plan`. Plans at most so many drafts beside that of nothing, and as many more as it takes to find a plan. `drafts`:
-// the best first. REQUIRES: plan.closed and plan.bound.
+// Plans the vehicles past each other for the best drafts, and puts the best plan into `plan`. With `most`: at most so
+// many drafts beside that of nothing, none that costs more than a plan, and as many more as it takes to find one; else
+// all, for among others a vehicle can find a shorter path than alone. `drafts`: the best first. REQUIRES: plan.closed
+// and plan.bound.
 void plan_collision_free(const Problem& problem, const team::Interrupts& interrupts, std::span<const Draft> drafts,
-                         std::size_t most, const std::function<void(double objective, double bound)>& improved,
-                         CoalitionPlan& plan);
+                         std::optional<std::size_t> most,
+                         const std::function<void(double objective, double bound)>& improved, CoalitionPlan& plan);
 
 }  // namespace waybreaker::coalition

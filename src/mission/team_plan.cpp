@@ -159,6 +159,13 @@ coalition::Choice choice_of(const Map& map, const Mission& mission, const Method
     return {Selecting::none};
 }
 
+// Whether greedy steps drive all vehicles (validate).
+bool moves_greedily(const Mission& mission, const Method& method) {
+    return std::ranges::all_of(mission.agents, [&](const Agent& agent) {
+        return agent.kind == AgentKind::air || planner_of(method, agent.body) == Planner::optimal;
+    });
+}
+
 Plan plan_coalition(const Map& map, const Mission& mission, const Method& method, const Limits& limits,
                     coalition::Fewer fewer, Searcher& searcher, CrossingSearcher& crossing) {
     const Stopwatch total;
@@ -168,9 +175,29 @@ Plan plan_coalition(const Map& map, const Mission& mission, const Method& method
         if (limits.progress) limits.progress({.best = objective, .bound = bound});
     };
     std::vector<std::uint32_t> hits;
-    if (method.select == Selection::hits) hits = hits_of_team(map, mission, method, interrupts, searcher);
-    coalition::CoalitionPlan made = coalition::plan_coalition(map, mission, choice_of(map, mission, method, hits),
-                                                              fewer, interrupts, crossing, searcher, tell);
+    const auto choose = [&](const Method& how) {
+        if (how.select == Selection::hits) hits = hits_of_team(map, mission, how, interrupts, searcher);
+        return coalition::plan_coalition(map, mission, choice_of(map, mission, how, hits), fewer, interrupts, crossing,
+                                         searcher, tell);
+    };
+    coalition::CoalitionPlan made = choose(method);
+    // The exact choice does not see collisions: other sets may let vehicles past each other where its own do not.
+    for (const Selection select : {Selection::greedy, Selection::hits}) {
+        if (method.select != Selection::exact || made.status == SearchStatus::found ||
+            made.status == SearchStatus::no_path || interrupts.due())
+            break;
+        if (select == Selection::greedy && !moves_greedily(mission, method)) continue;
+        Method other = method;
+        other.select = select;
+        other.bound = false;
+        coalition::CoalitionPlan found = choose(other);
+        if (found.status != SearchStatus::found) continue;
+        found.bound = std::min(made.bound, found.objective);
+        found.proven = made.proven;
+        found.limited = found.limited || made.limited;
+        made = std::move(found);
+    }
+    if (method.select != Selection::hits) hits.clear();
     Plan plan;
     plan.status = plan_status(made.status);
     const std::size_t vehicles = std::size_t(std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind));
