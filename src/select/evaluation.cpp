@@ -14,6 +14,9 @@
 namespace waybreaker {
 namespace {
 
+// So near to a bound, a plan differs from the best by where it waits, at places half a cell apart.
+constexpr double near_bound = 1 + 1e-6;
+
 // Whether the ground agent stands somewhere before its goal.
 bool waits(const Task& task, const Candidate& candidate) {
     if (task.rules.timing == Timing::ignore || !candidate.opening.ground.length) return false;
@@ -41,11 +44,12 @@ class PathsInTime {
                 std::span<const ObstacleId> removed, const Cutoff& cutoff)
         : task_(task), searchers_(searchers), opening_times_(opening_times), removed_(removed), cutoff_(cutoff) {}
 
-    // The best of a path and of those that come after it, each the best one for the breaches of the schedule before.
-    Candidate improved(const Candidate& start) {
+    // The best of a path and of those that come after it, each the best one for the breaches of the schedule before and
+    // better than `known`.
+    Candidate improved(const Candidate& start, double known = infinity) {
         Candidate last = start;
         for (int round = 0; round < tuning::most_rounds && may_gain(last); ++round) {
-            const double arrival = last.schedule.arrival();
+            const double arrival = std::min(last.schedule.arrival(), known);
             if (!improve(last, search(options_for(last.schedule, arrival)))) break;
         }
         // The search moves a square, which touches obstacles before the disc does.
@@ -54,15 +58,22 @@ class PathsInTime {
         return cost(task_, first) < cost(task_, last) * (1 - rounding) ? first : last;
     }
 
-    // The path that would be best if the obstacles opened as early as any set allows. No limit on its length: of
-    // equally good paths the same is found whatever the incumbent.
-    std::optional<Opening> for_earliest_openings() {
+    // The path that would be best if the obstacles opened as early as any set allows, and the least objective then. No
+    // limit on its length: of equally good paths the same is found whatever the incumbent.
+    struct Earliest {
+        Opening opening;
+        double objective;
+    };
+    std::optional<Earliest> for_earliest_openings() {
         CrossingOptions options = crossing_options(task_, false, infinity, a_little_more(task_), opening_times_);
         options.only = removed_;
         options.removed = {};
         options.crossings = int(removed_.size());
         options.budget = infinity;
-        return search(options);
+        double cells = 0;
+        std::optional<Opening> opening = search(options, &cells);
+        if (!opening) return std::nullopt;
+        return Earliest{*std::move(opening), least_objective(task_, cells, opening_times_)};
     }
 
     bool may_gain(const Candidate& best) const {
@@ -89,12 +100,14 @@ class PathsInTime {
         return options;
     }
 
-    std::optional<Opening> search(const CrossingOptions& options) {
+    // `least`: of all paths, in cells.
+    std::optional<Opening> search(const CrossingOptions& options, double* least = nullptr) {
         const Stopwatch watch;
         const CrossingResult found =
             searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
         limited_ = limited_ || found.status == SearchStatus::limit_reached;
         if (found.best.path.empty()) return std::nullopt;
+        if (least) *least = found.lower_bound;
         Opening opening = drivable(task_.trip(), searchers_, found.best, {removed_.begin(), removed_.end()});
         limited_ = limited_ || opening.limited;
         if (opening.status != SearchStatus::found) return std::nullopt;
@@ -141,18 +154,27 @@ Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& o
     Opening shortest = is_known ? open(task.trip(), searchers, removed, *found, seconds, costliest)
                                 : open(task.trip(), searchers, removed, costliest);
     const std::optional<double> length = shortest.ground.length;
-    Candidate best = candidate_of(task, std::move(shortest));
+    const Candidate start = candidate_of(task, std::move(shortest));
     const bool promises = length && least_objective(task, *length, opening_times) < cutoff.reached;
-    if (!promises || !drives_by_crossing(task) || task.driver.body.is_point()) return best;
+    if (!promises || !drives_by_crossing(task) || task.driver.body.is_point()) return start;
     PathsInTime paths(task, searchers, opening_times, removed, cutoff);
-    if (!paths.may_gain(best)) return best;
-    best = paths.improved(best);
-    if (opening_times.matter() && cost(task, best) > cutoff.enough && !task.deadline.passed()) {
-        if (std::optional<Opening> other = paths.for_earliest_openings()) {
-            Candidate in_time = paths.improved(candidate_of(task, std::move(*other)));
-            if (cost(task, in_time) < cost(task, best) * (1 - rounding)) best = std::move(in_time);
+    Candidate best = start;
+    const auto take_better = [&](Candidate other) {
+        if (cost(task, other) < cost(task, best) * (1 - rounding)) best = std::move(other);
+    };
+    double known = infinity;
+    if (opening_times.matter() && paths.may_gain(best)) {
+        if (std::optional<PathsInTime::Earliest> earliest = paths.for_earliest_openings()) {
+            // The disc is hardly shorter than the square, and less than a cell later at each obstacle.
+            const double sooner = double(removed.size()) / task.driver.speed;
+            const double least = earliest->objective * (1 - tuning::most_shortened) - sooner;
+            if (square_stands_for(task.driver.body) && least >= cutoff.reached) return best;
+            Candidate in_time = paths.improved(candidate_of(task, std::move(earliest->opening)));
+            known = in_time.schedule.arrival();
+            take_better(std::move(in_time));
         }
     }
+    if (paths.may_gain(best)) take_better(paths.improved(start, known));
     best.opening.limited = best.opening.limited || paths.limited();
     return best;
 }
@@ -165,8 +187,6 @@ double Evaluation::add(std::span<const ObstacleId> others, const CrossingResult*
     std::vector<ObstacleId> removed = task_.with_forced(others);
     std::ranges::sort(removed);
     if (const auto known = objectives_.find(removed); known != objectives_.end()) return known->second;
-    // So near to a bound, a plan differs from the best by where it waits, at places half a cell apart.
-    constexpr double near_bound = 1 + 1e-6;
     candidates_.push_back(
         evaluate(task_, searchers_, opening_times_, removed, {least_, enough_ * near_bound}, found, seconds));
     double objective = cost(task_, candidates_.back());
