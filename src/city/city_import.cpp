@@ -203,11 +203,6 @@ ImportOptions with_profile(ImportOptions options) {
     return options;
 }
 
-// Whether it stands in the way of anybody.
-bool bars(const GroundUse& use) {
-    return use.layer == GroundLayer::water || use.layer == GroundLayer::forbidden || use.layer == GroundLayer::closed;
-}
-
 Material read(const std::string& source, const Window& window, const ImportOptions& options) {
     Material material{.footprints = read_footprints(source, window, options.choice, options.cell), .survey = {}};
     if (options.background || profile_of(options) != Profile::paper) {

@@ -40,8 +40,8 @@ struct ClosedArea {
 ClosedArea closed_along_edge(const CutArea& area, const OGRPolygon& edge, const Evidence& evidence);
 
 // Of what a source has data of: the bounds it states, or the convex hull of its points if it states none, or if it is
-// clearly smaller and the outlines end near it but not near the bounds, as those of extracts cut along a border. Null if
-// there is neither.
+// clearly smaller and the outlines end near it but not near the bounds, as those of extracts cut along a border. Null
+// if there is neither.
 std::unique_ptr<OGRPolygon> edge_of_data(const OGREnvelope& bounds, const std::vector<Point>& points,
                                          const std::vector<CutArea>& areas);
 

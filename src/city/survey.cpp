@@ -59,7 +59,9 @@ class Surveyor {
         survey_.lacking_nodes = std::move(report.lacking_nodes);
         if (options_.profile == Profile::paper) return std::move(survey_);
         for (CutArea& area : report.cut) {
-            if (!ground_uses(area.tags, Shape::area, options_.profile).empty()) survey_.cut.push_back(std::move(area));
+            if (std::ranges::any_of(ground_uses(area.tags, Shape::area, options_.profile), bars)) {
+                survey_.cut.push_back(std::move(area));
+            }
         }
         // Of a line and an area that both bar a cell, the area is the later one, and has it.
         std::ranges::stable_partition(survey_.ground.pieces,

@@ -83,7 +83,7 @@ class ReadError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Reads the file up to three times; where only points are wanted, once.
+// Reads PBF up to three times in little memory, and others once.
 Report visit(const File& file, const Query& query, const Visitor& visitor);
 
 }  // namespace waybreaker::osm

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <new>
@@ -87,23 +88,48 @@ class Visit {
         : file_(file), query_(query), visitor_(visitor), relations_(query) {}
 
     Report run() {
-        if (query_.areas) {
-            Reading(file_, bits::relation).each([this](const osmium::OSMObject& object) {
-                relations_.add(static_cast<const osmium::Relation&>(object));
-            });
+        if (file_.format != "pbf") {
+            read_at_once();
+        } else {
+            if (query_.areas) {
+                Reading(file_, bits::relation).each([this](const osmium::OSMObject& object) {
+                    relations_.add(static_cast<const osmium::Relation&>(object));
+                });
+            }
+            read_nodes();
         }
-        read_nodes();
         if (!wants_ways()) return report_;
         places_.finish();
         relations_.visit(places_, visitor_);
-        Reading(file_, bits::way).each([this](const osmium::OSMObject& object) {
-            see(static_cast<const osmium::Way&>(object));
-        });
+        const auto see_way = [this](const osmium::Way& way) { see(way); };
+        if (file_.format != "pbf") {
+            std::ranges::for_each(ways_.select<osmium::Way>(), see_way);
+        } else {
+            Reading(file_, bits::way).each([&](const osmium::OSMObject& object) {
+                see_way(static_cast<const osmium::Way&>(object));
+            });
+        }
         return report_;
     }
 
   private:
     bool wants_ways() const { return query_.lines || query_.areas; }
+
+    // Text takes so long to read that it is worth the memory to do it once.
+    void read_at_once() {
+        osmium::memory::Buffer relations(std::size_t{1} << 16, osmium::memory::Buffer::auto_grow::yes);
+        Reading reading(file_, wants_ways() ? bits::node | bits::way | bits::relation : bits::node);
+        report_.stated = reading.stated();
+        reading.each([&](const osmium::OSMObject& object) {
+            if (object.type() == osmium::item_type::node) return see(static_cast<const osmium::Node&>(object));
+            if (object.type() == osmium::item_type::relation && !query_.areas) return;
+            osmium::memory::Buffer& buffer = object.type() == osmium::item_type::way ? ways_ : relations;
+            buffer.add_item(object);
+            buffer.commit();
+        });
+        for (const auto& relation : relations.select<osmium::Relation>()) relations_.add(relation);
+        for (const auto& way : ways_.select<osmium::Way>()) relations_.add_member(way);
+    }
 
     // And members of relations, which may come before them.
     void read_nodes() {
@@ -175,6 +201,7 @@ class Visit {
     const Visitor& visitor_;
     Relations relations_;
     NodePlaces places_;
+    osmium::memory::Buffer ways_{std::size_t{1} << 16, osmium::memory::Buffer::auto_grow::yes};  // of text
     std::unordered_set<std::int64_t> seen_;  // ways; a file can have one twice
     Report report_;
 };
