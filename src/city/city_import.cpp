@@ -1,6 +1,7 @@
 #include "city/city_import.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "city/merge_touching.hpp"
 #include "city/survey.hpp"
 #include "geotiff/gdal_scope.hpp"
+#include "geotiff/obstacle_names.hpp"
 #include "site/described_map.hpp"
 #include "site/split.hpp"
 #include "waybreaker/error.hpp"
@@ -201,7 +203,7 @@ ImportOptions with_profile(ImportOptions options) {
     return options;
 }
 
-Material read_in_order(const std::string& source, const Window& window, const ImportOptions& options) {
+Material read(const std::string& source, const Window& window, const ImportOptions& options) {
     Material material{.footprints = read_footprints(source, window, options.choice, options.cell), .survey = {}};
     if (options.background || profile_of(options) != Profile::paper) {
         material.survey = read_survey(source, window,
@@ -216,21 +218,61 @@ Material read_in_order(const std::string& source, const Window& window, const Im
     Ground& ground = material.survey.ground;
     if (chosen) std::erase_if(ground.pieces, [](const auto& piece) { return piece.use.layer == GroundLayer::barrier; });
     move_barriers(ground, window, material.footprints.list);
+    const bool anything = !material.footprints.list.empty() ||
+                          std::ranges::any_of(ground.pieces, [](const GroundPiece& piece) { return bars(piece.use); });
+    if (!anything) throw nothing_in_window(source, options.choice);
     return material;
 }
 
-Material read(const std::string& source, const Window& window, const ImportOptions& options) {
-    try {
-        return read_in_order(source, window, options);
-    } catch (const NodesOutOfOrder&) {
-        const AnyOrderOfNodes slow;
-        return read_in_order(source, window, options);
+// By their names, or else by their numbers.
+std::string names_of(const std::vector<const CutArea*>& areas) {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> names;
+    for (const CutArea* area : areas) {
+        const std::string* const said = area->tags.find("name");
+        std::string name = geotiff::clean_name(said ? *said : "");
+        if (name.empty()) name = fmt::format("relation {}", -area->source_id);
+        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
     }
+    const bool more = names.size() > most;
+    names.resize(std::min(names.size(), most));
+    return fmt::format("{}{}", fmt::join(names, ", "), more ? ", ..." : "");
+}
+
+// What the source lacks of what it begins to say.
+void note_what_is_cut(const Material& material, std::vector<std::string>& notes) {
+    std::vector<const CutArea*> cut;
+    for (const CutArea& area : material.survey.cut) cut.push_back(&area);
+    for (const CutArea& area : material.footprints.cut) cut.push_back(&area);
+    if (!cut.empty()) {
+        notes.push_back(
+            fmt::format("{}: left out, for the source has no more than a part of {} outline{}; of a river or "
+                        "canal its line remains, as a strip",
+                        names_of(cut), cut.size() == 1 ? "its" : "their", cut.size() == 1 ? "" : "s"));
+    }
+    std::set<std::int64_t> ways(material.survey.lacking_nodes.begin(), material.survey.lacking_nodes.end());
+    ways.insert(material.footprints.lacking_nodes.begin(), material.footprints.lacking_nodes.end());
+    if (!ways.empty()) {
+        notes.push_back(fmt::format("{} nodes that the source does not have: drawn without them",
+                                    ways.size() == 1 ? "1 way lacks" : fmt::format("{} ways lack", ways.size())));
+    }
+}
+
+// Extracts for route planners have streets, but hardly a building.
+void note_what_is_filtered(const Material& material, std::vector<std::string>& notes) {
+    constexpr std::size_t few = 10;  // times more streets than buildings, and of streets
+    const std::size_t streets = material.survey.streets;
+    const auto buildings = std::size_t(std::ranges::count(material.footprints.list, Kind::building, &Footprint::kind));
+    if (!material.footprints.from_osm || streets < few || streets < few * buildings) return;
+    notes.push_back(fmt::format("{} beside {} streets: was the extract filtered?",
+                                buildings == 1 ? "1 building" : fmt::format("{} buildings", buildings), streets));
 }
 
 // What the user should know of a source.
 std::vector<std::string> notes_of(const Material& material) {
     std::vector<std::string> notes = material.survey.ground.notes;
+    note_what_is_cut(material, notes);
+    note_what_is_filtered(material, notes);
     if (const std::size_t count = material.footprints.shapeless; count > 0) {
         notes.push_back(fmt::format("{} left out: {} no coordinates, or such as are no numbers",
                                     count == 1 ? "1 feature is" : fmt::format("{} features are", count),

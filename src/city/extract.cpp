@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "city/city_import.hpp"
+#include "city/features.hpp"
 #include "city/footprints.hpp"
 #include "city/vector_source.hpp"
-#include "geotiff/gdal_scope.hpp"
 #include "geotiff/obstacle_names.hpp"
 
 namespace waybreaker::city {
@@ -32,35 +33,31 @@ struct Finds {
 };
 
 // The most important first.
-constexpr std::array<const char*, 6> place_kinds{"city", "town", "borough", "suburb", "village", "quarter"};
+constexpr std::array<std::string_view, 6> place_kinds{"city", "town", "borough", "suburb", "village", "quarter"};
 
 std::vector<NamedPlace> find_places(const std::string& source) {
     constexpr std::size_t most = 40;
-    const GDALDatasetUniquePtr file = open_source(source);
-    if (!EQUAL(file->GetDriverName(), "OSM")) return {};
-    const geotiff::GdalScope gdal;
-    file->ReleaseResultSet(file->ExecuteSQL("SET interest_layers = points", nullptr, nullptr));
-    OGRLayer* const layer = file->GetLayerByName("points");
-    if (layer == nullptr || layer->SetAttributeFilter("place IS NOT NULL AND name IS NOT NULL") != OGRERR_NONE)
-        return {};
     std::array<std::vector<NamedPlace>, place_kinds.size()> found;
-    for (const OGRFeatureUniquePtr& feature : *layer) {
-        const OGRGeometry* const shape = feature->GetGeometryRef();
-        const std::string kind = feature->GetFieldAsString("place");
-        const auto* const rank = std::ranges::find(place_kinds, kind);
-        const std::string name = geotiff::clean_name(feature->GetFieldAsString("name"));
-        if (rank == place_kinds.end() || !shape || name.empty()) continue;
-        const OGRPoint* const point = shape->toPoint();
-        found[std::size_t(rank - place_kinds.begin())].push_back({name, {point->getX(), point->getY()}});
-    }
-    require_read(gdal, source);
+    FeatureQuery query;
+    query.system.SetWellKnownGeogCS("WGS84");
+    query.points = {{.key = "place"}};
+    visit_features(source, query, [&found](const Feature& feature) {
+        const std::string* const kind = feature.tags.find("place");
+        const std::string* const name = feature.tags.find("name");
+        if (!kind || !name || !feature.geometry || feature.shape != site::Background::Shape::point) return;
+        const auto* const rank = std::ranges::find(place_kinds, *kind);
+        const std::string clean = geotiff::clean_name(*name);
+        if (rank == place_kinds.end() || clean.empty()) return;
+        const OGRPoint* const point = feature.geometry->toPoint();
+        found[std::size_t(rank - place_kinds.begin())].push_back({clean, {point->getX(), point->getY()}});
+    });
     std::vector<NamedPlace> places;
     for (const auto& of_kind : found) places.insert(places.end(), of_kind.begin(), of_kind.end());
     places.resize(std::min(places.size(), most));
     return places;
 }
 
-Finds find_buildings(const std::string& source) {
+Finds find_all(const std::string& source) {
     Finds finds{.stated = {}, .spots = {}, .places = find_places(source)};
     finds.stated = visit_buildings(source, [&finds, &source](const OGRGeometry& outline) {
         OGREnvelope box;
@@ -70,15 +67,6 @@ Finds find_buildings(const std::string& source) {
         finds.spots.push_back({(box.MinX + box.MaxX) / 2, (box.MinY + box.MaxY) / 2, area});
     });
     return finds;
-}
-
-Finds find_in_any_order(const std::string& source) {
-    try {
-        return find_buildings(source);
-    } catch (const NodesOutOfOrder&) {
-        const AnyOrderOfNodes slow;
-        return find_buildings(source);
-    }
 }
 
 OGREnvelope bounds_of(const Finds& finds) {
@@ -174,7 +162,7 @@ void find_densest(const std::vector<Spot>& spots, const OGREnvelope& box, Extrac
 }  // namespace
 
 Extract read_extract(const std::string& source) {
-    const Finds finds = find_in_any_order(source);
+    const Finds finds = find_all(source);
     if (finds.spots.empty()) throw refusal(source, "has no buildings");
     const OGREnvelope box = bounds_of(finds);
     require_degrees(box, source);

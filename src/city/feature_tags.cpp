@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "city/ground_rules.hpp"
-#include "geotiff/obstacle_names.hpp"
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace waybreaker::city {
 namespace {
@@ -23,16 +22,6 @@ std::optional<std::string> take_quoted(std::string_view text, std::size_t& at) {
 }
 
 }  // namespace
-
-std::optional<std::string> hstore_value(std::string_view pairs, std::string_view key) {
-    const std::string start = fmt::format(R"("{}"=>")", key);
-    for (std::size_t at = pairs.find(start); at != std::string_view::npos; at = pairs.find(start, at + 1)) {
-        if (at > 0 && pairs[at - 1] != ',') continue;  // within a value
-        std::size_t quote = at + start.size() - 1;
-        return take_quoted(pairs, quote);
-    }
-    return std::nullopt;
-}
 
 FeatureTags::FeatureTags(OGRLayer& layer)
     : definition_(*layer.GetLayerDefn()),
@@ -57,26 +46,6 @@ std::string FeatureTags::condition(const std::vector<TagFilter>& filters) const 
     return text;
 }
 
-std::optional<std::string> FeatureTags::value(const OGRFeature& feature, const std::string& key) const {
-    const int own = definition_.GetFieldIndex(key.c_str());
-    if (own >= 0 && feature.IsFieldSetAndNotNull(own)) return feature.GetFieldAsString(own);
-    if (own >= 0 || other_ < 0 || !feature.IsFieldSetAndNotNull(other_)) return std::nullopt;
-    return hstore_value(feature.GetFieldAsString(other_), key);
-}
-
-bool FeatureTags::matches_any(const OGRFeature& feature, const std::vector<TagFilter>& filters) const {
-    return std::any_of(filters.begin(), filters.end(), [&](const TagFilter& filter) {
-        if (filter.key == "*") return true;
-        const std::optional<std::string> text = value(feature, filter.key);
-        return text && filter.accepts(*text);
-    });
-}
-
-std::optional<double> FeatureTags::number(const OGRFeature& feature, const std::string& key) const {
-    const std::optional<std::string> text = value(feature, key);
-    return text ? leading_number(*text) : std::nullopt;
-}
-
 TagSet FeatureTags::all(const OGRFeature& feature) const {
     std::vector<std::pair<std::string, std::string>> tags;
     for (int i = 0; i < definition_.GetFieldCount(); ++i) {
@@ -92,17 +61,7 @@ TagSet FeatureTags::all(const OGRFeature& feature) const {
         if (!key || !value) break;
         tags.emplace_back(std::move(*key), std::move(*value));
     }
-    return TagSet(std::move(tags));
-}
-
-std::vector<std::string> FeatureTags::kept(const OGRFeature& feature) const {
-    std::vector<std::string> tags;
-    for (const std::string_view key : kept_keys) {
-        const std::optional<std::string> said = value(feature, std::string(key));
-        const std::string text = geotiff::clean_name(said.value_or("no"));
-        if (!text.empty() && !site::says_no(text)) tags.push_back(fmt::format("{}={}", key, text));
-    }
-    return tags;
+    return TagSet(std::move(tags), TagSet::Case::ignored);  // as columns of databases have it
 }
 
 // GDAL's OSM driver gives ways and relations a field each; elsewhere osm_id is what it is. Lines have ways alone.

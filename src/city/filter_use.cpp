@@ -24,10 +24,9 @@ FilterUse::FilterUse(const ObstacleChoice& choice) {
     add("--obstacle-breach-time", choice.breach_time);
 }
 
-void FilterUse::see(const OGRFeature& feature, const FeatureTags& tags) {
+void FilterUse::see(const TagSet& obstacle) {
     std::erase_if(unused_, [&](const Filter& filter) {
-        return filter.number ? tags.number(feature, filter.tag.key).value_or(0) > 0
-                             : tags.matches_any(feature, {filter.tag});
+        return filter.number ? obstacle.number(filter.tag.key).value_or(0) > 0 : obstacle.matches_any({filter.tag});
     });
 }
 

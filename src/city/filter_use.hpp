@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "city/feature_tags.hpp"
 #include "city/obstacle_choice.hpp"
 #include "city/premises.hpp"
+#include "city/tag_set.hpp"
 
 namespace waybreaker::city {
 
@@ -15,7 +15,7 @@ class FilterUse {
     explicit FilterUse(const ObstacleChoice& choice);
 
     // Takes note of an obstacle.
-    void see(const OGRFeature& feature, const FeatureTags& tags);
+    void see(const TagSet& obstacle);
     // Takes note of what may protect the buildings there.
     void see(const Premises& premises);
     bool all_used() const { return unused_.empty(); }

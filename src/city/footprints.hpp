@@ -3,11 +3,13 @@
 
 #include <ogr_geometry.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "city/features.hpp"
 #include "city/obstacle_choice.hpp"
 #include "city/vector_source.hpp"
 #include "site/obstacle_kinds.hpp"
@@ -32,12 +34,16 @@ struct Footprints {
     // Obstacles anywhere in the source that are left out because they have no coordinates, or such as are no numbers;
     // not counted in sources with an index of places.
     std::size_t shapeless = 0;
+    std::vector<CutArea> cut = {};                 // that would be obstacles if the source had their outlines whole
+    std::vector<std::int64_t> lacking_nodes = {};  // ways, as features.hpp has them
 };
 
-// One scan of the source, and another for lines if they are wanted; `cell` is the least width of lines. Throws
-// InputError if it cannot be read, holds nothing of that kind, or nothing in the window (the message says where its
-// data lies), or if a filter matches nothing in the whole source.
+// `cell` is the least width of lines. Throws InputError if the source cannot be read or can hold nothing of that kind,
+// or if a filter matches nothing in all of it.
 Footprints read_footprints(const std::string& source, const Window& window, const ObstacleChoice& choice, double cell);
+
+// That there are no obstacles in the window, and where the source has some. Throws InputError if it cannot be read.
+InputError nothing_in_window(const std::string& source, const ObstacleChoice& choice);
 
 // Calls `visit` with the outline of each building that stands in the way, in degrees (WGS84), in one scan of the
 // source. Gives the box of what the source says it has data of; empty if it does not say. Throws InputError if it

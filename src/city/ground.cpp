@@ -65,6 +65,10 @@ void append_sea(Ground& ground, std::vector<GroundPiece> coasts, const OGREnvelo
 
 }  // namespace
 
+bool bars(const GroundUse& use) {
+    return use.layer == GroundLayer::water || use.layer == GroundLayer::forbidden || use.layer == GroundLayer::closed;
+}
+
 Ground finished(Ground ground, std::vector<GroundPiece> coasts, const OGREnvelope& bounds, double cell) {
     const geotiff::GdalScope gdal;
     append_sea(ground, std::move(coasts), bounds, cell);

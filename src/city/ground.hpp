@@ -22,6 +22,9 @@ struct GroundPiece {
     std::vector<std::string> tags = {};  // of a barrier, those that maps keep
 };
 
+// Whether it blocks, for ever.
+bool bars(const GroundUse& use);
+
 struct Ground {
     std::vector<GroundPiece> pieces;      // in the source's order
     std::vector<std::string> notes = {};  // what the user should know of them, a line each

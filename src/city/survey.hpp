@@ -1,9 +1,12 @@
 // Survey: what a vector source knows of a window beside its buildings, by OpenStreetMap's tags.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "city/features.hpp"
 #include "city/ground.hpp"
 #include "city/premises.hpp"
 #include "city/scenery.hpp"
@@ -22,7 +25,10 @@ struct SurveyOptions {
 struct Survey {
     std::vector<Sight> scenery;  // in the source's order; nothing in tunnels
     Ground ground;
-    std::vector<Premises> premises;  // by premises_filters(), in the source's order
+    std::vector<Premises> premises;                // by premises_filters(), in the source's order
+    std::vector<CutArea> cut = {};                 // that would be ground if the source had their outlines whole
+    std::vector<std::int64_t> lacking_nodes = {};  // ways, as features.hpp has them
+    std::size_t streets = 0;                       // ways for anybody, in the window
 };
 
 // One scan of the source; none if nothing in it can have such tags. Throws InputError if the source cannot be read.

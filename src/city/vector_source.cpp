@@ -8,15 +8,12 @@
 #include "city/sent_source.hpp"
 #include "geotiff/file_kind.hpp"
 #include "geotiff/gdal_scope.hpp"
-#include "geotiff/xml_root.hpp"
 
 namespace waybreaker::city {
 namespace {
 
-constexpr const char* index_option = "OSM_USE_CUSTOM_INDEXING";
-
-// The first bytes of a file, decompressed if the path says so.
-std::string head_of(const std::string& path, std::size_t bytes) {
+// The first bytes of what GDAL has under a path.
+std::string first_bytes(const std::string& path, std::size_t bytes) {
     std::string head(bytes, '\0');
     std::size_t length = 0;
     if (VSILFILE* file = VSIFOpenL(path.c_str(), "rb")) {
@@ -27,42 +24,19 @@ std::string head_of(const std::string& path, std::size_t bytes) {
     return head;
 }
 
-bool is_gzip(const std::string& source) {
-    return head_of(source, 2) == "\x1f\x8b";
-}
-
 // As GDAL reads it, which finds out about compressed files by the prefix of their path only.
 std::string unpacked(const std::string& source) {
     return is_gzip(source) ? "/vsigzip/" + source : source;
 }
 
-// GDAL finds out about OpenStreetMap's XML only if its root is in the first kilobyte.
-std::string gdal_path(const std::string& source) {
-    constexpr std::size_t longest_prologue = std::size_t{1} << 20;
-    constexpr std::size_t seen_by_gdal = 1000;
-    const geotiff::GdalScope gdal;
-    const std::string path = unpacked(source);
-    const std::string head = head_of(path, longest_prologue);
-    const std::optional<geotiff::XmlRoot> root = geotiff::xml_root(head);
-    return root && root->name == "osm" && root->at > seen_by_gdal
-               ? "/vsisubfile/" + std::to_string(root->at) + "," + path
-               : path;
-}
-
 std::optional<geotiff::FileKind> kind_of(const std::string& source) {
     constexpr std::size_t enough = std::size_t{1} << 16;
-    const geotiff::GdalScope gdal;
-    return geotiff::file_kind(head_of(unpacked(source), enough));
+    return geotiff::file_kind(head_of(source, enough));
 }
 
 // What GDAL says that tells its users nothing, in words.
 std::string in_words(const std::string& failure) {
-    const auto says = [&failure](std::string_view part) { return failure.find(part) != std::string::npos; };
-    if (says("cpl_vsil_gzip")) return "its gzip data ends too early";
-    if (says("UNIQUE constraint failed")) {
-        return "it holds objects twice, as several queries of Overpass in one do; ask for each once: '(._;>;); out;'";
-    }
-    return failure;
+    return failure.find("cpl_vsil_gzip") == std::string::npos ? failure : "its gzip data ends too early";
 }
 
 // What GDAL did not read.
@@ -87,6 +61,27 @@ InputError refusal(const std::string& source, const std::string& message) {
     return InputError(source + ": " + message);
 }
 
+std::string head_of(const std::string& source, std::size_t bytes) {
+    const geotiff::GdalScope gdal;
+    return first_bytes(unpacked(source), bytes);
+}
+
+bool is_gzip(const std::string& source) {
+    return first_bytes(source, 2) == "\x1f\x8b";
+}
+
+bool ends_early(const std::string& source) {
+    if (!is_gzip(source)) return false;
+    const geotiff::GdalScope gdal;
+    VSILFILE* const file = VSIFOpenL(("/vsigzip/" + source).c_str(), "rb");
+    if (file == nullptr) return true;
+    std::string piece(std::size_t{1} << 16, '\0');
+    while (VSIFReadL(piece.data(), 1, piece.size(), file) > 0) {
+    }
+    VSIFCloseL(file);
+    return gdal.failed();
+}
+
 GDALDatasetUniquePtr open_source(const std::string& source) {
     VSIStatBufL status;
     if (VSIStatL(source.c_str(), &status) != 0) throw refusal(source, "no such file");
@@ -100,29 +95,16 @@ GDALDatasetUniquePtr open_source(const std::string& source) {
     GDALAllRegister();
     const bool sent = SentSource::is_path(source);
     // Others open files and addresses that their data names.
-    constexpr std::array<const char*, 3> harmless{"OSM", "GeoJSON", nullptr};
-    GDALDatasetUniquePtr file(GDALDataset::Open(gdal_path(source).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
+    constexpr std::array<const char*, 2> harmless{"GeoJSON", nullptr};
+    GDALDatasetUniquePtr file(GDALDataset::Open(unpacked(source).c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                                 sent ? harmless.data() : nullptr));
     if (file) return file;
     if (folder) throw refusal(source, "is a folder that is no map data as a whole; name one of its files");
     throw unreadable(source, gdal);
 }
 
-AnyOrderOfNodes::AnyOrderOfNodes() {
-    if (const char* former = CPLGetThreadLocalConfigOption(index_option, nullptr)) former_ = former;
-    CPLSetThreadLocalConfigOption(index_option, "NO");
-}
-
-AnyOrderOfNodes::~AnyOrderOfNodes() {
-    CPLSetThreadLocalConfigOption(index_option, former_ ? former_->c_str() : nullptr);
-}
-
 void require_read(const geotiff::GdalScope& gdal, const std::string& source) {
-    if (!gdal.failed()) return;
-    const std::string failure = gdal.failure();
-    const std::string message = source + ": is damaged or cut short: " + in_words(failure);
-    if (failure.find(index_option) != std::string::npos) throw NodesOutOfOrder(message);
-    throw InputError(message);
+    if (gdal.failed()) throw refusal(source, "is damaged or cut short: " + in_words(gdal.failure()));
 }
 
 bool is_area(OGRwkbGeometryType type) {

@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,30 +23,16 @@ struct Window {
 
 InputError refusal(const std::string& source, const std::string& message);
 
-// Also of gzipped files, and of OpenStreetMap's XML that begins with long comments. Throws InputError if it cannot be
-// read.
+// The first bytes of a source, unpacked if it is packed with gzip under any name.
+std::string head_of(const std::string& source, std::size_t bytes);
+bool is_gzip(const std::string& source);
+// Whether its gzip data is cut off.
+bool ends_early(const std::string& source);
+
+// Of what is not OpenStreetMap's own data; also of gzipped files. Throws InputError if it cannot be read.
 GDALDatasetUniquePtr open_source(const std::string& source);
 
-// Thrown for OpenStreetMap files that GDAL's fast index of nodes does not support: nodes are not sorted by id, or have
-// negative ids, as editors give new ones.
-class NodesOutOfOrder : public InputError {
-  public:
-    using InputError::InputError;
-};
-
-// While it exists, GDAL does not use that index on this thread.
-class AnyOrderOfNodes {
-  public:
-    AnyOrderOfNodes();
-    ~AnyOrderOfNodes();
-    AnyOrderOfNodes(const AnyOrderOfNodes&) = delete;
-    AnyOrderOfNodes& operator=(const AnyOrderOfNodes&) = delete;
-
-  private:
-    std::optional<std::string> former_;
-};
-
-// Throws NodesOutOfOrder or InputError if GDAL has failed while it read the source.
+// Throws InputError if GDAL has failed while it read the source.
 void require_read(const geotiff::GdalScope& gdal, const std::string& source);
 
 bool is_area(OGRwkbGeometryType type);

@@ -33,8 +33,7 @@ constexpr std::array signatures{
               "waybreaker import reads map data as it is; a map is unpacked with 'gunzip -k'", perhaps_import},
     Signature{"PK\x03\x04", "a ZIP archive", "unpack it and name a file in it, or a folder of shapefiles",
               perhaps_import},
-    Signature{"\xff\xe0\x04o5m2", "OpenStreetMap data in the format o5m",
-              "convert it with 'osmium cat IN.o5m -o OUT.osm.pbf'", neither},
+    Signature{"\xff\xe0\x04o5m2", "OpenStreetMap data (o5m)", "", import},
     Signature{"\xff\xe0\x04o5c2", "OpenStreetMap changes in the format o5c",
               "apply them to an extract with 'osmium apply-changes'", neither},
     Signature{"PAR1", "Parquet, which this GDAL does not read",
@@ -125,6 +124,28 @@ std::optional<FileKind> file_kind(std::string_view head) {
     if (is_netpbm(head)) return FileKind{"a picture (netpbm)", "", map};
     if (auto markup = markup_kind(head)) return markup;
     return json_kind(head);
+}
+
+std::optional<OsmFormat> osm_format(std::string_view head) {
+    if (is_pbf(head)) return OsmFormat::pbf;
+    if (head.starts_with("\xff\xe0\x04o5m2")) return OsmFormat::o5m;
+    const std::optional<XmlRoot> root = xml_root(head);
+    if (root && root->name == "osm") return OsmFormat::osm;
+    return root && root->name == "osmChange" ? std::optional(OsmFormat::osc) : std::nullopt;
+}
+
+std::string_view name_of(OsmFormat format) {
+    switch (format) {
+        case OsmFormat::osm:
+            return "osm";
+        case OsmFormat::osc:
+            return "osc";
+        case OsmFormat::pbf:
+            return "pbf";
+        case OsmFormat::o5m:
+            return "o5m";
+    }
+    return "";
 }
 
 std::string description(const FileKind& kind) {

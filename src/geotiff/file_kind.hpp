@@ -20,6 +20,12 @@ struct FileKind {
 // Empty if nothing is known by these bytes.
 std::optional<FileKind> file_kind(std::string_view head);
 
+// How OpenStreetMap's own data is written: XML, changes in XML, protocol buffers, or o5m.
+enum class OsmFormat { osm, osc, pbf, o5m };
+std::optional<OsmFormat> osm_format(std::string_view head);
+// "osm", "osc", "pbf" or "o5m".
+std::string_view name_of(OsmFormat format);
+
 // "is a web page (HTML): ...": what it is, and the remedy.
 std::string description(const FileKind& kind);
 

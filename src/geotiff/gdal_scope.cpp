@@ -5,7 +5,7 @@
 #include <cpl_vsi.h>
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "core/one_line.hpp"
 
 namespace waybreaker::geotiff {
 namespace {
@@ -13,7 +13,6 @@ namespace {
 void CPL_STDCALL on_error(CPLErr severity, CPLErrorNum, const char* message) {
     auto* scope = static_cast<GdalScope*>(CPLGetErrorHandlerUserData());
     if (severity >= CE_Failure) scope->remember(message);
-    if (severity == CE_Debug) scope->hear(message);
 }
 
 }  // namespace
@@ -22,11 +21,6 @@ GdalScope::GdalScope() {
     CPLPushErrorHandlerEx(on_error, this);
     set_option("GDAL_PAM_ENABLED", "NO");
     set_option("CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO");
-}
-
-GdalScope::GdalScope(std::function<void(std::string_view)> hear) : GdalScope() {
-    hear_ = std::move(hear);
-    set_option("CPL_DEBUG", "OSM");
 }
 
 GdalScope::~GdalScope() {
@@ -42,20 +36,9 @@ void GdalScope::set_option(const char* name, const char* value) {
     CPLSetThreadLocalConfigOption(name, value);
 }
 
-void GdalScope::hear(const char* message) const {
-    if (hear_) hear_(message);
-}
-
 void GdalScope::remember(const char* message) {
     if (failed()) return;
-    constexpr std::size_t most = 300;  // messages can quote any amount of the file
-    const std::string_view text = message;
-    std::size_t end = std::min(text.size(), most);
-    while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80)
-        --end;  // do not cut a UTF-8 character
-    failure_ = std::string(text.substr(0, end)) + (end < text.size() ? "..." : "");
-    std::replace_if(
-        failure_.begin(), failure_.end(), [](unsigned char c) { return c < ' '; }, ' ');
+    failure_ = one_line(message);
     if (failure_.empty()) failure_ = "unknown cause";
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,8 +16,6 @@ namespace waybreaker::geotiff {
 class GdalScope {
   public:
     GdalScope();
-    // What GDAL's driver for OpenStreetMap says beside failures, it says to `hear`, a line each.
-    explicit GdalScope(std::function<void(std::string_view)> hear);
     ~GdalScope();
     GdalScope(const GdalScope&) = delete;
     GdalScope& operator=(const GdalScope&) = delete;
@@ -29,13 +26,11 @@ class GdalScope {
 
     // For GDAL's error handler.
     void remember(const char* message);
-    void hear(const char* message) const;
 
   private:
     void set_option(const char* name, const char* value);
 
     std::string failure_;
-    std::function<void(std::string_view)> hear_;
     std::vector<std::pair<const char*, std::optional<std::string>>> former_options_;
 };
 

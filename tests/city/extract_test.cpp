@@ -148,7 +148,7 @@ TEST_F(ExtractTest, OtherThingsThatLieNowhereOnEarthDoNotMatter) {
     }
 }
 
-TEST_F(ExtractTest, SaysInWordsWhatTheReaderStumblesOver) {
+TEST_F(ExtractTest, CountsOnceWhatTheSourceHasTwice) {
     OsmDrawing drawing(country);
     for (int i = 0; i < 40; ++i) house(drawing, 10 * i, 300);
     std::string xml = drawing.xml();
@@ -157,10 +157,16 @@ TEST_F(ExtractTest, SaysInWordsWhatTheReaderStumblesOver) {
     const std::size_t end = xml.find('\n', node);
     std::string twice = xml;
     twice.insert(end + 1, xml.substr(node, end + 1 - node));
-    put("twice.osm", twice);
-    const std::string double_node = input_error([&] { read_extract(path("twice.osm")); });
-    EXPECT_NE(double_node.find("holds objects twice"), std::string::npos) << double_node;
-    EXPECT_EQ(double_node.find("constraint"), std::string::npos) << double_node;
+    const std::size_t way = twice.find("<way");
+    const std::size_t after = twice.find('\n', way);
+    twice.insert(after + 1, twice.substr(way, after + 1 - way));
+    EXPECT_EQ(extract_of(twice).buildings, 40U);
+}
+
+TEST_F(ExtractTest, SaysInWordsWhatTheReaderStumblesOver) {
+    OsmDrawing drawing(country);
+    for (int i = 0; i < 40; ++i) house(drawing, 10 * i, 300);
+    const std::string xml = drawing.xml();
     const std::string packed = path("cut.osm.gz");
     VSILFILE* file = VSIFOpenL(("/vsigzip/" + packed).c_str(), "wb");
     ASSERT_NE(file, nullptr);

@@ -145,7 +145,7 @@ TEST(CityImport, refuses_sources_without_buildings_and_says_why) {
            "ask for XML: begin the query with [out:xml]");
     expect("buildings.zip", "PK\x03\x04 etc", "is a ZIP archive: unpack it");
     expect("buildings.parquet", "PAR1 etc", "is Parquet");
-    expect("city.o5m", "\xff\xe0\x04o5m2", "osmium cat");
+    expect("city.o5c", "\xff\xe0\x04o5c2", "osmium apply-changes");
     expect("yard.map", "type octile\nheight 1\n", "is a MovingAI map, not map data with outlines");
     expect("junk.osm.pbf", std::string("\0\0\0\x0d\x0a\x09OSMHeader\x18\x7f", 17) + std::string(300, '\xfe'), "");
     expect("junk.osm.gz", "\x1f\x8b junk", "");

@@ -2,7 +2,9 @@
 #include "city/obstacle_choice.hpp"
 
 #include <fmt/format.h>
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
 
 #include <cmath>
 #include <map>
@@ -277,13 +279,29 @@ TEST(TagFilters, ReadQuantities) {
     }
 }
 
+// As ogr2ogr makes them of OpenStreetMap's data.
 TEST(TagFilters, FindOtherTags) {
-    const char* const pairs = R"("height"=>"12 m","note"=>"a \"b\", \"levels\"=>\"9\"","levels"=>"3")";
-    EXPECT_EQ(hstore_value(pairs, "height"), "12 m");
-    EXPECT_EQ(hstore_value(pairs, "note"), R"(a "b", "levels"=>"9")");
-    EXPECT_EQ(hstore_value(pairs, "levels"), "3");
-    EXPECT_EQ(hstore_value(pairs, "eight"), std::nullopt);
-    EXPECT_EQ(hstore_value("\"a\"=>\"", "a"), "");
+    GDALAllRegister();
+    const GDALDatasetUniquePtr file(
+        GetGDALDriverManager()->GetDriverByName("Memory")->Create("", 0, 0, 0, GDT_Unknown, nullptr));
+    OGRLayer& layer = *file->CreateLayer("multipolygons");
+    for (const char* name : {"NAME", "other_tags"}) {
+        OGRFieldDefn field(name, OFTString);
+        layer.CreateField(&field);
+    }
+    const auto tags_of = [&layer](const char* pairs) {
+        OGRFeature feature(layer.GetLayerDefn());
+        feature.SetField("NAME", "Barn");
+        feature.SetField("other_tags", pairs);
+        return FeatureTags(layer).all(feature);
+    };
+    const TagSet tags = tags_of(R"("height"=>"12 m","note"=>"a \"b\", \"levels\"=>\"9\"","levels"=>"3")");
+    EXPECT_TRUE(tags.is("name", "Barn"));
+    EXPECT_TRUE(tags.is("height", "12 m"));
+    EXPECT_TRUE(tags.is("note", R"(a "b", "levels"=>"9")"));
+    EXPECT_TRUE(tags.is("levels", "3"));
+    EXPECT_EQ(tags.find("eight"), nullptr);
+    EXPECT_TRUE(tags_of("\"a\"=>\"").is("a", ""));
 }
 
 }  // namespace

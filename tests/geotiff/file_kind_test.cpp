@@ -30,7 +30,7 @@ TEST(FileKinds, AreKnownByTheirFirstBytes) {
         {"PK\x03\x04 etc", "a ZIP archive", Reader::perhaps_import},
         {"\x1f\x8b\x08", "packed with gzip", Reader::perhaps_import},
         {"PAR1\x15", "Parquet, which this GDAL does not read", Reader::perhaps_import},
-        {"\xff\xe0\x04o5m2", "OpenStreetMap data in the format o5m", Reader::neither},
+        {"\xff\xe0\x04o5m2", "OpenStreetMap data (o5m)", Reader::import},
         {"BZh91", "packed with bzip2", Reader::neither},
         {"\xff\xfe<\0o\0"sv, "text in UTF-16", Reader::neither},
         {"<VRTDataset rasterXSize=\"2\">", "a virtual raster, which only names others", Reader::neither},
