@@ -35,12 +35,6 @@ struct Extent {
     Point to_cells(Point p) const { return {(p.x - bounds.MinX) / cell - 0.5, (bounds.MaxY - p.y) / cell - 0.5}; }
 };
 
-double length_of(const Line& line) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
-    return length;
-}
-
 Line simplified(const Line& line, double tolerance) {
     OGRLineString exact;
     for (const Point& point : line) exact.addPoint(point.x, point.y);

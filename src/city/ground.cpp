@@ -50,7 +50,7 @@ std::vector<const OGRGeometry*> areas_that(const std::vector<GroundPiece>& piece
 void append_sea(Ground& ground, std::vector<GroundPiece> coasts, const OGREnvelope& bounds, double cell) {
     std::vector<const OGRGeometry*> lines;
     for (const GroundPiece& coast : coasts) lines.push_back(coast.shape.get());
-    Sea sea = sea_beside(lines, bounds);
+    Sea sea = sea_beside(lines, rectangle(bounds));
     const GroundUse use{GroundLayer::water, site::ObstacleKind::water};
     for (std::unique_ptr<OGRGeometry>& area : sea.areas) ground.pieces.push_back({use, std::move(area)});
     if (!sea.leaks) return;

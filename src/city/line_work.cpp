@@ -61,6 +61,12 @@ std::optional<std::pair<double, double>> inside(const Point& a, const Point& b, 
 
 }  // namespace
 
+double length_of(const Line& line) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) sum += distance(line[i - 1], line[i]);
+    return sum;
+}
+
 std::vector<Line> joined(std::vector<Line> lines) {
     LooseEnds loose(lines);
     std::vector<bool> taken(lines.size(), false);

@@ -11,6 +11,8 @@ namespace waybreaker::city {
 
 using Line = std::vector<Point>;
 
+double length_of(const Line& line);
+
 // Joins lines of two points or more end to end where they have an end in common. Same lines in the same order, same
 // result.
 std::vector<Line> joined(std::vector<Line> lines);

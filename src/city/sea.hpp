@@ -9,11 +9,11 @@
 namespace waybreaker::city {
 
 struct Sea {
-    std::vector<std::unique_ptr<OGRGeometry>> areas;  // within the bounds
-    bool leaks = false;  // coastlines end within the bounds, so that land and sea cannot be told apart everywhere
+    std::vector<std::unique_ptr<OGRGeometry>> areas;  // within the edge
+    bool leaks = false;  // coastlines end within it, so that land and sea cannot be told apart everywhere
 };
 
-// By OpenStreetMap's rule: the water lies to the right of a coastline. The bounds close it.
-Sea sea_beside(const std::vector<const OGRGeometry*>& coasts, const OGREnvelope& bounds);
+// By OpenStreetMap's rule: the water lies to the right of a coastline. The edge, which is convex, closes it.
+Sea sea_beside(const std::vector<const OGRGeometry*>& coasts, const OGRPolygon& edge);
 
 }  // namespace waybreaker::city
