@@ -242,13 +242,10 @@ std::string names_of(const std::vector<const CutArea*>& areas) {
 // What the source lacks of what it begins to say.
 void note_what_is_cut(const Material& material, std::vector<std::string>& notes) {
     std::vector<const CutArea*> cut;
-    for (const CutArea& area : material.survey.cut) cut.push_back(&area);
     for (const CutArea& area : material.footprints.cut) cut.push_back(&area);
     if (!cut.empty()) {
-        notes.push_back(
-            fmt::format("{}: left out, for the source has no more than a part of {} outline{}; of a river or "
-                        "canal its line remains, as a strip",
-                        names_of(cut), cut.size() == 1 ? "its" : "their", cut.size() == 1 ? "" : "s"));
+        notes.push_back(fmt::format("{}: left out, for the source has no more than a part of {} outline{}",
+                                    names_of(cut), cut.size() == 1 ? "its" : "their", cut.size() == 1 ? "" : "s"));
     }
     std::set<std::int64_t> ways(material.survey.lacking_nodes.begin(), material.survey.lacking_nodes.end());
     ways.insert(material.footprints.lacking_nodes.begin(), material.footprints.lacking_nodes.end());

@@ -57,8 +57,8 @@ bool head_for_each_other(const End& a, const End& b) {
     if (gap >= std::min(distance(a.at, a.edge), distance(b.at, b.edge))) return false;
     const auto heads = [gap](const End& from, const Point& to) {
         constexpr double least = 0.7;  // cosine: within 45 degrees
-        const double along = (from.at.x - from.before.x) * (to.x - from.at.x) +
-                             (from.at.y - from.before.y) * (to.y - from.at.y);
+        const double along =
+            (from.at.x - from.before.x) * (to.x - from.at.x) + (from.at.y - from.before.y) * (to.y - from.at.y);
         return along >= least * gap * distance(from.at, from.before);
     };
     return heads(a, b.at) && heads(b, a.at);

@@ -94,7 +94,8 @@ std::size_t Faces::at(const Point& point) const {
     OGRPoint place(point.x, point.y);
     const auto found = std::find_if(faces_.begin(), faces_.end(), [&](const Face& face) {
         return point.x >= face.box.MinX && point.x <= face.box.MaxX && point.y >= face.box.MinY &&
-               point.y <= face.box.MaxY && OGRPreparedGeometryContains(face.prepared.get(), OGRGeometry::ToHandle(&place));
+               point.y <= face.box.MaxY &&
+               OGRPreparedGeometryContains(face.prepared.get(), OGRGeometry::ToHandle(&place));
     });
     return found == faces_.end() ? none : std::size_t(found - faces_.begin());
 }

@@ -1,10 +1,12 @@
 #include "city/survey.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "city/cut_ground.hpp"
 #include "geotiff/obstacle_names.hpp"
 
 namespace waybreaker::city {
@@ -58,11 +60,7 @@ class Surveyor {
         FeatureReport report = visit_features(source, query_, [this](const Feature& feature) { see(feature); });
         survey_.lacking_nodes = std::move(report.lacking_nodes);
         if (options_.profile == Profile::paper) return std::move(survey_);
-        for (CutArea& area : report.cut) {
-            if (std::ranges::any_of(ground_uses(area.tags, Shape::area, options_.profile), bars)) {
-                survey_.cut.push_back(std::move(area));
-            }
-        }
+        close(report.cut);
         // Of a line and an area that both bar a cell, the area is the later one, and has it.
         std::ranges::stable_partition(survey_.ground.pieces,
                                       [](const GroundPiece& piece) { return is_line(piece.shape->getGeometryType()); });
@@ -74,8 +72,17 @@ class Surveyor {
     }
 
   private:
+    void close(const std::vector<CutArea>& areas) {
+        CutGround cut = cut_ground(areas, options_.data, evidence_, window_.bounds, options_.profile);
+        Ground& ground = survey_.ground;
+        std::ranges::move(cut.pieces, std::back_inserter(ground.pieces));
+        std::ranges::move(cut.notes, std::back_inserter(ground.notes));
+        if (options_.scenery) std::ranges::move(cut.scenery, std::back_inserter(survey_.scenery));
+    }
+
     void see(const Feature& feature) {
         if (!feature.geometry || !lies_near(*feature.geometry)) return;
+        add_evidence(feature, evidence_);
         if (feature.shape == Shape::line && feature.tags.says("highway") && lies_inside(*feature.geometry)) {
             ++survey_.streets;
         }
@@ -139,6 +146,7 @@ class Surveyor {
     FeatureQuery query_;
     Survey survey_;
     std::vector<GroundPiece> coasts_;
+    Evidence evidence_;
 };
 
 }  // namespace

@@ -26,7 +26,6 @@ struct Survey {
     std::vector<Sight> scenery;  // in the source's order; nothing in tunnels
     Ground ground;
     std::vector<Premises> premises;                // by premises_filters(), in the source's order
-    std::vector<CutArea> cut = {};                 // that would be ground if the source had their outlines whole
     std::vector<std::int64_t> lacking_nodes = {};  // ways, as features.hpp has them
     std::size_t streets = 0;                       // ways for anybody, in the window
 };

@@ -92,9 +92,9 @@ TEST(CutRiver, is_not_the_land_that_another_river_crosses) {
 }
 
 TEST(CutRiver, of_two_arms_has_both) {
-    const ClosedArea rivers = closed_along_edge(
-        outline({north_bank, south_bank, {{5, 50}, {395, 50}}, {{5, 20}, {395, 20}}}), edge,
-        {.within = {{{5, 150}, {395, 150}}, {{5, 35}, {395, 35}}}});
+    const ClosedArea rivers =
+        closed_along_edge(outline({north_bank, south_bank, {{5, 50}, {395, 50}}, {{5, 20}, {395, 20}}}), edge,
+                          {.within = {{{5, 150}, {395, 150}}, {{5, 35}, {395, 35}}}});
     EXPECT_EQ(rivers.how, closed);
     EXPECT_NEAR(area_of(rivers), 400 * 90, 1e-6);
     EXPECT_FALSE(holds(rivers, {200, 80}));
@@ -121,29 +121,29 @@ TEST(CutLake, is_unknown_on_its_smaller_side_if_nothing_tells_which) {
 
 TEST(CutBay, that_meets_two_sides_of_the_edge_has_two_shores) {
     // A lake around a headland: its shore comes from the south, and goes on in the east.
-    const ClosedArea bay = closed_along_edge(
-        outline({{{100, 2}, {100, 200}, {398, 200}}, {{200, 4}, {200, 100}, {397, 100}}}), edge,
-        {.outside = {{{20, 20}, {20, 280}, {380, 280}}, {{300, 20}, {380, 20}}}});
+    const ClosedArea bay =
+        closed_along_edge(outline({{{100, 2}, {100, 200}, {398, 200}}, {{200, 4}, {200, 100}, {397, 100}}}), edge,
+                          {.outside = {{{20, 20}, {20, 280}, {380, 280}}, {{300, 20}, {380, 20}}}});
     EXPECT_EQ(bay.how, closed);
     EXPECT_NEAR(area_of(bay), 100 * 200 + 200 * 100, 1e-6);
 }
 
 TEST(CutOutline, with_a_small_gap_is_closed_straight) {
-    const ClosedArea river = closed_along_edge(
-        outline({{{5, 180}, {190, 180}}, {{200, 180}, {396, 180}}, south_bank}), edge, stream);
+    const ClosedArea river =
+        closed_along_edge(outline({{{5, 180}, {190, 180}}, {{200, 180}, {396, 180}}, south_bank}), edge, stream);
     EXPECT_EQ(river.how, closed);
     EXPECT_NEAR(area_of(river), 400 * 60, 1e-6);
     // Even beside the edge, if the ends head for each other and not for it.
-    const ClosedArea beside = closed_along_edge(
-        outline({{{5, 280}, {190, 280}}, {{200, 280}, {396, 280}}, {{5, 220}, {395, 220}}}), edge,
-        {.within = {{{5, 250}, {395, 250}}}});
+    const ClosedArea beside =
+        closed_along_edge(outline({{{5, 280}, {190, 280}}, {{200, 280}, {396, 280}}, {{5, 220}, {395, 220}}}), edge,
+                          {.within = {{{5, 250}, {395, 250}}}});
     EXPECT_EQ(beside.how, closed);
     EXPECT_NEAR(area_of(beside), 400 * 60, 1e-6);
 }
 
 TEST(CutOutline, with_a_wide_gap_is_unknown) {
-    const ClosedArea river = closed_along_edge(
-        outline({{{5, 180}, {60, 180}}, {{300, 180}, {396, 180}}, south_bank}), edge, stream);
+    const ClosedArea river =
+        closed_along_edge(outline({{{5, 180}, {60, 180}}, {{300, 180}, {396, 180}}, south_bank}), edge, stream);
     EXPECT_EQ(river.how, unknown);
     EXPECT_TRUE(holds(river, {200, 150}));
     // Of one bank alone nothing tells where the other is.
@@ -160,8 +160,8 @@ TEST(CutOutline, elsewhere_leaves_nothing_here) {
 
 TEST(CutOutline, may_leave_the_edge_and_come_back) {
     // As extracts have it that keep ways whole.
-    const ClosedArea lake = closed_along_edge(
-        outline({{{-50, 100}, {100, 100}, {100, 200}, {-80, 200}}}), edge, {.outside = {{{200, 10}, {200, 290}}}});
+    const ClosedArea lake = closed_along_edge(outline({{{-50, 100}, {100, 100}, {100, 200}, {-80, 200}}}), edge,
+                                              {.outside = {{{200, 10}, {200, 290}}}});
     EXPECT_EQ(lake.how, closed);
     EXPECT_NEAR(area_of(lake), 100 * 100, 1e-6);
 }
