@@ -168,6 +168,13 @@ TEST_F(Visits, ClosedWaysAreAreasOrLinesByTheirTags) {
     EXPECT_EQ(words_of(found_in(Town().way(7, {101, 104, 404, 401}, "building=yes"))), Words{"line 7"});
 }
 
+TEST_F(Visits, WaysCloseAlsoWhereTwoNodesAreInOnePlace) {
+    std::string text = Town().way(7, {101, 104, 404, 401, 2020}, "building=yes").text();
+    const std::string last = "lon='20' lat='20'";
+    text.replace(text.find(last), last.size(), "lon='1' lat='1'");
+    EXPECT_EQ(words_of(found_in(File{put("place.osm", text), "osm"})), Words{"area 7 9"});
+}
+
 TEST_F(Visits, RelationsComeFirstThenWaysInTheirOrder) {
     const Town town = Town()
                           .way(9, {501, 504, 804, 801, 501}, "building=yes")
