@@ -206,6 +206,14 @@ TEST_F(Visits, HolesTouchingRingsAndSeveralOuterRings) {
     EXPECT_EQ(found.features.at(0).polygons.size(), 2U);
 }
 
+TEST_F(Visits, MembersOfOtherRolesBoundNothing) {
+    const Town town = Town()
+                          .way(1, square, "building=yes")
+                          .way(2, {101, 102, 402, 401, 101}, "building:part=yes")
+                          .relation(7, {{"outer", 1}, {"part", 2}, {"outline", 4711}}, "building=yes");
+    EXPECT_EQ(words_of(found_in(town, {.areas = Keys{{"building"}}})), Words{"area -7 9"});
+}
+
 TEST_F(Visits, RingsThatCrossAreFilledByTurns) {
     const Town town = Town().way(1, {101, 404, 401, 104, 101}).relation(7, {{"outer", 1}}, "natural=water");
     const Found found = found_in(town, {.areas = Keys{{"natural"}}});
