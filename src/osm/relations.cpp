@@ -43,6 +43,14 @@ bool bounds_area(const osmium::Relation& relation) {
     return std::strcmp(type, "multipolygon") == 0 || std::strcmp(type, "boundary") == 0;
 }
 
+// [wiki: Relation:multipolygon, and Relation:boundary for the old words] Others are what lies within, such as the parts
+// of a building.
+bool bounds_area(const osmium::RelationMember& member) {
+    static constexpr std::array<std::string_view, 5> roles{"", "outer", "inner", "exclave", "enclave"};
+    return member.type() == osmium::item_type::way &&
+           std::ranges::find(roles, std::string_view(member.role())) != roles.end();
+}
+
 // The tags of the relation, or else those of its first outer way that has any: so they were drawn until 2017.
 const osmium::TagList& speaking_tags(const osmium::Relation& relation, const std::vector<const osmium::Way*>& outer) {
     if (!is_silent(relation.tags())) return relation.tags();
@@ -119,7 +127,7 @@ void Relations::add(const osmium::Relation& relation) {
     relations_.add_item(relation);
     offsets_.push_back(relations_.commit());
     for (const osmium::RelationMember& member : relation.members()) {
-        if (member.type() == osmium::item_type::way) members_.emplace(member.ref(), absent);
+        if (bounds_area(member)) members_.emplace(member.ref(), absent);
     }
 }
 
@@ -140,7 +148,7 @@ Relations::Members Relations::members_of(const osmium::Relation& relation) const
     Members members;
     std::unordered_set<std::int64_t> known;
     for (const osmium::RelationMember& member : relation.members()) {
-        if (member.type() != osmium::item_type::way || !known.insert(member.ref()).second) continue;
+        if (!bounds_area(member) || !known.insert(member.ref()).second) continue;
         const std::size_t offset = members_.at(member.ref());
         if (offset == absent) {
             members.complete = false;
@@ -150,7 +158,8 @@ Relations::Members Relations::members_of(const osmium::Relation& relation) const
         const bool whole =
             std::ranges::all_of(way.nodes(), [](const osmium::NodeRef& node) { return node.location().valid(); });
         if (!whole) members.complete = false;
-        (std::strcmp(member.role(), "inner") == 0 ? members.inner : members.outer).push_back(&way);
+        const std::string_view role = member.role();
+        (role == "inner" || role == "enclave" ? members.inner : members.outer).push_back(&way);
     }
     return members;
 }

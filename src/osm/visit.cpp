@@ -162,7 +162,7 @@ class Visit {
         Uses uses{wants(query_.lines, way.tags()), wants(query_.areas, way.tags())};
         if (!uses.line && !uses.area) return;
         constexpr std::size_t triangle = 4;  // its first node is its last one, too
-        const Uses can_be = uses_of(way.tags(), way.nodes().size() >= triangle && way.is_closed());
+        const Uses can_be = uses_of(way.tags(), way.nodes().size() >= triangle && closes(way));
         uses.line = uses.line && can_be.line;
         uses.area = uses.area && can_be.area && !relations_.is_part(way);
         if (!uses.line && !uses.area) return;
@@ -177,6 +177,13 @@ class Visit {
         if (line.empty() || !around.meets(query_.box) || !seen_.insert(way.id()).second) return;
         if (line.size() < way.nodes().size()) report_.lacking_nodes.push_back(way.id());
         visit(way, uses, std::move(line));
+    }
+
+    // Its ends are one node, or two in one place.
+    bool closes(const osmium::Way& way) const {
+        if (way.is_closed()) return true;
+        const osmium::Location begin = location_of(way.nodes().front(), places_);
+        return begin.valid() && begin == location_of(way.nodes().back(), places_);
     }
 
     void visit(const osmium::Way& way, Uses uses, Line line) {

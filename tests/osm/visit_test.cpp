@@ -168,6 +168,13 @@ TEST_F(Visits, ClosedWaysAreAreasOrLinesByTheirTags) {
     EXPECT_EQ(words_of(found_in(Town().way(7, {101, 104, 404, 401}, "building=yes"))), Words{"line 7"});
 }
 
+TEST_F(Visits, WaysCloseAlsoWhereTwoNodesAreInOnePlace) {
+    std::string text = Town().way(7, {101, 104, 404, 401, 2020}, "building=yes").text();
+    const std::string last = "lon='20' lat='20'";
+    text.replace(text.find(last), last.size(), "lon='1' lat='1'");
+    EXPECT_EQ(words_of(found_in(File{put("place.osm", text), "osm"})), Words{"area 7 9"});
+}
+
 TEST_F(Visits, RelationsComeFirstThenWaysInTheirOrder) {
     const Town town = Town()
                           .way(9, {501, 504, 804, 801, 501}, "building=yes")
@@ -197,6 +204,14 @@ TEST_F(Visits, HolesTouchingRingsAndSeveralOuterRings) {
     const Found found = found_in(town, {.areas = Keys{{"natural"}}});
     EXPECT_EQ(words_of(found), Words{"area -7 73"});
     EXPECT_EQ(found.features.at(0).polygons.size(), 2U);
+}
+
+TEST_F(Visits, MembersOfOtherRolesBoundNothing) {
+    const Town town = Town()
+                          .way(1, square, "building=yes")
+                          .way(2, {101, 102, 402, 401, 101}, "building:part=yes")
+                          .relation(7, {{"outer", 1}, {"part", 2}, {"outline", 4711}}, "building=yes");
+    EXPECT_EQ(words_of(found_in(town, {.areas = Keys{{"building"}}})), Words{"area -7 9"});
 }
 
 TEST_F(Visits, RingsThatCrossAreFilledByTurns) {
