@@ -65,11 +65,15 @@ std::string ground_of(const city::ImportReport& report) {
     const Map& map = report.tiff.map;
     const auto cells = site::cells_by_kind(map, report.tiff.annotations.kinds);
     std::string text;
-    for (const auto kind : {site::ObstacleKind::water, site::ObstacleKind::cliff, site::ObstacleKind::forbidden}) {
+    constexpr std::array<std::pair<site::ObstacleKind, const char*>, 4> grounds{
+        {{site::ObstacleKind::water, "water"},
+         {site::ObstacleKind::cliff, "cliff"},
+         {site::ObstacleKind::forbidden, "forbidden"},
+         {site::ObstacleKind::off_road, "off road"}}};
+    for (const auto& [kind, word] : grounds) {
         const std::uint64_t count = cells[std::size_t(kind)];
         if (count == 0) continue;
-        text += fmt::format(", {:.1f} % {}", 100 * double(count) / double(map.grid().cell_count()),
-                            site::obstacle_kind_words[std::size_t(kind)]);
+        text += fmt::format(", {:.1f} % {}", 100 * double(count) / double(map.grid().cell_count()), word);
     }
     if (report.sheltered == 0) return text;
     return text + fmt::format("; {} protected ({}; --destructible and --protected choose others)", report.sheltered,

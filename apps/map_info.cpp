@@ -13,6 +13,7 @@
 #include "geotiff/georeference.hpp"
 #include "help.hpp"
 #include "io/map_file.hpp"
+#include "io/mission_document.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_reader.hpp"
 #include "option.hpp"
@@ -38,12 +39,13 @@ std::string identity(const io::MapFile& file, const Obstacle& obstacle) {
 
 // "61.2 % open, 25.5 % destructible, 3.1 % water": what there is of, in cells of the map.
 std::string ground_text(const mapfile::GroundSummary& ground) {
-    const std::array<std::pair<const char*, std::uint64_t>, 6> parts{{{"open", ground.open},
+    const std::array<std::pair<const char*, std::uint64_t>, 7> parts{{{"open", ground.open},
                                                                       {"destructible", ground.destructible},
                                                                       {"protected", ground.protected_},
                                                                       {"water", ground.water},
                                                                       {"cliff", ground.cliff},
-                                                                      {"forbidden", ground.forbidden}}};
+                                                                      {"forbidden", ground.forbidden},
+                                                                      {"off road", ground.off_road}}};
     std::uint64_t all = 0;
     for (const auto& part : parts) all += part.second;
     std::vector<std::string> words;
@@ -71,12 +73,21 @@ std::string protected_text(const io::MapFile& file) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
+// "truck, 2.55 m wide: radius 0.638 cells unless a mission says another"
+std::string profile_text(const io::MapFile& file) {
+    const std::optional<site::Profile> profile = file.annotations.profile;
+    return profile ? fmt::format("{}, {} m wide: radius {} cells unless a mission says another",
+                                 site::profile_word(*profile), site::vehicle_width(*profile), io::usual_radius(file))
+                   : "";
+}
+
 std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary) {
     const Map& map = file.map;
     const auto line = [](const std::string& name, const std::string& value) {
         return value.empty() ? std::string() : fmt::format("{:<13}{}\n", name, value);
     };
     std::string text = line("file", file.source) + line("format", file.format) + line("title", file.annotations.title) +
+                       line("profile", profile_text(file)) +
                        line("size", fmt::format("{} x {} cells", map.width(), map.height()));
     if (file.has_metres()) {
         text += line("cell size", fmt::format("{:.6g} m, in all {:.6g} m x {:.6g} m", file.cell_size,

@@ -80,6 +80,21 @@ void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mis
     }
 }
 
+// Of whoever nobody has said how large it is.
+void set_sizes(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
+    const bool from_task = map.task || !options.agents.empty();  // which say it, or mean the usual size
+    if (options.mission.empty() && !from_task) {
+        for (std::size_t i = 0; i < document.mission.agents.size(); ++i) {
+            if (document.mission.agents[i].kind == AgentKind::ground) document.unsized.push_back(i);
+        }
+    }
+    if (options.radius) document.unsized.clear();
+    if (!io::size_agents(document, map)) return;
+    const site::Profile profile = *map.annotations.profile;
+    note(map.source, fmt::format("is made for a {}, {} m wide: its radius is {} cells; --radius says another",
+                                 site::profile_word(profile), site::vehicle_width(profile), io::usual_radius(map)));
+}
+
 // Speeds in metres per second make a unit of time a second, and so do times in seconds: without any speed both agents
 // then move at 1 m/s.
 void set_clock(const PlanOptions& options, const io::MapFile& map, io::MissionDocument& document) {
@@ -160,6 +175,7 @@ io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& ma
     Method& method = result.method;
     const bool from_map = map.task && options.mission.empty() && !lists_agents(options, map);
     set_agents(options, map, mission);
+    set_sizes(options, map, result);
     set_clock(options, map, result);
     set_rules(options, map, mission.rules);
     if (options.budget) result.area_budget = options.area_budget;

@@ -250,7 +250,9 @@ void add_search_options(CLI::App& command, PlanOptions& options) {
     add_choice(command, "--corners", io::corner_words, options.corners,
                "Diagonal steps pass no blocked cell at their side, one, or two (default: none)");
     add_measure(command, "--radius", options.radius, radii, length_units, "LENGTH",
-                "Radius of the ground agent, in cells, or metres such as 0.8m; 0 for a point (default: 0.5)");
+                "Radius of the ground agent, in cells, or metres such as 0.8m; 0 for a point (default: 0.5, or half "
+                "the width of the "
+                "vehicle that the map was made for, if that is more)");
     add_choice(command, "--moves", move_counts, says(options, [](Document& d) -> auto& { return d.method.diagonal; }),
                "Steps from a cell (default: 8)");
     add_count(

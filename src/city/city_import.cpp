@@ -14,6 +14,7 @@
 #include "city/import_window.hpp"
 #include "city/label_raster.hpp"
 #include "city/merge_touching.hpp"
+#include "city/off_road.hpp"
 #include "city/survey.hpp"
 #include "geotiff/gdal_scope.hpp"
 #include "geotiff/obstacle_names.hpp"
@@ -113,6 +114,12 @@ void clear_for(const GroundMap& ground, const std::vector<Seen>& seen, std::vect
 // Who chooses obstacles wants them as the paper had them.
 Profile profile_of(const ImportOptions& options) {
     return options.profile.value_or(options.choice.obstacles.empty() ? Profile::rover : Profile::paper);
+}
+
+// As maps keep it.
+std::optional<Profile> who_drives(const ImportOptions& options) {
+    const Profile profile = profile_of(options);
+    return profile == Profile::paper ? std::nullopt : std::optional(profile);
 }
 
 // In cells; 0 for whole obstacles.
@@ -293,13 +300,14 @@ void inherit(const std::vector<Premises>& premises, const std::vector<std::uint3
 ImportReport report_of(const Material& material, std::vector<Seen> seen, const CellWindow& window,
                        const std::string& source, const ImportOptions& options) {
     const std::vector<GroundPiece>& pieces = material.survey.ground.pieces;
-    const GroundMap ground = ground_map(pieces, window);
+    const GroundMap ground = ground_map(pieces, window, profile_of(options), options.cell);
     std::vector<std::uint32_t> labels = rasterise(seen, window);
     inherit(material.survey.premises, labels, window, options, seen);
     clear_for(ground, seen, labels);
     site::LabelLayer cells = labelled(seen, window, options.choice, std::move(labels));
     if (options.merge_touching) cells = merged(cells, joins(seen, options.choice), !options.choice.weight.of.empty());
     append_ground(ground, pieces, cells);
+    append_off_road(ground, window, options.cell, cells);
     if (!options.names) cells.names.clear();
     if (profile_of(options) == Profile::paper) {
         cells.kinds.clear();
@@ -308,6 +316,7 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
     site::DescribedMap described =
         site::described(std::move(cells),
                         {.title = title_of(source, window, options.cell),
+                         .profile = who_drives(options),
                          .attribution = material.footprints.from_osm ? "(c) OpenStreetMap contributors, ODbL 1.0" : "",
                          .background = background_within(material.survey.scenery, window.window.bounds, options.cell)});
     if (const int side = section_side(options); side > 0) {

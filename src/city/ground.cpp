@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "city/bridge_sides.hpp"
+#include "city/places.hpp"
+#include "city/posts.hpp"
 #include "city/sea.hpp"
 #include "city/vector_source.hpp"
 #include "geotiff/gdal_scope.hpp"
 
 namespace waybreaker::city {
 namespace {
-
-constexpr int quarter_circle = 4;  // corners
 
 std::unique_ptr<OGRGeometry> strip(const OGRGeometry& line, double width) {
     return std::unique_ptr<OGRGeometry>(line.Buffer(width / 2, quarter_circle));
@@ -72,29 +73,28 @@ bool bars(const GroundUse& use) {
 Ground finished(Ground ground, std::vector<GroundPiece> coasts, const OGREnvelope& bounds, double cell) {
     const geotiff::GdalScope gdal;
     append_sea(ground, std::move(coasts), bounds, cell);
+    widen_posts(ground.pieces, cell);
+    widen_bridge_sides(ground.pieces, cell);
     const auto waters =
         areas_that(ground.pieces, [](const GroundUse& use) { return use.kind == site::ObstacleKind::water; });
     const auto closed =
         areas_that(ground.pieces, [](const GroundUse& use) { return use.layer == GroundLayer::closed; });
-    std::vector<GroundPiece> strips;
     for (GroundPiece& piece : ground.pieces) {
-        GroundUse& use = piece.use;
+        const GroundUse& use = piece.use;
         const bool way = use.layer == GroundLayer::way || use.layer == GroundLayer::underpass;
         const bool line = is_line(piece.shape->getGeometryType());
         if (use.outline && !line) piece.shape.reset(piece.shape->Boundary());
         if (use.drawn_as_area) piece.shape = outside(*piece.shape, waters, use.width);
         if (way && !closed.empty()) piece.shape = outside(*piece.shape, closed, 0);
         if (!piece.shape) continue;
-        if (way) {  // opens the cells that its line touches
-            if (use.width > cell) strips.push_back({use, strip(*piece.shape, use.width)});
-        } else if (use.layer == GroundLayer::gate) {
+        if (way) continue;  // opens cells by its line
+        if (use.layer == GroundLayer::gate) {
             // Across a barrier of one cell, wherever the cells lie.
-            piece.shape = strip(*piece.shape, std::max(use.width, 2 * cell));
+            piece.shape = strip(*piece.shape, 2 * std::max(opened_reach(use.width, cell), cell));
         } else if (line || use.outline) {
             piece.shape = strip(*piece.shape, std::max(use.width, cell));
         }
     }
-    std::move(strips.begin(), strips.end(), std::back_inserter(ground.pieces));
     std::erase_if(ground.pieces, [](const GroundPiece& piece) { return !piece.shape || piece.shape->IsEmpty(); });
     return ground;
 }

@@ -30,9 +30,9 @@ struct Ground {
     std::vector<std::string> notes = {};  // what the user should know of them, a line each
 };
 
-// Makes strips of lines, the sea of coastlines (`coasts`, water to the right of them, within `bounds`), and leaves out
-// the lines of rivers where areas show them, and ways on closed ground. Strips that block have at least the width of a
-// cell, so that no disc slips through them.
+// Makes strips of lines other than ways, sides of bridges, discs of what stands in ways, the sea of coastlines
+// (`coasts`, water to the right of them, within `bounds`), and leaves out the lines of rivers where areas show them,
+// and ways on closed ground. Strips that block have at least the width of a cell, so that no disc slips through them.
 Ground finished(Ground ground, std::vector<GroundPiece> coasts, const OGREnvelope& bounds, double cell);
 
 }  // namespace waybreaker::city

@@ -1,8 +1,9 @@
 // The ground painted on cells: what blocks for ever, and where ways open what stands on it.
 //
-// A cell is what its centre is covered by, a later one wins: water, ways over it, forbidden ground, (buildings,
-// barriers,) ways. Ways open each cell that they touch, so that a disc that fits into a cell can follow them. What
-// blocks for ever does so under buildings and barriers as well: who destroys a house over a river finds the river.
+// A cell is what its centre is covered by, a later one wins: sides of bridges, water, ways over both, forbidden ground,
+// (buildings, barriers,) ways. Ways open each cell that their line touches, and those around it that the vehicle needs,
+// so that its disc can follow them. What blocks for ever does so under buildings and barriers as well: who destroys a
+// house over a river finds the river.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,11 @@ struct GroundMap {
     // What ways open for each cell; no entries if there are no ways.
     enum Opens : std::uint32_t { nothing, barriers, forbidden_lines, everything };
     std::vector<std::uint32_t> opened;
+    // Other than 0 where a profile may drive that keeps to roads; no entries for others.
+    std::vector<std::uint32_t> roads;
 };
 
-GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& window);
+// `cell`: its side in metres.
+GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& window, Profile profile, double cell);
 
 }  // namespace waybreaker::city

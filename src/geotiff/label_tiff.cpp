@@ -24,6 +24,7 @@ namespace {
 
 constexpr const char* title_item = "TIFFTAG_IMAGEDESCRIPTION";
 constexpr const char* attribution_item = "TIFFTAG_COPYRIGHT";
+constexpr const char* profile_item = "WAYBREAKER_PROFILE";
 
 std::string metadata(GDALDataset& file, const char* item) {
     const char* text = file.GetMetadataItem(item);
@@ -83,6 +84,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     const int width = layer.width;
     const int height = layer.height;
     site::Annotations annotations{.title = metadata(*file, title_item),
+                                  .profile = site::profile_called(metadata(*file, profile_item)),
                                   .attribution = metadata(*file, attribution_item),
                                   .background = read_background(*file, place, width, height, name)};
     layer.labels = read_labels(*file, memory, name);
@@ -138,6 +140,7 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     const site::Annotations& known = tiff.annotations;
     set(title_item, known.title);
     set(attribution_item, known.attribution);
+    if (known.profile) set(profile_item, std::string(site::profile_word(*known.profile)));
     for (const auto& [item, text] : obstacle_metadata(tiff.map)) set(item, text);
     set(names_item, names_text(known.names));
     set(kinds_item, kinds_text(known.kinds));

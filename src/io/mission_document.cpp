@@ -7,6 +7,22 @@
 
 namespace waybreaker::io {
 
+double usual_radius(const MapFile& file) {
+    return site::body_radius(file.has_metres() ? file.annotations.profile : std::nullopt, file.cell_size);
+}
+
+bool size_agents(MissionDocument& document, const MapFile& file) {
+    const double radius = usual_radius(file);
+    bool sized = false;
+    for (const std::size_t index : std::exchange(document.unsized, {})) {
+        Body& body = document.mission.agents[index].body;
+        if (body.corners != Corners::none || body.radius == radius) continue;
+        body.radius = radius;
+        sized = true;
+    }
+    return sized;
+}
+
 std::optional<Map> resolve(MissionDocument& document, const MapFile& file,
                            const std::optional<std::vector<double>>& weights) {
     protect_tagged(file, std::exchange(document.protect_tags, {}), document.mission.rules);

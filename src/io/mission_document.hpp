@@ -2,6 +2,7 @@
 // files and files of missions fill one; plan files hold a copy.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,9 +23,19 @@ struct MissionDocument {
     bool in_seconds = false;   // a unit of time is a second
     // What is protected beside mission.rules.protect, until the map is known.
     std::vector<site::TagFilter> protect_tags = {};
+    // Ground agents, by their place in the mission, of which nobody has said how large they are; until the map is
+    // known.
+    std::vector<std::size_t> unsized = {};
     // Which map it is for, as seen from the document's file; empty where that is said elsewhere.
     std::string map = {};
 };
+
+// The radius, in cells, of a ground agent of which nobody says how large it is: by the profile of the map, else 0.5.
+double usual_radius(const MapFile& file);
+
+// Gives the usual radius to the agents that have none said, but for those that pass corners, which are points. Whether
+// it differs from 0.5.
+bool size_agents(MissionDocument& document, const MapFile& file);
 
 // Makes the mission one of this map: what has the tags is protected by its id, and the tags are gone. Gives the map to
 // plan on where it differs: its obstacles weigh their area where the budget is one, else `weights` by id, if any.

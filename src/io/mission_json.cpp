@@ -264,8 +264,13 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (const auto map = document.find("map")) result.map = map->text();
     if (const auto unit = document.find("time_unit")) result.in_seconds = unit->one_of<bool>({{"s", true}});
     result.limits = limits;
-    for (const JsonField& agent : document["agents"].items()) result.mission.agents.push_back(read_agent(agent));
-    if (result.mission.agents.empty()) document["agents"].fail("names nobody: a mission has at least one ground agent");
+    std::vector<Agent>& agents = result.mission.agents;
+    for (const JsonField& agent : document["agents"].items()) {
+        agents.push_back(read_agent(agent));
+        if (agents.back().kind == AgentKind::ground && !agent.find("radius"))
+            result.unsized.push_back(agents.size() - 1);
+    }
+    if (agents.empty()) document["agents"].fail("names nobody: a mission has at least one ground agent");
     if (const auto rules = document.find("rules")) {
         rules->allow({"removals", "budget", "budget_m2", "protect", "force", "breach_time", "breach_time_per_cell",
                       "timing", "objective", "minimise_demolition", "separation", "at_goal"});

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geotiff/georeference.hpp"
+#include "io/mission_document.hpp"
 
 namespace waybreaker::mapfile {
 
@@ -31,6 +32,9 @@ std::optional<GroundSummary> summarise_ground(const io::MapFile& file) {
                 break;
             case site::ObstacleKind::forbidden:
                 summary.forbidden += obstacle.cells;
+                break;
+            case site::ObstacleKind::off_road:
+                summary.off_road += obstacle.cells;
                 break;
             default:
                 (obstacle.destructible ? summary.destructible : summary.protected_) += obstacle.cells;
@@ -83,6 +87,9 @@ std::string map_info_json(const io::MapFile& file) {
         for (const auto& [tag, obstacles] : file.annotations.tags) tags[tag] = obstacles.size();
         json["obstacles"]["protected_tags"] = protected_tags(file);
     }
+    const std::optional<site::Profile> profile = file.annotations.profile;
+    json["profile"] = profile ? Json(site::profile_word(*profile)) : Json();
+    json["usual_radius"] = io::usual_radius(file);
     json["ground"] = nullptr;
     if (const std::optional<GroundSummary> ground = summarise_ground(file)) {
         json["ground"] = {{"open", ground->open},
@@ -90,7 +97,8 @@ std::string map_info_json(const io::MapFile& file) {
                           {"protected", ground->protected_},
                           {"water", ground->water},
                           {"cliff", ground->cliff},
-                          {"forbidden", ground->forbidden}};
+                          {"forbidden", ground->forbidden},
+                          {"off_road", ground->off_road}};
     }
     for (const std::string_view kind : site::background_kinds) json["background"][std::string(kind)] = 0;
     for (const site::Background::Feature& feature : file.annotations.background.features) {

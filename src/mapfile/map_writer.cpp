@@ -124,6 +124,7 @@ std::vector<std::string> losses_of(const io::MapFile& map, const Format& format)
     const site::Annotations& known = map.annotations;
     lose(format.background || known.background.features.empty(),
          "streets, water and what else lies around the obstacles");
+    lose(std::string_view(format.name) == "GeoTIFF" || !known.profile, "whom the map was made for");
     lose(format.title || known.title.empty(), "the title");
     lose(format.attribution || known.attribution.empty(),
          "the attribution, which must go with it: " + known.attribution);

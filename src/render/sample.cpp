@@ -20,6 +20,7 @@ Style style_of(bool destructible, site::ObstacleKind kind) {
         case cliff:
             return Style::cliff;
         case forbidden:
+        case off_road:
             return Style::forbidden;
         default:
             return Style::fixed_obstacle;

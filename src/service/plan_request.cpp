@@ -218,7 +218,15 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) 
 MissionOnMap on_map(const ShortMission& mission, const OptionsRequest& options, const io::MapFile& map) {
     MissionOnMap result{.asked = options.asked, .reweighted = {}};
     io::MissionDocument& asked = result.asked;
-    if (asked.mission.agents.empty()) asked.mission.agents = agents_of(mission, map);
+    if (asked.mission.agents.empty()) {
+        asked.mission.agents = agents_of(mission, map);
+        asked.unsized = {0};  // the vehicle
+    }
+    for (const std::size_t index : asked.unsized) {
+        Body& body = asked.mission.agents[index].body;
+        body.corners = options.corners.value_or(body.corners);
+    }
+    io::size_agents(asked, map);
     if (options.budget_given && !options.removals_given) {
         asked.mission.rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
     }

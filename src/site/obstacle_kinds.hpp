@@ -13,12 +13,13 @@
 
 namespace waybreaker::site {
 
-// cliff: steps of the ground: cliffs, retaining walls, ditches. forbidden: ground that the rules of a profile close.
-enum class ObstacleKind : std::uint8_t { unknown, building, barrier, water, cliff, forbidden };
+// cliff: steps of the ground: cliffs, retaining walls, ditches, sides of bridges. forbidden: ground that the rules of a
+// profile close. off_road: ground beside the roads that a profile keeps to.
+enum class ObstacleKind : std::uint8_t { unknown, building, barrier, water, cliff, forbidden, off_road };
 
 // What files call the kinds, in their order.
-inline constexpr std::array<std::string_view, 6> obstacle_kind_words{"unknown", "building", "barrier",
-                                                                     "water",   "cliff",    "forbidden"};
+inline constexpr std::array<std::string_view, 7> obstacle_kind_words{"unknown", "building",  "barrier", "water",
+                                                                     "cliff",   "forbidden", "off_road"};
 
 // Unknown if no kind is called that.
 ObstacleKind kind_called(std::string_view word);

@@ -26,11 +26,12 @@ TagSet tags(const std::string& text) {
     return TagSet(std::move(pairs));
 }
 
-// The layers of a feature: w(ater), o(ver water), f(orbidden), c(losed), b(arrier), g(ate), u(nderpass), W(ay).
+// The layers of a feature: s(ide of a bridge), w(ater), o(ver water), f(orbidden), c(losed), b(arrier), g(ate),
+// u(nderpass), W(ay), - shut, r(oad).
 std::string layers(const std::string& text, Shape shape = Shape::line, Profile profile = rover) {
     std::string result;
     for (const GroundUse& use : ground_uses(tags(text), shape, profile)) {
-        result += std::string("wofcbguW")[std::size_t(use.layer)];
+        result += std::string("swofcbguW-r")[std::size_t(use.layer)];
     }
     return result;
 }
@@ -43,10 +44,10 @@ TEST(GroundRules, KnowWhoMayGoWhere) {
     EXPECT_EQ(layers("highway=residential"), "W");
     EXPECT_EQ(layers("highway=construction"), "");
     EXPECT_EQ(layers("highway=motorway_link"), "f");
-    EXPECT_EQ(layers("highway=motorway_link", Shape::line, truck), "W");
+    EXPECT_EQ(layers("highway=motorway_link", Shape::line, truck), "rW");
     EXPECT_EQ(layers("highway=motorway|tunnel=yes"), "");
     EXPECT_EQ(layers("highway=footway", Shape::line, truck), "");
-    EXPECT_EQ(layers("highway=steps"), "");
+    EXPECT_EQ(layers("highway=steps"), "w");
     EXPECT_EQ(layers("highway=steps", Shape::line, walker), "W");
     EXPECT_EQ(layers("highway=residential", Shape::line, paper), "");
 }
@@ -57,13 +58,14 @@ TEST(GroundRules, HeedTheKeyOfTheVehicleBeforeTheGeneralOne) {
     EXPECT_EQ(layers("highway=service|access=private|foot=yes", Shape::line, truck), "f");
     EXPECT_EQ(layers("highway=service|access=destination"), "W");
     EXPECT_EQ(layers("highway=service|foot=no"), "");
-    EXPECT_EQ(layers("highway=service|foot=no", Shape::line, truck), "W");
+    EXPECT_EQ(layers("highway=service|foot=no", Shape::line, truck), "rW");
     EXPECT_EQ(layers("highway=service|hgv=no", Shape::line, truck), "");
     EXPECT_EQ(layers("highway=service|tunnel=building_passage|access=private"), "");
 }
 
 TEST(GroundRules, TellBridgesFromTunnels) {
-    EXPECT_EQ(layers("highway=path|bridge=yes"), "oW");
+    EXPECT_EQ(layers("highway=path|bridge=yes"), "soW");
+    EXPECT_EQ(layers("highway=path|bridge=boardwalk"), "oW");
     EXPECT_EQ(layers("highway=path|bridge=no"), "W");
     EXPECT_EQ(layers("highway=path|ford=yes"), "oW");
     EXPECT_EQ(layers("highway=path|bridge=yes|layer=-1"), "u");
@@ -94,9 +96,9 @@ TEST(GroundRules, KnowWhatBlocks) {
 
 TEST(GroundRules, OpenGatesThatAreNotLocked) {
     EXPECT_EQ(layers("barrier=gate", Shape::point), "g");
-    EXPECT_EQ(layers("barrier=gate|access=private", Shape::point), "");
-    EXPECT_EQ(layers("barrier=gate|locked=yes", Shape::point), "");
-    EXPECT_EQ(layers("barrier=stile", Shape::point), "");
+    EXPECT_EQ(layers("barrier=gate|access=private", Shape::point), "b-");
+    EXPECT_EQ(layers("barrier=gate|locked=yes", Shape::point), "b-");
+    EXPECT_EQ(layers("barrier=stile", Shape::point), "b-");
     EXPECT_EQ(layers("barrier=stile", Shape::point, walker), "g");
 }
 

@@ -15,9 +15,9 @@
 namespace waybreaker::city {
 namespace {
 
-// A letter for each cell: water, cliff, x for forbidden, Building (Protected), barrier.
+// A letter for each cell: water, cliff, x for forbidden, - off road, Building (Protected), barrier.
 std::string picture(const geotiff::LabelTiff& tiff) {
-    constexpr std::string_view letters = "?Bbwcx";
+    constexpr std::string_view letters = "?Bbwcx-";
     std::string text;
     for (Cell c; c.y < tiff.map.height(); ++c.y) {
         for (c.x = 0; c.x < tiff.map.width(); ++c.x) {
@@ -52,18 +52,66 @@ TEST_F(Ground, of_a_river_is_crossed_on_its_bridge) {
     EXPECT_EQ(drawn(),
               "B.............\n"
               "..........xxx.\n"
-              "..........xxx.\n"
-              "..........xxx.\n"
-              "..........xxx.\n"
+              "....c...c.xxx.\n"
+              "....c...c.xxx.\n"
+              "....c...c.xxx.\n"
               "wwwww...wwxxxw\n"
               "wwwww...wwxxxw\n"
               "wwwww...wwxxxw\n"
               "wwwww...wwxxxw\n"
-              "..........xxx.\n"
-              "..........xxx.\n"
-              "..........xxx.\n"
+              "....c...c.xxx.\n"
+              "....c...c.xxx.\n"
+              "....c...c.xxx.\n"
               "..........xxx.\n"
               "..............\n");
+}
+
+TEST_F(Ground, below_a_viaduct_leads_up_only_at_its_ends) {
+    drawing_.way("highway=residential|bridge=viaduct|layer=2|width=6", {{6, 1.7}, {6, 5}});
+    drawing_.way("highway=residential|bridge=viaduct|layer=2|width=6", {{6, 5}, {6, 11.3}});
+    drawing_.way("highway=path", {{6, 8}, {13, 8}});
+    const std::string free = "..............\n";
+    const std::string wide = "....c...c.....\n";
+    const std::string joined = "....c.........\n";
+    EXPECT_EQ(drawn(), "B.............\n" + free + wide + wide + wide + wide + wide + wide + joined + wide + wide +
+                           wide + free + free);
+}
+
+TEST_F(Ground, off_the_roads_bars_trucks) {
+    drawing_.way("highway=residential|width=6", {{-1, 1}, {14, 1}});
+    drawing_.way("highway=residential|width=6", {{-1, 12}, {14, 12}});
+    drawing_.area("building=yes", box(4.6, 3.6, 8.4, 9.4));
+    const std::string road = "..............\n..............\n..............\n";
+    EXPECT_EQ(drawn(Profile::truck), road +
+                                         "---........---\n"
+                                         "---..BBBB..---\n"
+                                         "----.BBBB.----\n"
+                                         "-----BBBB-----\n"
+                                         "-----BBBB-----\n"
+                                         "----.BBBB.----\n"
+                                         "---..BBBB..---\n"
+                                         "---........---\n" +
+                                         road);
+}
+
+TEST_F(Ground, beside_a_stile_leads_around_it) {
+    drawing_.point("barrier=stile", {6, 6}, true).way("highway=path", {{6, 0}, {6, 6}, {6, 13}});
+    const std::string free = "..............\n";
+    EXPECT_EQ(drawn(), "B.............\n" + free + free + free + free + free + "......b.......\n" + free + free + free +
+                           free + free + free + free);
+    EXPECT_EQ(drawn(Profile::walker).find('b'), std::string::npos);
+}
+
+TEST_F(Ground, is_that_of_its_profile) {
+    drawing_.way("highway=residential", {{-1, 6}, {14, 6}});
+    const auto profile = [&](std::optional<Profile> given) {
+        ImportOptions options = town_window;
+        options.profile = given;
+        return import(drawing_, options).tiff.annotations.profile;
+    };
+    EXPECT_EQ(profile({}), Profile::rover);
+    EXPECT_EQ(profile(Profile::truck), Profile::truck);
+    EXPECT_EQ(profile(Profile::paper), std::nullopt);
 }
 
 TEST_F(Ground, of_a_river_that_is_a_line_is_a_strip) {
@@ -131,13 +179,26 @@ TEST_F(Ground, of_a_motorway_is_crossed_below_and_above) {
     drawing_.way("highway=steps", {{12, 3}, {12, 9}});
     const std::string free = "..............\n";
     const std::string north = "B.............\n" + free + free;
-    const std::string drive = "..........x...\n";
-    const std::string south = free + free + free + free + free + free;
+    const std::string south = free + free + free + free;
     const std::string road = "xx.xxx.xxxxxxx\n";
-    EXPECT_EQ(drawn(), north + drive + drive + road + road + road + south);
+    EXPECT_EQ(drawn(), north + "..........x.c.\n....c...c.x.c.\n" + road + road + road +
+                           "....c...c...c.\n............c.\n" + south);
     const std::string walked = "xx.xxx.xxxxx.x\n";
-    EXPECT_EQ(drawn(Profile::walker), north + drive + drive + walked + walked + walked + south);
-    EXPECT_EQ(drawn(Profile::truck), north + drive + drive + drive + free + free + south);
+    EXPECT_EQ(drawn(Profile::walker), north + "..........x...\n....c...c.x...\n" + walked + walked + walked +
+                                          "....c...c.....\n..............\n" + south);
+    EXPECT_EQ(drawn(Profile::truck),
+              "B-------------\n"
+              "--------------\n"
+              "------.-------\n"
+              "-----...--x-c-\n"
+              "---cc...ccx-c-\n" +
+                  free + free + free +
+                  "---cc...cc--c-\n"
+                  "-----...----c-\n"
+                  "------.-------\n"
+                  "--------------\n"
+                  "--------------\n"
+                  "--------------\n");
     EXPECT_EQ(import(drawing_, {.longitude = 13.4, .latitude = 52.52, .size = 28, .cell = 2, .profile = Profile::paper})
                   .tiff.annotations.kinds.size(),
               0U);
@@ -393,9 +454,9 @@ TEST_F(Ground, lies_in_tiles_as_in_the_whole) {
     EXPECT_EQ(tiles[1],
               ".......\n"
               ".......\n"
-              ".......\n"
-              ".......\n"
-              ".......\n"
+              ".c.....\n"
+              ".c.....\n"
+              ".c.....\n"
               ".wwwwww\n"
               ".wwwwww\n");
 }

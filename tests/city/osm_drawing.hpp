@@ -50,10 +50,12 @@ class OsmDrawing {
         ring.push_back(ring.front());
         return way(tags, ring);
     }
-    OsmDrawing& point(const std::string& tags, const Point& point) {
+    // `shared`: ways that have the place as a point have this node there.
+    OsmDrawing& point(const std::string& tags, const Point& point, bool shared = false) {
         const auto [longitude, latitude] = geotiff::ToLonLat(place_)(point.x, point.y);
         nodes_ += fmt::format("<node id='{}' version='1' lon='{:.7f}' lat='{:.7f}'>{}</node>\n", ++ids_, longitude,
                               latitude, tags_xml(tags));
+        if (shared) known_[{point.x, point.y}] = ids_;
         return *this;
     }
 
@@ -71,8 +73,10 @@ class OsmDrawing {
         for (std::size_t begin = 0; begin < tags.size();) {
             const std::size_t equals = tags.find('=', begin);
             const std::size_t end = std::min(tags.find('|', begin), tags.size());
-            xml += fmt::format("<tag k='{}' v='{}'/>", tags.substr(begin, equals - begin),
-                               tags.substr(equals + 1, end - equals - 1));
+            std::string value = tags.substr(equals + 1, end - equals - 1);
+            if (const std::size_t quote = value.find('\''); quote != std::string::npos)
+                value.replace(quote, 1, "&apos;");
+            xml += fmt::format("<tag k='{}' v='{}'/>", tags.substr(begin, equals - begin), value);
             begin = end + 1;
         }
         return xml;

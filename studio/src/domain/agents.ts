@@ -31,9 +31,9 @@ export const usualVehicle = { speed: 1, radius: 0.5, readyAt: 0 };
 export const usualAircraft = { start: null, goal: null, speed: 1, breaches: null };
 
 // One robot and one aircraft, which starts and ends with it.
-export function pair(start: Cell, goal: Cell): Agents {
+export function pair(start: Cell, goal: Cell, radius = usualVehicle.radius): Agents {
   return [
-    { kind: "ground", id: "ground", start, goal, ...usualVehicle },
+    { kind: "ground", id: "ground", start, goal, ...usualVehicle, radius },
     { kind: "air", id: "air", ...usualAircraft },
   ];
 }

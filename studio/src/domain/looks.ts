@@ -13,6 +13,7 @@ const none: Ruled = new Map();
 export function lookOf({ id, kind, destructible }: Obstacle, ruled = none): Look {
   if (destructible && ruled.has(id)) return "fixed";
   if (destructible) return kind === "barrier" ? "barrier" : "removable";
+  if (kind === "off_road") return "forbidden";
   return kind === "water" || kind === "cliff" || kind === "forbidden" ? kind : "fixed";
 }
 

@@ -16,13 +16,14 @@ export interface MapDescription {
   georeference: { crs: string; center: [lon: number, lat: number]; to_lon_lat: number[] } | null;
   start: Cell | null;
   goal: Cell | null;
+  usual_radius?: number; // of a vehicle of which nobody says how large it is, in cells
   title: string;
   attribution: string;
   notes: string[];
   digest: string;
 }
 
-export type Kind = "unknown" | "building" | "barrier" | "water" | "cliff" | "forbidden";
+export type Kind = "unknown" | "building" | "barrier" | "water" | "cliff" | "forbidden" | "off_road";
 
 // What a section is a part of.
 export interface Structure {

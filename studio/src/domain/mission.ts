@@ -63,10 +63,11 @@ export const defaults = {
 export interface Ends {
   start: Cell;
   goal: Cell;
+  radius?: number | undefined; // of the vehicle, where the map says what is usual there
 }
 
-export function freshMission(map: string, { start, goal }: Ends): Mission {
-  return { ...defaults, map, agents: pair(start, goal) };
+export function freshMission(map: string, { start, goal, radius }: Ends): Mission {
+  return { ...defaults, map, agents: pair(start, goal, radius) };
 }
 
 // A drawn wall has no id that lasts: it is called by one of its cells, as a number below 0.

@@ -9,6 +9,7 @@ const kinds: Record<Kind, string> = {
   water: "water",
   cliff: "cliff or ditch",
   forbidden: "forbidden ground",
+  off_road: "ground off the roads",
 };
 
 export function kindWord(kind: Kind): string {
@@ -100,6 +101,8 @@ export function whyItStays(obstacle: Obstacle): string | null {
       return "A cliff, a ditch, a city wall or a retaining wall: it cannot be removed.";
     case "forbidden":
       return "Forbidden ground, such as a motorway, a railway or private land: it cannot be opened.";
+    case "off_road":
+      return "Off the roads: a truck drives there only where something is removed.";
     default: {
       const uses = usesOf(obstacle);
       return uses.length > 0 ? `The map protects it (${uses.join(", ")}): it cannot be removed.` : "It cannot be removed.";

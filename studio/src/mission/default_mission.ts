@@ -22,7 +22,7 @@ export function defaultMission(map: MapDescription, cells: CellMap): Mission {
   const said = map.start && map.goal ? { start: map.start, goal: map.goal } : null;
   const known = ready[map.id];
   const fits = known && free(cells, known.start) && free(cells, known.goal) ? known : null;
-  return freshMission(map.id, said ?? fits ?? farApart(cells));
+  return freshMission(map.id, { ...(said ?? fits ?? farApart(cells)), radius: map.usual_radius });
 }
 
 function free(cells: CellMap, [x, y]: Cell): boolean {

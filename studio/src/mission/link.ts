@@ -37,8 +37,9 @@ const numbersOfTwo = [
   ["radius", 0, "radius", 0, 100],
 ] as const;
 
-export function encodeLink(mission: Mission, width: number): string {
-  const query: [string, string][] = [["map", mission.map], ...agentsInQuery(mission.agents)];
+// `usualRadius`: of a vehicle on that map of which nobody says it; null where that is not known.
+export function encodeLink(mission: Mission, width: number, usualRadius: number | null = usualVehicle.radius): string {
+  const query: [string, string][] = [["map", mission.map], ...agentsInQuery(mission.agents, usualRadius)];
   query.push(["removals", String(mission.removals)]);
   if (mission.method !== defaults.method) query.push(["method", mission.method]);
   if (mission.objective !== defaults.objective) query.push(["objective", mission.objective]);
@@ -60,7 +61,7 @@ export function encodeLink(mission: Mission, width: number): string {
 }
 
 // By name. A robot and an aircraft of which no more is said take the words that a person can read and change.
-export function agentsInQuery(agents: Agents): ReadonlyMap<string, string> {
+export function agentsInQuery(agents: Agents, usualRadius: number | null = usualVehicle.radius): ReadonlyMap<string, string> {
   const two = ofPair(agents);
   if (!two || !isPlain(two)) {
     const { vehicles, aircraft } = encodeAgents(agents);
@@ -74,7 +75,7 @@ export function agentsInQuery(agents: Agents): ReadonlyMap<string, string> {
     ["air_goal", air.goal, usualAircraft.goal],
     ["ground_speed", ground.speed, usualVehicle.speed],
     ["air_speed", air.speed, usualAircraft.speed],
-    ["radius", ground.radius, usualVehicle.radius],
+    ["radius", ground.radius, usualRadius],
   ] as const;
   return new Map(said.flatMap(([name, value, usual]) => (value === usual ? [] : [[name, String(value)] as const])));
 }

@@ -64,8 +64,8 @@ export class MapDesk {
     return this.#reach({ ...wanted, name, digest }, async (base) => {
       const usual = defaultMission(base.description, base.cells);
       const { width, height } = base.cells;
-      const { start, goal } = vehiclesOf(usual.agents)[0]!;
-      const { mission, complaints } = decodeLink(query, id, { start, goal }, width, height);
+      const { start, goal, radius } = vehiclesOf(usual.agents)[0]!;
+      const { mission, complaints } = decodeLink(query, id, { start, goal, radius }, width, height);
       if (complaints.length > 0) page.notify("bad", `${complaints.join("; ")}. The rest of the link is shown.`);
       batch(() => {
         this.follower.show(base);

@@ -1,7 +1,7 @@
 // Mission files: waybreaker-mission/1 (docs/contract.md), as the command and the service read them. What only the page
 // knows, such as drawn walls, stands in `page`, which they pass by.
 import { type AgentDocument, agentDocuments, agentsOf, scaled } from "../domain/agent_document";
-import { hasPaperMethod } from "../domain/agents";
+import { hasPaperMethod, usualVehicle } from "../domain/agents";
 import { type Also, alsoNames, alsoOf, alsoText, methodWords } from "../domain/also";
 import { marked, type Method, type Mission, mostRemovals } from "../domain/mission";
 import { filtersText, filterText, parseTagFilters } from "../domain/tag_filter";
@@ -86,7 +86,7 @@ function pageOf(mission: Mission, { width, cell, file }: MapOfMission): Record<s
   const walls = new Map([...mission.marks].filter(([key, mark]) => key < 0 || mark === "exclude" || mark === "allow"));
   const link = new URLSearchParams(encodeLink({ ...mission, marks: walls }, width));
   const rules = ["objective", "breach_time", "breach_time_per_cell", "separation", "at_goal", "protect_all", "also"];
-  for (const name of [...agentsInQuery(mission.agents).keys(), "method", ...rules]) link.delete(name);
+  for (const name of [...agentsInQuery(mission.agents, null).keys(), "method", ...rules]) link.delete(name);
   if (mission.removals !== "auto") link.delete("removals");
   return { ...Object.fromEntries(link), cell_size: cell, ...(file !== undefined && { file }) };
 }
@@ -98,11 +98,12 @@ function queryOfDocument(document: MissionDocument, shown: number): MissionQuery
   const pace = { inSeconds: document.time_unit === "s", speeds: agents.map((agent) => agent.speed) };
   const scale = { cell, seconds: secondsPerUnit(pace, cell) };
   const asked = agentsOf(agents, scale);
+  const isSized = agents.every((agent) => agent.kind === "air" || agent.radius !== undefined);
   const removals = Number(rules.removals ?? usualRemovals);
   const how: Method = method.select === "hits" && hasPaperMethod(asked) ? "paper" : "exact";
   const corners = cornersOf(agents);
   const query = new URLSearchParams({
-    ...Object.fromEntries(agentsInQuery(asked)),
+    ...Object.fromEntries(agentsInQuery(asked, isSized ? null : usualVehicle.radius)),
     removals: String(Math.min(removals, mostRemovals)),
     method: how,
   });

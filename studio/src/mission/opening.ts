@@ -64,7 +64,7 @@ function asked(plan: Plan, there: ReadonlySet<string>): [map: string, query: str
   const mission = missionOfPlan(plan, map);
   if (!mission) throw new NotUnderstood("There is no plan in this file, and so no start and no goal.");
   const file = isUpload(plan.map.source) ? "" : `&file=${encodeURIComponent(plan.map.source)}`;
-  return [map, encodeLink(mission, plan.map.width) + file];
+  return [map, encodeLink(mission, plan.map.width, null) + file];
 }
 
 async function take(studio: Studio, files: readonly File[], act: (given: Given) => Promise<void>): Promise<void> {

@@ -1,6 +1,7 @@
 // The page that plans: its state, what people change about the mission, the maps there are, and a plan that follows.
 import { effect, signal, untracked } from "@preact/signals";
 import { type Client, ServiceError } from "../api/client";
+import { usualVehicle } from "../domain/agents";
 import { defaults } from "../domain/mission";
 import { Planner } from "../planning/planner";
 import { Editor } from "./editor";
@@ -63,7 +64,11 @@ export class Studio {
     const shown = this.page.shown.value;
     if (!mission || !shown) return "";
     const file = this.maps.uploads.value.get(mission.map)?.name;
-    const query = encodeLink({ ...mission, time: this.page.clock.time.value }, shown.base.cells.width);
+    const query = encodeLink(
+      { ...mission, time: this.page.clock.time.value },
+      shown.base.cells.width,
+      shown.base.description.usual_radius ?? usualVehicle.radius,
+    );
     return file ? `${query}&file=${encodeURIComponent(file)}` : query;
   }
 

@@ -12,7 +12,7 @@ import { Shielded } from "./shielded";
 
 const profiles: { profile: Profile; name: string; text: string }[] = [
   { profile: "rover", name: "Rover", text: "A small robot on wheels: pavements and open ground, no motorways, railways or steps." },
-  { profile: "truck", name: "Truck", text: "2.55 m wide, takes roads and motorways. A footway does not lead it through a gate or wall." },
+  { profile: "truck", name: "Truck", text: "2.55 m wide, 4 m high, 40 t: stays on roads, tracks and car parks, and crosses what is removed." },
   { profile: "walker", name: "Walker", text: "A robot with legs: takes steps and stiles as well." },
   { profile: "paper", name: "Buildings only", text: "Nothing but buildings bars the way, as in the paper of 2018." },
 ];
