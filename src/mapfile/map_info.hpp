@@ -28,12 +28,14 @@ struct GroundSummary {
     std::uint64_t water = 0;
     std::uint64_t cliff = 0;
     std::uint64_t forbidden = 0;
+    std::uint64_t unknown = 0;
 };
 
 // Empty if the file does not say what its obstacles are.
 std::optional<GroundSummary> summarise_ground(const io::MapFile& file);
 
-// By tag: how many obstacles have it that cannot be destroyed, though they are no water, cliff or forbidden ground.
+// By tag: how many obstacles have it that cannot be destroyed, though they are no water, cliff, forbidden or
+// unknown ground.
 std::map<std::string, std::size_t> protected_tags(const io::MapFile& file);
 
 // Longitude and latitude of the middle of the map. Precondition: it has a georeference.

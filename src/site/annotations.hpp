@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "site/background.hpp"
 #include "site/obstacle_kinds.hpp"
@@ -14,13 +15,14 @@
 namespace waybreaker::site {
 
 struct Annotations {
-    std::string title = {};        // place and window, for captions; any bytes, may be empty
-    std::string attribution = {};  // of the source data: "© OpenStreetMap contributors, ODbL 1.0"; any bytes
-    ObstacleNames names = {};      // what people call the obstacles
-    ObstacleKinds kinds = {};      // what the obstacles are: buildings, water, ...
-    ObstacleTags tags = {};        // what the source says of them: amenity=school, ...
-    Sections sections = {};        // what they are parts of, where they are cut
-    Background background = {};    // streets, water, ...
+    std::string title = {};               // place and window, for captions; any bytes, may be empty
+    std::string attribution = {};         // of the source data: "© OpenStreetMap contributors, ODbL 1.0"; any bytes
+    std::vector<std::string> notes = {};  // of its ground, a line each: what the source lacks, what was guessed
+    ObstacleNames names = {};             // what people call the obstacles
+    ObstacleKinds kinds = {};             // what the obstacles are: buildings, water, ...
+    ObstacleTags tags = {};               // what the source says of them: amenity=school, ...
+    Sections sections = {};               // what they are parts of, where they are cut
+    Background background = {};           // streets, water, ...
 
     // Empty where it is unknown.
     std::string_view name_of(ObstacleId id) const {

@@ -16,9 +16,10 @@ export interface MapDescription {
   georeference: { crs: string; center: [lon: number, lat: number]; to_lon_lat: number[] } | null;
   start: Cell | null;
   goal: Cell | null;
+  unknown: number; // cells of which nobody knows what is there
   title: string;
   attribution: string;
-  notes: string[];
+  notes: string[]; // what was noticed when the map was made, and when it was read
   digest: string;
 }
 
