@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "background_summary.hpp"
@@ -17,6 +18,7 @@
 #include "option.hpp"
 #include "progress.hpp"
 #include "site/obstacle_kinds.hpp"
+#include "site/unknown_ground.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::apps {
@@ -64,6 +66,9 @@ std::string ground_of(const city::ImportReport& report) {
     if (report.profile == city::Profile::paper) return "";
     const Map& map = report.tiff.map;
     const auto cells = site::cells_by_kind(map, report.tiff.annotations.kinds);
+    const auto share = [&map](std::uint64_t count, std::string_view what) {
+        return fmt::format(", {:.1f} % {}", 100 * double(count) / double(map.grid().cell_count()), what);
+    };
     std::string text;
     constexpr std::array<std::pair<site::ObstacleKind, const char*>, 4> grounds{
         {{site::ObstacleKind::water, "water"},
@@ -73,7 +78,10 @@ std::string ground_of(const city::ImportReport& report) {
     for (const auto& [kind, word] : grounds) {
         const std::uint64_t count = cells[std::size_t(kind)];
         if (count == 0) continue;
-        text += fmt::format(", {:.1f} % {}", 100 * double(count) / double(map.grid().cell_count()), word);
+        text += share(count, word);
+    }
+    if (const std::uint64_t count = site::unknown_cells(map, report.tiff.annotations.tags); count > 0) {
+        text += share(count, "unknown");
     }
     if (report.sheltered == 0) return text;
     return text + fmt::format("; {} protected ({}; --destructible and --protected choose others)", report.sheltered,
@@ -93,17 +101,33 @@ const char* things_of(const ImportOptions& options) {
     return options.window.choice.obstacles.empty() ? "buildings" : "features";
 }
 
-// Warns that cells outside the source's data count as free, and of what the import noticed.
-void warn_of_gaps(const ImportOptions& options, double covered, const std::vector<std::string>& notes) {
-    for (const std::string& noticed : notes) note(options.source, noticed);
-    const double percent = 100 * covered;
-    if (percent >= 99.5) return;
-    warn(fmt::format("{} covers only {:.2g} % of the window; the rest is free on the map", options.source, percent));
-}
+// What the user should know of a source, whatever is made of it.
+struct Noticed {
+    std::vector<std::string> notes;
+    double covered = 1;
+    bool unknown_beyond = false;
+
+    void see(const city::ImportReport& report) {
+        notes = report.notes;
+        covered = report.covered;
+        unknown_beyond = report.unknown_beyond;
+    }
+
+    void say(const std::string& source) const {
+        for (const std::string& one : notes) note(source, one);
+        const double percent = 100 * covered;
+        if (percent >= 99.5) return;
+        warn(fmt::format(
+            "{} covers only {:.2g} % of the window; the rest is {}", source, percent,
+            unknown_beyond ? "unknown ground, which bars the way; --unknown-free makes it free" : "free on the map"));
+    }
+};
 
 void import_one(const ImportOptions& options) {
     const city::ImportReport report = import_with_progress(options);
-    warn_of_gaps(options, report.covered, report.notes);
+    Noticed noticed;
+    noticed.see(report);
+    noticed.say(options.source);
     io::write_whole(options.output, geotiff::label_tiff_bytes(report.tiff));
     if (options.output != "-") io::write_whole("-", summary_line(options.output, report, things_of(options)));
 }
@@ -118,14 +142,12 @@ void import_folder(const ImportOptions& options, double tile_side) {
     }
     std::string lines;
     std::size_t count = 0;
-    double covered = 1;
-    std::vector<std::string> notes;
+    Noticed noticed;
     const auto write = [&](const city::ImportTile& tile) {
         const std::string name = fmt::format("{:02}_{:02}.tif", tile.row, tile.column);
         io::write_whole((fs::path(options.output) / name).string(), geotiff::label_tiff_bytes(tile.report.tiff));
         lines += summary_line(name, tile.report, things_of(options));
-        covered = tile.report.covered;
-        notes = tile.report.notes;
+        noticed.see(tile.report);
         ++count;
     };
     std::size_t all = 0;
@@ -133,7 +155,7 @@ void import_folder(const ImportOptions& options, double tile_side) {
         const Progress progress("reading " + options.source);
         all = city::import_tiles(options.source, options.window, tile_side, write);
     }
-    warn_of_gaps(options, covered, notes);
+    noticed.say(options.source);
     io::write_whole("-", lines + fmt::format("{}: {} maps; {} of {} tiles have no obstacle\n", options.output, count,
                                              all - count, all));
 }
@@ -260,6 +282,8 @@ void setup_import(CLI::App& root, Run& run_chosen) {
     add_profile(*command, options->window.profile);
     add_section(*command, options->window.section);
     add_choice_options(*command, options->window.choice);
+    command->add_flag("--unknown-free", options->window.unknown_free,
+                      "What lies beyond the data of an OpenStreetMap file is free, not unknown");
     command->add_flag("--merge-touching", options->window.merge_touching,
                       "Buildings that touch are one obstacle, as in the paper");
     command->add_flag_callback(

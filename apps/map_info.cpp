@@ -45,7 +45,8 @@ std::string ground_text(const mapfile::GroundSummary& ground) {
                                                                       {"water", ground.water},
                                                                       {"cliff", ground.cliff},
                                                                       {"forbidden", ground.forbidden},
-                                                                      {"off road", ground.off_road}}};
+                                                                      {"off road", ground.off_road}},
+                                                                      {"unknown", ground.unknown}}};
     std::uint64_t all = 0;
     for (const auto& part : parts) all += part.second;
     std::vector<std::string> words;
@@ -53,6 +54,14 @@ std::string ground_text(const mapfile::GroundSummary& ground) {
         if (cells > 0) words.push_back(fmt::format("{:.1f} % {}", 100.0 * double(cells) / double(all), name));
     }
     return fmt::format("{}", fmt::join(words, ", "));
+}
+
+// "4711 cells, 12.3 %: without data": of what an import found no data. Robots' maps do not say why.
+std::string unknown_text(const io::MapFile& file) {
+    if (file.unknown == 0) return "";
+    return fmt::format("{} cells, {:.1f} %{}", file.unknown,
+                       100.0 * double(file.unknown) / double(file.map.grid().cell_count()),
+                       file.annotations.kinds.empty() ? "" : ": without data");
 }
 
 // "3 building=church, 1 amenity=school": of what cannot be destroyed, the most frequent first. That something is a
@@ -95,7 +104,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     }
     text += line("blocked", fmt::format("{} cells, {:.1f} %", summary.blocked, 100 * summary.density));
     if (const auto ground = mapfile::summarise_ground(file)) text += line("ground", ground_text(*ground));
-    if (file.unknown > 0) text += line("unknown", fmt::format("{} cells", file.unknown));
+    text += line("unknown", unknown_text(file));
     text += line("protected", protected_text(file));
     text += line("obstacles", std::to_string(map.obstacles().size()));
     if (!file.annotations.sections.empty()) {
@@ -131,7 +140,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
     if (file.task && file.task->goal)
         text += line("goal", fmt::format("{},{}", file.task->goal->x, file.task->goal->y));
     if (file.task && !file.task->agents.empty()) text += line("agents", fmt::format("{}", file.task->agents.size()));
-    for (const std::string& note : file.notes) text += line("note", note);
+    for (const std::string& note : file.all_notes()) text += line("note", note);
     return text + line("source", file.annotations.attribution) + line("digest", file.digest);
 }
 

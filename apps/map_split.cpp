@@ -77,7 +77,7 @@ void setup_map_split(CLI::App& map, Run& run_chosen) {
         "split",
         "Cut what can be destroyed into sections\n\n"
         "One breach then clears everything destructible inside one square of a lattice, and no longer a whole building "
-        "or wall. Obstacles that cannot be destroyed, such as water and a ROS map's unknown space, stay whole. OUT "
+        "or wall. Obstacles that cannot be destroyed, such as water and unknown ground, stay whole. OUT "
         "keeps names, kinds and source ids, and of which buildings each section has parts. A square that would clear "
         "less than a twentieth of its area joins a neighbour.");
     add_file(*command, "MAP", options->in, "A map of any format that is read; - is standard input")->required();

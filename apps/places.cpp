@@ -4,7 +4,7 @@
 
 #include "geotiff/georeference.hpp"
 #include "io/map_frame.hpp"
-#include "mapfile/unknown_cells.hpp"
+#include "io/place_reason.hpp"
 
 namespace waybreaker::apps {
 
@@ -22,10 +22,9 @@ std::string place_text(Cell cell, const PlanOptions& options, const io::MapFile&
 }
 
 std::string why_misplaced(const Misplaced& agent, const PlanOptions& options, const io::MapFile& map) {
-    const bool unknown = agent.obstacle && mapfile::unknown_obstacles(map)[agent.obstacle.value];
-    const std::string reason = !unknown  ? agent.reason
-                               : map.ros ? "lies in unknown space, which --unknown-free opens"
-                                         : "lies in unknown space";
+    const bool opens = map.ros && io::is_in_unknown(agent, map);
+    const std::string reason =
+        opens ? "lies in unknown space, which --unknown-free opens" : io::place_reason(agent, map);
     return fmt::format("{} {} {}; {}{}", agent.what_for, place_text(agent.at, options, map), reason, agent.remedy,
                        agent.nearest ? " " + place_text(*agent.nearest, options, map) : "");
 }

@@ -11,7 +11,7 @@ namespace waybreaker::apps {
 // A cell as the options give places: "2,5", or with --map-metres "-2.75,0.25 (cell 2,5)".
 std::string place_text(Cell cell, const PlanOptions& options, const io::MapFile& map);
 
-// Why an agent cannot start or end where it should; unknown space is called so.
+// Why an agent cannot start or end where it should; unknown ground is called so.
 std::string why_misplaced(const Misplaced& agent, const PlanOptions& options, const io::MapFile& map);
 
 }  // namespace waybreaker::apps

@@ -1,25 +1,27 @@
 #include "city/city_import.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <utility>
 
+#include "city/data_area.hpp"
 #include "city/footprints.hpp"
 #include "city/ground_map.hpp"
+#include "city/import_notes.hpp"
 #include "city/import_window.hpp"
 #include "city/label_raster.hpp"
 #include "city/merge_touching.hpp"
 #include "city/off_road.hpp"
 #include "city/survey.hpp"
 #include "geotiff/gdal_scope.hpp"
-#include "geotiff/obstacle_names.hpp"
 #include "site/described_map.hpp"
 #include "site/split.hpp"
+#include "site/unknown_ground.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::city {
@@ -141,6 +143,7 @@ void append_ground(const GroundMap& ground, const std::vector<GroundPiece>& piec
         const auto label = std::uint32_t(cells.attributes.size());
         if (!piece.name.empty()) cells.names.emplace(label, piece.name);
         cells.kinds.emplace(label, piece.use.kind);
+        if (piece.use.kind == Kind::unknown) cells.tags[site::unknown_tag].push_back(label);
         cells.attributes.push_back({.destructible = false, .source_id = piece.source_id});
     }
     for (std::size_t i = 0; i < ground.blocked.size(); ++i) {
@@ -161,26 +164,9 @@ std::string title_of(const std::string& source, const CellWindow& window, double
 struct Material {
     Footprints footprints;
     Survey survey;
-    double covered = 1;
+    std::unique_ptr<OGRGeometry> data = nullptr;  // where it has any
+    double covered = 1;                           // the share of the window that lies in there
 };
-
-// The share of the window that the source has data of: of the box it states, or else of the one around what was found.
-double covered_share(const Material& material, const OGREnvelope& window) {
-    OGREnvelope data = material.footprints.extent;
-    const auto merge = [&data](const OGRGeometry& shape) {
-        OGREnvelope box;
-        shape.getEnvelope(&box);
-        data.Merge(box);
-    };
-    if (!data.IsInit()) {
-        for (const Footprint& footprint : material.footprints.list) merge(*footprint.shape);
-        for (const Sight& sight : material.survey.scenery) merge(*sight.shape);
-    }
-    if (!data.Intersects(window)) return 0;
-    data.Intersect(window);
-    return (data.MaxX - data.MinX) * (data.MaxY - data.MinY) /
-           ((window.MaxX - window.MinX) * (window.MaxY - window.MinY));
-}
 
 // Barriers are obstacles like buildings.
 void move_barriers(Ground& ground, const Window& window, std::vector<Footprint>& footprints) {
@@ -220,10 +206,15 @@ Material read(const std::string& source, const Window& window, const ImportOptio
                                        .choice = options.choice,
                                        .data = material.footprints.extent});
     }
-    material.covered = covered_share(material, window.bounds);
+    material.data = data_area(material.footprints, material.survey);
+    material.covered = share_of(material.data.get(), window.bounds);
     const bool chosen = !options.choice.obstacles.empty();
     Ground& ground = material.survey.ground;
     if (chosen) std::erase_if(ground.pieces, [](const auto& piece) { return piece.use.layer == GroundLayer::barrier; });
+    if (options.unknown_free) {
+        std::erase_if(ground.pieces,
+                      [](const auto& piece) { return bars(piece.use) && piece.use.kind == Kind::unknown; });
+    }
     move_barriers(ground, window, material.footprints.list);
     const bool anything = !material.footprints.list.empty() ||
                           std::ranges::any_of(ground.pieces, [](const GroundPiece& piece) { return bars(piece.use); });
@@ -231,58 +222,9 @@ Material read(const std::string& source, const Window& window, const ImportOptio
     return material;
 }
 
-// By their names, or else by their numbers.
-std::string names_of(const std::vector<const CutArea*>& areas) {
-    constexpr std::size_t most = 8;
-    std::vector<std::string> names;
-    for (const CutArea* area : areas) {
-        const std::string* const said = area->tags.find("name");
-        std::string name = geotiff::clean_name(said ? *said : "");
-        if (name.empty()) name = fmt::format("relation {}", -area->source_id);
-        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
-    }
-    const bool more = names.size() > most;
-    names.resize(std::min(names.size(), most));
-    return fmt::format("{}{}", fmt::join(names, ", "), more ? ", ..." : "");
-}
-
-// What the source lacks of what it begins to say.
-void note_what_is_cut(const Material& material, std::vector<std::string>& notes) {
-    std::vector<const CutArea*> cut;
-    for (const CutArea& area : material.footprints.cut) cut.push_back(&area);
-    if (!cut.empty()) {
-        notes.push_back(fmt::format("{}: left out, for the source has no more than a part of {} outline{}",
-                                    names_of(cut), cut.size() == 1 ? "its" : "their", cut.size() == 1 ? "" : "s"));
-    }
-    std::set<std::int64_t> ways(material.survey.lacking_nodes.begin(), material.survey.lacking_nodes.end());
-    ways.insert(material.footprints.lacking_nodes.begin(), material.footprints.lacking_nodes.end());
-    if (!ways.empty()) {
-        notes.push_back(fmt::format("{} nodes that the source does not have: drawn without them",
-                                    ways.size() == 1 ? "1 way lacks" : fmt::format("{} ways lack", ways.size())));
-    }
-}
-
-// Extracts for route planners have streets, but hardly a building.
-void note_what_is_filtered(const Material& material, std::vector<std::string>& notes) {
-    constexpr std::size_t few = 10;  // times more streets than buildings, and of streets
-    const std::size_t streets = material.survey.streets;
-    const auto buildings = std::size_t(std::ranges::count(material.footprints.list, Kind::building, &Footprint::kind));
-    if (!material.footprints.from_osm || streets < few || streets < few * buildings) return;
-    notes.push_back(fmt::format("{} beside {} streets: was the extract filtered?",
-                                buildings == 1 ? "1 building" : fmt::format("{} buildings", buildings), streets));
-}
-
-// What the user should know of a source.
-std::vector<std::string> notes_of(const Material& material) {
-    std::vector<std::string> notes = material.survey.ground.notes;
-    note_what_is_cut(material, notes);
-    note_what_is_filtered(material, notes);
-    if (const std::size_t count = material.footprints.shapeless; count > 0) {
-        notes.push_back(fmt::format("{} left out: {} no coordinates, or such as are no numbers",
-                                    count == 1 ? "1 feature is" : fmt::format("{} features are", count),
-                                    count == 1 ? "it has" : "they have"));
-    }
-    return notes;
+// Of other sources nobody knows where they end: a box around a few buildings says nothing of what lies beside.
+bool ends_in_unknown(const Material& material, const ImportOptions& options) {
+    return material.footprints.data && profile_of(options) != Profile::paper && !options.unknown_free;
 }
 
 // Walls and fences are what they say of themselves: that of a hospital may be opened.
@@ -308,6 +250,8 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
     if (options.merge_touching) cells = merged(cells, joins(seen, options.choice), !options.choice.weight.of.empty());
     append_ground(ground, pieces, cells);
     append_off_road(ground, window, options.cell, cells);
+    const bool unknown_beyond = ends_in_unknown(material, options);
+    if (unknown_beyond) append_unknown(material.data.get(), window, cells);
     if (!options.names) cells.names.clear();
     if (profile_of(options) == Profile::paper) {
         cells.kinds.clear();
@@ -322,14 +266,21 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
     if (const int side = section_side(options); side > 0) {
         described = site::split(described.map, described.annotations, {.side = side});
     }
+    std::vector<std::string> notes = import_notes(material.footprints, material.survey);
+    described.annotations.notes = notes;
+    const double covered = share_of(material.data.get(), window.window.bounds);
+    if (std::string gaps = note_of_gaps(covered); !unknown_beyond && !gaps.empty()) {
+        described.annotations.notes.push_back(std::move(gaps));
+    }
     geotiff::LabelTiff tiff{.map = std::move(described.map),
                             .cell_size = options.cell,
                             .georeference = window.georeference,
                             .annotations = std::move(described.annotations)};
     ImportReport report{.tiff = std::move(tiff),
                         .covered = material.covered,
+                        .unknown_beyond = unknown_beyond,
                         .profile = profile_of(options),
-                        .notes = notes_of(material)};
+                        .notes = std::move(notes)};
     for (const Seen& one : seen) {
         if (is_sheltered(one, options.choice)) ++report.sheltered;
         if (one.footprint->kind == Kind::barrier) continue;
@@ -383,7 +334,10 @@ std::size_t import_tiles(const std::string& source, const ImportOptions& given, 
             std::vector<Seen> seen = seen_in(material.footprints, part.window.bounds);
             if (seen.empty() && material.survey.ground.pieces.empty()) continue;
             const ImportReport report = report_of(material, std::move(seen), part, source, options);
-            if (!report.tiff.map.obstacles().empty()) visit({column, row, report});
+            const Map& map = report.tiff.map;
+            const auto unknown = site::unknown_obstacles(map, report.tiff.annotations.tags);
+            const auto known = map.obstacles().size() - std::size_t(std::ranges::count(unknown, true));
+            if (known > 0) visit({column, row, report});
         }
     }
     return std::size_t(window.width / tile) * std::size_t(window.height / tile);

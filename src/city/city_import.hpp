@@ -32,6 +32,8 @@ struct ImportOptions {
     ObstacleChoice choice = {};
     bool names = true;       // keep what people call the obstacles
     bool background = true;  // keep streets, water, green and places
+    // What lies beyond the data of an OpenStreetMap file is free instead of unknown. For `paper` it always is.
+    bool unknown_free = false;
 };
 
 // Columns and rows of the window. Throws InputError, naming the option, if there is no such window.
@@ -39,9 +41,10 @@ std::array<int, 2> import_cells(const ImportOptions& options);
 
 struct ImportReport {
     geotiff::LabelTiff tiff;
-    std::size_t buildings = 0;  // that have some area inside the window; those that own no cell are no obstacle
-    double area = 0;            // of their parts inside the window, in square metres; overlaps count twice
-    double covered = 1;         // the share of the window that the source has data of, by its extent
+    std::size_t buildings = 0;    // that have some area inside the window; those that own no cell are no obstacle
+    double area = 0;              // of their parts inside the window, in square metres; overlaps count twice
+    double covered = 1;           // the share of the window that the source has data of: see data_area.hpp
+    bool unknown_beyond = false;  // the rest is unknown ground; else it is free
     Profile profile = Profile::paper;
     std::size_t sheltered = 0;            // obstacles that the profile protects
     std::vector<std::string> notes = {};  // what the user should know of the source, a line each
@@ -50,7 +53,8 @@ struct ImportReport {
 // Buildings, or what else is chosen, become obstacles, one each unless merged, with their source ids (OSM ways
 // positive, relations negative) and names; projected to the local UTM zone. A cell belongs to the building that covers
 // its centre; the first in the source's order where several do. What bars the profile's way for ever (water, forbidden
-// ground) becomes obstacles that cannot be destroyed, under buildings too: see ground_map.hpp. With sections, what
+// ground) becomes obstacles that cannot be destroyed, under buildings too: see ground_map.hpp. So does what is free
+// beyond the data of an OpenStreetMap file: site/unknown_ground.hpp. With sections, what
 // can be destroyed is cut along a lattice from the window's north-western corner: see site/split.hpp. Throws InputError
 // (source and remedy) if there is nothing to import, or a filter matches nothing in all of the source.
 ImportReport import_city(const std::string& source, const ImportOptions& given);
@@ -62,8 +66,8 @@ struct ImportTile {
 };
 
 // The window cut into squares of `side` metres, rounded to whole cells, from its north-western corner; what is left in
-// the east and south is no whole tile. Visits those that have an obstacle, row by row; gives the number of all. The
-// source is read once. Throws as import_city, also if the window has no whole tile.
+// the east and south is no whole tile. Visits those with an obstacle beside unknown ground, row by row; gives the
+// number of all. The source is read once. Throws as import_city, also if the window has no whole tile.
 std::size_t import_tiles(const std::string& source, const ImportOptions& given, double side,
                          const std::function<void(const ImportTile&)>& visit);
 

@@ -122,7 +122,7 @@ CutGround cut_ground(const std::vector<CutArea>& areas, const OGREnvelope& data,
             if (!uses.empty()) left_out.add(name_of(area));
             continue;
         }
-        const GroundUse maybe{GroundLayer::forbidden, site::ObstacleKind::forbidden};
+        const GroundUse maybe{GroundLayer::forbidden, site::ObstacleKind::unknown};
         for (const GroundUse& use : uses) {
             ground.pieces.push_back({known ? use : maybe, std::unique_ptr<OGRGeometry>(found.shape->clone()),
                                      area.source_id, name_of(area)});

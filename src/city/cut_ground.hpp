@@ -15,7 +15,7 @@ namespace waybreaker::city {
 void add_evidence(const Feature& feature, Evidence& evidence);
 
 struct CutGround {
-    std::vector<GroundPiece> pieces;  // where water may be is forbidden
+    std::vector<GroundPiece> pieces;  // where water may be, of unknown kind
     std::vector<Sight> scenery;
     std::vector<std::string> notes;  // of what lies in the window, a line each
 };

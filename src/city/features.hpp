@@ -47,6 +47,8 @@ struct FeatureReport {
     bool any_layer = false;  // there is a layer that can hold what is wanted
     // What the source has data of, in the query's system; empty if it does not say, or obstacles were not asked for.
     OGREnvelope extent = {};
+    // Of an OpenStreetMap file: beyond that it has nothing. What it states, or else a box around its nodes.
+    std::unique_ptr<OGRGeometry> data = {};
     std::vector<CutArea> cut = {};                 // their lines in the query's system
     std::vector<std::int64_t> lacking_nodes = {};  // ways of which nodes are not in the file, and so what they bound
 };

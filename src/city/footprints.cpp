@@ -190,6 +190,7 @@ Footprints read_footprints(const std::string& source, const Window& window, cons
     std::move(strips.begin(), strips.end(), std::back_inserter(result.list));
     result.from_osm = report.from_osm;
     result.extent = report.extent;
+    result.data = std::move(report.data);
     for (CutArea& area : report.cut) {
         if (is_obstacle({.tags = area.tags}, choice)) result.cut.push_back(std::move(area));
     }

@@ -31,6 +31,7 @@ struct Footprints {
     std::vector<Footprint> list;  // in the source's order, areas before lines
     bool from_osm = false;        // the source is made of OpenStreetMap data
     OGREnvelope extent = {};      // what the source has data of, in the window's system; empty if it does not say
+    std::unique_ptr<OGRGeometry> data = {};  // as features.hpp has it
     // Obstacles anywhere in the source that are left out because they have no coordinates, or such as are no numbers;
     // not counted in sources with an index of places.
     std::size_t shapeless = 0;

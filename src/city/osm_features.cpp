@@ -105,6 +105,13 @@ Shape shape_of(osm::Shape shape) {
     return shape == osm::Shape::line ? Shape::line : Shape::area;
 }
 
+OGREnvelope envelope_of(const osm::Box& box) {
+    OGREnvelope envelope;
+    envelope.Merge(box.west, box.south);
+    envelope.Merge(box.east, box.north);
+    return envelope;
+}
+
 // From degrees into the system of a query.
 class Placing {
   public:
@@ -179,10 +186,11 @@ FeatureReport visit_osm(const OsmSource& source, const FeatureQuery& query, cons
         osm::Report read = osm::visit(source.file, wanted, visitor);
         report.lacking_nodes = std::move(read.lacking_nodes);
         if (read.stated) {
-            OGREnvelope box;
-            box.Merge(read.stated->west, read.stated->south);
-            box.Merge(read.stated->east, read.stated->north);
+            const OGREnvelope box = envelope_of(*read.stated);
             if (const auto extent = transformed(box, placing.degrees(), query.system)) report.extent = *extent;
+        }
+        if (const std::optional<osm::Box> data = read.stated ? read.stated : read.nodes) {
+            report.data = outline_of(envelope_of(*data), placing.degrees(), query.system);
         }
     } catch (const osm::ReadError& error) {
         throw refusal(source.name,

@@ -176,4 +176,14 @@ const OGRSpatialReference& system_of(OGRLayer& layer, const std::string& source)
                   "does not say its coordinate system; name it with 'ogr2ogr -a_srs EPSG:4326' (or what it is)");
 }
 
+std::unique_ptr<OGRGeometry> outline_of(const OGREnvelope& box, const OGRSpatialReference& from,
+                                        const OGRSpatialReference& to) {
+    constexpr double parts = 20;  // of a side
+    std::unique_ptr<OGRGeometry> outline(rectangle(box).clone());
+    outline->segmentize(std::max(box.MaxX - box.MinX, box.MaxY - box.MinY) / parts);
+    const Transformation forth = transformation(from, to);
+    if (!forth || outline->transform(forth.get()) != OGRERR_NONE) return nullptr;
+    return outline;
+}
+
 }  // namespace waybreaker::city

@@ -60,4 +60,8 @@ void require_degrees(const OGREnvelope& box, const std::string& source);
 
 OGRPolygon rectangle(const OGREnvelope& bounds);
 
+// The outline of a box in another system, in which its sides bend; null if there is no way to it.
+std::unique_ptr<OGRGeometry> outline_of(const OGREnvelope& box, const OGRSpatialReference& from,
+                                        const OGRSpatialReference& to);
+
 }  // namespace waybreaker::city

@@ -11,6 +11,7 @@
 #include "geotiff/background_item.hpp"
 #include "geotiff/gdal_scope.hpp"
 #include "geotiff/kinds_item.hpp"
+#include "geotiff/notes_item.hpp"
 #include "geotiff/obstacle_metadata.hpp"
 #include "geotiff/raster_cells.hpp"
 #include "geotiff/raster_place.hpp"
@@ -86,6 +87,7 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
     site::Annotations annotations{.title = metadata(*file, title_item),
                                   .profile = site::profile_called(metadata(*file, profile_item)),
                                   .attribution = metadata(*file, attribution_item),
+                                  .notes = read_notes(*file),
                                   .background = read_background(*file, place, width, height, name)};
     layer.labels = read_labels(*file, memory, name);
     const std::vector<std::uint32_t>& labels = layer.labels;
@@ -141,6 +143,7 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     set(title_item, known.title);
     set(attribution_item, known.attribution);
     if (known.profile) set(profile_item, std::string(site::profile_word(*known.profile)));
+    set(notes_item, notes_text(known.notes));
     for (const auto& [item, text] : obstacle_metadata(tiff.map)) set(item, text);
     set(names_item, names_text(known.names));
     set(kinds_item, kinds_text(known.kinds));

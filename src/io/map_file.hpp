@@ -63,12 +63,18 @@ struct MapFile {
     std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};
     std::uint64_t unknown = 0;            // cells of unknown occupancy
-    std::vector<std::string> notes = {};  // for the user, a line each
+    std::vector<std::string> notes = {};  // of reading, for the user, a line each; the file's own are annotations
 
     // Whether lengths can be given in metres.
     bool has_metres() const { return cell_size_given || georeference || ros || cell_size != 1; }
     // Of so many cells. REQUIRES: has_metres().
     double square_metres(std::uint64_t cells) const { return io::square_metres(cells, cell_size); }
+    // The file's own notes, and those of reading it.
+    std::vector<std::string> all_notes() const {
+        std::vector<std::string> all = annotations.notes;
+        all.insert(all.end(), notes.begin(), notes.end());
+        return all;
+    }
     // What people call it: its title, or its file.
     const std::string& name() const { return annotations.title.empty() ? source : annotations.title; }
 };

@@ -46,6 +46,7 @@ std::size_t memory_of(const MapFile& file) {
     const Map& map = file.map;
     std::size_t bytes = map_bytes(map.width(), map.height(), map.obstacles().size());
     const site::Annotations& known = file.annotations;
+    for (const std::string& note : known.notes) bytes += memory_of(note);
     for (const std::string& name : known.names) bytes += memory_of(name);
     bytes += memory_of(known.background) + known.kinds.capacity() + memory_of(known.sections) + memory_of(known.tags);
     if (file.ros) bytes += memory_of(file.ros->text) + memory_of(file.ros->image);

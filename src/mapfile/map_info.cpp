@@ -5,6 +5,7 @@
 
 #include "geotiff/georeference.hpp"
 #include "io/mission_document.hpp"
+#include "site/unknown_ground.hpp"
 
 namespace waybreaker::mapfile {
 
@@ -21,8 +22,13 @@ MapSummary summarise(const Map& map) {
 std::optional<GroundSummary> summarise_ground(const io::MapFile& file) {
     if (file.annotations.kinds.empty()) return std::nullopt;
     GroundSummary summary{.open = file.map.grid().cell_count()};
+    const std::vector<bool> unknown = site::unknown_obstacles(file.map, file.annotations.tags);
     for (const Obstacle& obstacle : file.map.obstacles()) {
         summary.open -= obstacle.cells;
+        if (unknown[obstacle.id.value]) {
+            summary.unknown += obstacle.cells;
+            continue;
+        }
         switch (file.annotations.kinds[obstacle.id.value]) {
             case site::ObstacleKind::water:
                 summary.water += obstacle.cells;
@@ -46,6 +52,7 @@ std::optional<GroundSummary> summarise_ground(const io::MapFile& file) {
 std::map<std::string, std::size_t> protected_tags(const io::MapFile& file) {
     std::map<std::string, std::size_t> counts;
     for (const auto& [tag, obstacles] : file.annotations.tags) {
+        if (tag == site::unknown_tag) continue;
         const auto stays = [&](ObstacleId id) { return !file.map.obstacle(id).destructible; };
         const auto count = std::size_t(std::ranges::count_if(obstacles, stays));
         if (count > 0) counts.emplace(tag, count);
@@ -98,7 +105,8 @@ std::string map_info_json(const io::MapFile& file) {
                           {"water", ground->water},
                           {"cliff", ground->cliff},
                           {"forbidden", ground->forbidden},
-                          {"off_road", ground->off_road}};
+                          {"off_road", ground->off_road},
+                          {"unknown", ground->unknown}};
     }
     for (const std::string_view kind : site::background_kinds) json["background"][std::string(kind)] = 0;
     for (const site::Background::Feature& feature : file.annotations.background.features) {
@@ -121,7 +129,7 @@ std::string map_info_json(const io::MapFile& file) {
     json["goal"] = file.task ? cell(file.task->goal) : Json();
     json["title"] = file.annotations.title;
     json["attribution"] = file.annotations.attribution;
-    json["notes"] = file.notes;
+    json["notes"] = file.all_notes();
     json["digest"] = file.digest;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

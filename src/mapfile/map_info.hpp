@@ -29,6 +29,7 @@ struct GroundSummary {
     std::uint64_t cliff = 0;
     std::uint64_t forbidden = 0;
     std::uint64_t off_road = 0;
+    std::uint64_t unknown = 0;
 };
 
 // Empty if the file does not say what its obstacles are.

@@ -18,7 +18,7 @@
 #include "mapfile/grey_image.hpp"
 #include "mapfile/occupancy.hpp"
 #include "mapfile/ros_map.hpp"
-#include "mapfile/unknown_cells.hpp"
+#include "site/unknown_ground.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 
@@ -76,7 +76,7 @@ io::MapFile read_tiff(std::string_view bytes, const std::string& path, Connectiv
                      .origin = tiff.origin,
                      .annotations = std::move(tiff.annotations),
                      .notes = std::move(notes)};
-    file.unknown = tagged_unknown_cells(file);
+    file.unknown = site::unknown_cells(file.map, file.annotations.tags);
     return file;
 }
 
@@ -143,12 +143,21 @@ std::string note_of_free_unknown(io::RosYaml yaml, bool transparency, io::Nav2 n
            "0.196 it is unknown";
 }
 
+// Nothing else of a ROS map cannot be destroyed.
+void tag_unknown(io::MapFile& file) {
+    std::vector<ObstacleId>& unknown = file.annotations.tags[site::unknown_tag];
+    for (const Obstacle& obstacle : file.map.obstacles()) {
+        if (!obstacle.destructible) unknown.push_back(obstacle.id);
+    }
+}
+
 io::MapFile read_ros_pieces(RosPieces pieces, const std::string& path, const std::string& image_path,
                             Connectivity connectivity, const io::ImageReading& reading, const MapLimits& limits) {
     io::RosYaml yaml = parse_ros_yaml(pieces.text, path);
     const RosCells cells = ros_cells(read_image(pieces.image, image_path, limits.cells), yaml,
                                      reading.threshold.value_or(1), reading.nav2);
     io::MapFile file = timed([&] { return ros_map(cells, connectivity, reading.unknown_free); }, "ROS map");
+    if (cells.unknown_count > 0 && !reading.unknown_free) tag_unknown(file);
     file.digest = sha256_digest(pieces.text + pieces.image);
     file.cell_size = yaml.resolution;
     file.origin = yaml.origin;

@@ -12,7 +12,7 @@
 #include "io/map_geojson.hpp"
 #include "mapfile/grey_image.hpp"
 #include "mapfile/ros_map.hpp"
-#include "mapfile/unknown_cells.hpp"
+#include "site/unknown_ground.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::mapfile {
@@ -63,7 +63,7 @@ const Format& format_of(const std::string& path) {
 
 // The blocked cells, those of unknown space apart.
 RosCells ros_cells_of(const io::MapFile& file) {
-    const std::vector<bool> unknown = unknown_obstacles(file);
+    const std::vector<bool> unknown = site::unknown_obstacles(file.map, file.annotations.tags);
     const Map& map = file.map;
     RosCells cells{.occupied = Grid(map.width(), map.height()), .unknown = Grid(map.width(), map.height())};
     for (Cell c; c.y < map.height(); ++c.y) {
@@ -91,11 +91,12 @@ std::string lost_obstacles(const io::MapFile& file, bool to_ros) {
     const site::Annotations& known = file.annotations;
     if (!known.names.empty()) loss += (loss.empty() ? "" : ", ") + std::string("names");
     if (!known.kinds.empty()) loss += (loss.empty() ? "" : ", ") + std::string("kinds");
-    if (known.tags.size() > known.tags.count(unknown_tag)) loss += (loss.empty() ? "" : ", ") + std::string("tags");
+    if (known.tags.size() > known.tags.count(site::unknown_tag))
+        loss += (loss.empty() ? "" : ", ") + std::string("tags");
     if (any([](const Obstacle& o) { return o.weight != 1 || o.breach_time != 0; })) {
         loss += (loss.empty() ? "" : ", ") + std::string("what their removal costs");
     }
-    const std::vector<bool> unknown = unknown_obstacles(file);
+    const std::vector<bool> unknown = site::unknown_obstacles(file.map, file.annotations.tags);
     if (any([&](const Obstacle& o) { return !o.destructible && !(to_ros && unknown[o.id.value]); })) {
         loss += (loss.empty() ? "" : ", ") + std::string("which obstacles cannot be destroyed");
     }
@@ -109,8 +110,9 @@ std::vector<std::string> losses_of(const io::MapFile& map, const Format& format)
     };
     const bool to_ros = std::string_view(format.name) == "ROS map";
     const bool as_ros = map.ros && to_ros;
-    const bool knows_unknown = to_ros || std::string_view(format.name) == "GeoTIFF";
-    const std::vector<bool> unknown = unknown_obstacles(map);
+    const bool is_tiff = std::string_view(format.name) == "GeoTIFF";
+    const bool knows_unknown = to_ros || is_tiff;
+    const std::vector<bool> unknown = site::unknown_obstacles(map.map, map.annotations.tags);
     const bool apart = std::ranges::find(unknown, true) != unknown.end();
     lose(format.obstacles || as_ros, lost_obstacles(map, to_ros));
     lose(format.place || !map.georeference, "the coordinate system");
@@ -126,6 +128,7 @@ std::vector<std::string> losses_of(const io::MapFile& map, const Format& format)
          "streets, water and what else lies around the obstacles");
     lose(std::string_view(format.name) == "GeoTIFF" || !known.profile, "whom the map was made for");
     lose(format.title || known.title.empty(), "the title");
+    lose(is_tiff || known.notes.empty(), "the notes");
     lose(format.attribution || known.attribution.empty(),
          "the attribution, which must go with it: " + known.attribution);
     return losses;
@@ -161,7 +164,7 @@ std::vector<OutputFile> ros_files(const io::MapFile& map, const std::string& pat
     const io::RosYaml yaml{.image = image, .resolution = map.cell_size, .origin = {origin.x, origin.y}};
     const Grid& grid = map.map.grid();
     std::vector<std::uint8_t> pixels = grey(grid, free_grey);
-    const std::vector<bool> unknown = unknown_obstacles(map);
+    const std::vector<bool> unknown = site::unknown_obstacles(map.map, map.annotations.tags);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (unknown[map.map.labels()[i]]) pixels[i] = unknown_grey;
     }
@@ -179,7 +182,7 @@ std::string bytes_of(const io::MapFile& map, std::string_view extension) {
                                       .cell_size = map.cell_size,
                                       .georeference = map.georeference,
                                       .origin = map.origin,
-                                      .annotations = annotations_with_unknown(map)});
+                                      .annotations = map.annotations});
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "mapfile/grey_image.hpp"
 #include "mapfile/occupancy.hpp"
 #include "mapfile/ros_map.hpp"
-#include "mapfile/unknown_cells.hpp"
 #include "site/described_map.hpp"
 #include "site/split.hpp"
 #include "waybreaker/error.hpp"
@@ -86,7 +85,7 @@ io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice) {
     if (!file.annotations.sections.empty()) {
         throw InputError(file.source + ": is cut into sections already; give the map that it was made from");
     }
-    describe(file, site::split(file.map, annotations_with_unknown(file), lattice));
+    describe(file, site::split(file.map, file.annotations, lattice));
     file.digest.clear();
     file.ros.reset();  // its cells say nothing of sections
     return file;

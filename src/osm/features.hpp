@@ -68,6 +68,7 @@ struct Visitor {
 
 struct Report {
     std::optional<Box> stated = {};                // what the file says it has the data of
+    std::optional<Box> nodes = {};                 // around all of them, if ways were wanted
     std::vector<std::int64_t> lacking_nodes = {};  // ways without some of their nodes; visited as what is left of them
 };
 

@@ -100,6 +100,7 @@ class Visit {
         }
         if (!wants_ways()) return report_;
         places_.finish();
+        report_.nodes = all_.box();
         relations_.visit(places_, visitor_);
         const auto see_way = [this](const osmium::Way& way) { see(way); };
         if (file_.format != "pbf") {
@@ -146,7 +147,10 @@ class Visit {
 
     void see(const osmium::Node& node) {
         if (!node.visible() || !node.location().valid()) return;
-        if (wants_ways()) places_.add(node.id(), node.location());
+        if (wants_ways()) {
+            places_.add(node.id(), node.location());
+            all_.add(place_of(node.location()));
+        }
         if (node.tags().empty() || !wants(query_.points, node.tags())) return;
         Around around;
         around.add(place_of(node.location()));
@@ -208,6 +212,7 @@ class Visit {
     const Visitor& visitor_;
     Relations relations_;
     NodePlaces places_;
+    Around all_;
     osmium::memory::Buffer ways_{std::size_t{1} << 16, osmium::memory::Buffer::auto_grow::yes};  // of text
     std::unordered_set<std::int64_t> seen_;  // ways; a file can have one twice
     Report report_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/note_lines.hpp"
 #include "render/palette.hpp"
 
 namespace waybreaker::render {
@@ -40,7 +41,8 @@ Layout lay_out(const Map& map, const PictureOptions& options, std::size_t legend
     const double map_height = cell * map.height();
     const double window_height = std::max(map_height, least_window_height * unit);
     const double top = header_height * unit;
-    const double footer = scale_bar_height + double(legend_rows) * size::row + attribution_height;
+    const double notes = double(note_lines(options.annotations.notes).size()) * size::note_row;
+    const double footer = scale_bar_height + double(legend_rows) * size::row + notes + attribution_height;
     return {.width = width,
             .height = std::ceil(top + window_height + footer * unit),
             .unit = unit,

@@ -13,6 +13,7 @@
 #include "render/ground.hpp"
 #include "render/layout.hpp"
 #include "render/name_places.hpp"
+#include "render/note_lines.hpp"
 #include "render/palette.hpp"
 #include "render/sample.hpp"
 #include "render/signs.hpp"
@@ -65,8 +66,8 @@ std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
     std::string out = rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) +
                       ground(scene.options.annotations.background, layout);
-    for (const Style style : {Style::water, Style::forbidden, Style::cliff, Style::obstacle, Style::barrier,
-                              Style::fixed_obstacle, Style::removed}) {
+    for (const Style style : {Style::water, Style::forbidden, Style::cliff, Style::unknown, Style::obstacle,
+                              Style::barrier, Style::fixed_obstacle, Style::removed}) {
         out += obstacle_sign(style, scene.outline(style), {layout.map.x, layout.map.y}, scene.raster_scale(),
                              scene.unit());
     }
@@ -261,12 +262,13 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     for (LegendEntry& entry : scene.mission.is_team() ? team_paths(scene) : single_paths(scene)) {
         entries.push_back(std::move(entry));
     }
-    constexpr std::array<std::pair<Style, std::string_view>, 6> obstacles{{{Style::obstacle, "obstacle"},
+    constexpr std::array<std::pair<Style, std::string_view>, 7> obstacles{{{Style::obstacle, "obstacle"},
                                                                            {Style::barrier, "wall, fence, hedge"},
                                                                            {Style::fixed_obstacle, "not removable"},
                                                                            {Style::water, "water"},
                                                                            {Style::cliff, "cliff or ditch"},
-                                                                           {Style::forbidden, "forbidden ground"}}};
+                                                                           {Style::forbidden, "forbidden ground"},
+                                                                           {Style::unknown, "unknown: no data"}}};
     for (const auto& [style, name] : obstacles) {
         if (!scene.outline(style).empty()) entries.push_back({swatch(style), name});
     }
@@ -363,14 +365,17 @@ std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entri
     const Layout& layout = scene.layout;
     const double unit = scene.unit();
     const double left = size::margin * unit;
-    const std::size_t rows = std::max(figure_rows(scene), rows_of(entries));
-    const double footer = layout.height - (double(rows) * size::row + 44) * unit;
+    const double rows = double(std::max(figure_rows(scene), rows_of(entries))) * size::row;
+    const Point small_print{left, layout.height - 14 * unit};
+    const std::vector<std::string> notes = note_lines(scene.options.annotations.notes);
+    const double footer = small_print.y - (double(notes.size()) * size::note_row + rows + 30) * unit;
     return draw_title(scene) +
            text({left, 75 * unit}, headline(scene.map, scene.mission, scene.plan, scene.options), size::headline * unit,
                 colour::ink) +
            draw_scale_bar(scene) + draw_legend(scene, entries, footer) + draw_figures(scene, footer) +
-           text({left, layout.height - 14 * unit}, xml_text(scene.options.annotations.attribution, 110),
-                size::small_text * unit, colour::faded_ink);
+           draw_notes(notes, small_print, unit) +
+           text(small_print, xml_text(scene.options.annotations.attribution, 110), size::small_text * unit,
+                colour::faded_ink);
 }
 
 }  // namespace
@@ -378,7 +383,7 @@ std::string draw_words(const Scene& scene, const std::vector<LegendEntry>& entri
 std::string svg(const Map& map, const Mission& mission, const Plan& plan, const PictureOptions& options) {
     validate(options);
     Scene scene = {map, mission, plan, options, lay_out(map, options, 0), {}};
-    const Sample sample(map, plan.breaches, scene.layout.sample_step, options.annotations.kinds);
+    const Sample sample(map, plan.breaches, scene.layout.sample_step, options.annotations);
     scene.outlines = outlines(sample.raster(), sample.styles());
     const std::vector<LegendEntry> entries = legend(scene);
     scene.layout = lay_out(map, options, std::max(figure_rows(scene), rows_of(entries)));

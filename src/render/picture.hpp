@@ -21,8 +21,8 @@ struct PictureOptions {
     bool metres = false;                        // what lengths are then called: metres, or cells
     bool seconds = false;                       // a unit of the mission's time is a second
     Objective objective = Objective::makespan;  // what the plan's bound is one of
-    // The title is the first line, the attribution small print; the background is drawn beneath the obstacles, water as
-    // such; what is removed is called by its sections.
+    // The title is the first line, the notes stand below the legend, the attribution in small print; the background is
+    // drawn beneath the obstacles, water as such, unknown ground too; what is removed is called by its sections.
     site::Annotations annotations = {};
 };
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "site/unknown_ground.hpp"
+
 namespace waybreaker::render {
 namespace {
 
@@ -27,10 +29,13 @@ Style style_of(bool destructible, site::ObstacleKind kind) {
     }
 }
 
-std::vector<Style> styles_of(const Map& map, std::span<const Breach> removed, const site::ObstacleKinds& kinds) {
+std::vector<Style> styles_of(const Map& map, std::span<const Breach> removed, const site::Annotations& known) {
+    const std::vector<bool> unknown = site::unknown_obstacles(map, known.tags);
     std::vector<Style> styles(map.obstacles().size() + 1, Style::obstacle);
     for (const Obstacle& obstacle : map.obstacles()) {
-        styles[obstacle.id.value] = style_of(obstacle.destructible, site::kind_of(kinds, obstacle.id));
+        styles[obstacle.id.value] = unknown[obstacle.id.value]
+                                        ? Style::unknown
+                                        : style_of(obstacle.destructible, site::kind_of(known.kinds, obstacle.id));
     }
     for (const Breach& breach : removed) styles[breach.obstacle.value] = Style::removed;
     return styles;
@@ -67,8 +72,8 @@ std::vector<std::uint32_t> coarse_labels(const Map& map, std::span<const Style> 
 
 }  // namespace
 
-Sample::Sample(const Map& map, std::span<const Breach> removed, int step, const site::ObstacleKinds& kinds)
-    : map_(&map), step_(step), styles_(styles_of(map, removed, kinds)) {
+Sample::Sample(const Map& map, std::span<const Breach> removed, int step, const site::Annotations& known)
+    : map_(&map), step_(step), styles_(styles_of(map, removed, known)) {
     if (step == 1) return;
     coarse_labels_ = coarse_labels(map, styles_, step);
     // By label; 0 is not used.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/outline.hpp"
-#include "site/obstacle_kinds.hpp"
+#include "site/annotations.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/plan.hpp"
 
@@ -18,8 +18,8 @@ class Sample {
     // One cell of the raster stands for step * step cells of the map (fewer at the right and lower edges). With step 1
     // labels are obstacle ids; with more they are styles, so neighbours merge: a coarse cell is removed if any
     // of its cells is, otherwise blocked if at least half of its cells are. Time O(cells of the map).
-    // `kinds`: of the obstacles, where they are known.
-    Sample(const Map& map, std::span<const Breach> removed, int step, const site::ObstacleKinds& kinds = {});
+    // `known`: what the obstacles are, where that is known.
+    Sample(const Map& map, std::span<const Breach> removed, int step, const site::Annotations& known = {});
 
     site::LabelRaster raster() const;
     // By label of the raster.

@@ -41,8 +41,8 @@ std::string words(Point begin, std::string_view content, double unit);
 // Obstacles of one style, given as path data; `scale` is the size of the data's unit in pixels, `origin` its (0, 0).
 std::string obstacle_sign(Style style, std::string_view path_data, Point origin, double scale, double unit);
 
-// The patterns that obstacle_sign of the same scale needs in the document's <defs>: openings, water and forbidden
-// ground differ by more than their colour.
+// The patterns that obstacle_sign of the same scale needs in the document's <defs>: openings, water, forbidden
+// and unknown ground differ by more than their colour.
 std::string patterns(double unit, double scale);
 
 enum class Anchor { start, middle, end };

@@ -17,6 +17,7 @@
 #include "http/problem.hpp"
 #include "io/check_report.hpp"
 #include "io/option_words.hpp"
+#include "io/place_reason.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_file.hpp"
 #include "io/plan_geojson.hpp"
@@ -29,6 +30,7 @@
 #include "studio/plan_html.hpp"
 #include "studio/plan_picture.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/place_error.hpp"
 
 namespace waybreaker::service {
 namespace {
@@ -65,6 +67,14 @@ const io::MapFile& map_of(const Task& task, const PreparedMission& prepared) {
     return prepared.reweighted ? *prepared.reweighted : task.map->file;
 }
 
+void validate_on(const io::MapFile& map, const io::MissionDocument& asked, const Limits& limits) try {
+    validate(map.map, asked.mission, asked.method, limits);
+} catch (const PlaceError& error) {
+    Misplaced agent = error.misplaced;
+    agent.reason = io::place_reason(agent, map);
+    throw PlaceError(std::move(agent));
+}
+
 PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const http::Worker& worker,
                         double seconds) try {
     const io::MapFile& file = task.map->file;
@@ -78,7 +88,7 @@ PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const ht
     limits.stop = worker.stop;
     limits.progress = task.report;
     limits.seconds = std::min(limits.seconds, seconds);
-    validate(map_of(task, prepared).map, prepared.asked.mission, prepared.asked.method, limits);
+    validate_on(map_of(task, prepared), prepared.asked, limits);
     return prepared;
 } catch (const InputError& error) {
     throw http::Problem(http::unprocessable, error.what(), "mission-unfit");

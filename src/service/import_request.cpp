@@ -103,7 +103,7 @@ ImportRequest parse_import_request(std::string_view bytes, const std::string& na
     const JsonField root(document);
     root.allow({"source", "center", "size", "bbox", "cell", "profile", "section", "obstacles", "destructible",
                 "protected", "obstacle_weight", "obstacle_breach_time", "layer", "wall_width", "merge_touching",
-                "names", "background"});
+                "names", "background", "unknown_free"});
     ImportRequest request{.source = root["source"].text(), .text = std::string(bytes), .options = {}};
     set_window(root, request);
     set_vehicle(root, request.options);
@@ -111,6 +111,7 @@ ImportRequest parse_import_request(std::string_view bytes, const std::string& na
     if (const auto merge = root.find("merge_touching")) request.options.merge_touching = merge->truth();
     if (const auto names = root.find("names")) request.options.names = names->truth();
     if (const auto background = root.find("background")) request.options.background = background->truth();
+    if (const auto free = root.find("unknown_free")) request.options.unknown_free = free->truth();
     return request;
 }
 

@@ -49,11 +49,10 @@ Route forget_route(SourceStore& sources) {
 }
 
 // Read back, so that it equals an upload of the file that the command would write.
-StoredMap stored(Importer::Import import, const MapLimits& limits) {
+StoredMap stored(std::string tiff, const MapLimits& limits) {
     const MemoryAccount::Scope none(nullptr);  // the limits count the map
-    io::MapFile file = mapfile::parse_map(import.tiff, "the map", Connectivity::four, {}, limits);
-    file.notes = std::move(import.notes);
-    return {.file = std::move(file), .bytes = std::move(import.tiff)};
+    io::MapFile file = mapfile::parse_map(tiff, "the map", Connectivity::four, {}, limits);
+    return {.file = std::move(file), .bytes = std::move(tiff)};
 }
 
 Route import_route(const Importer& importer, SourceStore& sources, MapStore& maps) {

@@ -1,6 +1,5 @@
 #include "service/import_worker.hpp"
 
-#include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -15,7 +14,6 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "city/city_import.hpp"
 #include "city/sent_source.hpp"
@@ -85,22 +83,12 @@ std::string extract_answer(const city::SentSource& source) {
     }
 }
 
-std::vector<std::string> notes_of(const city::ImportReport& report) {
-    std::vector<std::string> notes = report.notes;
-    constexpr double nearly_all = 0.995;
-    if (report.covered < nearly_all) {
-        notes.push_back(fmt::format("the source covers only {:.2g} % of the window; the rest is free on the map",
-                                    100 * report.covered));
-    }
-    return notes;
-}
-
 std::string import_answer(const city::SentSource& source, const Json& asked) {
     try {
         const ImportRequest request = parse_import_request(asked.at("request").get<std::string>());
         const city::Extract extract{.densest = asked.at("densest"), .side = asked.at("side")};
         const city::ImportReport report = city::import_city(source.path(), window_of(request, extract));
-        return answer_of({{"notes", notes_of(report)}}, geotiff::label_tiff_bytes(report.tiff));
+        return answer_of(Json::object(), geotiff::label_tiff_bytes(report.tiff));
     } catch (const InputError& error) {
         return answer_of(problem("import-unfit", without_dashes(source.named(error.what()))));
     }

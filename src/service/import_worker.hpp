@@ -2,7 +2,7 @@
 // line of JSON, and map data after it, and answers on standard output: a line of JSON, and the file of a map.
 //
 //     {"task": "extract", "name": "river.osm"}              {"extract": {...}, "bytes": 0}
-//     {"task": "import", "name": "river.osm",               {"notes": ["..."], "bytes": 1234}
+//     {"task": "import", "name": "river.osm",               {"bytes": 1234}
 //      "request": "{...}", "densest": [9, 50], "side": 60}
 //                                                           {"problem": {"kind": "import-unfit", "detail": "..."},
 //                                                           "bytes": 0}

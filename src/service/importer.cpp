@@ -104,16 +104,15 @@ city::Extract Importer::extract(const std::string& name, std::string_view bytes,
     return extract_of(ask(task, bytes, import_memory(bytes.size(), 0), stop).line.at("extract"));
 }
 
-Importer::Import Importer::import(const std::string& name, std::string_view bytes, const city::Extract& extract,
-                                  const ImportRequest& request, std::size_t most_cells, const StopToken& stop) const {
+std::string Importer::import(const std::string& name, std::string_view bytes, const city::Extract& extract,
+                             const ImportRequest& request, std::size_t most_cells, const StopToken& stop) const {
     const std::size_t cells = cells_of(request, extract, most_cells);
     const Json task{{"task", "import"},
                     {"name", name},
                     {"request", request.text},
                     {"densest", extract.densest},
                     {"side", extract.side}};
-    Answer answer = ask(task, bytes, import_memory(bytes.size(), cells), stop);
-    return {.tiff = std::move(answer.file), .notes = answer.line.at("notes")};
+    return ask(task, bytes, import_memory(bytes.size(), cells), stop).file;
 }
 
 }  // namespace waybreaker::service

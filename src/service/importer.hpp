@@ -30,13 +30,10 @@ class Importer {
     // stop comes before it is read.
     city::Extract extract(const std::string& name, std::string_view bytes, const StopToken& stop) const;
 
-    struct Import {
-        std::string tiff;
-        std::vector<std::string> notes;  // what the user should know
-    };
-    // Throws Problem in the same cases, and if there is no such map in it, or it has more cells than `most_cells`.
-    Import import(const std::string& name, std::string_view bytes, const city::Extract& extract,
-                  const ImportRequest& request, std::size_t most_cells, const StopToken& stop) const;
+    // The bytes of a GeoTIFF. Throws Problem in the same cases, and if there is no such map in it, or it has more cells
+    // than `most_cells`.
+    std::string import(const std::string& name, std::string_view bytes, const city::Extract& extract,
+                       const ImportRequest& request, std::size_t most_cells, const StopToken& stop) const;
 
   private:
     struct Answer {

@@ -98,7 +98,8 @@ std::string drawn_file(const StoredMap& map, const MapEdits& edits) {
         mapfile::relabel(drawn, edited_labels(before, edits, std::uint32_t(before.obstacles().size()) + 1));
     }
     // MovingAI's format holds cells and nothing else.
-    const bool cells_alone = plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1;
+    const bool cells_alone =
+        plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1 && drawn.annotations.notes.empty();
     return mapfile::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
 }
 

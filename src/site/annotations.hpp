@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "site/background.hpp"
 #include "site/obstacle_kinds.hpp"
@@ -19,6 +20,7 @@ struct Annotations {
     std::string title = {};               // place and window, for captions; any bytes, may be empty
     std::optional<Profile> profile = {};  // whom it was made for, if it says so
     std::string attribution = {};         // of the source data: "© OpenStreetMap contributors, ODbL 1.0"; any bytes
+    std::vector<std::string> notes = {};  // of its ground, a line each: what the source lacks, what was guessed
     ObstacleNames names = {};             // what people call the obstacles
     ObstacleKinds kinds = {};             // what the obstacles are: buildings, water, ...
     ObstacleTags tags = {};               // what the source says of them: amenity=school, ...

@@ -1,6 +1,7 @@
 // Map data that is dropped on the page becomes a map.
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
+import type { Locator } from "playwright-core";
 import { afterEach, describe, expect, it } from "vitest";
 import { Setting } from "./setting";
 import { phone, StudioPage, wide } from "./studio_page";
@@ -71,6 +72,31 @@ describe("map data", () => {
     await page.page.getByRole("combobox", { name: "Find a street or obstacle" }).fill("lane");
     await page.page.getByRole("option", { name: /Long Lane/ }).waitFor();
     expect(page.faults).toEqual([]);
+  });
+
+  it("ends somewhere, and nobody drives beyond unless that is asked for", async () => {
+    const page = await visit();
+    const about = page.page.getByLabel("About this map");
+    const importFrom = async (longitude: string, choose: (dialog: Locator) => Promise<unknown>) => {
+      await page.page.getByLabel("File to open").setInputFiles(townFile());
+      const dialog = page.page.getByRole("dialog");
+      const beyond = dialog.getByRole("checkbox", { name: /reaches beyond the data/ });
+      await dialog.getByLabel("Longitude").waitFor();
+      expect(await beyond.count()).toBe(0);
+      await dialog.getByLabel("Longitude").fill(longitude);
+      await choose(dialog);
+      await dialog.getByRole("button", { name: "Import" }).click();
+      await dialog.waitFor({ state: "hidden" });
+      await page.settled();
+    };
+    await importFrom("9.0035", (dialog) => dialog.getByRole("checkbox").waitFor());
+    await about.getByText(/^\d+\.\d % of this map is unknown ground, without data: it bars the way\.$/).waitFor();
+    expect(await page.accessibilityFaults()).toEqual([]);
+    await page.page.getByRole("button", { name: "Legend" }).click();
+    await page.page.getByRole("list", { name: "Legend of obstacles" }).getByText("unknown: no data").waitFor();
+    await importFrom("9.0036", (dialog) => dialog.getByRole("checkbox").check());
+    await about.getByText(/covers only \d+ % of the window; the rest is free/).waitFor();
+    expect(await about.getByText("unknown").count()).toBe(0);
   });
 
   it("is chosen on a phone as well", async () => {

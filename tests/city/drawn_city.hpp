@@ -181,7 +181,11 @@ inline std::string osm_xml(const std::vector<Thing>& things) {
         relations += fmt::format("<relation id=\"{}\">{}<tag k=\"type\" v=\"multipolygon\"/>{}</relation>\n",
                                  -thing.osm_id, members, tag);
     }
-    return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n" + nodes + ways + relations + "</osm>\n";
+    const auto [west, south] = site.lon_lat({-500, 500});
+    const auto [east, north] = site.lon_lat({500, -500});
+    const std::string bounds =
+        fmt::format("<bounds minlon=\"{}\" minlat=\"{}\" maxlon=\"{}\" maxlat=\"{}\"/>\n", west, south, east, north);
+    return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n" + bounds + nodes + ways + relations + "</osm>\n";
 }
 
 inline std::string picture(const Map& map) {

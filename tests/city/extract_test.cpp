@@ -35,7 +35,7 @@ void house(OsmDrawing& drawing, double x, double y, double side = 2) {
 
 // Houses here and there, and a town of 1 km around a point.
 OsmDrawing scattered_around(double x, double y) {
-    OsmDrawing drawing(country);
+    OsmDrawing drawing = OsmDrawing(country).without_bounds();
     for (int i = 0; i < 30; ++i) {
         for (int j = 0; j < 30; ++j) house(drawing, 5 + 20 * i, 5 + 20 * j);
     }
@@ -69,7 +69,7 @@ TEST_F(ExtractTest, SharesAddUpToTheAreaOfTheBuildings) {
 }
 
 TEST_F(ExtractTest, CoversWhatTheSourceStates) {
-    OsmDrawing drawing(country);
+    OsmDrawing drawing = OsmDrawing(country).without_bounds();
     house(drawing, 300, 300);
     std::string xml = drawing.xml();
     xml.insert(xml.find('\n') + 1, "<bounds minlat='49.98' minlon='8.9' maxlat='50.03' maxlon='9.04'/>\n");
@@ -85,7 +85,7 @@ TEST_F(ExtractTest, CoversWhatTheSourceStates) {
 }
 
 TEST_F(ExtractTest, NamesPlacesByTheirImportance) {
-    OsmDrawing drawing(country);
+    OsmDrawing drawing = OsmDrawing(country).without_bounds();
     drawing.point("place=village|name=Au", {100, 100});
     drawing.point("place=town|name=Stadt", {300, 200});
     drawing.point("place=town", {310, 200});
@@ -103,7 +103,7 @@ TEST_F(ExtractTest, NamesPlacesByTheirImportance) {
 }
 
 TEST_F(ExtractTest, WhatCannotBeImportedHasNoExtract) {
-    OsmDrawing drawing(country);
+    OsmDrawing drawing = OsmDrawing(country).without_bounds();
     drawing.area("natural=water", {{1, 1}, {9, 1}, {9, 9}});
     EXPECT_NE(input_error([&] { extract_of(drawing); }).find("has no buildings"), std::string::npos);
     EXPECT_NE(input_error([&] { extract_of("not a map"); }).find("cannot be read as map data"), std::string::npos);
@@ -149,7 +149,7 @@ TEST_F(ExtractTest, OtherThingsThatLieNowhereOnEarthDoNotMatter) {
 }
 
 TEST_F(ExtractTest, CountsOnceWhatTheSourceHasTwice) {
-    OsmDrawing drawing(country);
+    OsmDrawing drawing = OsmDrawing(country).without_bounds();
     for (int i = 0; i < 40; ++i) house(drawing, 10 * i, 300);
     std::string xml = drawing.xml();
     // What two queries of Overpass in one give.

@@ -384,26 +384,6 @@ TEST_F(Ground, of_a_cut_river_reaches_from_bank_to_bank) {
     EXPECT_EQ(import(drawing_).notes, std::vector<std::string>{"Vltava: closed along the edge of the data"});
 }
 
-TEST_F(Ground, of_a_cut_lake_is_forbidden_where_it_may_be) {
-    drawing_.way("", {{-2.5, 4.5}, {16.2, 4.5}});
-    drawing_.relation("natural=water|name=See", {drawing_.last(), 4711});
-    drawing_.way("", {{-3, 0.4}, {17, 0.4}});
-    const std::int64_t north = drawing_.last();
-    drawing_.way("", {{-3, 17}, {17, 17}});
-    drawing_.relation("landuse=military|name=Range", {north, drawing_.last(), 4711});
-    const std::string text = drawn();
-    EXPECT_EQ(std::count(text.begin(), text.end(), 'x'), 4 * 14) << text;
-    const std::vector<std::string> notes = import(drawing_).notes;
-    ASSERT_FALSE(notes.empty());
-    EXPECT_EQ(notes.front(),
-              "See: its outline is not whole in the file; where it may be is unknown ground and bars the way");
-}
-
-TEST_F(Ground, that_is_unknown_is_reported) {
-    ASSERT_EQ(import(drawing_).notes.size(), 1U);
-    EXPECT_NE(import(drawing_).notes.front().find("only buildings bar the way"), std::string::npos);
-}
-
 TEST_F(Ground, protects_hospitals_unless_somebody_says_what_can_be_destroyed) {
     drawing_.area("building=yes|amenity=hospital", box(3.6, 2.6, 6.4, 3.4));
     EXPECT_NE(drawn().find("....PPP.......\n"), std::string::npos) << drawn();

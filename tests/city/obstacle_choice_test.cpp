@@ -56,7 +56,9 @@ class OsmText {
         return *this;
     }
     std::string text() const {
-        return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n" + nodes_ + ways_ + "</osm>\n";
+        return "<?xml version=\"1.0\"?>\n<osm version=\"0.6\">\n"
+               "<bounds minlat=\"49.99\" minlon=\"8.99\" maxlat=\"50.01\" maxlon=\"9.01\"/>\n" +
+               nodes_ + ways_ + "</osm>\n";
     }
 
   private:

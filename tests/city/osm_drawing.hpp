@@ -27,7 +27,25 @@ inline std::vector<Point> box(double west, double north, double east, double sou
 // OpenStreetMap's XML, drawn in the cells of the window.
 class OsmDrawing {
   public:
-    explicit OsmDrawing(const ImportOptions& window) : place_(import_window(window).georeference) {}
+    // Unless it is said to end, the data goes on beyond the window.
+    explicit OsmDrawing(const ImportOptions& window) : place_(import_window(window).georeference) {
+        const double side = import_window(window).width;
+        ends(-side, -side, 2 * side, 2 * side);
+    }
+
+    // West, north, east, south; sides of cells, not their middles as elsewhere.
+    OsmDrawing& ends(double west, double north, double east, double south) {
+        const geotiff::ToLonLat to_lon_lat(place_);
+        const auto [left, bottom] = to_lon_lat(west - 0.5, south - 0.5);
+        const auto [right, top] = to_lon_lat(east - 0.5, north - 0.5);
+        bounds_ = fmt::format("<bounds minlon='{:.7f}' minlat='{:.7f}' maxlon='{:.7f}' maxlat='{:.7f}'/>\n", left,
+                              bottom, right, top);
+        return *this;
+    }
+    OsmDrawing& without_bounds() {
+        bounds_.clear();
+        return *this;
+    }
 
     // Shared points of ways are one node each.
     OsmDrawing& way(const std::string& tags, const std::vector<Point>& points) {
@@ -59,7 +77,7 @@ class OsmDrawing {
         return *this;
     }
 
-    std::string xml() const { return "<osm version='0.6'>\n" + nodes_ + ways_ + relations_ + "</osm>\n"; }
+    std::string xml() const { return "<osm version='0.6'>\n" + bounds_ + nodes_ + ways_ + relations_ + "</osm>\n"; }
 
   private:
     std::int64_t node(const Point& at) {
@@ -85,6 +103,7 @@ class OsmDrawing {
     site::Georeference place_;
     std::int64_t ids_ = 0;
     std::map<std::pair<double, double>, std::int64_t> known_;
+    std::string bounds_;
     std::string nodes_;
     std::string ways_;
     std::string relations_;

@@ -99,9 +99,11 @@ std::string osm_pbf(const std::vector<Node>& nodes, const std::vector<std::int64
 
 class Sources : public TemporaryFolder {
   protected:
-    // The one building of each of these files.
+    // The one building of each of these files, which say nothing of the ground around it.
     void expect_building(const std::string& file) const {
-        const ImportReport report = import_city(file, window);
+        ImportOptions options = window;
+        options.unknown_free = true;
+        const ImportReport report = import_city(file, options);
         ASSERT_EQ(report.tiff.map.obstacles().size(), 1U);
         EXPECT_EQ(report.tiff.map.obstacles()[0].cells, 16U);
         EXPECT_EQ(report.tiff.map.obstacles()[0].source_id, 7);

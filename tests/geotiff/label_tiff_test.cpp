@@ -145,6 +145,26 @@ TEST(LabelTiff, says_of_some_obstacles_what_they_are) {
     EXPECT_EQ(kinds(""), site::ObstacleKinds{});
 }
 
+TEST(LabelTiff, keeps_notes_line_by_line) {
+    LabelTiff written = small_map();
+    written.annotations.notes = {"Vltava: closed along the edge of the data", "two\nlines", "", " \x1b[31mred\x07 "};
+    const std::string bytes = label_tiff_bytes(written);
+    const std::vector<std::string> clean{"Vltava: closed along the edge of the data", "two lines", "[31mred"};
+    EXPECT_EQ(read_label_tiff(bytes, "city.tif").annotations.notes, clean);
+    const std::string piece = translated(bytes, {"-srcwin", "2", "0", "3", "3"});
+    EXPECT_EQ(read_label_tiff(piece, "piece.tif").annotations.notes, clean);
+}
+
+TEST(LabelTiff, has_notes_of_strangers_as_printable_lines) {
+    const std::string text = "\n a \x1b[2J\r\n\n\xff\xfe\n" + std::string(1000, 'x');
+    const std::string bytes = foreign_tiff(GDT_UInt32, 1, [&text](GDALDataset& f) {
+        write_cells(f, std::vector<std::int32_t>(32, 3));
+        f.SetMetadataItem("WAYBREAKER_NOTES", text.c_str());
+    });
+    EXPECT_EQ(read_label_tiff(bytes, "city.tif").annotations.notes,
+              (std::vector<std::string>{"a [2J", "??", std::string(250, 'x')}));
+}
+
 TEST(CleanName, is_one_line_of_whole_characters) {
     EXPECT_EQ(clean_name(" a\r\nb\x1b[31m\x7f"), "a  b [31m");
     EXPECT_EQ(clean_name("Stra\xdf"

@@ -139,6 +139,34 @@ TEST(Picture, TellsApartWhatTheGroundIs) {
     }
 }
 
+TEST(Picture, ShowsWhatNobodyKnows) {
+    std::vector<ObstacleAttributes> attributes(3);
+    attributes[1].destructible = attributes[2].destructible = false;
+    const World world = unsolved(Map::from_labels(4, 1, {0, 1, 2, 0}, attributes), {0, 0}, {3, 0});
+    const auto picture = parsed(svg_of(world, {.annotations = {.tags = {{"occupancy=unknown", {{1}}}}}}));
+    EXPECT_EQ(count(picture, "/svg/path[@fill='url(#lattice)'][@d='m1 0h1v1h-1z']"), 1U);
+    EXPECT_EQ(count(picture, "/svg/defs/pattern[@id='lattice']"), 1U);
+    EXPECT_TRUE(says(picture, "unknown: no data"));
+    EXPECT_TRUE(says(picture, "not removable"));
+    EXPECT_FALSE(says(parsed(svg_of(world)), "unknown: no data"));
+}
+
+// Of any bytes, in lines that fit, and as tall as they need.
+TEST(Picture, HasTheNotesOfItsMap) {
+    const auto height = [](const auto& picture) { return picture.child("svg").attribute("height").as_double(); };
+    const auto plain = parsed(svg_of(wall()));
+    const auto noted =
+        parsed(svg_of(wall(), {.annotations = {.notes = {"a <coast> ends", std::string(150, 'x') + " y"}}}));
+    EXPECT_TRUE(says(noted, "A <coast> ends."));
+    EXPECT_TRUE(says(noted, "y."));
+    EXPECT_GT(height(noted), height(plain) + 60);
+    std::string long_note;
+    for (int i = 0; i < 1000; ++i) long_note += "word ";
+    const auto cut = parsed(svg_of(wall(), {.annotations = {.notes = {long_note}}}));
+    EXPECT_LT(height(cut), height(plain) + 140);
+    EXPECT_TRUE(std::ranges::any_of(words(cut), [](const std::string& line) { return line.ends_with("word \u2026"); }));
+}
+
 TEST(Picture, HasALegendOfWhatIsThere) {
     World world = wall();
     world.map = map_from_ascii("....a...\n....a...\nS...a..G\n....a...\n....a...\n....a...\n........");  // and it goes

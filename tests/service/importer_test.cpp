@@ -93,9 +93,9 @@ TEST_F(ImporterTest, TellsApartWhyAWorkerEnds) {
     EXPECT_EQ(problem_of(shell("exit " + std::to_string(worker_out_of_memory))), "import-beyond-memory");
     EXPECT_EQ(problem_of(shell("kill -ABRT $$")), "import-beyond-memory");  // GDAL does so
     EXPECT_EQ(problem_of(shell("kill -XCPU $$")), "import-too-long");
-    for (const char* broken : {"kill -SEGV $$", "exit 1", "exit 0", "echo nonsense", "echo '{}'",
-                               "echo '{\"notes\": [], \"bytes\": 9}'; echo short", "echo '{\"bytes\": 0}'",
-                               "echo '{\"problem\": {\"kind\": \"none\", \"detail\": \"\"}, \"bytes\": 0}'"}) {
+    for (const char* broken :
+         {"kill -SEGV $$", "exit 1", "exit 0", "echo nonsense", "echo '{}'", "echo '{\"bytes\": 9}'; echo short",
+          "echo '{\"bytes\": 0}'", "echo '{\"problem\": {\"kind\": \"none\", \"detail\": \"\"}, \"bytes\": 0}'"}) {
         EXPECT_THROW(problem_of(shell(broken)), std::exception) << broken;
         EXPECT_EQ(budget_.used(), 0U) << broken;
     }

@@ -58,8 +58,12 @@ TEST_F(ImportsTest, MakesTheMapThatTheCommandMakes) {
     EXPECT_EQ(map["title"], "yard, 100 m around 9.0000, 50.0000");
     EXPECT_EQ(post_json(imports, request, 200)["id"], map["id"]);
     // It is planned on like any other.
-    const Json mission{{"mission", {{"start", {0, 0}}, {"goal", {49, 49}}}}};
-    EXPECT_EQ(post_json("/api/v1/maps/" + map["id"].get<std::string>() + "/plan", mission)["status"], "solved");
+    const Json mission{{"mission", {{"start", {16, 16}}, {"goal", {33, 33}}}}};
+    const std::string plan = "/api/v1/maps/" + map["id"].get<std::string>() + "/plan";
+    EXPECT_EQ(post_json(plan, mission)["status"], "solved");
+    const Json outside{{"mission", {{"start", {0, 0}}, {"goal", {33, 33}}}}};
+    EXPECT_NE(post_json(plan, outside, 422)["detail"].get<std::string>().find("start 0,0 lies in unknown ground"),
+              std::string::npos);
 }
 
 TEST_F(ImportsTest, OptionsAreThoseOfTheCommand) {
@@ -96,9 +100,21 @@ TEST_F(ImportsTest, ObstaclesSayWhatTheyAre) {
 
 TEST_F(ImportsTest, SaysWhatTheSourceLacks) {
     begin();
-    const Json map = post_json(imports, {{"source", sent()}, {"center", {9.0004, 50}}, {"size", 100}}, 201);
-    ASSERT_FALSE(map["notes"].empty());
-    EXPECT_NE(map["notes"].back().get<std::string>().find("covers only"), std::string::npos);
+    Json request{{"source", sent()}, {"center", {9.0004, 50}}, {"size", 100}};
+    const Json map = post_json(imports, request, 201);
+    EXPECT_EQ(map["notes"], Json::array());
+    EXPECT_GT(map["unknown"], 1000);
+    EXPECT_EQ(map["ground"]["unknown"], map["unknown"]);
+    request["unknown_free"] = true;
+    const Json free = post_json(imports, request, 201);
+    EXPECT_EQ(free["unknown"], 0);
+    ASSERT_EQ(free["notes"].size(), 1U);
+    EXPECT_NE(free["notes"][0].get<std::string>().find("covers only"), std::string::npos);
+    // They are the map's own, wherever its file goes, and whatever is drawn on it.
+    const std::string file = get(maps + "/" + free["id"].get<std::string>() + "/file").body;
+    EXPECT_EQ(Json::parse(post(maps, file, octets).body)["notes"], free["notes"]);
+    const Json edits{{"block", {{0, 0, 3}}}};
+    EXPECT_EQ(post_json(maps + "/" + free["id"].get<std::string>() + "/edits", edits, 201)["notes"], free["notes"]);
 }
 
 TEST_F(ImportsTest, SaysWhatIsWrongWithARequest) {

@@ -26,6 +26,7 @@ export interface ImportRequest {
   cell: number; // metres
   profile: Profile;
   section: number | "none"; // metres
+  unknown_free?: boolean; // ground without data is free
 }
 
 export const leastWindow = 10; // metres
@@ -65,6 +66,12 @@ export class Extract {
   // The largest window that is of use.
   get mostSide(): number {
     return Math.min(mostWindow, Math.max(leastWindow, Math.ceil(Math.max(this.size.width, this.size.height))));
+  }
+
+  // Whether more than a trace of a window lies beyond the data.
+  reachesBeyond({ center, size }: Pick<ImportRequest, "center" | "size">): boolean {
+    const [x, y] = this.toPlane(center);
+    return Math.min(x, y, this.size.width - x, this.size.height - y) < 0.495 * size;
   }
 
   // Names of places in view, and where; less important ones where they do not touch others.
@@ -111,4 +118,9 @@ export function usualImport(source: Source): ImportRequest {
 
 export function cellsOf({ size, cell }: ImportRequest): number {
   return Math.round(size / cell);
+}
+
+// Of such data one knows where it ends; what else is sent is GeoJSON.
+export function isOpenStreetMap({ name }: Source): boolean {
+  return !/\.(geo)?json(\.gz)?$/i.test(name);
 }

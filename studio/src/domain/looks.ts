@@ -1,8 +1,9 @@
 // How obstacles look on the map: by what they are, and by whether they can be removed.
 import type { CellMap } from "./cell_map";
 import type { Obstacle } from "./map";
+import { isUnknown } from "./unknown_ground";
 
-export const looks = ["removable", "barrier", "fixed", "water", "cliff", "forbidden"] as const;
+export const looks = ["removable", "barrier", "fixed", "water", "cliff", "forbidden", "unknown"] as const;
 
 export type Look = (typeof looks)[number];
 
@@ -10,7 +11,9 @@ export type Look = (typeof looks)[number];
 export type Ruled = Pick<ReadonlyMap<number, unknown>, "has">;
 const none: Ruled = new Map();
 
-export function lookOf({ id, kind, destructible }: Obstacle, ruled = none): Look {
+export function lookOf(obstacle: Obstacle, ruled = none): Look {
+  const { id, kind, destructible } = obstacle;
+  if (isUnknown(obstacle)) return "unknown";
   if (destructible && ruled.has(id)) return "fixed";
   if (destructible) return kind === "barrier" ? "barrier" : "removable";
   if (kind === "off_road") return "forbidden";

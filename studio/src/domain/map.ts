@@ -17,9 +17,10 @@ export interface MapDescription {
   start: Cell | null;
   goal: Cell | null;
   usual_radius?: number; // of a vehicle of which nobody says how large it is, in cells
+  unknown: number; // cells of which nobody knows what is there
   title: string;
   attribution: string;
-  notes: string[];
+  notes: string[]; // what was noticed when the map was made, and when it was read
   digest: string;
 }
 

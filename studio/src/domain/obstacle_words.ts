@@ -1,6 +1,7 @@
 // What an obstacle is, in words, from what the source of the map says of it.
 import type { Kind, Obstacle, Structure } from "./map";
 import { filterText, type TagFilter } from "./tag_filter";
+import { isUnknown } from "./unknown_ground";
 
 const kinds: Record<Kind, string> = {
   unknown: "obstacle",
@@ -20,6 +21,7 @@ export function kindWord(kind: Kind): string {
 export function whatItIs(obstacle: Obstacle): string {
   const { structures } = obstacle;
   if (structures && structures.length > 0) return `section of ${partsOf(structures)}`;
+  if (isUnknown(obstacle)) return "unknown ground";
   const barrier = valuesOf(obstacle, "barrier")[0];
   return barrier && barrier !== "yes" ? barrier : kindWord(obstacle.kind ?? "unknown");
 }
@@ -94,6 +96,7 @@ export function factsOf(obstacle: Obstacle, called: string): string[] {
 // Why it has to stay; null if it can be removed.
 export function whyItStays(obstacle: Obstacle): string | null {
   if (obstacle.destructible) return null;
+  if (isUnknown(obstacle)) return "There is no data of it: nobody knows what is there.";
   switch (obstacle.kind) {
     case "water":
       return "Water: nothing that is opened leads across it.";

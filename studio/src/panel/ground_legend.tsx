@@ -10,6 +10,7 @@ const words: Record<Look, string> = {
   water: "water",
   cliff: "cliff or ditch",
   forbidden: "forbidden ground",
+  unknown: "unknown: no data",
 };
 
 export function GroundLegend({ page }: { page: PageState }) {

@@ -1,6 +1,6 @@
 // Importing a map from map data: where, for whom, how fine.
 import { useMemo } from "preact/hooks";
-import { cellsOf, Extract, type ImportRequest, leastWindow, type Profile } from "../domain/extract";
+import { cellsOf, Extract, type ImportRequest, isOpenStreetMap, leastWindow, type Profile } from "../domain/extract";
 import type { Importer, ImportState } from "../mission/importer";
 import { Segmented } from "./controls";
 import { useModal } from "./dialogs";
@@ -126,7 +126,24 @@ function Window({ importer, source, request }: WindowProps) {
       <p class="import-note">
         {cells} × {cells} cells
       </p>
+      {request.profile !== "paper" && isOpenStreetMap(source) && extract.reachesBeyond(request) && (
+        <Beyond request={request} set={set} />
+      )}
     </div>
+  );
+}
+
+// The window reaches beyond the data.
+function Beyond({ request, set }: { request: ImportRequest; set: (part: Partial<ImportRequest>) => void }) {
+  return (
+    <label class="import-beyond">
+      <input
+        type="checkbox"
+        checked={request.unknown_free ?? false}
+        onChange={(event) => set({ unknown_free: event.currentTarget.checked })}
+      />
+      <span>The window reaches beyond the data. Nobody knows what is there, so it bars the way. Drive there all the same</span>
+    </label>
   );
 }
 

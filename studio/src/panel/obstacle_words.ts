@@ -1,6 +1,7 @@
 // What an obstacle is called: as on the map before anything was drawn, so that its name stays.
 import type { Obstacle } from "../domain/map";
 import { whatItIs } from "../domain/obstacle_words";
+import { isUnknown } from "../domain/unknown_ground";
 import type { ShownMap } from "../mission/maps";
 
 export interface ObstacleName {
@@ -43,7 +44,7 @@ export function nameOfKey(shown: ShownMap, key: number): ObstacleName {
 function nounFor(shown: ShownMap, obstacle: Obstacle): string {
   if (obstacle.structures) return "Section";
   const { kind } = obstacle;
-  if (kind === undefined || kind === "unknown") return obstacle.source_id !== 0 && hasBuildings(shown) ? "Building" : "Obstacle";
+  if (!isUnknown(obstacle) && (kind === undefined || kind === "unknown")) return obstacle.source_id !== 0 && hasBuildings(shown) ? "Building" : "Obstacle";
   const what = whatItIs(obstacle).replaceAll("_", " ");
   return what.charAt(0).toUpperCase() + what.slice(1);
 }

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { cellsOf, Extract, type Source, usualImport } from "../../src/domain/extract";
+import { cellsOf, Extract, isOpenStreetMap, type Source, usualImport } from "../../src/domain/extract";
 
 const source: Source = {
   id: "source-1", name: "town.osm.pbf", bytes: 9, buildings: 3,
@@ -25,6 +25,14 @@ it("keeps windows on the data", () => {
   expect(extract.placed([1e6, 1e6], 1000)).toEqual([extract.size.width - 500, extract.size.height - 500]);
   expect(extract.placed([3000, 2000], 1000)).toEqual([3000, 2000]);
   expect(extract.placed([0, 2000], 6000)).toEqual([3000, extract.size.height / 2]);
+});
+
+it("ends, and windows can reach beyond", () => {
+  expect(extract.reachesBeyond({ center: [9.05, 50.025], size: 5600 })).toBe(false);
+  expect(extract.reachesBeyond({ center: [9.05, 50.025], size: 5700 })).toBe(true);
+  expect(extract.reachesBeyond({ center: [9.005, 50.025], size: 1202.4 })).toBe(true);
+  expect(isOpenStreetMap(source)).toBe(true);
+  expect(isOpenStreetMap({ ...source, name: "houses.GeoJSON" })).toBe(false);
 });
 
 it("is drawn where it is built up", () => {

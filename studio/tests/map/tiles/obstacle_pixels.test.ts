@@ -11,10 +11,12 @@ const colours = {
   water: { fill: "#101010", edge: "#606060" },
   cliff: { fill: "#202020", edge: "#303030" },
   forbidden: { fill: "#505050", edge: "#a0a0a0" },
+  unknown: { fill: "#c0c0c0", edge: "#707070" },
 };
 const names: Record<number, string> = {
   0: ".", 0xffff0000: "o", 0xff00ff00: "e", 0xff0000ff: "f", 0xffffffff: "F", 0xffffff00: "b", 0xff00ffff: "B",
   0xff101010: "w", 0xff606060: "W", 0xff404040: "~", 0xff505050: "c", 0xffa0a0a0: "C", 0xff808080: "s",
+  0xffc0c0c0: "u", 0xff707070: "U", 0xff909090: "#",
 };
 
 function picture(map: ReturnType<typeof mapOf>, level: number, width: number, height: number): string[] {
@@ -87,6 +89,22 @@ describe("pixels of obstacles", () => {
       "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWcccccssccccccssC",
       "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWccccccssccccccsC",
       "BBBBBBBBWWWWWWWWWWWWWWWWWWWWWWWWCCCCCCCCCCCCCCCC",
+    ]);
+  });
+
+  it("have a lattice where nobody knows what is there", () => {
+    const map = mapOf("A");
+    Object.assign(map.obstacle(1)!, { tags: ["occupancy=unknown"] });
+    // Lines and edges of the map, as of any obstacle; inside, both diagonals.
+    expect(picture(map, 4, 16, 16).slice(1, 9)).toEqual([
+      "U#uuuuu#u#uuuuuU",
+      "Uu#uuu#uuu#uuu#U",
+      "Uuu#u#uuuuu#u#uU",
+      "Uuuu#uuuuuuu#uuU",
+      "Uuu#u#uuuuu#u#uU",
+      "Uu#uuu#uuu#uuu#U",
+      "U#uuuuu#u#uuuuuU",
+      "Uuuuuuuu#uuuuuuU",
     ]);
   });
 

@@ -75,7 +75,8 @@ describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of 
 
 describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of the ground, %s", (_, theme) => {
   const { paper, street, removedTint, obstacles } = theme;
-  const closed = [removedTint, ...looks.map((look) => obstacles[look].fill)];
+  const known = looks.filter((look) => look !== "unknown");
+  const closed = [removedTint, ...known.map((look) => obstacles[look].fill)];
 
   it.each(Object.entries({ ...eyes, greyscale }))("are apart for eyes with %s vision", (_, eye) => {
     expect(leastDistance(closed, eye)).toBeGreaterThan(0.05);
@@ -87,6 +88,12 @@ describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of 
   it("have patterns and edges that show in print", () => {
     for (const look of looks) expect(distance(obstacles[look].fill, obstacles[look].edge, greyscale), look).toBeGreaterThan(0.1);
     expect(distance(removedTint, theme.removed, greyscale)).toBeGreaterThan(0.2);
+  });
+
+  // Where nobody knows, it looks like what lies beyond the map, under a lattice that nothing else has.
+  it.each(Object.entries({ ...eyes, greyscale }))("have a lattice on what is unknown, for eyes with %s vision", (_, eye) => {
+    expect(obstacles.unknown.fill).toBe(theme.outside);
+    expect(distance(obstacles.unknown.fill, obstacles.unknown.edge, eye)).toBeGreaterThan(0.35);
   });
 });
 
@@ -152,7 +159,7 @@ it("pictures have the colours of the light page", () => {
   const palette = text("../src/render/palette.hpp");
   const colours = Object.fromEntries([...palette.matchAll(/string_view (\w+) = "(#\w{6})"/g)].map(([, name, value]) => [name!, value!]));
   const lists = (name: string) => new RegExp(`${name}\\{([^}]*)\\}`).exec(palette)![1]!.split(",").map((one) => one.trim());
-  const names = { removable: "obstacle", barrier: "barrier", fixed: "fixed_obstacle", water: "deep_water", cliff: "cliff", forbidden: "forbidden" };
+  const names = { removable: "obstacle", barrier: "barrier", fixed: "fixed_obstacle", water: "deep_water", cliff: "cliff", forbidden: "forbidden", unknown: "unknown" };
   for (const look of looks) expect(colours[names[look]], look).toBe(light.obstacles[look].fill);
   for (const name of ["paper", "removed", "ground", "air"] as const) expect(colours[name], name).toBe(light[name]);
   expect(colours.removed_tint).toBe(light.removedTint);
