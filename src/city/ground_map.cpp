@@ -1,5 +1,6 @@
 #include "city/ground_map.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "city/label_raster.hpp"
@@ -35,12 +36,28 @@ std::vector<std::uint32_t> ways(const std::vector<GroundPiece>& pieces, const Ce
     return opened;
 }
 
+std::vector<std::uint32_t> bridges(const std::vector<GroundPiece>& pieces, const CellWindow& window) {
+    if (std::none_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.use.bridge; })) return {};
+    std::vector<std::uint32_t> cells(std::size_t(window.width) * std::size_t(window.height), 0);
+    for (const bool lines : {false, true}) {
+        std::vector<Paint> paints;
+        for (const GroundPiece& piece : pieces) {
+            if (piece.use.bridge && is_line(piece.shape->getGeometryType()) == lines) {
+                paints.push_back({piece.shape.get(), 1});
+            }
+        }
+        paint(paints, lines ? Cover::touched : Cover::centre, window, cells);
+    }
+    return cells;
+}
+
 }  // namespace
 
 GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& window) {
     if (pieces.empty()) return {};
     GroundMap map{.blocked = std::vector<std::uint32_t>(std::size_t(window.width) * std::size_t(window.height), 0),
-                  .opened = ways(pieces, window)};
+                  .opened = ways(pieces, window),
+                  .bridges = bridges(pieces, window)};
     std::vector<Paint> paints;
     for (const GroundLayer layer :
          {GroundLayer::water, GroundLayer::way_over, GroundLayer::forbidden, GroundLayer::closed}) {

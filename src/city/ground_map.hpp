@@ -19,6 +19,8 @@ struct GroundMap {
     // What ways open for each cell; no entries if there are no ways.
     enum Opens : std::uint32_t { nothing, barriers, forbidden_lines, everything };
     std::vector<std::uint32_t> opened;
+    // Other than 0 where a bridge leads; no entries if there are none.
+    std::vector<std::uint32_t> bridges;
 };
 
 GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& window);

@@ -195,10 +195,13 @@ void add_way(const TagSet& tags, const WayClass& way, Shape shape, Profile profi
     }
     const bool below = is_below(tags) && !in_passage(tags);
     const bool over = tags.says("bridge") || tags.says("ford") || tags.says("embankment");
-    if (over && !below) uses.push_back({.layer = GroundLayer::way_over, .width = width});
+    const bool bridge = tags.says("bridge") && !below;
+    if (over && !below) uses.push_back({.layer = GroundLayer::way_over, .width = width, .bridge = bridge});
     // Without the line in its middle an area opens what it lies over, but no fence or house that stands on it.
     if (shape != Shape::line) return;
-    uses.push_back({.layer = in_tunnel(tags) || below ? GroundLayer::underpass : GroundLayer::way, .width = own});
+    uses.push_back({.layer = in_tunnel(tags) || below ? GroundLayer::underpass : GroundLayer::way,
+                    .width = own,
+                    .bridge = bridge});
 }
 
 void add_blocked(const TagSet& tags, Shape shape, std::vector<GroundUse>& uses) {

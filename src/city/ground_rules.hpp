@@ -34,6 +34,7 @@ struct GroundUse {
     double width = 0;                                       // of a line, in metres; of a way, what the vehicle needs
     bool outline = false;                                   // of an area only its outline counts
     bool drawn_as_area = false;                             // where an area covers it, a line says nothing new
+    bool bridge = false;                                    // of a way: no flood reaches it
 };
 
 // What a feature of that shape is to the profile; mostly nothing.

@@ -3,8 +3,8 @@
 // What GDAL's tools keep is kept in its own places: coordinate system and cell size, the title as TIFF image
 // description, the attribution as TIFF copyright. What they have no place for, who each obstacle is
 // (obstacle_metadata.hpp, obstacle_names.hpp, kinds_item.hpp, tags_item.hpp), of what it is a part (sections_item.hpp)
-// and what lies around them (background_item.hpp), stands in metadata items, which gdal_translate copies too: see
-// docs/data.md.
+// and what lies around them (background_item.hpp, bridges_item.hpp), stands in metadata items, which gdal_translate
+// copies too: see docs/data.md.
 #pragma once
 
 #include <array>

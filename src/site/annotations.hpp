@@ -3,8 +3,10 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "site/background.hpp"
+#include "site/cell_run.hpp"
 #include "site/obstacle_kinds.hpp"
 #include "site/obstacle_names.hpp"
 #include "site/obstacle_tags.hpp"
@@ -14,13 +16,14 @@
 namespace waybreaker::site {
 
 struct Annotations {
-    std::string title = {};        // place and window, for captions; any bytes, may be empty
-    std::string attribution = {};  // of the source data: "© OpenStreetMap contributors, ODbL 1.0"; any bytes
-    ObstacleNames names = {};      // what people call the obstacles
-    ObstacleKinds kinds = {};      // what the obstacles are: buildings, water, ...
-    ObstacleTags tags = {};        // what the source says of them: amenity=school, ...
-    Sections sections = {};        // what they are parts of, where they are cut
-    Background background = {};    // streets, water, ...
+    std::string title = {};             // place and window, for captions; any bytes, may be empty
+    std::string attribution = {};       // of the source data: "© OpenStreetMap contributors, ODbL 1.0"; any bytes
+    ObstacleNames names = {};           // what people call the obstacles
+    ObstacleKinds kinds = {};           // what the obstacles are: buildings, water, ...
+    ObstacleTags tags = {};             // what the source says of them: amenity=school, ...
+    Sections sections = {};             // what they are parts of, where they are cut
+    Background background = {};         // streets, water, ...
+    std::vector<CellRun> bridges = {};  // open cells that a flood does not reach, row by row
 
     // Empty where it is unknown.
     std::string_view name_of(ObstacleId id) const {
