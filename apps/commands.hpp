@@ -20,6 +20,7 @@ void setup_map(CLI::App& root, Run& run);
 void setup_map_info(CLI::App& map, Run& run);
 void setup_map_convert(CLI::App& map, Run& run);
 void setup_map_split(CLI::App& map, Run& run);
+void setup_map_overlay(CLI::App& map, Run& run);
 void setup_map_generate(CLI::App& map, Run& run);
 void setup_missions_generate(CLI::App& root, Run& run);
 void setup_experiment(CLI::App& root, Run& run);

@@ -8,15 +8,19 @@
 
 #include "background_summary.hpp"
 #include "city/city_import.hpp"
+#include "city/extract.hpp"
 #include "city/ground_rules.hpp"
 #include "commands.hpp"
 #include "help.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_info.hpp"
+#include "measure.hpp"
 #include "named_files.hpp"
 #include "note.hpp"
 #include "option.hpp"
+#include "overlay_options.hpp"
 #include "progress.hpp"
+#include "site/named_places.hpp"
 #include "site/obstacle_kinds.hpp"
 #include "site/unknown_ground.hpp"
 #include "waybreaker/error.hpp"
@@ -30,7 +34,10 @@ struct ImportOptions {
     std::string source;
     std::string output;
     bool center = false;  // given
+    std::string place;    // or its name
+    bool sized = false;
     std::optional<double> tile;
+    OverlayOptions overlays;
     city::ImportOptions window;
 };
 
@@ -128,8 +135,11 @@ void import_one(const ImportOptions& options) {
     Noticed noticed;
     noticed.see(report);
     noticed.say(options.source);
+    note_overlays(report.overlays);
     io::write_whole(options.output, geotiff::label_tiff_bytes(report.tiff));
-    if (options.output != "-") io::write_whole("-", summary_line(options.output, report, things_of(options)));
+    if (options.output == "-") return;
+    io::write_whole("-", summary_line(options.output, report, things_of(options)) +
+                             overlay_summary(report.overlays, report.tiff.cell_size));
 }
 
 // Files ROW_COLUMN.tif in a folder.
@@ -160,11 +170,60 @@ void import_folder(const ImportOptions& options, double tile_side) {
                                              all - count, all));
 }
 
-void run(const ImportOptions& options) {
-    keep_inputs({{"--output", options.output}}, {{"SOURCE", options.source}});
-    if (options.center == options.window.box.has_value()) {
+// The place of that name that an extract knows.
+city::NamedPlace place_called(const std::string& name, const city::Extract& extract, const std::string& source) {
+    const auto those_that = [&extract](auto holds) {
+        std::vector<city::NamedPlace> found;
+        for (const city::NamedPlace& place : extract.places) {
+            if (holds(site::plain_text(place.name))) found.push_back(place);
+        }
+        return found;
+    };
+    const std::string wanted = site::plain_text(name);
+    std::vector<city::NamedPlace> found = those_that([&](const std::string& plain) { return plain == wanted; });
+    if (found.empty()) found = those_that([&](const std::string& plain) { return plain.starts_with(wanted); });
+    if (found.size() == 1) return found.front();
+    std::vector<std::string> names;
+    for (const city::NamedPlace& place : found.empty() ? extract.places : found) names.push_back(place.name);
+    throw InputError(fmt::format(
+        "--center '{}' {} of {}; {}", shown(name),
+        found.empty() ? "is the name of no town or quarter" : "is the name of several places", source,
+        names.empty() ? "it names none: give LON,LAT" : fmt::format("it names {}", fmt::join(names, ", "))));
+}
+
+// Around the place that is named, or where the source is built up most.
+void place_window(ImportOptions& options) {
+    const city::Extract extract = [&options] {
+        const Progress progress("looking through " + options.source);
+        return city::read_extract(options.source);
+    }();
+    city::ImportOptions& window = options.window;
+    const bool named = !options.place.empty();
+    std::array<double, 2> center = extract.densest;
+    std::string what = "where it is built up most";
+    if (named) {
+        const city::NamedPlace place = place_called(options.place, extract, options.source);
+        center = place.at;
+        what = place.name;
+    } else if (!options.sized) {
+        window.size = extract.side;
+    }
+    window.longitude = center[0];
+    window.latitude = center[1];
+    note(options.source, fmt::format("the window lies around {:.6g},{:.6g}, {}", center[0], center[1], what));
+}
+
+void run(const ImportOptions& given) {
+    ImportOptions options = given;
+    options.window.overlays = overlays_of(given.overlays);
+    NamedFiles inputs{{"SOURCE", options.source}};
+    for (const city::OverlaySource& overlay : options.window.overlays) inputs.emplace_back("--also", overlay.file);
+    keep_inputs({{"--output", options.output}}, inputs);
+    if (options.center && options.window.box) {
         throw InputError("give the window either by --center (and --size) or by --bbox");
     }
+    const bool stated = options.window.box || (options.center && options.place.empty());
+    if (!stated) place_window(options);
     if (!options.tile) {
         require_ending("--output", options.output, {".tif", ".tiff"},
                        "; waybreaker map convert then writes that map in other formats");
@@ -191,29 +250,24 @@ void add_filters(CLI::App& command, const std::string& name, std::vector<city::T
         ->trigger_on_parse();
 }
 
-void add_quantity(CLI::App& command, const std::string& name, city::Quantity& quantity, const std::string& text) {
-    command
-        .add_option_function<std::string>(
-            name,
-            [name, &quantity](const std::string& given) {
-                try {
-                    quantity = city::parse_quantity(given);
-                } catch (const InputError& error) {
-                    throw CLI::ValidationError(name, error.what());
-                }
-            },
-            text)
-        ->type_name("WHAT");
-}
-
 void add_window_options(CLI::App& command, const std::shared_ptr<ImportOptions>& options) {
     city::ImportOptions& window = options->window;
     add_lon_lat(command, "--center", window.longitude, window.latitude,
-                "Centre of the window, in degrees east and north")
-        ->each([options](const std::string&) { options->center = true; });
+                "Centre of the window, in degrees east and north, or the name of a town or quarter in the map data "
+                "(default: where it is built up most)")
+        ->transform([options](const std::string& given) {
+            options->place = is_name(given) ? given : "";
+            return options->place.empty() ? given : "0,0";
+        })
+        ->each([options](const std::string&) { options->center = true; })
+        ->type_name("LON,LAT|NAME");
     add_number(
-        command, "--size", [options](double size) { options->window.size = size; }, lengths, "METRES",
-        fmt::format("Side of the window around the centre (default: {})", window.size));
+        command, "--size",
+        [options](double size) {
+            options->window.size = size;
+            options->sized = true;
+        },
+        lengths, "METRES", fmt::format("Side of the window around the centre (default: {})", window.size));
     add_box(command, "--bbox", window.box, "The window by its edges, in degrees, in place of centre and size");
     add_number(
         command, "--cell", [options](double cell) { options->window.cell = cell; }, lengths, "METRES",
@@ -284,6 +338,7 @@ void setup_import(CLI::App& root, Run& run_chosen) {
     add_choice_options(*command, options->window.choice);
     command->add_flag("--unknown-free", options->window.unknown_free,
                       "What lies beyond the data of an OpenStreetMap file is free, not unknown");
+    add_overlay_options(*command, options->overlays);
     command->add_flag("--merge-touching", options->window.merge_touching,
                       "Buildings that touch are one obstacle, as in the paper");
     command->add_flag_callback(
@@ -301,6 +356,8 @@ void setup_import(CLI::App& root, Run& run_chosen) {
                   ("waybreaker import monaco.osm.pbf --bbox 7.41,43.725,7.43,43.74 --obstacles building "
                    "--obstacles barrier=wall --obstacles natural=water --protected natural=water "
                    "--obstacle-weight area -o monaco.tif"),
+                  "waybreaker import krems.osm.pbf --center 15.605,48.4095 --also flood.geojson --as water "
+                  "--also debris.geojson --as debris -o krems-today.tif",
                   "waybreaker import kyoto.osm.gz --center 135.765,34.96 --size 3607.2 --tile 1202.4 -o kyoto"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }

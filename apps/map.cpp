@@ -11,6 +11,7 @@ void setup_map(CLI::App& root, Run& run_chosen) {
     setup_map_info(*map, run_chosen);
     setup_map_convert(*map, run_chosen);
     setup_map_split(*map, run_chosen);
+    setup_map_overlay(*map, run_chosen);
     setup_map_generate(*map, run_chosen);
 }
 

@@ -50,6 +50,17 @@ std::string no_cell(const std::string& text) {
                        max_side - 1, fraction ? "; --lonlat takes degrees, --map-metres metres" : "");
 }
 
+// "Zenklova (street), Zelená (street), ...": the first few.
+std::string names_of(const std::vector<site::NamedPlace>& places) {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min(places.size(), most); ++i) {
+        names.push_back(fmt::format("{} ({})", places[i].name, places[i].what));
+    }
+    if (places.size() > most) names.emplace_back("...");
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 // A cell given as two whole numbers, which may be any.
 Cell cell_on(const io::MapFile& map, Point cell, const GivenPlace& place, const std::string& extent) {
     const bool inside = cell.x >= 0 && cell.y >= 0 && cell.x < map.map.width() && cell.y < map.map.height();
@@ -61,6 +72,17 @@ Cell cell_on(const io::MapFile& map, Point cell, const GivenPlace& place, const 
 }
 
 }  // namespace
+
+// Letters, without a comma or with a blank behind it.
+bool is_name(std::string_view text) {
+    const auto is_letter = [](char c) {
+        const bool other_language = (static_cast<unsigned char>(c) & 0x80U) != 0;
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || other_language;
+    };
+    const std::size_t comma = text.find(',');
+    const bool blank = comma != std::string_view::npos && text.substr(comma).starts_with(", ");
+    return (comma == std::string_view::npos || blank) && std::ranges::any_of(text, is_letter);
+}
 
 CLI::Option* add_measure(CLI::App& app, const std::string& name, std::optional<Measure>& value, Range range,
                          const Units& units, const std::string& type, const std::string& text) {
@@ -106,6 +128,10 @@ double in_cells(const Measure& measure, const io::MapFile& map, Range range) {
 CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<GivenPlace>& value,
                        const std::string& text) {
     const auto read = [name, &value](const std::string& given) {
+        if (is_name(given)) {
+            value = GivenPlace{.option = name, .text = given, .is_name = true};
+            return;
+        }
         const std::size_t comma = given.find(',');
         if (comma == std::string::npos) {
             throw CLI::ValidationError(
@@ -116,9 +142,9 @@ CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<Giv
         const auto x = number(std::string_view(given).substr(0, comma));
         const auto y = number(std::string_view(given).substr(comma + 1));
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        value = GivenPlace{name, given, {x.value_or(none), y.value_or(none)}};
+        value = GivenPlace{.option = name, .text = given, .numbers = {x.value_or(none), y.value_or(none)}};
     };
-    return app.add_option_function<std::string>(name, read, text)->type_name("X,Y");
+    return app.add_option_function<std::string>(name, read, text)->type_name("X,Y|NAME");
 }
 
 Cell cell_of(const GivenPlace& place) {
@@ -157,6 +183,23 @@ Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map) {
         fmt::format("from {:.6f},{:.6f} in the south-west to {:.6f},{:.6f}", west, south, east, north);
     const Point point = geotiff::FromLonLat(*map.georeference)({Point(lon, lat)}).front();
     return cell_on(map, {std::floor(point.x + 0.5), std::floor(point.y + 0.5)}, place, extent);
+}
+
+site::NamedPlace place_called(const GivenPlace& place, const io::MapFile& map) {
+    using How = site::PlacesFound::How;
+    const site::PlacesFound found = site::places_called(place.text, map.map, map.annotations);
+    const std::string asked = fmt::format("{} '{}'", place.option, shown(place.text));
+    if (found.places.empty()) {
+        throw InputError(
+            fmt::format("{}: nothing on {} is called so; X,Y takes a cell, --lonlat degrees", asked, map.source));
+    }
+    if (found.how == How::contains || found.places.size() > 1) {
+        throw InputError(
+            fmt::format("{}: {} on {}: {}", asked,
+                        found.how == How::contains ? "no name begins so, but it is in these" : "several names begin so",
+                        map.source, names_of(found.places)));
+    }
+    return found.places.front();
 }
 
 Cell cell_at_metres(const GivenPlace& place, const io::MapFile& map) {

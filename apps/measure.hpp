@@ -10,6 +10,7 @@
 
 #include "io/map_file.hpp"
 #include "option.hpp"
+#include "site/named_places.hpp"
 #include "waybreaker/mission.hpp"
 
 namespace waybreaker::apps {
@@ -49,11 +50,13 @@ inline constexpr Range radii{0, 32};  // cells, the room between agents as well
 inline constexpr Range speeds{least_speed, most_speed};
 inline constexpr Range breach_times{0, most_breach_time};
 
-// "12,20" or "13.3777,52.5163". What is no number is NaN: only the other options say what is asked for instead.
+// "12,20" or "13.3777,52.5163", or a name such as "Zenklova". What is no number is NaN: only the other options say what
+// is asked for instead.
 struct GivenPlace {
     std::string option;
     std::string text;
     std::array<double, 2> numbers{};
+    bool is_name = false;
 };
 
 CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<GivenPlace>& value,
@@ -64,6 +67,11 @@ CLI::Option* add_place(CLI::App& app, const std::string& name, std::optional<Giv
 Cell cell_of(const GivenPlace& place);
 Cell cell_at_lon_lat(const GivenPlace& place, const io::MapFile& map);
 Cell cell_at_metres(const GivenPlace& place, const io::MapFile& map);
+// What the map calls so. Throws InputError, with what else could be meant, if nothing is called so or several things
+// are.
+site::NamedPlace place_called(const GivenPlace& place, const io::MapFile& map);
+// Whether a text names a place and gives no numbers: "17. listopadu", "Berlin, Mitte".
+bool is_name(std::string_view text);
 // The same of what can be said before there is a map.
 void validate_lon_lat(const GivenPlace& place);
 void validate_metres(const GivenPlace& place);

@@ -7,7 +7,9 @@
 
 #include "core/range.hpp"
 #include "io/weights.hpp"
+#include "model/nearest_place.hpp"
 #include "note.hpp"
+#include "places.hpp"
 #include "plan_options.hpp"
 #include "team_options.hpp"
 #include "waybreaker/error.hpp"
@@ -31,14 +33,36 @@ struct Places {
     std::optional<Cell> start, goal, air_start, air_goal;
 };
 
+Cell centre_of(const site::NamedPlace& place) {
+    return {int(std::lround(place.at.x)), int(std::lround(place.at.y))};
+}
+
 Places places_of(const PlanOptions& options, const io::MapFile& map) {
     const auto cell = [&](const std::optional<GivenPlace>& place) -> std::optional<Cell> {
         if (!place) return std::nullopt;
-        return options.lon_lat      ? cell_at_lon_lat(*place, map)
+        return place->is_name       ? centre_of(place_called(*place, map))
+               : options.lon_lat    ? cell_at_lon_lat(*place, map)
                : options.map_metres ? cell_at_metres(*place, map)
                                     : cell_of(*place);
     };
     return {cell(options.start), cell(options.goal), cell(options.air_start), cell(options.air_goal)};
+}
+
+// A name stands for the nearest cell where the ground agent has room.
+void leave_obstacles(const PlanOptions& options, const io::MapFile& map, const Places& places, Mission& mission) {
+    const OpenedMap closed(map.map);
+    const auto leave = [&](const std::optional<GivenPlace>& given, const std::optional<Cell>& named, Cell Agent::*end) {
+        if (!given || !given->is_name) return;
+        const Cell at = nearest_place(closed, *named, mission.ground_body()).value_or(*named);
+        const site::NamedPlace place = place_called(*given, map);
+        note(map.source,
+             fmt::format("{} is {} ({}): {}", given->option, place.name, place.what, place_text(at, options, map)));
+        for (Agent& agent : mission.agents) {
+            if (agent.*end == *named) agent.*end = at;
+        }
+    };
+    leave(options.start, places.start, &Agent::start);
+    leave(options.goal, places.goal, &Agent::goal);
 }
 
 // Thousandths of a cell count; of metres never less than asked for.
@@ -78,6 +102,7 @@ void set_agents(const PlanOptions& options, const io::MapFile& map, Mission& mis
             if (options.radius) agent.body.radius = radius_of(*options.radius, map);
         }
     }
+    leave_obstacles(options, map, places, mission);
 }
 
 // Of whoever nobody has said how large it is.

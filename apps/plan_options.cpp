@@ -87,7 +87,9 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--mission", options.mission,
              "Read the mission from a mission file (JSON); other options override what it says");
     add_team_options(command, options);
-    add_place(command, "--start", options.start, "Where both agents start (default: as the map file says)");
+    add_place(command, "--start", options.start,
+              "Where both agents start: a cell, or the name of a street or an obstacle that the map knows (default: as "
+              "the map file says)");
     add_place(command, "--goal", options.goal, "Where both agents end (default: as the map file says)");
     add_place(command, "--air-start", options.air_start, "Where the air agent starts, if elsewhere");
     add_place(command, "--air-goal", options.air_goal, "Where the air agent ends, if elsewhere");
@@ -281,7 +283,7 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
 // Before the map is read.
 void validate_places(const PlanOptions& options) {
     for (const auto* place : {&options.start, &options.goal, &options.air_start, &options.air_goal}) {
-        if (!*place) continue;
+        if (!*place || (*place)->is_name) continue;
         if (options.lon_lat) {
             validate_lon_lat(**place);
         } else if (options.map_metres) {

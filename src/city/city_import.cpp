@@ -151,6 +151,23 @@ void append_ground(const GroundMap& ground, const std::vector<GroundPiece>& piec
     }
 }
 
+// The open cells of the map that bridges carry.
+std::vector<site::CellRun> bridges_of(const GroundMap& ground, const Map& map) {
+    std::vector<site::CellRun> runs;
+    if (ground.bridges.empty()) return runs;
+    const std::uint32_t* bridge = ground.bridges.data();
+    for (Cell c; c.y < map.height(); ++c.y) {
+        bool before = false;
+        for (c.x = 0; c.x < map.width(); ++c.x, ++bridge) {
+            const bool open = *bridge != 0 && !map.grid().blocked(c);
+            if (open && !before) runs.push_back({c, 0});
+            if (open) ++runs.back().length;
+            before = open;
+        }
+    }
+    return runs;
+}
+
 std::string title_of(const std::string& source, const CellWindow& window, double cell) {
     std::string name = std::filesystem::path(source).filename().string();
     name.resize(std::min(name.find('.'), name.size()));
@@ -266,6 +283,12 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
     if (const int side = section_side(options); side > 0) {
         described = site::split(described.map, described.annotations, {.side = side});
     }
+    described.annotations.bridges = bridges_of(ground, described.map);
+    std::vector<OverlayReport> overlays;
+    for (const OverlaySource& overlay : options.overlays) {
+        overlays.push_back(
+            lay_over(overlay, window.georeference, {options.choice.weight, options.choice.breach_time}, described));
+    }
     std::vector<std::string> notes = import_notes(material.footprints, material.survey);
     described.annotations.notes = notes;
     const double covered = share_of(material.data.get(), window.window.bounds);
@@ -280,7 +303,8 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
                         .covered = material.covered,
                         .unknown_beyond = unknown_beyond,
                         .profile = profile_of(options),
-                        .notes = std::move(notes)};
+                        .notes = std::move(notes),
+                        .overlays = std::move(overlays)};
     for (const Seen& one : seen) {
         if (is_sheltered(one, options.choice)) ++report.sheltered;
         if (one.footprint->kind == Kind::barrier) continue;

@@ -10,6 +10,7 @@
 
 #include "city/ground_rules.hpp"
 #include "city/obstacle_choice.hpp"
+#include "city/overlay_source.hpp"
 #include "geotiff/label_tiff.hpp"
 
 namespace waybreaker::city {
@@ -34,6 +35,8 @@ struct ImportOptions {
     bool background = true;  // keep streets, water, green and places
     // What lies beyond the data of an OpenStreetMap file is free instead of unknown. For `paper` it always is.
     bool unknown_free = false;
+    // What is laid over the finished map, one after the other; what they weigh is as `choice` says.
+    std::vector<OverlaySource> overlays = {};
 };
 
 // Columns and rows of the window. Throws InputError, naming the option, if there is no such window.
@@ -48,6 +51,7 @@ struct ImportReport {
     Profile profile = Profile::paper;
     std::size_t sheltered = 0;            // obstacles that the profile protects
     std::vector<std::string> notes = {};  // what the user should know of the source, a line each
+    std::vector<OverlayReport> overlays = {};
 };
 
 // Buildings, or what else is chosen, become obstacles, one each unless merged, with their source ids (OSM ways

@@ -91,6 +91,21 @@ Cells roads(const std::vector<GroundPiece>& pieces, const CellWindow& window, co
     return cells;
 }
 
+Cells bridges(const std::vector<GroundPiece>& pieces, const CellWindow& window) {
+    if (std::none_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.use.bridge; })) return {};
+    Cells cells = no_cells(window);
+    for (const bool lines : {false, true}) {
+        std::vector<Paint> paints;
+        for (const GroundPiece& piece : pieces) {
+            if (piece.use.bridge && is_line(piece.shape->getGeometryType()) == lines) {
+                paints.push_back({piece.shape.get(), 1});
+            }
+        }
+        paint(paints, lines ? Cover::touched : Cover::centre, window, cells);
+    }
+    return cells;
+}
+
 // Whether a way passes what blocks otherwise.
 bool is_open(const GroundUse& use, std::uint32_t opened) {
     const bool forbidden_line = use.layer == GroundLayer::forbidden && use.width > 0;
@@ -103,7 +118,7 @@ bool is_open(const GroundUse& use, std::uint32_t opened) {
 GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& window, Profile profile, double cell) {
     if (pieces.empty()) return {};
     GroundMap map{
-        .blocked = no_cells(window), .opened = ways(pieces, window, site::body_radius(profile, cell)), .roads = {}};
+        .blocked = no_cells(window), .opened = ways(pieces, window, site::body_radius(profile, cell)), .roads = {}, .bridges = bridges(pieces, window)};
     if (keeps_to_roads(profile)) map.roads = roads(pieces, window, map.opened);
     std::vector<Paint> paints;
     for (const GroundLayer layer : {GroundLayer::bridge_side, GroundLayer::water, GroundLayer::way_over,

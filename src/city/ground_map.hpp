@@ -22,6 +22,8 @@ struct GroundMap {
     std::vector<std::uint32_t> opened;
     // Other than 0 where a profile may drive that keeps to roads; no entries for others.
     std::vector<std::uint32_t> roads;
+    // Other than 0 where a bridge leads; no entries if there are none.
+    std::vector<std::uint32_t> bridges;
 };
 
 // `cell`: its side in metres.

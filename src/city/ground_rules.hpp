@@ -45,6 +45,7 @@ struct GroundUse {
     bool drawn_as_area = false;                             // where an area covers it, a line says nothing new
     // Of a way or a side of a bridge the metres that the way is wide; `width` is then what the vehicle needs.
     double breadth = 0;
+    bool bridge = false;  // of a way: no flood reaches it
 };
 
 // What a feature of that shape is to the profile; mostly nothing.

@@ -133,4 +133,16 @@ CellWindow part_of(const CellWindow& whole, int x, int y, int width, int height)
                      center);
 }
 
+CellWindow window_of(const site::Georeference& place, int width, int height) {
+    const std::array<double, 2> center = geotiff::ToLonLat(place)((width - 1) / 2.0, (height - 1) / 2.0);
+    CellWindow window{{OGRSpatialReference(place.crs.c_str()), {}}, width, height, place, center};
+    window.window.system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::array<double, 6>& transform = place.transform;
+    window.window.bounds.MinX = transform[0];
+    window.window.bounds.MaxX = transform[0] + width * transform[1];
+    window.window.bounds.MinY = transform[3] + height * transform[5];
+    window.window.bounds.MaxY = transform[3];
+    return window;
+}
+
 }  // namespace waybreaker::city

@@ -22,4 +22,7 @@ CellWindow import_window(const ImportOptions& options);
 // A part of a window, in cells from its upper-left corner.
 CellWindow part_of(const CellWindow& whole, int x, int y, int width, int height);
 
+// The cells of a map that lies somewhere.
+CellWindow window_of(const site::Georeference& place, int width, int height);
+
 }  // namespace waybreaker::city

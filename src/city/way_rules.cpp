@@ -117,7 +117,8 @@ void add_class(const TagSet& tags, const WayClass& way, Shape shape, Profile pro
     if (on_bridge(tags) && line) {
         uses.push_back({.layer = GroundLayer::bridge_side, .kind = Kind::cliff, .width = own, .breadth = width});
     }
-    if (over && !below) uses.push_back({.layer = GroundLayer::way_over, .width = width});
+    const bool bridge = tags.says("bridge") && !below;
+    if (over && !below) uses.push_back({.layer = GroundLayer::way_over, .width = width, .bridge = bridge});
     if (keeps_to_roads(profile) && !below && !in_tunnel(tags)) {
         uses.push_back({.layer = GroundLayer::road, .width = width});
     }
@@ -125,7 +126,8 @@ void add_class(const TagSet& tags, const WayClass& way, Shape shape, Profile pro
     if (!line) return;
     uses.push_back({.layer = in_tunnel(tags) || below ? GroundLayer::underpass : GroundLayer::way,
                     .width = own,
-                    .breadth = width});
+                    .breadth = width,
+                    .bridge = bridge});
 }
 
 // Where a profile may drive that keeps to roads.

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "geotiff/background_item.hpp"
+#include "geotiff/bridges_item.hpp"
 #include "geotiff/gdal_scope.hpp"
 #include "geotiff/kinds_item.hpp"
 #include "geotiff/notes_item.hpp"
@@ -89,6 +90,9 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
                                   .attribution = metadata(*file, attribution_item),
                                   .notes = read_notes(*file),
                                   .background = read_background(*file, place, width, height, name)};
+    if (place.georeference) {
+        annotations.bridges = read_bridges(*file, place.georeference->transform, width, height, name);
+    }
     layer.labels = read_labels(*file, memory, name);
     const std::vector<std::uint32_t>& labels = layer.labels;
     const bool mask = attributes.size() == 1 && has_one_value(labels);
@@ -149,7 +153,10 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     set(kinds_item, kinds_text(known.kinds));
     set(tags_item, tags_text(known.tags));
     set(sections_item, sections_text(known.sections));
-    if (tiff.georeference) set(background_item, background_text(known.background, *tiff.georeference));
+    if (tiff.georeference) {
+        set(background_item, background_text(known.background, *tiff.georeference));
+        set(bridges_item, bridges_text(known.bridges, tiff.georeference->transform));
+    }
 
     auto* labels = const_cast<std::uint32_t*>(tiff.map.labels().data());  // GDAL only reads it
     const CPLErr outcome = file->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, width, height, labels, width, height,

@@ -91,4 +91,12 @@ io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice) {
     return file;
 }
 
+io::MapFile with_overlay(io::MapFile file, const site::Overlay& overlay) {
+    describe(file, site::laid_over(file.map, annotations_with_unknown(file), overlay));
+    file.unknown = tagged_unknown_cells(file);
+    file.digest.clear();
+    file.ros.reset();  // its image holds no such obstacles
+    return file;
+}
+
 }  // namespace waybreaker::mapfile

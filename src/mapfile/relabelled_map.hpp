@@ -1,4 +1,4 @@
-// Maps whose obstacles differ from those of their file: some removed, some new, or cut into sections.
+// Maps whose obstacles differ from those of their file: some removed, some new, cut into sections, or under a flood.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/map_file.hpp"
+#include "site/overlay.hpp"
 #include "site/sections.hpp"
 
 namespace waybreaker::mapfile {
@@ -21,5 +22,8 @@ io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleI
 // The map with what can be destroyed cut into sections: see site/split.hpp. Throws InputError if it has sections
 // already.
 io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice);
+
+// The map with an overlay of its size laid over it: see site/overlay.hpp.
+io::MapFile with_overlay(io::MapFile file, const site::Overlay& overlay);
 
 }  // namespace waybreaker::mapfile

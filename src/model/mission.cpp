@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/range.hpp"
+#include "model/nearest_place.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/place_error.hpp"
 
@@ -18,24 +19,6 @@ namespace {
 
 std::string text(Cell c) {
     return std::to_string(c.x) + "," + std::to_string(c.y);
-}
-
-// The nearest cell, in rings around `at`, where the agent can stand.
-std::optional<Cell> nearest_place(const OpenedMap& map, Cell at, const Body& body) {
-    const int rings = std::max(map.width(), map.height());
-    for (int ring = 1; ring <= rings; ++ring) {
-        std::optional<Cell> best;
-        for (int dy = -ring; dy <= ring; ++dy) {
-            const int stride = std::abs(dy) == ring ? 1 : 2 * ring;
-            for (int dx = -ring; dx <= ring; dx += stride) {
-                const Cell c{at.x + dx, at.y + dy};
-                if (!fits(map, c, body)) continue;
-                if (!best || distance(c, at) < distance(*best, at)) best = c;
-            }
-        }
-        if (best) return best;
-    }
-    return std::nullopt;
 }
 
 void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std::string& what) {

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "city/city_import.hpp"
+#include "city/overlay_source.hpp"
 #include "city/sent_source.hpp"
 #include "io/output_file.hpp"
 #include "service/extract_json.hpp"
@@ -94,6 +95,31 @@ std::string import_answer(const city::SentSource& source, const Json& asked) {
     }
 }
 
+// The things of the overlay, as a map of their own.
+std::string overlay_answer(const city::SentSource& source, const Json& asked) {
+    try {
+        const site::Georeference place{asked.at("crs").get<std::string>(), asked.at("transform")};
+        const auto* const use = std::ranges::find(site::overlay_use_words, asked.at("as").get<std::string>());
+        city::ReadOverlay read = city::read_overlay({.file = source.path(),
+                                                     .use = site::OverlayUse(use - site::overlay_use_words.begin()),
+                                                     .width = asked.at("width")},
+                                                    place, asked.at("columns"), asked.at("rows"));
+        site::DescribedMap things = site::described(std::move(read.overlay.things));
+        return answer_of({{"notes", read.report.notes}},
+                         geotiff::label_tiff_bytes({.map = std::move(things.map),
+                                                    .cell_size = place.transform[1],
+                                                    .georeference = place,
+                                                    .annotations = std::move(things.annotations)}));
+    } catch (const InputError& error) {
+        return answer_of(problem("source-unreadable", without_dashes(source.named(error.what()))));
+    }
+}
+
+std::string answer_to(const city::SentSource& source, const Json& asked) {
+    if (asked.at("task") == "overlay") return overlay_answer(source, asked);
+    return asked.at("task") == "import" ? import_answer(source, asked) : extract_answer(source);
+}
+
 }  // namespace
 
 int run_import_worker(const std::string& memory, const std::string& seconds) {
@@ -106,7 +132,7 @@ int run_import_worker(const std::string& memory, const std::string& seconds) {
     const Json asked = Json::parse(said.substr(0, end));
     said.erase(0, end + 1);
     const city::SentSource source(asked.at("name"), std::make_shared<const std::string>(std::move(said)));
-    io::write_whole("-", asked.at("task") == "import" ? import_answer(source, asked) : extract_answer(source));
+    io::write_whole("-", answer_to(source, asked));
     return 0;
 }
 

@@ -4,6 +4,9 @@
 //     {"task": "extract", "name": "river.osm"}              {"extract": {...}, "bytes": 0}
 //     {"task": "import", "name": "river.osm",               {"bytes": 1234}
 //      "request": "{...}", "densest": [9, 50], "side": 60}
+//     {"task": "overlay", "name": "flood.geojson",          {"notes": ["..."], "bytes": 1234}
+//      "as": "water", "width": 0, "crs": "...",
+//      "transform": [...], "columns": 500, "rows": 500}
 //                                                           {"problem": {"kind": "import-unfit", "detail": "..."},
 //                                                           "bytes": 0}
 //

@@ -115,4 +115,19 @@ std::string Importer::import(const std::string& name, std::string_view bytes, co
     return ask(task, bytes, import_memory(bytes.size(), cells), stop).file;
 }
 
+Importer::Import Importer::overlay(const city::OverlaySource& source, std::string_view bytes, const io::MapFile& map,
+                                   const StopToken& stop) const {
+    const site::Georeference& place = map.georeference.value();
+    const Json task{{"task", "overlay"},
+                    {"name", source.file},
+                    {"as", site::overlay_use_words[std::size_t(source.use)]},
+                    {"width", source.width},
+                    {"crs", place.crs},
+                    {"transform", place.transform},
+                    {"columns", map.map.width()},
+                    {"rows", map.map.height()}};
+    Answer answer = ask(task, bytes, import_memory(bytes.size(), map.map.grid().cell_count()), stop);
+    return {.tiff = std::move(answer.file), .notes = answer.line.at("notes")};
+}
+
 }  // namespace waybreaker::service

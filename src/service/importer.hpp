@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "city/extract.hpp"
+#include "city/overlay_source.hpp"
+#include "io/map_file.hpp"
 #include "service/import_request.hpp"
 #include "service/limits.hpp"
 #include "service/memory_budget.hpp"
@@ -34,6 +36,11 @@ class Importer {
     // than `most_cells`.
     std::string import(const std::string& name, std::string_view bytes, const city::Extract& extract,
                        const ImportRequest& request, std::size_t most_cells, const StopToken& stop) const;
+
+    // The things of an overlay, as a label map on the cells of a map that lies somewhere; `source.file` is what titles
+    // and errors call it. Throws Problem if its data cannot be read, or as above.
+    Import overlay(const city::OverlaySource& source, std::string_view bytes, const io::MapFile& map,
+                   const StopToken& stop) const;
 
   private:
     struct Answer {

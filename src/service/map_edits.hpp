@@ -10,13 +10,11 @@
 #include <vector>
 
 #include "service/map_store.hpp"
+#include "site/cell_run.hpp"
 
 namespace waybreaker::service {
 
-struct CellRun {
-    Cell first;
-    int length = 1;
-};
+using site::CellRun;
 
 struct MapEdits {
     std::vector<CellRun> block;

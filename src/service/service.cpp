@@ -27,6 +27,7 @@
 #include "service/memory_budget.hpp"
 #include "service/metrics.hpp"
 #include "service/metrics_route.hpp"
+#include "service/overlay_route.hpp"
 #include "service/page.hpp"
 #include "service/plan_events.hpp"
 #include "service/planner_pool.hpp"
@@ -169,6 +170,7 @@ Service::Impl::Impl(ServiceOptions options)
       routes_(routes(store_, planners_, options_.limits)) {
     routes_.push_back(metrics_route(metrics_, store_, executor_, budget_));
     for (Route& route : import_routes(importer_, sources_, store_)) routes_.push_back(std::move(route));
+    routes_.push_back(overlay_route(importer_, store_));
     for (Route& route : page_routes()) routes_.push_back(std::move(route));
     tidying_ = std::jthread([this](const std::stop_token& stop) { tidy(stop); });
 }

@@ -113,10 +113,38 @@ describe("map data", () => {
     expect(page.faults).toEqual([]);
   });
 
+  it("of a closed area is laid over the map, by the keyboard alone, and undo takes it away", async () => {
+    const page = await visit();
+    const shown = () =>
+      page.page.getByLabel("Choose a map").evaluate((one) => (one as HTMLSelectElement).selectedOptions[0]?.text);
+    const former = await shown();
+    const [west, east, south, north] = [13.53, 13.533, 52.428, 52.43];
+    const ring = [[west, south], [east, south], [east, north], [west, north], [west, south]];
+    const geometry = { type: "Polygon", coordinates: [ring] };
+    const file = join(scratch, "closure.geojson");
+    writeFileSync(file, JSON.stringify({ type: "Feature", properties: { name: "Closed for today" }, geometry }));
+    await page.page.getByLabel("File to open").setInputFiles(file);
+    const dialog = page.page.getByRole("dialog", { name: "Lay closure.geojson over the map" });
+    await dialog.getByRole("radio", { name: /^Water/ }).focus();
+    await page.page.keyboard.press("ArrowDown");
+    await page.page.keyboard.press("ArrowDown");
+    expect(await dialog.getByRole("radio", { name: /^Closed/ }).isChecked()).toBe(true);
+    expect(await page.accessibilityFaults()).toEqual([]);
+    await page.page.keyboard.press("Enter");
+    await dialog.waitFor({ state: "hidden" });
+    await expect.poll(shown).toBe("closure.tif");
+    await page.settled();
+    await page.page.getByRole("combobox", { name: "Find a street or obstacle" }).fill("closed for");
+    await page.page.getByRole("option", { name: /Closed for today/ }).waitFor();
+    await page.page.getByRole("button", { name: "Undo" }).click();
+    await expect.poll(shown).toBe(former);
+    expect(page.faults).toEqual([]);
+  });
+
   it("says why a file is none, and can be left", async () => {
     const page = await visit();
-    const file = join(scratch, "empty.geojson");
-    writeFileSync(file, '{"type": "FeatureCollection", "features": []}');
+    const file = join(scratch, "empty.osm");
+    writeFileSync(file, '<osm version="0.6"></osm>');
     await page.page.getByLabel("File to open").setInputFiles(file);
     const dialog = page.page.getByRole("dialog");
     await dialog.getByRole("alert").getByText(/buildings/).waitFor();

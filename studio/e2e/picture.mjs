@@ -1,6 +1,6 @@
-// usage: node e2e/picture.mjs [OUT [EXTRACT IMPORT_OUT]]: docs/pictures/studio.png, what a first visit sees, from the
-// command in WAYBREAKER_COMMAND (default: the one in build/release); and the import of an extract of map data
-// (docs/pictures/import.png).
+// usage: node e2e/picture.mjs [OUT [EXTRACT IMPORT_OUT [SHAPES OVERLAY_OUT]]]: docs/pictures/studio.png, what a first
+// visit sees, from the command in WAYBREAKER_COMMAND (default: the one in build/release); the import of an extract of
+// map data (docs/pictures/import.png); and what is asked of a file to lay over the map (docs/pictures/overlay.png).
 import { spawn } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
@@ -21,12 +21,17 @@ await page.getByText("One removal more").waitFor();
 await page.getByRole("button", { name: "Dismiss the hint" }).click();
 await page.waitForTimeout(1000); // the map's tiles
 await page.screenshot({ path: out });
-const [extract, importOut] = process.argv.slice(3);
+const [extract, importOut, shapes, overlayOut] = process.argv.slice(3);
 if (extract) {
   await page.getByLabel("File to open").setInputFiles(extract);
   const dialog = page.getByRole("dialog");
   await dialog.getByText("the stronger the shade").waitFor();
   await dialog.screenshot({ path: importOut });
+  await page.keyboard.press("Escape");
+}
+if (shapes) {
+  await page.getByLabel("File to open").setInputFiles(shapes);
+  await page.getByRole("dialog").screenshot({ path: overlayOut });
 }
 await browser.close();
 server.kill();

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "geotiff/written_tiff.hpp"
+#include "input_error.hpp"
 
 namespace waybreaker::geotiff {
 namespace {
@@ -109,6 +110,31 @@ TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
     EXPECT_EQ(tiff.annotations.names, (site::ObstacleNames{"", "", "7"}));
     EXPECT_EQ(tiff.annotations.kinds, (site::ObstacleKinds{Kind::unknown, Kind::water, Kind::barrier}));
     EXPECT_EQ(tiff.annotations.sections, (site::Sections{small_map().annotations.sections.structures, {{}, {}, {1}}}));
+}
+
+TEST(LabelTiff, keeps_bridges_where_they_are) {
+    LabelTiff tiff = small_map();
+    tiff.annotations.bridges = {{{0, 0}, 1}, {{1, 2}, 3}};
+    const std::string bytes = label_tiff_bytes(tiff);
+    EXPECT_EQ(read_label_tiff(bytes, "city.tif").annotations.bridges, tiff.annotations.bridges);
+    const auto bridges = [&bytes](const std::vector<const char*>& arguments) {
+        return read_label_tiff(translated(bytes, arguments), "piece.tif").annotations.bridges;
+    };
+    EXPECT_EQ(bridges({"-srcwin", "2", "1", "3", "3"}), (std::vector<site::CellRun>{{{0, 1}, 2}}));
+    EXPECT_EQ(bridges({"-srcwin", "0", "0", "2", "1"}), (std::vector<site::CellRun>{{{0, 0}, 1}}));
+    EXPECT_TRUE(bridges({"-r", "nearest", "-outsize", "200%", "200%"}).empty());  // other cells
+}
+
+TEST(LabelTiff, refuses_bridges_that_are_no_cells) {
+    const std::string bytes = label_tiff_bytes(small_map());
+    for (const char* text : {"x", "1 2 0", "390000.25 5820000.75 2.4\n1 2", "390000.25 5820000.75 2.4\n1 2 0",
+                             "390000.25 5820000.75 2.4\n-1 2 1", "390000.25 5820000.75 2.4\n1 2 3 4"}) {
+        const std::string item = std::string("WAYBREAKER_BRIDGES=") + text;
+        const std::string error = input_error([&] {
+            read_label_tiff(translated(bytes, {"-mo", item.c_str()}), "city.tif");
+        });
+        EXPECT_NE(error.find("city.tif: its metadata item WAYBREAKER_BRIDGES"), std::string::npos) << text;
+    }
 }
 
 TEST(LabelTiff, has_names_of_some_obstacles_whatever_their_numbers) {

@@ -101,12 +101,21 @@ export class Client {
 
   // Map data, to import maps from.
   sendSource(file: Blob, name: string, signal?: AbortSignal): Promise<Source> {
-    const harmless = name.replaceAll(/[^A-Za-z0-9._-]+/g, "_").replace(/^\.+/, "").slice(-100) || "source";
-    return this.json(`/sources?name=${harmless}`, { method: "POST", bytes: file, signal });
+    return this.json(`/sources?name=${harmless(name, "source")}`, { method: "POST", bytes: file, signal });
   }
 
   importMap(request: ImportRequest, signal?: AbortSignal): Promise<MapDescription> {
     return this.described("/imports", { method: "POST", json: request, signal });
+  }
+
+  // Map data, laid over a map; `width` of its lines in metres.
+  overlay(
+    id: string,
+    { file, use, width }: { file: { name: string; bytes: Blob }; use: string; width: number },
+    signal?: AbortSignal,
+  ): Promise<MapDescription> {
+    const query = `as=${use}&width=${width}&name=${harmless(file.name, "overlay")}`;
+    return this.described(`${mapPath(id, "overlays")}?${query}`, { method: "POST", bytes: file.bytes, signal });
   }
 
   edit(id: string, edits: Edits, signal?: AbortSignal): Promise<MapDescription> {
@@ -207,6 +216,11 @@ export class Client {
       throw understood(error);
     }
   }
+}
+
+// As files may be called in queries.
+function harmless(name: string, otherwise: string): string {
+  return name.replaceAll(/[^A-Za-z0-9._-]+/g, "_").replace(/^\.+/, "").slice(-100) || otherwise;
 }
 
 // No map can have another name; links may hold anything.

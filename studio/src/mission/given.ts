@@ -8,6 +8,7 @@ import { isPlan } from "./plan_mission";
 export type Given =
   | { kind: "map"; file: KeptFile }
   | { kind: "map data"; file: KeptFile } // to import a map from
+  | { kind: "shapes"; file: KeptFile } // GeoJSON without buildings: to import, or to lay over a map
   | { kind: "mission"; query: string }
   | { kind: "mission file"; value: Record<string, unknown> }
   | { kind: "plan"; plan: Plan };
@@ -31,7 +32,7 @@ export async function understood(files: readonly File[]): Promise<Given> {
     throw new NotUnderstood("One at a time: choose one file, or the YAML and the image of one ROS map.");
   }
   await refuseOtherMapData(kept[0]!);
-  if (await isMapData(kept[0]!)) return { kind: "map data", file: kept[0]! };
+  if (await isMapData(kept[0]!)) return { kind: (await areShapes(kept[0]!)) ? "shapes" : "map data", file: kept[0]! };
   return (await inText(kept[0]!)) ?? { kind: "map", file: kept[0]! };
 }
 
@@ -42,6 +43,13 @@ async function isMapData({ name, bytes }: KeptFile): Promise<boolean> {
   const text = new TextDecoder().decode(head);
   if (text.includes("OSMHeader") || /<osm[\s>]/.test(text)) return true;
   return /^\s*\{/.test(text) && (/\.geojson$/i.test(name) || /"type"\s*:\s*"Feature(Collection)?"/.test(text));
+}
+
+// Of map data whether it is GeoJSON that knows no buildings.
+async function areShapes({ bytes }: KeptFile): Promise<boolean> {
+  if (bytes.size > mostText) return false;
+  const text = await bytes.text();
+  return text.trimStart().startsWith("{") && !/"building"\s*:/.test(text);
 }
 
 // What the command imports, and the service does not take: they are several files, or name others.

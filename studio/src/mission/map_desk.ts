@@ -10,6 +10,7 @@ import { begin, type History, mapped, replace, step } from "./history";
 import type { KeptFile } from "./kept_file";
 import { decodeLink, fileOfLink, mapOfLink } from "./link";
 import { type HeldMap, isMissing, isUpload, type LostMap, type Maps } from "./maps";
+import { moved } from "./overlays";
 import type { PageState } from "./page_state";
 import type { PlanFollower, Report } from "./plan_follower";
 
@@ -92,6 +93,22 @@ export class MapDesk {
   async openMade(map: MapDescription, file: KeptFile): Promise<void> {
     this.#keep(map.id, file);
     await this.open(map.id);
+  }
+
+  // Goes on with the mission on a map that the service has made of the one shown, as a step that can be undone.
+  async openOverlaid(map: MapDescription, file: KeptFile): Promise<void> {
+    this.#keep(map.id, file);
+    const again = (now: string) => void this.openOverlaid({ ...map, id: now }, file);
+    await this.#reach(this.#lostMap(map.id, again), async (base) => {
+      const [history, before] = [this.page.history.value, this.page.shown.value?.base];
+      if (!history || !before) return;
+      const marks = moved(history.present.marks, before.cells, base.cells);
+      batch(() => {
+        this.follower.show(base);
+        this.page.history.value = step(history, { ...history.present, map: base.description.id, marks });
+      });
+      await this.follower.follow();
+    });
   }
 
   // Sends a map again that the service no longer has, and goes on with what was to be done with it.

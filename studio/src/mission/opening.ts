@@ -1,6 +1,7 @@
 // Opens what a person gives: files that are dropped or chosen, links.
 import type { Plan } from "../domain/plan";
 import { type Given, NotUnderstood, understood } from "./given";
+import type { KeptFile } from "./kept_file";
 import { encodeLink, mapOfLink } from "./link";
 import { isUpload } from "./maps";
 import { queryOfFile } from "./mission_file";
@@ -11,10 +12,18 @@ export function openFiles(studio: Studio, files: readonly File[]): Promise<void>
   return take(studio, files, async (given) => {
     if (given.kind === "map") await studio.maps.upload(given.file);
     else if (given.kind === "map data") await studio.importer.begin(given.file);
+    else if (given.kind === "shapes") await openShapes(studio, given.file);
     else if (given.kind === "plan") await openPlan(studio, given.plan);
     else if (given.kind === "mission") await openMission(studio, given.query);
     else await openMissionFile(studio, given.value);
   });
+}
+
+// What the day brings to the map shown, if that lies somewhere; else the map data of a city.
+async function openShapes(studio: Studio, file: KeptFile): Promise<void> {
+  const map = studio.page.shown.value?.base.description;
+  if (map?.georeference) studio.overlays.begin(file, map.id);
+  else await studio.importer.begin(file);
 }
 
 // Files of a map that the service no longer has.

@@ -10,6 +10,7 @@ import { encodeLink } from "./link";
 import { MapDesk } from "./map_desk";
 import { type LostMap, Maps } from "./maps";
 import { missionFile } from "./mission_file";
+import { Overlays } from "./overlays";
 import { PageState } from "./page_state";
 import { PlanFollower } from "./plan_follower";
 import { ServerWatch } from "./server_watch";
@@ -19,6 +20,7 @@ export class Studio {
   readonly editor: Editor;
   readonly maps: MapDesk;
   readonly importer: Importer;
+  readonly overlays: Overlays;
 
   readonly #follower: PlanFollower;
   readonly #watch = new ServerWatch(() => this.maps.refreshList());
@@ -38,6 +40,7 @@ export class Studio {
       travel: (how) => this.maps.travel(how),
     });
     this.importer = new Importer(client, (map, file) => this.maps.openMade(map, file));
+    this.overlays = new Overlays(client, (map, file) => this.maps.openOverlaid(map, file));
     effect(() => {
       const failure = results.failure.value;
       if (failure?.trouble === "gone") untracked(() => void this.#watch.await(() => this.#follower.follow()));

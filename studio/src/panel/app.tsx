@@ -27,6 +27,7 @@ import { MapNotes } from "./map_notes";
 import { Attribution, Gone, Invitation, NoticeBar } from "./messages";
 import { ObstacleCard } from "./obstacle_card";
 import { areBuildings } from "./obstacle_words";
+import { OverlayDialog } from "./overlay_dialog";
 import { Printed } from "./printed";
 import { Removals } from "./removals";
 import { RemovedTable } from "./removed_table";
@@ -68,6 +69,9 @@ export function App({ page, studio = null, token = null }: AppProps) {
       <NoticeBar page={page} />
       {studio && <DropTarget studio={studio} />}
       {studio && <ImportDialog importer={studio.importer} />}
+      {studio && (
+        <OverlayDialog overlays={studio.overlays} importInstead={(file) => void studio.importer.begin(file)} />
+      )}
       {token && <TokenDialog token={token} />}
     </div>
   );

@@ -29,7 +29,7 @@ export function DropTarget({ studio }: { studio: Studio }) {
   }, [studio]);
   return over ? (
     <div class="drop-target">
-      <p>Drop it anywhere: a map, map data of a city (.osm.pbf), both files of a ROS map, a plan, a mission or a link</p>
+      <p>Drop it anywhere: a map, map data of a city (.osm.pbf), a flood (.geojson), both files of a ROS map, a plan, a mission or a link</p>
     </div>
   ) : null;
 }

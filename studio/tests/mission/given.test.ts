@@ -31,11 +31,19 @@ it("tells map data by its first bytes", async () => {
     file("a", new Uint8Array([0, 0, 0, 13, 10, 9]), "OSMHeader", new Uint8Array([24, 127])),
     file("a.xml", '<?xml version="1.0"?>\n<!-- by hand -->\n<osm version="0.6">'),
     file("a.osm.gz", new Uint8Array([0x1f, 0x8b, 8, 0])),
-    file("a.json", ' {"type": "FeatureCollection", "features": []}'),
-    file("a.geojson", '{"name": "x", "type": "FeatureCollection"}'),
+    file("a.geojson", '{"type": "FeatureCollection", "features": [{"properties": {"building": "yes"}}]}'),
   ];
   for (const one of all) expect(await kindOf(one)).toBe("map data");
   expect(await kindOf(file("a.xml", "<root><map/></root>"))).toBe("map");
+});
+
+it("tells what can lie over a map from the map data of a city", async () => {
+  const all = [
+    file("a.json", ' {"type": "FeatureCollection", "features": []}'),
+    file("a.geojson", '{"name": "x", "type": "FeatureCollection"}'),
+    file("flood.geojson", '{"type": "Feature", "properties": {"name": "building site"}}'),
+  ];
+  for (const one of all) expect(await kindOf(one)).toBe("shapes");
 });
 
 it("says what a file is not", async () => {

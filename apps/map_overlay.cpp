@@ -1,0 +1,99 @@
+// `waybreaker map overlay`: a map with what the day brings laid over it.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "city/overlay_source.hpp"
+#include "commands.hpp"
+#include "format_losses.hpp"
+#include "help.hpp"
+#include "io/output_file.hpp"
+#include "mapfile/map_info.hpp"
+#include "mapfile/map_reader.hpp"
+#include "mapfile/map_writer.hpp"
+#include "named_files.hpp"
+#include "option.hpp"
+#include "overlay_options.hpp"
+#include "progress.hpp"
+#include "waybreaker/error.hpp"
+
+namespace waybreaker::apps {
+namespace {
+
+struct MapOverlayOptions {
+    std::string in;
+    std::string file;  // the first
+    std::string out;
+    OverlayOptions overlays;
+    city::OverlayCosts costs;
+};
+
+io::MapFile read_map(const std::string& path) {
+    const Progress progress("reading " + io::input_name(path));
+    return mapfile::read_map_file(path);
+}
+
+void require_place(const io::MapFile& file) {
+    if (file.georeference) return;
+    throw InputError(
+        fmt::format("{}: does not say where on Earth it lies, so that nothing can be laid over it; if its "
+                    "metres are those of a coordinate system, 'waybreaker map convert' it to placed.tif, "
+                    "and name the system with 'gdal_edit.py -a_srs EPSG:25833 placed.tif'",
+                    file.source));
+}
+
+void run(const MapOverlayOptions& options) {
+    OverlayOptions given = options.overlays;
+    given.files.insert(given.files.begin(), options.file);
+    const std::vector<city::OverlaySource> overlays = overlays_of(given);
+    if (!mapfile::holds_obstacles(options.out)) {
+        throw InputError(options.out + ": its format does not hold what the obstacles are; end the name in .tif");
+    }
+    NamedFiles inputs{{"MAP", options.in}};
+    for (const city::OverlaySource& overlay : overlays) inputs.emplace_back("--also", overlay.file);
+    keep_inputs({{"--output", options.out}}, inputs);
+    io::MapFile file = read_map(options.in);
+    require_place(file);
+    site::DescribedMap map{std::move(file.map), std::move(file.annotations)};
+    std::vector<city::OverlayReport> reports;
+    for (const city::OverlaySource& overlay : overlays) {
+        reports.push_back(city::lay_over(overlay, *file.georeference, options.costs, map));
+    }
+    file.map = std::move(map.map);
+    file.annotations = std::move(map.annotations);
+    const mapfile::WrittenMap written = mapfile::write_map(file, options.out);
+    for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
+    report_losses(options.out, written.losses);
+    note_overlays(reports);
+    io::write_whole("-", overlay_summary(reports, file.cell_size) +
+                             fmt::format("{}: {} obstacles, {:.1f} % blocked\n", options.out,
+                                         file.map.obstacles().size(), 100 * mapfile::summarise(file.map).density));
+}
+
+}  // namespace
+
+void setup_map_overlay(CLI::App& map, Run& run_chosen) {
+    auto options = std::make_shared<MapOverlayOptions>();
+    CLI::App* command = map.add_subcommand(
+        "overlay",
+        "Lay what the day brings over a map: a flood, debris, a closed street\n\n"
+        "The map must say where it lies, as imported maps do. Each area or line of FILE becomes an obstacle with its "
+        "name. Water and closures take what they cover, open or not; debris and walls take open ground. The rest of "
+        "the map stays as it is.");
+    add_file(*command, "MAP", options->in, "A GeoTIFF map; - is standard input")->required();
+    add_file(*command, "FILE", options->file, "Areas and lines: GeoJSON, or any vector format GDAL reads")->required();
+    add_overlay_options(*command, options->overlays);
+    add_quantity(*command, "--obstacle-weight", options->costs.weight,
+                 "What debris and walls weigh against a budget: area (square metres), or the number that a property "
+                 "says, volume for one; with *FACTOR if it is to be scaled (default: 1 each)");
+    add_quantity(*command, "--obstacle-breach-time", options->costs.breach_time,
+                 "How long it takes to remove them, as above (default: 0)");
+    add_file(*command, "-o,--output", options->out, "The map to write, as GeoTIFF (.tif)")->required();
+    set_examples(*command, {"waybreaker map overlay data/krems.tif data/krems-flood.geojson --as water -o flooded.tif",
+                            "waybreaker map overlay city.tif closed.gpkg --as closed --width 8 -o today.tif",
+                            "waybreaker map overlay city.tif debris.geojson --as debris "
+                            "--obstacle-breach-time volume*1.5 --also flood.shp --as water -o today.tif"});
+    command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
+}
+
+}  // namespace waybreaker::apps
