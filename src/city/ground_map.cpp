@@ -117,8 +117,10 @@ bool is_open(const GroundUse& use, std::uint32_t opened) {
 
 GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& window, Profile profile, double cell) {
     if (pieces.empty()) return {};
-    GroundMap map{
-        .blocked = no_cells(window), .opened = ways(pieces, window, site::body_radius(profile, cell)), .roads = {}, .bridges = bridges(pieces, window)};
+    GroundMap map{.blocked = no_cells(window),
+                  .opened = ways(pieces, window, site::body_radius(profile, cell)),
+                  .roads = {},
+                  .bridges = bridges(pieces, window)};
     if (keeps_to_roads(profile)) map.roads = roads(pieces, window, map.opened);
     std::vector<Paint> paints;
     for (const GroundLayer layer : {GroundLayer::bridge_side, GroundLayer::water, GroundLayer::way_over,
