@@ -105,6 +105,7 @@ std::string overlay_answer(const city::SentSource& source, const Json& asked) {
                                                      .width = asked.at("width")},
                                                     place, asked.at("columns"), asked.at("rows"));
         site::DescribedMap things = site::described(std::move(read.overlay.things));
+        for (std::string& note : read.report.notes) note = without_dashes(std::move(note));
         return answer_of({{"notes", read.report.notes}},
                          geotiff::label_tiff_bytes({.map = std::move(things.map),
                                                     .cell_size = place.transform[1],

@@ -43,7 +43,9 @@ class DescriptionTest : public LiveServer {
         ask(method, here, {{"If-None-Match", "*"}});             // 304
         ask(method, here + "?after=x");                          // 400
         if (method != "post") return;
-        const std::string query = path.ends_with("/export") ? "?format=csv" : "";
+        const std::string query = path.ends_with("/export")     ? "?format=csv"
+                                  : path.ends_with("/overlays") ? "?as=water"
+                                                                : "";
         const std::string type = type_of(path);
         post(here, "{}", "text/plain");                                            // 415
         post(here, std::string(5000, ' '), type);                                  // 413
@@ -65,7 +67,11 @@ void DescriptionTest::provoke_imports() const {
     send();
     get_json(sources + "/" + id);
     post_json(imports, {{"source", id}}, 201);
-    post_json(imports, {{"source", id}}, 200);
+    const std::string map = post_json(imports, {{"source", id}}, 200)["id"].get<std::string>();
+    const std::string cross = R"({"type": "LineString", "coordinates": [[8.9999, 50], [9.0001, 50]]})";
+    for (const int status : {201, 200}) {
+        EXPECT_EQ(post(maps + "/" + map + "/overlays?as=closed", cross, octets).status, status);
+    }
     post_json(imports, {{"source", id}, {"center", {0, 0}}}, 422);
     remove(sources + "/" + id);
 }
@@ -94,6 +100,7 @@ void DescriptionTest::provoke_busy_imports() {
     while (get("/metrics").body.find("waybreaker_imports_running 1\n") == std::string::npos) std::this_thread::yield();
     post_json(imports, {{"source", first}}, 503);
     EXPECT_EQ(post(sources + "?name=third", osm_yard(), octets).status, 503);
+    EXPECT_EQ(post(maps + "/house.map/overlays?as=closed", "{}", octets).status, 503);
     std::ofstream(gate) << answer;
     second.join();
     end();
