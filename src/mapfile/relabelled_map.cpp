@@ -9,6 +9,7 @@
 #include "mapfile/ros_map.hpp"
 #include "site/described_map.hpp"
 #include "site/split.hpp"
+#include "site/unknown_ground.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::mapfile {
@@ -92,8 +93,8 @@ io::MapFile in_sections(io::MapFile file, const site::Lattice& lattice) {
 }
 
 io::MapFile with_overlay(io::MapFile file, const site::Overlay& overlay) {
-    describe(file, site::laid_over(file.map, annotations_with_unknown(file), overlay));
-    file.unknown = tagged_unknown_cells(file);
+    describe(file, site::laid_over(file.map, file.annotations, overlay));
+    file.unknown = site::unknown_cells(file.map, file.annotations.tags);
     file.digest.clear();
     file.ros.reset();  // its image holds no such obstacles
     return file;
