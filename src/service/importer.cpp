@@ -115,7 +115,7 @@ std::string Importer::import(const std::string& name, std::string_view bytes, co
     return ask(task, bytes, import_memory(bytes.size(), cells), stop).file;
 }
 
-Importer::Import Importer::overlay(const city::OverlaySource& source, std::string_view bytes, const io::MapFile& map,
+Importer::Overlay Importer::overlay(const city::OverlaySource& source, std::string_view bytes, const io::MapFile& map,
                                    const StopToken& stop) const {
     const site::Georeference& place = map.georeference.value();
     const Json task{{"task", "overlay"},

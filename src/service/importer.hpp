@@ -37,9 +37,13 @@ class Importer {
     std::string import(const std::string& name, std::string_view bytes, const city::Extract& extract,
                        const ImportRequest& request, std::size_t most_cells, const StopToken& stop) const;
 
+    struct Overlay {
+        std::string tiff;
+        std::vector<std::string> notes;  // what the user should know
+    };
     // The things of an overlay, as a label map on the cells of a map that lies somewhere; `source.file` is what titles
     // and errors call it. Throws Problem if its data cannot be read, or as above.
-    Import overlay(const city::OverlaySource& source, std::string_view bytes, const io::MapFile& map,
+    Overlay overlay(const city::OverlaySource& source, std::string_view bytes, const io::MapFile& map,
                    const StopToken& stop) const;
 
   private:

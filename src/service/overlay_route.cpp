@@ -47,7 +47,7 @@ city::OverlaySource overlay_of(const http::Request& request) {
 }
 
 // Read back, so that it equals an upload of the file that the command would write.
-StoredMap overlaid(const StoredMap& map, Importer::Import read, const city::OverlaySource& source,
+StoredMap overlaid(const StoredMap& map, Importer::Overlay read, const city::OverlaySource& source,
                    const MapLimits& limits) {
     const MemoryAccount::Scope none(nullptr);  // the limits count the map
     const io::MapFile things = mapfile::parse_map(std::move(read.tiff), source.file);
@@ -82,7 +82,7 @@ Route overlay_route(const Importer& importer, MapStore& maps) {
                                     "the map does not say where on Earth it lies, so that nothing can be laid over it",
                                     "unfit-request");
             }
-            Importer::Import read = importer.overlay(source, data, map->file, worker.stop);
+            Importer::Overlay read = importer.overlay(source, data, map->file, worker.stop);
             return upload_response(
                 maps.add([&](const MapLimits& limits) { return overlaid(*map, std::move(read), source, limits); }));
         };
