@@ -39,7 +39,7 @@ std::string identity(const io::MapFile& file, const Obstacle& obstacle) {
 
 // "61.2 % open, 25.5 % destructible, 3.1 % water": what there is of, in cells of the map.
 std::string ground_text(const mapfile::GroundSummary& ground) {
-    const std::array<std::pair<const char*, std::uint64_t>, 7> parts{{{"open", ground.open},
+    const std::array<std::pair<const char*, std::uint64_t>, 8> parts{{{"open", ground.open},
                                                                       {"destructible", ground.destructible},
                                                                       {"protected", ground.protected_},
                                                                       {"water", ground.water},
