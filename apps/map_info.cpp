@@ -45,7 +45,7 @@ std::string ground_text(const mapfile::GroundSummary& ground) {
                                                                       {"water", ground.water},
                                                                       {"cliff", ground.cliff},
                                                                       {"forbidden", ground.forbidden},
-                                                                      {"off road", ground.off_road}},
+                                                                      {"off road", ground.off_road},
                                                                       {"unknown", ground.unknown}}};
     std::uint64_t all = 0;
     for (const auto& part : parts) all += part.second;
