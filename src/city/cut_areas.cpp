@@ -185,12 +185,12 @@ class Choice {
             Votes own{};
             for (std::size_t i = 1; i < line.size(); ++i) {
                 const double length = distance(line[i - 1], line[i]);
-                const double pieces = std::ceil(length / step);
-                for (double piece = 0; piece < pieces; ++piece) {
-                    const double share = (piece + 0.5) / pieces;
+                const auto pieces = std::size_t(std::ceil(length / step));
+                for (std::size_t piece = 0; piece < pieces; ++piece) {
+                    const double share = (double(piece) + 0.5) / double(pieces);
                     const std::size_t face = faces_.at({line[i - 1].x + share * (line[i].x - line[i - 1].x),
                                                         line[i - 1].y + share * (line[i].y - line[i - 1].y)});
-                    if (face != Faces::none) own[std::size_t(colours_[face])] += length / pieces;
+                    if (face != Faces::none) own[std::size_t(colours_[face])] += length / double(pieces);
                 }
             }
             if (uncrossed && own[0] > 0 && own[1] > 0) continue;

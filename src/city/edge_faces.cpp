@@ -1,5 +1,7 @@
 #include "city/edge_faces.hpp"
 
+#include <ogr_api.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -57,7 +59,7 @@ std::vector<Point> loose_ends(const std::vector<Line>& lines) {
     }
     std::vector<Point> ends;
     for (const auto& [at, count] : counts) {
-        if (count == 1) ends.push_back({at.first, at.second});
+        if (count == 1) ends.emplace_back(at.first, at.second);
     }
     return ends;
 }

@@ -134,7 +134,7 @@ class Placing {
             OGRLineString string = string_of(line);
             if (!place(string)) continue;
             Line& points = placed.emplace_back();
-            for (const OGRPoint& point : string) points.push_back({point.getX(), point.getY()});
+            for (const OGRPoint& point : string) points.emplace_back(point.getX(), point.getY());
         }
         return placed;
     }

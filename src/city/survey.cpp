@@ -131,7 +131,7 @@ class Surveyor {
     bool lies_near(const OGRGeometry& shape) const {
         OGREnvelope box;
         shape.getEnvelope(&box);
-        return query_.bounds->Intersects(box);
+        return query_.bounds && query_.bounds->Intersects(box);
     }
 
     bool lies_inside(const OGRGeometry& shape) const {

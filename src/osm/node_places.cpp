@@ -22,13 +22,13 @@ std::int64_t take(const char*& at, const char* end) {
 }  // namespace
 
 void NodePlaces::add(std::int64_t id, osmium::Location location) {
-    const Entry entry{id, location.x(), location.y()};
-    if (blocks_.empty()) {
-        begin_block(entry);
-    } else if (id <= last_.id) {
+    if (!blocks_.empty() && id <= last_.id) {
         out_of_order_.emplace_back(id, location);
         return;
-    } else if (in_block_ == block_size || last_.id < 0) {  // so that differences of ids stay in 64 bits
+    }
+    const Entry entry{id, location.x(), location.y()};
+    // After a negative id, so that differences of ids stay in 64 bits.
+    if (blocks_.empty() || in_block_ == block_size || last_.id < 0) {
         begin_block(entry);
     } else {
         std::string& bytes = chunks_.back();
@@ -41,7 +41,7 @@ void NodePlaces::add(std::int64_t id, osmium::Location location) {
 }
 
 void NodePlaces::begin_block(const Entry& entry) {
-    constexpr std::size_t longest_block = block_size * 3 * 10;  // bytes
+    constexpr std::size_t longest_block = std::size_t{block_size} * 3 * 10;  // bytes
     if (chunks_.empty() || chunks_.back().size() + longest_block > chunk_size) {
         chunks_.emplace_back().reserve(chunk_size);
     }

@@ -154,7 +154,7 @@ Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& o
     Opening shortest = is_known ? open(task.trip(), searchers, removed, *found, seconds, costliest)
                                 : open(task.trip(), searchers, removed, costliest);
     const std::optional<double> length = shortest.ground.length;
-    const Candidate start = candidate_of(task, std::move(shortest));
+    Candidate start = candidate_of(task, std::move(shortest));
     const bool promises = length && least_objective(task, *length, opening_times) < cutoff.reached;
     if (!promises || !drives_by_crossing(task) || task.driver.body.is_point()) return start;
     PathsInTime paths(task, searchers, opening_times, removed, cutoff);
