@@ -184,7 +184,10 @@ void Relations::visit(const osmium::Relation& relation, const Visitor& visitor) 
     if (members.complete) {
         osmium::memory::Buffer ways{std::size_t{1} << 12, osmium::memory::Buffer::auto_grow::yes};
         for (const std::vector<const osmium::Way*>* const some : {&members.outer, &members.inner}) {
-            for (const osmium::Way* way : *some) ways.add_item(*way), ways.commit();
+            for (const osmium::Way* way : *some) {
+                ways.add_item(*way);
+                ways.commit();
+            }
         }
         osmium::memory::Buffer assembled{std::size_t{1} << 12, osmium::memory::Buffer::auto_grow::yes};
         const osmium::area::AssemblerConfig config;

@@ -19,8 +19,8 @@ struct Cutoff {
 // E(X): the best timetable found of the mission that removes these obstacles, whoever proposed them and whatever else
 // was tried. Where nobody waits: the shortest path through them. Who has to wait does so where the rest of the way is
 // shortest, which is seldom on the shortest path: then paths for the breaches of the schedule before are tried as well,
-// until none is better, beginning with the shortest path and with the one for the earliest openings there are. What the
-// path does without stands again, but for what the rules force.
+// until none is better: from the one for the earliest openings there are, then from the shortest path. What the path
+// does without stands again, but for what the rules force.
 // `found`: a crossing search whose best path is the shortest through this set, if there is one; it saves time only.
 Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
                    std::vector<ObstacleId> removed, const Cutoff& cutoff = {}, const CrossingResult* found = nullptr,

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "city/bounds.hpp"
 #include "city/edge_faces.hpp"
 #include "city/vector_source.hpp"
 
@@ -16,15 +17,6 @@ namespace waybreaker::city {
 namespace {
 
 using enum ClosedArea::How;
-
-OGREnvelope box(double west, double south, double east, double north) {
-    OGREnvelope bounds;
-    bounds.MinX = west;
-    bounds.MinY = south;
-    bounds.MaxX = east;
-    bounds.MaxY = north;
-    return bounds;
-}
 
 double area_of(const ClosedArea& closed) {
     return closed.shape ? OGR_G_Area(OGRGeometry::ToHandle(closed.shape.get())) : 0;

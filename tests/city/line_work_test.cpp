@@ -6,17 +6,10 @@
 
 #include <algorithm>
 
+#include "city/bounds.hpp"
+
 namespace waybreaker::city {
 namespace {
-
-OGREnvelope box(double west, double south, double east, double north) {
-    OGREnvelope bounds;
-    bounds.MinX = west;
-    bounds.MinY = south;
-    bounds.MaxX = east;
-    bounds.MaxY = north;
-    return bounds;
-}
 
 double length(const std::vector<Line>& lines) {
     double sum = 0;

@@ -1,0 +1,17 @@
+// Bounds by their sides.
+#pragma once
+
+#include <ogr_core.h>
+
+namespace waybreaker::city {
+
+inline OGREnvelope box(double west, double south, double east, double north) {
+    OGREnvelope bounds;
+    bounds.MinX = west;
+    bounds.MinY = south;
+    bounds.MaxX = east;
+    bounds.MaxY = north;
+    return bounds;
+}
+
+}  // namespace waybreaker::city
