@@ -4,8 +4,8 @@
 // description, the attribution as TIFF copyright. What they have no place for, whom the map was made for
 // (WAYBREAKER_PROFILE, a word of site/profile.hpp; one that this version does not know is passed over), who each
 // obstacle is (obstacle_metadata.hpp, obstacle_names.hpp, kinds_item.hpp, tags_item.hpp), of what it is a part
-// (sections_item.hpp), what lies around them (background_item.hpp, bridges_item.hpp) and what was noticed of the ground (notes_item.hpp),
-// stands in metadata items, which gdal_translate copies too: see docs/data.md.
+// (sections_item.hpp), what lies around them (background_item.hpp, bridges_item.hpp) and what was noticed of the ground
+// (notes_item.hpp), stands in metadata items, which gdal_translate copies too: see docs/data.md.
 #pragma once
 
 #include <array>

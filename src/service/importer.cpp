@@ -116,7 +116,7 @@ std::string Importer::import(const std::string& name, std::string_view bytes, co
 }
 
 Importer::Overlay Importer::overlay(const city::OverlaySource& source, std::string_view bytes, const io::MapFile& map,
-                                   const StopToken& stop) const {
+                                    const StopToken& stop) const {
     const site::Georeference& place = map.georeference.value();
     const Json task{{"task", "overlay"},
                     {"name", source.file},

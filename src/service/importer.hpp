@@ -44,7 +44,7 @@ class Importer {
     // The things of an overlay, as a label map on the cells of a map that lies somewhere; `source.file` is what titles
     // and errors call it. Throws Problem if its data cannot be read, or as above.
     Overlay overlay(const city::OverlaySource& source, std::string_view bytes, const io::MapFile& map,
-                   const StopToken& stop) const;
+                    const StopToken& stop) const;
 
   private:
     struct Answer {
