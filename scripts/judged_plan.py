@@ -41,8 +41,10 @@ class Judgement:
         self.wild = self.off_roads() if rules.truck else None
 
     def reach(self, f):
-        """How far from its line, or its edge, cells may lie that a way opens."""
-        return max(f.width / 2 if f.line else 0, self.rules.breadth / 2 + self.diagonal / 2) + self.diagonal / 2
+        """How far from its line points can lie in cells that a way opens: those whose centres it covers, those that it
+        touches, and what a vehicle wider than a cell comes over there."""
+        driven = self.rules.breadth / 2 + self.diagonal / 2 if self.rules.breadth > self.ground.cell else 0
+        return max(f.width / 2, driven + self.diagonal / 2) + self.diagonal / 2
 
     def opened(self, f, shape):
         return shape.Buffer(self.reach(f) if f.line else self.diagonal / 2)

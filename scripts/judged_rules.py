@@ -120,7 +120,7 @@ class Rules:
         if shape == "point":
             return self.point(tags), 0
         if elsewhere(tags):
-            return None, 0
+            return ("house" if shape == "area" and house(tags) else None), 0
         if tags.get("highway") in WIDTHS:
             return self.way(tags, shape == "line")
         return self.area(tags) if shape == "area" else self.line(tags)
@@ -197,16 +197,18 @@ class Rules:
             return "closed", 0
         if not has(tags, "covered") and any(tags.get(key) in values for key, values in WATER.items()):
             return "water", 0
+        if house(tags) or tags.get("man_made") in TANKS:
+            return "house", 0
         surface = number(tags.get("layer")) >= 0
         if self.truck and surface and not self.shut_out(tags) and self.paved(tags):
             return "paved", 0
-        house = has(tags, "building") or tags.get("man_made") in TANKS
+        building = has(tags, "building")
         if tags.get("natural") == "glacier" or tags.get("aeroway") in AIRFIELD or (
-                tags.get("power") == "substation" and not house):
+                tags.get("power") == "substation" and not building):
             return "forbidden", 0
-        if tags.get("access") in ("no", "private") and not house and not has(tags, "boundary") and surface:
+        if tags.get("access") in ("no", "private") and not building and not has(tags, "boundary") and surface:
             return "forbidden", 0
-        return ("house" if house or has(tags, "barrier") else None), 0
+        return ("house" if has(tags, "barrier") else None), 0
 
     def paved(self, tags):
         highway = tags.get("area:highway")
@@ -218,6 +220,12 @@ def elsewhere(tags):
     """Indoors, on a roof or under the ground."""
     return (has(tags, "indoor") or tags.get("parking") in ("underground", "rooftop", "multi-storey")
             or tags.get("location") in ("underground", "indoor", "roof", "rooftop"))
+
+
+def house(tags):
+    """A building that stands on the ground and bars the way."""
+    return (has(tags, "building") and tags["building"] not in ("roof", "carport", "canopy", "bridge")
+            and number(tags.get("layer")) >= 0 and "underground" not in (tags.get("location"), tags.get("parking")))
 
 
 def tunnel(tags):

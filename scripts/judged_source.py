@@ -141,7 +141,8 @@ class Source:
         self.box = reader.nodes
         if stated.valid():
             low, high = stated.bottom_left, stated.top_right
-            self.box = [low.lon, low.lat, high.lon, high.lat]
+            around = [*(x - 1 for x in self.box[:2]), *(x + 1 for x in self.box[2:])]  # some state half the world
+            self.box = [*map(max, around[:2], (low.lon, low.lat)), *map(min, around[2:], (high.lon, high.lat))]
 
     def hull(self):
         """Around all lines of the features; None of a source without any."""
