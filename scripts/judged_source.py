@@ -38,6 +38,7 @@ def polygon_of(places):
     ring = ogr.Geometry(ogr.wkbLinearRing)
     for place in places:
         ring.AddPoint_2D(*place)
+    ring.CloseRings()
     polygon = ogr.Geometry(ogr.wkbPolygon)
     polygon.AddGeometry(ring)
     return polygon
@@ -57,6 +58,7 @@ class Reader(osmium.SimpleHandler):
         self.features = []
         self.lines = {}  # of all ways
         self.rings = {}  # tags of closed ways that may be areas
+        self.whole = set()  # ways that lack no node
         self.assembled = set()
         self.relations = []
         self.nodes = [180.0, 90.0, -180.0, -90.0]
@@ -81,6 +83,8 @@ class Reader(osmium.SimpleHandler):
         if len(places) < 2:
             return
         self.lines[way.id] = places
+        if len(places) == len(way.nodes):
+            self.whole.add(way.id)
         tags = {tag.k: tag.v for tag in way.tags}
         closed = len(way.nodes) > 3 and way.nodes[0].ref == way.nodes[-1].ref
         if KEYS.isdisjoint(tags):
@@ -125,7 +129,7 @@ class Reader(osmium.SimpleHandler):
         """Areas that lack members."""
         return [Cut(-number, tags, [line_of(self.lines[way]) for way in ways if way in self.lines])
                 for number, tags, ways in self.relations
-                if -number not in self.assembled and any(way not in self.lines for way in ways)]
+                if -number not in self.assembled and not self.whole.issuperset(ways)]
 
 
 class Source:
