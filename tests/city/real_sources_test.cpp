@@ -13,6 +13,7 @@
 #include <ostream>
 
 #include "city/city_import.hpp"
+#include "city/overlay_source.hpp"
 #include "project_folder.hpp"
 
 namespace waybreaker::city {
@@ -274,6 +275,16 @@ INSTANTIATE_TEST_SUITE_P(Data, CommittedMaps,
                                                       0.3571,
                                                       {48, 136},
                                                       {433, 257}}));
+
+TEST(CommittedMapUnderAFlood, is_that_of_krems_with_its_flood) {
+    geotiff::LabelTiff krems = read_map(committed_file("krems.tif"));
+    site::DescribedMap map{krems.map, krems.annotations};
+    lay_over({.file = committed_file("krems-flood.geojson")}, *krems.georeference, {}, map);
+    krems.map = map.map;
+    krems.annotations = map.annotations;
+    EXPECT_EQ(geotiff::label_tiff_bytes(krems),
+              geotiff::label_tiff_bytes(read_map(committed_file("krems-flooded.tif"))));
+}
 
 // The Empire State Building: its published coordinates fall on the obstacle with its OpenStreetMap id, and come back.
 TEST(CommittedMapOfManhattan, has_the_empire_state_building_where_it_stands) {
