@@ -38,6 +38,8 @@ class Judgement:
         self.crossable = self.ways | below
         self.beyond = shrunk(~g.painted([g.data]), edge)
         self.bars = self.barred()
+        self.beside_bars = g.painted([ogr.CreateGeometryFromWkt(f"POINT({x} {y})").Buffer(
+            max(width / 2, rules.breadth / 2 + diagonal) + diagonal) for (x, y), width in self.bars.items()])
         self.wild = self.off_roads() if rules.truck else None
 
     def reach(self, f):
@@ -64,7 +66,7 @@ class Judgement:
         """Where no road, car park or yard is."""
         g = self.ground
         roads = g.painted([self.opened(f, s) for f, s in g.shapes("way", "underpass", "paved")])
-        houses = g.painted([s.Buffer(g.cell) if f.line else s for f, s in g.shapes("house", "bars")])
+        houses = g.painted([s.Buffer(g.cell) if f.line else s for f, s in g.shapes("house")]) | self.beside_bars
         yards = g.metres_to(roads) + g.metres_to(houses) <= YARD + self.diagonal
         return ~(roads | yards | houses)
 
@@ -85,10 +87,7 @@ class Judgement:
 
     def public_ways(self):
         g = self.ground
-        bars = g.painted([ogr.CreateGeometryFromWkt(f"POINT({x} {y})").Buffer(
-            max(width / 2, self.rules.breadth / 2 + self.diagonal) + self.diagonal)
-                          for (x, y), width in self.bars.items()])
-        skip = self.shut | bars | ~g.painted([g.data.Buffer(-self.diagonal)])
+        skip = self.shut | self.beside_bars | ~g.painted([g.data.Buffer(-self.diagonal)])
         count = free = 0
         for f, shape in g.shapes("way"):
             if not f.line or shape.Length() == 0:
