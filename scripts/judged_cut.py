@@ -83,7 +83,8 @@ def closed(lines, edge, evidence):
         return None
     ring = ogr.ForceToLineString(edge.GetGeometryRef(0).Clone())
     faces = together(lines + added).Union(ring).Polygonize()
-    faces = [face for face in parts(faces) if face.GetGeometryName() == "POLYGON" and edge.Contains(face.PointOnSurface())]
+    faces = [face for face in parts(faces)
+             if face.GetGeometryName() == "POLYGON" and edge.Contains(face.PointOnSurface())]
     banks = together(lines).Intersection(edge)
 
     def count(face, points):

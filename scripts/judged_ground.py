@@ -99,7 +99,8 @@ class Ground:
         """From each point to the nearest marked one."""
         near, far = self.raster(), self.raster(gdal.GDT_Float32)
         near.GetRasterBand(1).WriteArray(marked.astype(np.uint8))
-        gdal.ComputeProximity(near.GetRasterBand(1), far.GetRasterBand(1), ["VALUES=1", "DISTUNITS=PIXEL", "NODATA=1e9"])
+        gdal.ComputeProximity(near.GetRasterBand(1), far.GetRasterBand(1),
+                              ["VALUES=1", "DISTUNITS=PIXEL", "NODATA=1e9"])
         return far.ReadAsArray() * (self.cell / SCALE)
 
     def fine(self, cells):

@@ -20,7 +20,8 @@ def share(part, whole):
 
 class Judgement:
     def __init__(self, ground, rules, raw):
-        self.ground, self.rules = g, _ = ground, rules
+        self.ground = g = ground
+        self.rules = rules
         self.diagonal = diagonal = g.cell * math.sqrt(2)
         edge = 0 if raw else math.ceil(diagonal / 2 / (g.cell / SCALE)) + 1
         self.public = g.shapes("way", "pier")
@@ -119,7 +120,7 @@ class Judgement:
                                 ("m without data", self.beyond)):
                 sums[what] += STEP * int(g.at(where, *along).sum())
             if self.wild is not None:
-                opened = self.ground.metres_to(g.fine(removed)) <= YARD if removed.any() else np.zeros_like(self.wild)
+                opened = g.metres_to(g.fine(removed)) <= YARD if removed.any() else np.zeros_like(self.wild)
                 sums["m off roads"] += STEP * int(g.at(self.wild & ~opened, *along).sum())
             sums["lines crossed"] += self.lines_crossed(line)
             sums["bridges entered from their sides"] += self.sides_crossed(line)

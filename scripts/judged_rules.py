@@ -78,8 +78,8 @@ def is_line(tags):
 class Rules:
     """Of one profile: `kind` says what a feature is to it, and how wide its line is.
 
-    way, underpass: public ways. pier, paved: open as well. forbidden, closed (no way leads across), cliff, water, coast:
-    never passable. house: can be removed. bars: a point that closes its way.
+    way, underpass: public ways. pier, paved: open as well. forbidden, closed (no way leads across), cliff, water and
+    coast: never passable. house: can be removed. bars: a point that closes its way.
     """
 
     def __init__(self, profile):
