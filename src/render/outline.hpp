@@ -12,8 +12,18 @@ namespace waybreaker::render {
 
 // What a cell looks like: what can be removed (a barrier: a wall, fence or hedge), what has to stay, what the ground
 // closes, what nobody knows.
-enum class Style : std::uint8_t { obstacle, barrier, fixed_obstacle, water, cliff, forbidden, unknown, removed };
-inline constexpr std::size_t style_count = 8;
+enum class Style : std::uint8_t {
+    obstacle,
+    barrier,
+    fixed_obstacle,
+    water,
+    cliff,
+    forbidden,
+    off_road,
+    unknown,
+    removed
+};
+inline constexpr std::size_t style_count = 9;
 
 // styles[label] says how the cells of that label are drawn. For each style, the rings around all cells of its labels as
 // SVG path data, to be filled with the even-odd rule. One unit is one cell; corner (0, 0) is the upper-left corner of

@@ -66,8 +66,8 @@ std::string draw_obstacles(const Scene& scene) {
     const Layout& layout = scene.layout;
     std::string out = rectangle(layout.map, fmt::format(R"(fill="{}")", colour::street)) +
                       ground(scene.options.annotations.background, layout);
-    for (const Style style : {Style::water, Style::forbidden, Style::cliff, Style::unknown, Style::obstacle,
-                              Style::barrier, Style::fixed_obstacle, Style::removed}) {
+    for (const Style style : {Style::water, Style::off_road, Style::forbidden, Style::cliff, Style::unknown,
+                              Style::obstacle, Style::barrier, Style::fixed_obstacle, Style::removed}) {
         out += obstacle_sign(style, scene.outline(style), {layout.map.x, layout.map.y}, scene.raster_scale(),
                              scene.unit());
     }
@@ -262,12 +262,13 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     for (LegendEntry& entry : scene.mission.is_team() ? team_paths(scene) : single_paths(scene)) {
         entries.push_back(std::move(entry));
     }
-    constexpr std::array<std::pair<Style, std::string_view>, 7> obstacles{{{Style::obstacle, "obstacle"},
+    constexpr std::array<std::pair<Style, std::string_view>, 8> obstacles{{{Style::obstacle, "obstacle"},
                                                                            {Style::barrier, "wall, fence, hedge"},
                                                                            {Style::fixed_obstacle, "not removable"},
                                                                            {Style::water, "water"},
                                                                            {Style::cliff, "cliff or ditch"},
                                                                            {Style::forbidden, "forbidden ground"},
+                                                                           {Style::off_road, "off the roads"},
                                                                            {Style::unknown, "unknown: no data"}}};
     for (const auto& [style, name] : obstacles) {
         if (!scene.outline(style).empty()) entries.push_back({swatch(style), name});

@@ -22,8 +22,9 @@ Style style_of(bool destructible, site::ObstacleKind kind) {
         case cliff:
             return Style::cliff;
         case forbidden:
-        case off_road:
             return Style::forbidden;
+        case off_road:
+            return Style::off_road;
         default:
             return Style::fixed_obstacle;
     }

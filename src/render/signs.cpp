@@ -154,6 +154,7 @@ std::string obstacle_sign(Style style, std::string_view data, Point origin, doub
                                            {"url(#waves)", colour::shore, size::edge},
                                            {colour::cliff, colour::cliff_edge, size::edge},
                                            {"url(#stripes)", colour::forbidden_edge, size::edge},
+                                           {"url(#dots)", colour::off_road_edge, size::edge},
                                            {"url(#lattice)", colour::unknown_edge, size::edge},
                                            {"url(#hatching)", colour::removed, size::removed_edge}};
     const Paint& paint = paints[std::size_t(style)];
@@ -184,12 +185,16 @@ std::string patterns(double unit, double scale) {
     const std::string waves = fmt::format(
         R"(<rect width="{0:.4g}" height="{0:.4g}" fill="{1}"/><path d="M0 {2:.4g}h{3:.4g}M{3:.4g} {4:.4g}h{3:.4g}" stroke="{5}" stroke-width="{6:.4g}"/>)",
         wave, colour::deep_water, 0.25 * wave, 0.5 * wave, 0.75 * wave, colour::shore, unit / scale);
+    const double grid = 14 * unit / scale;
+    const std::string dots = fmt::format(
+        R"(<rect width="{0:.4g}" height="{0:.4g}" fill="{1}"/><path d="M{2:.4g} {2:.4g}h0M{3:.4g} {3:.4g}h0" stroke="{4}" stroke-width="{5:.4g}" stroke-linecap="round"/>)",
+        grid, colour::off_road, 0.25 * grid, 0.75 * grid, colour::off_road_edge, 2 * unit / scale);
     const double mesh = 12 * unit / scale;
     const std::string lattice = fmt::format(
         R"(<rect width="{0:.4g}" height="{0:.4g}" fill="{1}"/><path d="M0 0h{0:.4g}M0 0v{0:.4g}" stroke="{2}" stroke-width="{3:.4g}"/>)",
         mesh, colour::unknown, colour::unknown_edge, 1.2 * unit / scale);
     return pattern("hatching", hatch, 45, striped(hatch, 0.3, colour::removed_tint, colour::removed)) +
-           pattern("waves", wave, 0, waves) + pattern("lattice", mesh, 45, lattice) +
+           pattern("waves", wave, 0, waves) + pattern("dots", grid, 0, dots) + pattern("lattice", mesh, 45, lattice) +
            pattern("stripes", stripe, -45, striped(stripe, 0.22, colour::forbidden, colour::forbidden_edge));
 }
 

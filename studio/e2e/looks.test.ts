@@ -78,6 +78,7 @@ it("has no black map while it loads", async () => {
 
 it("is printed in light colours, with its whole curve, the date and the link", async () => {
   const { page } = await visit({ colorScheme: "dark" });
+  await page.getByText("One removal more").waitFor(); // the last to come
   const onScreen = await studio!.colourAt(0.01, 0.01);
   const tell = (event: string) => page.evaluate((name) => void dispatchEvent(new Event(name)), event);
   await tell("beforeprint"); // what follows it is printed: there is no frame more

@@ -113,13 +113,13 @@ TEST_F(Overlays, of_water_bar_streets_and_leave_bridges_open) {
     EXPECT_EQ(laid(source(OverlayUse::water, flood)),
               "BBBB..........\n"
               "wwwwwwwwwww.ww\n"
-              "wwwwwwwwww...w\n"
-              "wwwwwwwwww...w\n"
-              "wwwwwwwwww...w\n"
-              "wwwwwwwwww...w\n"
-              "wwwwwwwwww...w\n"
-              "..............\n"
-              "..............\n"
+              "wwwwwwwwwc...c\n"
+              "wwwwwwwwwc...c\n"
+              "wwwwwwwwwc...c\n"
+              "wwwwwwwwwc...c\n"
+              "wwwwwwwwwc...c\n"
+              ".........c...c\n"
+              ".........c...c\n"
               "..............\n"
               "..............\n"
               "..............\n"
@@ -137,8 +137,8 @@ TEST_F(Overlays, of_water_bar_streets_and_leave_bridges_open) {
 TEST_F(Overlays, of_closures_bar_bridges_as_well) {
     const std::string map = laid(source(OverlayUse::closed, Shapes().line(R"("width":4)", {{-1, 4.5}, {14, 4.5}})));
     EXPECT_EQ(map.substr(4 * 15, 30),
-              "xxxxxxxxxxxxxx\n"
-              "xxxxxxxxxxxxxx\n");
+              "xxxxxxxxxcxxxc\n"
+              "xxxxxxxxxcxxxc\n");
 }
 
 TEST_F(Overlays, of_debris_lie_on_open_ground_and_can_be_removed) {
@@ -147,7 +147,7 @@ TEST_F(Overlays, of_debris_lie_on_open_ground_and_can_be_removed) {
                               .area(R"("name":"Tree")", box(7.6, 3.6, 8.4, 4.4));
     const std::string map = laid(source(OverlayUse::debris, debris));
     EXPECT_EQ(map.substr(0, 15), "BBBBbbbb......\n");
-    EXPECT_EQ(map.substr(4 * 15, 15), "........b.....\n");
+    EXPECT_EQ(map.substr(4 * 15, 15), "........bc...c\n");
     ImportOptions options = town_window;
     options.overlays = {source(OverlayUse::debris, debris)};
     options.choice.weight = {"area", 2};

@@ -13,6 +13,7 @@
 #include <ostream>
 
 #include "city/city_import.hpp"
+#include "city/overlay_source.hpp"
 #include "project_folder.hpp"
 
 namespace waybreaker::city {
@@ -180,10 +181,10 @@ TEST_P(CommittedMaps, hold_what_they_should) {
     EXPECT_NEAR(density(tiff.map), expected.density, 5e-4);
     EXPECT_EQ(tiff.annotations.attribution, "(c) OpenStreetMap contributors, ODbL 1.0");
     for (const Obstacle& obstacle : tiff.map.obstacles()) {
-        // Only the sea has no id.
-        const bool sea =
-            !tiff.annotations.kinds.empty() && tiff.annotations.kinds[obstacle.id.value] == site::ObstacleKind::water;
-        EXPECT_TRUE(obstacle.source_id != 0 || sea);
+        if (obstacle.source_id != 0) continue;
+        ASSERT_FALSE(tiff.annotations.kinds.empty());
+        const site::ObstacleKind kind = tiff.annotations.kinds[obstacle.id.value];
+        EXPECT_TRUE(kind == site::ObstacleKind::water || kind == site::ObstacleKind::unknown);  // the sea, no data
     }
     const auto [lon, lat] = geotiff::ToLonLat(*tiff.georeference)(250, 250);
     EXPECT_NEAR(lon, expected.options.longitude, 1e-7);
@@ -214,57 +215,57 @@ INSTANTIATE_TEST_SUITE_P(Data, CommittedMaps,
                          testing::Values(CommittedMap{"andorra.tif",
                                                       "andorra.osm.pbf",
                                                       {1.528, 42.5085, 1202.4, 2.4, false, {}, Profile::rover},
-                                                      1904,
-                                                      0.2784,
+                                                      1934,
+                                                      0.2790,
                                                       {251, 185},
                                                       {395, 395}},
                                          CommittedMap{"krems.tif",
                                                       "krems.osm.gz",
-                                                      {15.6076, 48.4106, 1202.4, 2.4, false, {}, Profile::rover},
-                                                      1736,
-                                                      0.2692,
-                                                      {112, 130},
-                                                      {52, 491}},
+                                                      {15.608, 48.4086, 1202.4, 2.4, false, {}, Profile::rover},
+                                                      1683,
+                                                      0.3744,
+                                                      {100, 37},
+                                                      {40, 398}},
                                          CommittedMap{"berlin-adlershof.tif",
                                                       "berlin-adlershof.osm.gz",
                                                       {13.5378, 52.4325, 1202.4, 2.4, false, {}, Profile::rover},
-                                                      2101,
-                                                      0.2990,
+                                                      2122,
+                                                      0.3014,
                                                       {130, 104},
                                                       {466, 105}},
                                          CommittedMap{"berlin-mitte.tif",
                                                       "berlin-mitte.osm.gz",
                                                       {13.383, 52.5213, 1202.4, 2.4, false, {}, Profile::rover},
-                                                      1978,
-                                                      0.3016,
+                                                      2053,
+                                                      0.3039,
                                                       {485, 101},
                                                       {425, 488}},
                                          CommittedMap{"manhattan.tif",
                                                       "manhattan.osm.pbf",
                                                       {-73.9855, 40.748, 1202.4, 2.4, false, {}, Profile::rover},
-                                                      3411,
-                                                      0.5455,
+                                                      3436,
+                                                      0.5456,
                                                       {354, 45},
                                                       {16, 237}},
                                          CommittedMap{"honolulu.tif",
                                                       "honolulu.osm.pbf",
                                                       {-157.86, 21.305, 1202.4, 2.4, false, {}, Profile::rover},
-                                                      1910,
+                                                      1912,
                                                       0.3748,
                                                       {435, 408},
                                                       {340, 93}},
                                          CommittedMap{"kyoto.tif",
                                                       "kyoto.osm.gz",
                                                       {135.76, 34.9615, 1202.4, 2.4, false, {}, Profile::rover},
-                                                      2054,
-                                                      0.2802,
+                                                      2069,
+                                                      0.2936,
                                                       {177, 253},
                                                       {475, 244}},
                                          CommittedMap{"monaco.tif",
                                                       "monaco.osm.pbf",
                                                       {7.4215, 43.7345, 1202.4, 2.4, false, {}, Profile::rover},
-                                                      1851,
-                                                      0.4630,
+                                                      2029,
+                                                      0.4683,
                                                       {301, 63},
                                                       {375, 345}},
                                          CommittedMap{"turin.tif",
@@ -274,6 +275,16 @@ INSTANTIATE_TEST_SUITE_P(Data, CommittedMaps,
                                                       0.3571,
                                                       {48, 136},
                                                       {433, 257}}));
+
+TEST(CommittedMapUnderAFlood, is_that_of_krems_with_its_flood) {
+    geotiff::LabelTiff krems = read_map(committed_file("krems.tif"));
+    site::DescribedMap map{krems.map, krems.annotations};
+    lay_over({.file = committed_file("krems-flood.geojson")}, *krems.georeference, {}, map);
+    krems.map = map.map;
+    krems.annotations = map.annotations;
+    EXPECT_EQ(geotiff::label_tiff_bytes(krems),
+              geotiff::label_tiff_bytes(read_map(committed_file("krems-flooded.tif"))));
+}
 
 // The Empire State Building: its published coordinates fall on the obstacle with its OpenStreetMap id, and come back.
 TEST(CommittedMapOfManhattan, has_the_empire_state_building_where_it_stands) {

@@ -120,14 +120,16 @@ TEST_F(WrittenMaps, SayWhatIsLost) {
 // Names and what lies around go with a map, as far as its format takes them.
 TEST_F(WrittenMaps, AreStillKnownByTheirNames) {
     const io::MapFile city = read_map_file(project_folder() / "data" / "berlin-mitte.tif");
-    ASSERT_EQ(site::name_count(city.annotations.names), 809U);
+    ASSERT_EQ(site::name_count(city.annotations.names), 814U);
     ASSERT_FALSE(city.annotations.background.features.empty());
     EXPECT_TRUE(write(city, "b.tif").losses.empty());
     EXPECT_EQ(bytes_of("b.tif"), bytes_of(project_folder() / "data" / "berlin-mitte.tif"));
 
     const std::string ground = "does not hold streets, water and what else lies around the obstacles";
     EXPECT_EQ(write(city, "b.geojson").losses,
-              (std::vector<std::string>{"a GeoJSON does not hold the size of a cell", "a GeoJSON " + ground}));
+              (std::vector<std::string>{"a GeoJSON does not hold the size of a cell", "a GeoJSON " + ground,
+                                        "a GeoJSON does not hold whom the map was made for",
+                                        "a GeoJSON does not hold the notes"}));
     city::ImportOptions all_of_it{.longitude = 13.383, .latitude = 52.5213};
     all_of_it.choice.obstacles = {{.key = "*"}};
     const geotiff::LabelTiff imported = city::import_city(path("b.geojson"), all_of_it).tiff;

@@ -139,6 +139,17 @@ TEST(Picture, TellsApartWhatTheGroundIs) {
     }
 }
 
+TEST(Picture, HasDotsOffTheRoads) {
+    std::vector<ObstacleAttributes> attributes(2);
+    attributes[1].destructible = false;
+    const World world = unsolved(Map::from_labels(3, 1, {0, 1, 0}, attributes), {0, 0}, {2, 0});
+    const auto picture =
+        parsed(svg_of(world, {.annotations = {.kinds = {site::ObstacleKind::unknown, site::ObstacleKind::off_road}}}));
+    EXPECT_EQ(count(picture, "/svg/path[@fill='url(#dots)'][@d='m1 0h1v1h-1z']"), 1U);
+    EXPECT_TRUE(says(picture, "off the roads"));
+    EXPECT_FALSE(says(picture, "forbidden ground"));
+}
+
 TEST(Picture, ShowsWhatNobodyKnows) {
     std::vector<ObstacleAttributes> attributes(3);
     attributes[1].destructible = attributes[2].destructible = false;

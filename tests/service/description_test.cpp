@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -24,7 +25,7 @@ std::string with_id(std::string path, const std::string& id) {
 }
 
 std::string type_of(const std::string& path) {
-    return path == maps || path == sources ? octets : "application/json";
+    return path == maps || path == sources || path.ends_with("/overlays") ? octets : "application/json";
 }
 
 class DescriptionTest : public LiveServer {
@@ -114,14 +115,15 @@ void DescriptionTest::provoke_shortage() {
     options_.limits.memory = 10 * megabyte;
     options_.limits.timeout = 60;
     begin();
-    const Wire wire(port());
-    wire.send(
+    auto wire = std::make_unique<Wire>(port());
+    wire->send(
         "POST /api/v1/maps HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/octet-stream\r\nContent-Length: " +
         std::to_string(8 * megabyte) + "\r\n\r\n" + std::string(7 * megabyte, '.'));
     const std::string sent = "waybreaker_memory_bytes{use=\"requests\"} " + std::to_string(7 * megabyte);
     while (get("/metrics").body.find(sent) == std::string::npos) std::this_thread::yield();
     EXPECT_EQ(post(maps, thicket(601), octets).status, 503);
     post_json(maps + "/large.map/edits", Json::object(), 503);
+    wire.reset();  // or the server would wait for the rest
     end();
 }
 

@@ -3,7 +3,7 @@ import type { CellMap } from "./cell_map";
 import type { Obstacle } from "./map";
 import { isUnknown } from "./unknown_ground";
 
-export const looks = ["removable", "barrier", "fixed", "water", "cliff", "forbidden", "unknown"] as const;
+export const looks = ["removable", "barrier", "fixed", "water", "cliff", "forbidden", "off_road", "unknown"] as const;
 
 export type Look = (typeof looks)[number];
 
@@ -16,8 +16,7 @@ export function lookOf(obstacle: Obstacle, ruled = none): Look {
   if (isUnknown(obstacle)) return "unknown";
   if (destructible && ruled.has(id)) return "fixed";
   if (destructible) return kind === "barrier" ? "barrier" : "removable";
-  if (kind === "off_road") return "forbidden";
-  return kind === "water" || kind === "cliff" || kind === "forbidden" ? kind : "fixed";
+  return kind === "water" || kind === "cliff" || kind === "forbidden" || kind === "off_road" ? kind : "fixed";
 }
 
 // Those of a map, in the order above.

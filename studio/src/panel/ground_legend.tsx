@@ -10,6 +10,7 @@ const words: Record<Look, string> = {
   water: "water",
   cliff: "cliff or ditch",
   forbidden: "forbidden ground",
+  off_road: "off the roads",
   unknown: "unknown: no data",
 };
 

@@ -92,6 +92,18 @@ describe("default mission", () => {
     expect([start, goal].every(([x, y]) => x >= 2 && y >= 2)).toBe(true);
   });
 
+  it("stands where a wide vehicle fits, and can get away", () => {
+    const map = mapOf(
+      "a.........", //
+      "a.aaaaa...",
+      "a.a.......",
+      "..a.......",
+      "..aaaaa...",
+    );
+    expect(farApart(map, 0.5).start).toEqual([1, 4]);
+    expect(farApart(map, 1.2)).toEqual({ start: [8, 4], goal: [8, 0] });
+  });
+
   it("can stand on any map with a free cell", () => {
     expect(farApart(mapOf("aaa", "a.a"))).toEqual({ start: [1, 1], goal: [1, 1] });
     expect(farApart(mapOf("aa")).start).toHaveLength(2);

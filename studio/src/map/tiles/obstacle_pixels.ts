@@ -42,7 +42,7 @@ export class ObstacleLooks {
     if (own === other || (other !== 0 && other < own)) return 0;
     if (other === 0) return 1;
     const look = looks[this.of[own]!]!;
-    const ground = look === "water" || look === "cliff" || look === "forbidden" || look === "unknown";
+    const ground = look === "water" || look === "cliff" || look === "forbidden" || look === "off_road" || look === "unknown";
     if (ground && this.of[own] === this.of[other]) return 0;
     return this.#areOfOne(own, other) ? 0.3 : 1;
   }
@@ -78,11 +78,12 @@ function overviewFill({ fill, edge }: Shade): Rgb {
   return mix(fill, edge, 0.25);
 }
 
-// So that ground differs by more than its colour, in print as well: waves on water, stripes on what is forbidden, a
-// lattice where nobody knows. They go on from tile to tile, whose side is a multiple of theirs.
+// So that ground differs by more than its colour, in print as well: waves on water, stripes on what is forbidden,
+// dots off the roads, a lattice where nobody knows. They go on from tile to tile, whose side is a multiple of theirs.
 const patterns: Partial<Record<Look, (x: number, y: number) => boolean>> = {
   water: (x, y) => y % 8 === 4 && (x + (y & 8)) % 16 < 8,
   forbidden: (x, y) => ((x - y) & 7) < 2, // across those of what is removed
+  off_road: (x, y) => y % 8 === 4 && (x + (y & 8) / 2) % 8 === 2,
   unknown: (x, y) => ((x - y) & 7) === 0 || ((x + y) & 7) === 0,
 };
 

@@ -11,12 +11,14 @@ const colours = {
   water: { fill: "#101010", edge: "#606060" },
   cliff: { fill: "#202020", edge: "#303030" },
   forbidden: { fill: "#505050", edge: "#a0a0a0" },
+  off_road: { fill: "#d0d0d0", edge: "#909090" },
   unknown: { fill: "#c0c0c0", edge: "#707070" },
 };
 const names: Record<number, string> = {
   0: ".", 0xffff0000: "o", 0xff00ff00: "e", 0xff0000ff: "f", 0xffffffff: "F", 0xffffff00: "b", 0xff00ffff: "B",
   0xff101010: "w", 0xff606060: "W", 0xff404040: "~", 0xff505050: "c", 0xffa0a0a0: "C", 0xff808080: "s",
   0xffc0c0c0: "u", 0xff707070: "U", 0xff909090: "#",
+  0xffd0d0d0: "r", 0xffaaaaaa: "'",
 };
 
 function picture(map: ReturnType<typeof mapOf>, level: number, width: number, height: number): string[] {
@@ -90,6 +92,15 @@ describe("pixels of obstacles", () => {
       "BbbbbbbBwwwwwwwwwwwwwwwwwwwwwwwWccccccssccccccsC",
       "BBBBBBBBWWWWWWWWWWWWWWWWWWWWWWWWCCCCCCCCCCCCCCCC",
     ]);
+  });
+
+  it("have dots beside the roads that a truck keeps to", () => {
+    const map = mapOf("A");
+    Object.assign(map.obstacle(1)!, { kind: "off_road", destructible: false });
+    const rows = picture(map, 4, 16, 16).map((row) => row.slice(1, 15));
+    expect(rows[4]).toBe("r'rrrrrrr'rrrr");
+    expect(rows[12]).toBe("rrrrr'rrrrrrr'");
+    for (const y of [2, 6, 8, 10, 14]) expect(rows[y]).toBe("rrrrrrrrrrrrrr");
   });
 
   it("have a lattice where nobody knows what is there", () => {

@@ -75,7 +75,7 @@ describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of 
 
 describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of the ground, %s", (_, theme) => {
   const { paper, street, removedTint, obstacles } = theme;
-  const known = looks.filter((look) => look !== "unknown");
+  const known = looks.filter((look) => look !== "unknown" && look !== "off_road");
   const closed = [removedTint, ...known.map((look) => obstacles[look].fill)];
 
   it.each(Object.entries({ ...eyes, greyscale }))("are apart for eyes with %s vision", (_, eye) => {
@@ -88,6 +88,14 @@ describe.each(Object.entries({ light, dark }) as [string, Theme][])("colours of 
   it("have patterns and edges that show in print", () => {
     for (const look of looks) expect(distance(obstacles[look].fill, obstacles[look].edge, greyscale), look).toBeGreaterThan(0.1);
     expect(distance(removedTint, theme.removed, greyscale)).toBeGreaterThan(0.2);
+  });
+
+  // As light as other ground in print, under dots that nothing else has.
+  it("have dots off the roads, which are green for usual eyes", () => {
+    const { fill, edge } = obstacles.off_road;
+    const others = [...closed, paper, street];
+    for (const other of others) expect(distance(fill, other, eyes.usual!), other).toBeGreaterThan(0.04);
+    for (const eye of [...Object.values(eyes), greyscale]) expect(distance(fill, edge, eye)).toBeGreaterThan(0.2);
   });
 
   // Where nobody knows, it looks like what lies beyond the map, under a lattice that nothing else has.
@@ -159,7 +167,7 @@ it("pictures have the colours of the light page", () => {
   const palette = text("../src/render/palette.hpp");
   const colours = Object.fromEntries([...palette.matchAll(/string_view (\w+) = "(#\w{6})"/g)].map(([, name, value]) => [name!, value!]));
   const lists = (name: string) => new RegExp(`${name}\\{([^}]*)\\}`).exec(palette)![1]!.split(",").map((one) => one.trim());
-  const names = { removable: "obstacle", barrier: "barrier", fixed: "fixed_obstacle", water: "deep_water", cliff: "cliff", forbidden: "forbidden", unknown: "unknown" };
+  const names = { removable: "obstacle", barrier: "barrier", fixed: "fixed_obstacle", water: "deep_water", cliff: "cliff", forbidden: "forbidden", off_road: "off_road", unknown: "unknown" };
   for (const look of looks) expect(colours[names[look]], look).toBe(light.obstacles[look].fill);
   for (const name of ["paper", "removed", "ground", "air"] as const) expect(colours[name], name).toBe(light[name]);
   expect(colours.removed_tint).toBe(light.removedTint);
