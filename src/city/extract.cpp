@@ -154,9 +154,13 @@ void find_densest(const std::vector<Spot>& spots, const OGREnvelope& box, Extrac
     const int across = taken(width, columns);
     const int down = taken(height, rows);
     const auto [x, y] = best_square(shares(spots, box, columns, rows), columns, rows, across, down);
-    const auto rounded = [](double degrees) { return std::round(degrees * 1e5) / 1e5; };  // to a metre
-    extract.densest = {rounded(box.MinX + (box.MaxX - box.MinX) * (x + across / 2.0) / columns),
-                       rounded(box.MaxY - (box.MaxY - box.MinY) * (y + down / 2.0) / rows)};
+    // The middle of those parts, to a metre, from which the square does not reach beyond the data.
+    const auto middle = [&](double low, double high, double at, double length) {
+        const double half = 0.5 * extract.side / std::max(length, extract.side);
+        return std::round((low + (high - low) * std::clamp(at, half, 1 - half)) * 1e5) / 1e5;
+    };
+    extract.densest = {middle(box.MinX, box.MaxX, (x + across / 2.0) / columns, width),
+                       middle(box.MinY, box.MaxY, 1 - (y + down / 2.0) / rows, height)};
 }
 
 }  // namespace

@@ -36,6 +36,9 @@ class Around {
         box_.south = std::min(box_.south, place.latitude);
         box_.east = std::max(box_.east, place.longitude);
         box_.north = std::max(box_.north, place.latitude);
+        const double turned = place.longitude < 0 ? place.longitude + 360 : place.longitude;
+        turned_west_ = std::min(turned_west_, turned);
+        turned_east_ = std::max(turned_east_, turned);
     }
     void add(const Line& line) {
         for (const Place& place : line) add(place);
@@ -45,11 +48,17 @@ class Around {
                         box_.north >= box->south);
     }
 
-    // Empty if there are none.
-    std::optional<Box> box() const { return box_.west <= box_.east ? std::optional(box_) : std::nullopt; }
+    // The narrower one, whose east is above 180 where it crosses 180 degrees. Empty if there are no places.
+    std::optional<Box> box() const {
+        if (box_.west > box_.east) return std::nullopt;
+        if (turned_east_ - turned_west_ >= box_.east - box_.west) return box_;
+        return Box{turned_west_, box_.south, turned_east_, box_.north};
+    }
 
   private:
     Box box_{400, 400, -400, -400};
+    double turned_west_ = 400;  // longitudes from 0 to 360
+    double turned_east_ = -400;
 };
 
 // Where a node of a way lies: as the file has the node, or else as it has the way. Invalid if it says neither.

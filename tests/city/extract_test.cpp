@@ -56,6 +56,20 @@ TEST_F(ExtractTest, TheDensestSquareIsTheTown) {
     }
 }
 
+TEST_F(ExtractTest, TheDensestSquareIsWithinTheData) {
+    for (int last = 250; last < 350; last += 9) {
+        OsmDrawing drawing = OsmDrawing(country).without_bounds();
+        for (int i = 0; i < 10; ++i) {
+            for (int j = 0; j < 10; ++j) house(drawing, 10 * i, 10 * j, 6);
+        }
+        house(drawing, 590, last);
+        const Extract extract = extract_of(drawing);
+        const auto [west, south, east, north] = extract.bounds;
+        EXPECT_GE(extract.densest[0] - west, (extract.side / 2 - 2) / degree_east) << last;
+        EXPECT_GE(north - extract.densest[1], (extract.side / 2 - 2) / degree_north) << last;
+    }
+}
+
 TEST_F(ExtractTest, SharesAddUpToTheAreaOfTheBuildings) {
     const Extract extract = extract_of(scattered_around(150, 420));
     EXPECT_EQ(extract.built.size(), std::size_t(extract.columns) * std::size_t(extract.rows));

@@ -88,6 +88,19 @@ TEST_F(UnknownGround, LiesBeyondTheDataWhereNothingIsKnown) {
     EXPECT_EQ(known.notes, std::vector<std::string>{});  // the map shows it
 }
 
+// Nodes on either side, with bounds and without.
+TEST_F(UnknownGround, IsNotTheGroundAcrossTheDateLine) {
+    ImportOptions fiji = town_window;
+    fiji.longitude = 180;
+    fiji.latitude = -17;
+    OsmDrawing town = OsmDrawing(fiji)
+                          .area("building=yes", box(0.9, 0.9, 4.1, 3.1))
+                          .way("highway=footway", {{-3, -3}, {17, 17}})
+                          .way("highway=footway", {{-3, 17}, {17, -3}});
+    EXPECT_EQ(import_city(put("fiji.osm", town.xml()), fiji).covered, 1);
+    EXPECT_EQ(import_city(put("fiji.osm", town.without_bounds().xml()), fiji).covered, 1);
+}
+
 TEST_F(UnknownGround, IsOneObstacleForEachConnectedSet) {
     drawing_.ends(3, -3, 7, 17);
     const ImportReport report = import();
