@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "city/geofabrik.hpp"
+
 namespace waybreaker::city {
 namespace {
 
@@ -27,13 +29,16 @@ FeatureTags::FeatureTags(OGRLayer& layer)
     : definition_(*layer.GetLayerDefn()),
       way_(definition_.GetFieldIndex("osm_way_id")),
       osm_(definition_.GetFieldIndex("osm_id")),
-      other_(definition_.GetFieldIndex("other_tags")) {}
+      other_(definition_.GetFieldIndex("other_tags")),
+      geofabrik_(geofabrik_key(layer)) {}
 
 bool FeatureTags::can_have(const std::string& key) const {
+    if (!geofabrik_.empty()) return key == geofabrik_ || key == "bridge" || key == "tunnel" || key == "leisure";
     return other_ >= 0 || definition_.GetFieldIndex(key.c_str()) >= 0;
 }
 
 std::string FeatureTags::condition(const std::vector<TagFilter>& filters) const {
+    if (!geofabrik_.empty()) return "";
     std::string text;
     for (const TagFilter& filter : filters) {
         if (filter.key == "*") return "";
@@ -61,6 +66,7 @@ TagSet FeatureTags::all(const OGRFeature& feature) const {
         if (!key || !value) break;
         tags.emplace_back(std::move(*key), std::move(*value));
     }
+    if (!geofabrik_.empty()) tags = geofabrik_tags(geofabrik_, std::move(tags));
     return TagSet(std::move(tags), TagSet::Case::ignored);  // as columns of databases have it
 }
 

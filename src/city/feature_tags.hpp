@@ -1,11 +1,12 @@
-// The tags of a layer's features: in attributes, or in the `other_tags` that GDAL makes of OpenStreetMap's rarer tags
-// when it converts such data to layers.
+// The tags of a layer's features: in attributes, in those of Geofabrik's layers, or in the `other_tags` that GDAL makes
+// of OpenStreetMap's rarer tags when it converts such data to layers.
 #pragma once
 
 #include <ogrsf_frmts.h>
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "city/obstacle_choice.hpp"
@@ -18,6 +19,8 @@ class FeatureTags {
     explicit FeatureTags(OGRLayer& layer);
 
     bool from_osm() const { return way_ >= 0 || osm_ >= 0; }
+    // Whether the layer says what its features are, so that they are not all buildings.
+    bool tells_buildings() const { return !geofabrik_.empty() || can_have("building"); }
     // Whether features can have the tag at all.
     bool can_have(const std::string& key) const;
     // GDAL's condition that passes all features with one of the filters' keys; empty: it cannot be expressed.
@@ -33,6 +36,7 @@ class FeatureTags {
     int way_;
     int osm_;
     int other_;
+    std::string_view geofabrik_;  // the key of such a layer
 };
 
 }  // namespace waybreaker::city

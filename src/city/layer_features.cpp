@@ -170,8 +170,7 @@ class LayerReader {
         if (!kind && shape) return std::nullopt;
         const Shape known = kind.value_or(Shape::area);
         if (keys_of(query_, known) == nullptr) return std::nullopt;
-        return Feature{known, tags_.all(feature), tags_.source_id(feature), std::move(shape),
-                       !tags_.can_have("building")};
+        return Feature{known, tags_.all(feature), tags_.source_id(feature), std::move(shape), !tags_.tells_buildings()};
     }
 
     OGRLayer& layer_;
