@@ -82,7 +82,7 @@ class SurfaceJudge {
         constexpr double finest = 0.05;
         if (file_.cell_size < finest) return;
         constexpr double metres = 5 + 1e-6;
-        const int reach = int(metres / file_.cell_size + 0.5);
+        const int reach = int(std::ceil(metres / file_.cell_size));
         for (int y = 0; y < map_.height(); ++y) {
             for (int x = 0; x < map_.width(); ++x) {
                 if (!is_water(x, y, kinds)) continue;
@@ -99,11 +99,12 @@ class SurfaceJudge {
 
     // Whether anything else lies beside it: to other water nothing is nearer.
     bool is_shore(int x, int y, const site::ObstacleKinds& kinds) const {
-        for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-            const bool inside = x + dx >= 0 && y + dy >= 0 && x + dx < map_.width() && y + dy < map_.height();
-            if (!inside || !is_water(x + dx, y + dy, kinds)) return true;
-        }
-        return false;
+        constexpr std::array<Cell, 4> sides{Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}};
+        return std::ranges::any_of(sides, [&](Cell side) {
+            const Cell beside{x + side.x, y + side.y};
+            const bool inside = beside.x >= 0 && beside.y >= 0 && beside.x < map_.width() && beside.y < map_.height();
+            return !inside || !is_water(beside.x, beside.y, kinds);
+        });
     }
 
     void mark_around(int x, int y, int reach, double metres) {

@@ -25,10 +25,9 @@ bool holds(const std::vector<CellRun>& runs, Cell cell) {
 
 // After which shares of the way from one coordinate to another it meets a line between cells.
 void add_meetings(double from, double to, std::vector<double>& shares) {
-    const double high = std::max(from, to);
-    for (double line = std::floor(std::min(from, to) + 0.5) + 0.5; line < high; ++line) {
-        shares.push_back((line - from) / (to - from));
-    }
+    const int first = int(std::floor(std::min(from, to) + 0.5));
+    const int end = int(std::ceil(std::max(from, to) - 0.5));
+    for (int cell = first; cell < end; ++cell) shares.push_back((cell + 0.5 - from) / (to - from));
 }
 
 // Calls visit(first, second, length) for each piece of a straight way within a cell; these differ where the piece lies
