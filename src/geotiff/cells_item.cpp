@@ -168,7 +168,7 @@ std::vector<site::CellRun> read_cells(GDALDataset& file, const char* item, const
     const auto [west, north, cell] = *place;
     const auto right = whole_cells(west - transform[0], cell);
     const auto down = whole_cells(transform[3] - north, cell);
-    const std::vector<Run> runs = text.find(' ') == text.npos ? packed_runs(text) : listed_runs(text);
+    const std::vector<Run> runs = text.find(' ') == std::string_view::npos ? packed_runs(text) : listed_runs(text);
     if (runs.empty() || std::ranges::any_of(runs, [](const Run& run) { return run[2] < 1; })) {
         throw refusal("lists no runs of cells");
     }
