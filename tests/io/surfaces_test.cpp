@@ -2,14 +2,17 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "checked_plan.hpp"
 #include "io/check_report.hpp"
 #include "io/plan_json.hpp"
 #include "random_map.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
 namespace {
