@@ -356,8 +356,8 @@ void setup_import(CLI::App& root, Run& run_chosen) {
                   ("waybreaker import monaco.osm.pbf --bbox 7.41,43.725,7.43,43.74 --obstacles building "
                    "--obstacles barrier=wall --obstacles natural=water --protected natural=water "
                    "--obstacle-weight area -o monaco.tif"),
-                  "waybreaker import krems.osm.pbf --center 15.605,48.4095 --also flood.geojson --as water "
-                  "--also debris.geojson --as debris -o krems-today.tif",
+                  ("waybreaker import krems.osm.pbf --center 15.605,48.4095 --also flood.geojson --as water "
+                   "--also debris.geojson --as debris -o krems-today.tif"),
                   "waybreaker import kyoto.osm.gz --center 135.765,34.96 --size 3607.2 --tile 1202.4 -o kyoto"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }
