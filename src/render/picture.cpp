@@ -262,14 +262,15 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     for (LegendEntry& entry : scene.mission.is_team() ? team_paths(scene) : single_paths(scene)) {
         entries.push_back(std::move(entry));
     }
-    constexpr std::array<std::pair<Style, std::string_view>, 8> obstacles{{{Style::obstacle, "obstacle"},
-                                                                           {Style::barrier, "wall, fence, hedge"},
-                                                                           {Style::fixed_obstacle, "not removable"},
-                                                                           {Style::water, "water"},
-                                                                           {Style::cliff, "cliff or ditch"},
-                                                                           {Style::forbidden, "forbidden ground"},
-                                                                           {Style::off_road, "off the roads"},
-                                                                           {Style::unknown, "unknown: no data"}}};
+    using Named = std::pair<Style, std::string_view>;
+    constexpr std::array obstacles{Named{Style::obstacle, "obstacle"},
+                                   Named{Style::barrier, "wall, fence, hedge"},
+                                   Named{Style::fixed_obstacle, "not removable"},
+                                   Named{Style::water, "water"},
+                                   Named{Style::cliff, "cliff or ditch"},
+                                   Named{Style::forbidden, "forbidden ground"},
+                                   Named{Style::off_road, "off the roads"},
+                                   Named{Style::unknown, "unknown: no data"}};
     for (const auto& [style, name] : obstacles) {
         if (!scene.outline(style).empty()) entries.push_back({swatch(style), name});
     }
