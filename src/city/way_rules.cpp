@@ -128,8 +128,9 @@ void add_class(const TagSet& tags, const WayClass& way, Shape shape, Profile pro
                     .bridge = bridge});
 }
 
-// Whether an area is ground made for the profile to drive on.
+// Whether an area is ground made for the profile to drive on; not a house, such as a garage.
 bool is_paved(const TagSet& tags, Profile profile) {
+    if (stands_in_the_way(tags)) return false;
     const WayClass* const drawn = class_called(tags.find("area:highway"));
     const auto fits = [&](const TagFilter& filter) { return tags.matches(filter); };
     return (drawn != nullptr && right_of(tags, *drawn, profile) == drives) ||

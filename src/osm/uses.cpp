@@ -30,7 +30,7 @@ const std::vector<AreaKey>& area_keys() {
         {"building:part", all_but},
         {"club", all_but},
         {"craft", all_but},
-        {"emergency", all_but},
+        {"emergency", all_but, {"yes", "designated", "official", "private", "permissive", "destination"}},  // of access
         {"geological", all_but},
         {"healthcare", all_but},
         {"highway", only, {"platform", "rest_area", "services"}},

@@ -64,6 +64,15 @@ TEST_F(Ground, off_the_roads_bars_trucks) {
                                          road);
 }
 
+TEST_F(Ground, below_a_roof_is_a_car_park_but_in_a_house_is_none) {
+    drawing_.area("building=yes|amenity=parking", box(2.6, 6.6, 5.4, 9.4));
+    drawing_.area("building=roof|amenity=fuel", box(9.6, 6.6, 12.4, 9.4));
+    const std::string wild = "--------------\n";
+    const std::string both = "---BBB----...-\n";
+    EXPECT_EQ(drawn(Profile::truck), "B-------------\n" + wild + wild + wild + wild + wild + wild + both + both + both +
+                                         wild + wild + wild + wild);
+}
+
 TEST_F(Ground, beside_a_stile_leads_around_it) {
     drawing_.point("barrier=stile", {6, 6}, true).way("highway=path", {{6, 0}, {6, 6}, {6, 13}});
     const std::string free = "..............\n";

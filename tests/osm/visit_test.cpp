@@ -159,7 +159,8 @@ TEST_F(Visits, ClosedWaysAreAreasOrLinesByTheirTags) {
     for (const char* const line :
          {"highway=residential", "highway=pedestrian", "railway=rail", "waterway=river", "waterway=ditch",
           "natural=coastline", "natural=cliff", "barrier=wall", "barrier=fence", "man_made=embankment", "leisure=track",
-          "landuse=forest|area=no", "historic=citywalls", "building=no", "name=Ring"}) {
+          "landuse=forest|area=no", "historic=citywalls", "building=no", "name=Ring", "highway=service|emergency=yes",
+          "highway=residential|emergency=designated"}) {
         EXPECT_EQ(shapes(line), "l") << line;
     }
     for (const char* const both : {"highway=footway|leisure=park", "natural=water|waterway=river"}) {
