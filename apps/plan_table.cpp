@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "io/option_words.hpp"
+#include "io/plan_surfaces.hpp"
 #include "render/caption.hpp"
 #include "site/demolition.hpp"
+#include "site/surface.hpp"
 #include "table.hpp"
 #include "team_table.hpp"
 
@@ -154,6 +156,19 @@ std::string least_demolition(const Plan& plan, const io::PlanContext& context) {
     const std::string extent =
         map.has_metres() ? site::area_text(map.square_metres(least)) : fmt::format("{} cells", least);
     return fmt::format("no plan {} demolishes less{}\n", as_good, least == cells ? "" : " than " + extent);
+}
+
+// "1180 m on ways, 64 m off ways", of all vehicles together; empty where the map does not know.
+std::string surface(const Plan& plan, const io::PlanContext& context) {
+    std::optional<site::Surface> all;
+    for (const std::optional<site::Surface>& one : io::plan_surfaces(plan, context.map)) {
+        if (!one) continue;
+        if (!all) all.emplace();
+        *all += *one;
+    }
+    if (!all) return "";
+    const std::string who = context.asked.mission.is_team() ? "all vehicles" : "ground agent";
+    return fmt::format("\n{}: {}\n", who, site::surface_text(*all, context.map.cell_size));
 }
 
 // Whether the bound proves that no plan is better.
@@ -310,12 +325,12 @@ std::string plan_table(const Plan& plan, const io::PlanContext& context, const T
         return heading(context, style) + rules(context) + "\n" + front(context, style) +
                team_table(plan, context, style) +
                (may_remove ? "\n" + removals(plan, context, style) : without_aircraft(context.asked.mission)) +
-               next(plan, context) + (context.asked.method.explain ? waits(plan, context) : "") + bound(plan, context) +
-               limit(plan);
+               next(plan, context) + (context.asked.method.explain ? waits(plan, context) : "") +
+               surface(plan, context) + bound(plan, context) + limit(plan);
     }
     return heading(context, style) + rules(context) + "\n" + front(context, style) + outcomes(plan, context, style) +
-           removals(plan, context, style) + next(plan, context) + waits(plan, context) + bound(plan, context) +
-           limit(plan) + warning(plan, context);
+           removals(plan, context, style) + next(plan, context) + waits(plan, context) + surface(plan, context) +
+           bound(plan, context) + limit(plan) + warning(plan, context);
 }
 
 }  // namespace waybreaker::apps

@@ -50,6 +50,7 @@ enum class Rule {
     saves,       // what a removal saves leaves no plan below the bound
     gain,        // an agent's gain follows from its path and its way without removals
     waits,       // who is said to wait stands there, for what can be in its way then
+    surface,     // what a ground agent drives over is what the plan file says it is
 };
 
 // As written in reports: the word above.

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "city/cell_runs.hpp"
 #include "city/data_area.hpp"
 #include "city/footprints.hpp"
 #include "city/ground_map.hpp"
@@ -151,23 +152,6 @@ void append_ground(const GroundMap& ground, const std::vector<GroundPiece>& piec
     }
 }
 
-// The open cells of the map that bridges carry.
-std::vector<site::CellRun> bridges_of(const GroundMap& ground, const Map& map) {
-    std::vector<site::CellRun> runs;
-    if (ground.bridges.empty()) return runs;
-    const std::uint32_t* bridge = ground.bridges.data();
-    for (Cell c; c.y < map.height(); ++c.y) {
-        bool before = false;
-        for (c.x = 0; c.x < map.width(); ++c.x, ++bridge) {
-            const bool open = *bridge != 0 && !map.grid().blocked(c);
-            if (open && !before) runs.push_back({c, 0});
-            if (open) ++runs.back().length;
-            before = open;
-        }
-    }
-    return runs;
-}
-
 std::string title_of(const std::string& source, const CellWindow& window, double cell) {
     std::string name = std::filesystem::path(source).filename().string();
     name.resize(std::min(name.find('.'), name.size()));
@@ -181,6 +165,7 @@ std::string title_of(const std::string& source, const CellWindow& window, double
 struct Material {
     Footprints footprints;
     Survey survey;
+    std::vector<GroundPiece> unknown = {};        // of the survey, what bars nobody as the user wants it free
     std::unique_ptr<OGRGeometry> data = nullptr;  // where it has any
     double covered = 1;                           // the share of the window that lies in there
 };
@@ -213,6 +198,17 @@ ImportOptions with_profile(ImportOptions options) {
     return options;
 }
 
+// Out of the ground, those pieces of which nobody knows what is there.
+std::vector<GroundPiece> take_unknown(Ground& ground) {
+    std::vector<GroundPiece> unknown;
+    std::erase_if(ground.pieces, [&unknown](GroundPiece& piece) {
+        if (!bars(piece.use) || piece.use.kind != Kind::unknown) return false;
+        unknown.push_back(std::move(piece));
+        return true;
+    });
+    return unknown;
+}
+
 Material read(const std::string& source, const Window& window, const ImportOptions& options) {
     Material material{.footprints = read_footprints(source, window, options.choice, options.cell), .survey = {}};
     if (options.background || profile_of(options) != Profile::paper) {
@@ -228,10 +224,7 @@ Material read(const std::string& source, const Window& window, const ImportOptio
     const bool chosen = !options.choice.obstacles.empty();
     Ground& ground = material.survey.ground;
     if (chosen) std::erase_if(ground.pieces, [](const auto& piece) { return piece.use.layer == GroundLayer::barrier; });
-    if (options.unknown_free) {
-        std::erase_if(ground.pieces,
-                      [](const auto& piece) { return bars(piece.use) && piece.use.kind == Kind::unknown; });
-    }
+    if (options.unknown_free) material.unknown = take_unknown(ground);
     move_barriers(ground, window, material.footprints.list);
     const bool anything = !material.footprints.list.empty() ||
                           std::ranges::any_of(ground.pieces, [](const GroundPiece& piece) { return bars(piece.use); });
@@ -240,8 +233,16 @@ Material read(const std::string& source, const Window& window, const ImportOptio
 }
 
 // Of other sources nobody knows where they end: a box around a few buildings says nothing of what lies beside.
-bool ends_in_unknown(const Material& material, const ImportOptions& options) {
-    return material.footprints.data && profile_of(options) != Profile::paper && !options.unknown_free;
+bool says_where_it_ends(const Material& material, const ImportOptions& options) {
+    return material.footprints.data && profile_of(options) != Profile::paper;
+}
+
+// The cells that the user wants free though nobody knows what is there.
+std::vector<site::CellRun> unknown_and_free(const Material& material, const CellWindow& window,
+                                            const ImportOptions& options) {
+    if (!options.unknown_free) return {};
+    return unknown_cells(says_where_it_ends(material, options) ? material.data.get() : nullptr, material.unknown,
+                         window);
 }
 
 // Walls and fences are what they say of themselves: that of a hospital may be opened.
@@ -267,7 +268,7 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
     if (options.merge_touching) cells = merged(cells, joins(seen, options.choice), !options.choice.weight.of.empty());
     append_ground(ground, pieces, cells);
     append_off_road(ground, window, options.cell, cells);
-    const bool unknown_beyond = ends_in_unknown(material, options);
+    const bool unknown_beyond = says_where_it_ends(material, options) && !options.unknown_free;
     if (unknown_beyond) append_unknown(material.data.get(), window, cells);
     if (!options.names) cells.names.clear();
     if (profile_of(options) == Profile::paper) {
@@ -283,7 +284,9 @@ ImportReport report_of(const Material& material, std::vector<Seen> seen, const C
     if (const int side = section_side(options); side > 0) {
         described = site::split(described.map, described.annotations, {.side = side});
     }
-    described.annotations.bridges = bridges_of(ground, described.map);
+    described.annotations.bridges = open_parts(ground.bridges, described.map);
+    described.annotations.ways = open_parts(ground.ways, described.map);
+    described.annotations.unknown = open_parts(unknown_and_free(material, window, options), described.map);
     std::vector<OverlayReport> overlays;
     for (const OverlaySource& overlay : options.overlays) {
         overlays.push_back(

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "city/cell_runs.hpp"
 #include "city/label_raster.hpp"
 #include "map/label.hpp"
 #include "site/unknown_ground.hpp"
@@ -56,6 +57,16 @@ void append_unknown(const OGRGeometry* area, const CellWindow& window, site::Lab
         cells.attributes.push_back({.destructible = false});
         cells.tags[site::unknown_tag].push_back(label);
     }
+}
+
+std::vector<site::CellRun> unknown_cells(const OGRGeometry* area, const std::vector<GroundPiece>& pieces,
+                                         const CellWindow& window) {
+    std::vector<std::uint32_t> unknown(std::size_t(window.width) * std::size_t(window.height), area ? 1 : 0);
+    std::vector<Paint> paints;
+    if (area) paints.push_back({area, 0});
+    for (const GroundPiece& piece : pieces) paints.push_back({piece.shape.get(), 1});
+    paint(paints, Cover::centre, window, unknown);
+    return runs_of(unknown, window);
 }
 
 }  // namespace waybreaker::city

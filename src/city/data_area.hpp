@@ -4,6 +4,7 @@
 #include <ogr_geometry.h>
 
 #include <memory>
+#include <vector>
 
 #include "city/footprints.hpp"
 #include "city/import_window.hpp"
@@ -23,5 +24,10 @@ double share_of(const OGRGeometry* area, const OGREnvelope& bounds);
 // Makes obstacles that cannot be destroyed, with the tag of unknown ground, of the free cells whose centres the area
 // does not cover: one of each connected set.
 void append_unknown(const OGRGeometry* area, const CellWindow& window, site::LabelLayer& cells);
+
+// The cells whose centres the area does not cover, or one of these pieces does, row by row; of no area the pieces'
+// only.
+std::vector<site::CellRun> unknown_cells(const OGRGeometry* area, const std::vector<GroundPiece>& pieces,
+                                         const CellWindow& window);
 
 }  // namespace waybreaker::city

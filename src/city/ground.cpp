@@ -83,6 +83,10 @@ Ground finished(Ground ground, std::vector<GroundPiece> coasts, const OGREnvelop
         const GroundUse& use = piece.use;
         const bool way = use.layer == GroundLayer::way || use.layer == GroundLayer::underpass;
         const bool line = is_line(piece.shape->getGeometryType());
+        if (use.layer == GroundLayer::road && line && use.width <= cell) {
+            piece.shape.reset();  // its way opens every cell whose centre is that near
+            continue;
+        }
         if (use.outline && !line) piece.shape.reset(piece.shape->Boundary());
         if (use.drawn_as_area) piece.shape = outside(*piece.shape, waters, use.width);
         if (way && !closed.empty()) piece.shape = outside(*piece.shape, closed, 0);

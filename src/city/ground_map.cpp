@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "city/cell_runs.hpp"
 #include "city/label_raster.hpp"
 #include "city/vector_source.hpp"
 
@@ -92,7 +94,6 @@ Cells roads(const std::vector<GroundPiece>& pieces, const CellWindow& window, co
 }
 
 Cells bridges(const std::vector<GroundPiece>& pieces, const CellWindow& window) {
-    if (std::none_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.use.bridge; })) return {};
     Cells cells = no_cells(window);
     for (const bool lines : {false, true}) {
         std::vector<Paint> paints;
@@ -117,11 +118,19 @@ bool is_open(const GroundUse& use, std::uint32_t opened) {
 
 GroundMap ground_map(const std::vector<GroundPiece>& pieces, const CellWindow& window, Profile profile, double cell) {
     if (pieces.empty()) return {};
-    GroundMap map{.blocked = no_cells(window),
+    GroundMap map{.blocked = {},
                   .opened = ways(pieces, window, site::body_radius(profile, cell)),
-                  .roads = {},
-                  .bridges = bridges(pieces, window)};
-    if (keeps_to_roads(profile)) map.roads = roads(pieces, window, map.opened);
+                  .ways = {},
+                  .bridges = {},
+                  .roads = {}};
+    if (std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.use.bridge; })) {
+        map.bridges = runs_of(bridges(pieces, window), window);
+    }
+    Cells driven = roads(pieces, window, map.opened);
+    map.ways = runs_of(driven, window);
+    if (keeps_to_roads(profile)) map.roads = std::move(driven);
+    driven = {};  // before there are more cells
+    map.blocked = no_cells(window);
     std::vector<Paint> paints;
     for (const GroundLayer layer : {GroundLayer::bridge_side, GroundLayer::water, GroundLayer::way_over,
                                     GroundLayer::forbidden, GroundLayer::closed}) {

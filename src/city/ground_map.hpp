@@ -11,6 +11,7 @@
 
 #include "city/ground.hpp"
 #include "city/import_window.hpp"
+#include "site/cell_run.hpp"
 
 namespace waybreaker::city {
 
@@ -20,10 +21,11 @@ struct GroundMap {
     // What ways open for each cell; no entries if there are no ways.
     enum Opens : std::uint32_t { nothing, barriers, forbidden_lines, everything };
     std::vector<std::uint32_t> opened;
-    // Other than 0 where a profile may drive that keeps to roads; no entries for others.
+    // Where ways lead, as wide as they are, and where a bridge leads; row by row, whatever blocks there.
+    std::vector<site::CellRun> ways;
+    std::vector<site::CellRun> bridges;
+    // The ways once more, other than 0 where one leads, for a profile that keeps to roads; no entries for others.
     std::vector<std::uint32_t> roads;
-    // Other than 0 where a bridge leads; no entries if there are none.
-    std::vector<std::uint32_t> bridges;
 };
 
 // `cell`: its side in metres.

@@ -34,7 +34,7 @@ enum class GroundLayer {
     underpass,    // opens forbidden lines, and sides of bridges
     way,          // opens everything
     shut,         // a point where ways open nothing
-    road          // where a profile may drive that keeps to roads
+    road  // opens nothing: the ground of a way as wide as it is, and what is as good as a way, such as a car park
 };
 
 struct GroundUse {

@@ -7,7 +7,7 @@
 
 namespace waybreaker::city {
 
-// Of lines and areas that are ways, or where a profile that keeps to roads may drive as well. Whether it is a way.
+// Of lines and areas that are ways, or ground as good as one. Whether it is a way.
 bool add_way(const TagSet& tags, site::Background::Shape shape, Profile profile, std::vector<GroundUse>& uses);
 
 // Of lines and areas that bar.

@@ -119,9 +119,7 @@ void add_class(const TagSet& tags, const WayClass& way, Shape shape, Profile pro
     }
     const bool bridge = tags.says("bridge") && !below;
     if (over && !below) uses.push_back({.layer = GroundLayer::way_over, .width = width, .bridge = bridge});
-    if (keeps_to_roads(profile) && !below && !in_tunnel(tags)) {
-        uses.push_back({.layer = GroundLayer::road, .width = width});
-    }
+    if (!below && !in_tunnel(tags)) uses.push_back({.layer = GroundLayer::road, .width = width});
     // Without the line in its middle an area opens what it lies over, but no fence or house that stands on it.
     if (!line) return;
     uses.push_back({.layer = in_tunnel(tags) || below ? GroundLayer::underpass : GroundLayer::way,
@@ -130,7 +128,7 @@ void add_class(const TagSet& tags, const WayClass& way, Shape shape, Profile pro
                     .bridge = bridge});
 }
 
-// Where a profile may drive that keeps to roads; not in houses, such as garages.
+// Whether an area is ground made for the profile to drive on; not a house, such as a garage.
 bool is_paved(const TagSet& tags, Profile profile) {
     if (stands_in_the_way(tags)) return false;
     const WayClass* const drawn = class_called(tags.find("area:highway"));
@@ -156,12 +154,12 @@ bool add_way(const TagSet& tags, Shape shape, Profile profile, std::vector<Groun
         return true;
     }
     if (!may_enter(tags, profile)) return false;
-    if (keeps_to_roads(profile)) {
-        const bool on_ground = !is_elsewhere(tags) && !is_below(tags) && !in_tunnel(tags);
-        if (shape == Shape::area && on_ground && is_paved(tags, profile)) uses.push_back({.layer = GroundLayer::road});
-    } else if (tags.is("man_made", "pier")) {
+    const bool on_ground = !is_elsewhere(tags) && !is_below(tags) && !in_tunnel(tags);
+    if (shape == Shape::area && on_ground && is_paved(tags, profile)) uses.push_back({.layer = GroundLayer::road});
+    if (!keeps_to_roads(profile) && tags.is("man_made", "pier")) {
         const double width = way_width(tags, pier_width);
         uses.push_back({.layer = GroundLayer::way_over, .width = width});
+        uses.push_back({.layer = GroundLayer::road, .width = width});
         if (shape == Shape::line) {
             uses.push_back({.layer = GroundLayer::way, .width = vehicle(profile).width, .breadth = width});
         }

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "geotiff/background_item.hpp"
-#include "geotiff/bridges_item.hpp"
+#include "geotiff/cells_item.hpp"
 #include "geotiff/gdal_scope.hpp"
 #include "geotiff/kinds_item.hpp"
 #include "geotiff/notes_item.hpp"
@@ -91,7 +91,12 @@ LabelTiff read_label_tiff(std::string_view bytes, const std::string& name, Conne
                                   .notes = read_notes(*file),
                                   .background = read_background(*file, place, width, height, name)};
     if (place.georeference) {
-        annotations.bridges = read_bridges(*file, place.georeference->transform, width, height, name);
+        const auto cells_of = [&](const char* item) {
+            return read_cells(*file, item, place.georeference->transform, width, height, name);
+        };
+        annotations.bridges = cells_of(bridges_item);
+        annotations.ways = cells_of(ways_item);
+        annotations.unknown = cells_of(unknown_item);
     }
     layer.labels = read_labels(*file, memory, name);
     const std::vector<std::uint32_t>& labels = layer.labels;
@@ -155,7 +160,12 @@ std::string label_tiff_bytes(const LabelTiff& tiff) {
     set(sections_item, sections_text(known.sections));
     if (tiff.georeference) {
         set(background_item, background_text(known.background, *tiff.georeference));
-        set(bridges_item, bridges_text(known.bridges, tiff.georeference->transform));
+        const auto set_cells = [&](const char* item, const std::vector<site::CellRun>& runs) {
+            set(item, cells_text(runs, tiff.georeference->transform));
+        };
+        set_cells(bridges_item, known.bridges);
+        set_cells(ways_item, known.ways);
+        set_cells(unknown_item, known.unknown);
     }
 
     auto* labels = const_cast<std::uint32_t*>(tiff.map.labels().data());  // GDAL only reads it

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "io/surface_judge.hpp"
 #include "io/weights.hpp"
 #include "site/demolition.hpp"
 
@@ -126,6 +127,8 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
     append(violations, judge_weights(plan, on));
     append(violations, DemolitionJudge(plan, map, options.tolerance).judge());
     append(violations, check(on, plan.asked.mission, plan.plan, options.tolerance));
+    // Of paths that lead through walls, or nowhere, nobody asks over what.
+    if (violations.empty()) append(violations, judge_surfaces(plan, map, options));
     return violations;
 }
 

@@ -49,6 +49,9 @@ std::size_t memory_of(const MapFile& file) {
     for (const std::string& note : known.notes) bytes += memory_of(note);
     for (const std::string& name : known.names) bytes += memory_of(name);
     bytes += memory_of(known.background) + known.kinds.capacity() + memory_of(known.sections) + memory_of(known.tags);
+    for (const auto* cells : {&known.bridges, &known.ways, &known.unknown}) {
+        bytes += cells->capacity() * sizeof(site::CellRun);
+    }
     if (file.ros) bytes += memory_of(file.ros->text) + memory_of(file.ros->image);
     return bytes;
 }

@@ -147,6 +147,16 @@ Itinerary agent(const JsonField& field) {
     return result;
 }
 
+PlanFile::Surface surface(const JsonField& agent) {
+    const auto field = agent.find("surface");
+    if (!field) return {};
+    const auto length = [&field](const char* key) { return number_or_null(field->find(key)); };
+    return {.ways = length("ways"),
+            .off_ways = length("off_ways"),
+            .unknown = length("unknown"),
+            .near_water = length("near_water")};
+}
+
 std::optional<std::uint64_t> count(const JsonField& object, const char* key) {
     const auto field = object.find(key);
     return field ? std::optional(std::uint64_t(field->whole_number(0, INT64_MAX))) : std::nullopt;
@@ -200,7 +210,10 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     const std::int64_t neighbours = connectivity.whole_number(4, 8);
     if (neighbours != 4 && neighbours != 8) connectivity.fail("is neither 4 nor 8");
     file.connectivity = neighbours == 8 ? Connectivity::eight : Connectivity::four;
-    for (const JsonField& field : root["agents"].items()) file.plan.agents.push_back(agent(field));
+    for (const JsonField& field : root["agents"].items()) {
+        file.plan.agents.push_back(agent(field));
+        file.surfaces.push_back(surface(field));
+    }
     file.asked = asked(root, file.plan.agents);
     if (const auto size = root["map"].find("cell_size")) file.cell_size = cell_size(*size);
     file.plan.before = outcome(root["before"], file.asked.mission);

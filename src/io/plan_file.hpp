@@ -33,6 +33,14 @@ struct PlanFile {
         double area_m2 = 0;
     };
     std::vector<Step> front = {};  // those that say an area
+    // Of each of the agents, as site::Surface has it, in cells.
+    struct Surface {
+        std::optional<double> ways = {};
+        std::optional<double> off_ways = {};
+        std::optional<double> unknown = {};
+        std::optional<double> near_water = {};
+    };
+    std::vector<Surface> surfaces = {};
     Connectivity connectivity = Connectivity::four;
     ImageReading image;
     // The map it was made for.

@@ -5,6 +5,7 @@
 
 #include "io/mission_json.hpp"
 #include "io/option_words.hpp"
+#include "io/plan_surfaces.hpp"
 #include "io/structures_json.hpp"
 #include "site/demolition.hpp"
 
@@ -160,7 +161,14 @@ Json wait_json(const Wait& wait) {
     return json;
 }
 
-Json agent_json(const Itinerary& agent) {
+Json surface_json(const site::Surface& surface) {
+    Json json{
+        {"ways", number(surface.ways)}, {"off_ways", number(surface.off_ways)}, {"unknown", number(surface.unknown)}};
+    if (surface.near_water) json["near_water"] = number(surface.near_water);
+    return json;
+}
+
+Json agent_json(const Itinerary& agent, const std::optional<site::Surface>& surface) {
     Json path = Json::array();
     for (const Waypoint& point : agent.path) {
         path.push_back(Json::array({coordinate(point.x), coordinate(point.y), number(point.t)}));
@@ -172,6 +180,7 @@ Json agent_json(const Itinerary& agent) {
               {"goal", cell_json(agent.goal)}};
     if (agent.gain) json["gain"] = number(agent.gain);
     for (const Wait& wait : agent.waits) json["waits"].push_back(wait_json(wait));
+    if (surface) json["surface"] = surface_json(*surface);
     json["path"] = std::move(path);
     return json;
 }
@@ -226,7 +235,10 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     for (const Plan& step : context.front) {
         json["front"].push_back(step_json(step, context.asked.mission.rules.objective, context.map));
     }
-    for (const Itinerary& agent : plan.agents) json["agents"].push_back(agent_json(agent));
+    const std::vector<std::optional<site::Surface>> surfaces = plan_surfaces(plan, context.map);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        json["agents"].push_back(agent_json(plan.agents[i], surfaces[i]));
+    }
     if (context.timing_fields) json["seconds"] = seconds_json(plan.seconds);
     return pretty(json) + "\n";
 }

@@ -127,6 +127,7 @@ std::vector<std::string> losses_of(const io::MapFile& map, const Format& format)
     lose(format.background || known.background.features.empty(),
          "streets, water and what else lies around the obstacles");
     lose(std::string_view(format.name) == "GeoTIFF" || !known.profile, "whom the map was made for");
+    lose(is_tiff || (known.ways.empty() && known.bridges.empty()), "which cells are ways and bridges");
     lose(format.title || known.title.empty(), "the title");
     lose(is_tiff || known.notes.empty(), "the notes");
     lose(format.attribution || known.attribution.empty(),

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "site/rings.hpp"
 
@@ -24,6 +25,10 @@ enum class Style : std::uint8_t {
     removed
 };
 inline constexpr std::size_t style_count = 9;
+// As a legend calls them.
+inline constexpr std::array<std::string_view, style_count> style_words{
+    "obstacle",         "wall, fence, hedge", "not removable",    "water",           "cliff or ditch",
+    "forbidden ground", "off the roads",      "unknown: no data", "removed obstacle"};
 
 // styles[label] says how the cells of that label are drawn. For each style, the rings around all cells of its labels as
 // SVG path data, to be filled with the even-odd rule. One unit is one cell; corner (0, 0) is the upper-left corner of

@@ -262,19 +262,11 @@ std::vector<LegendEntry> legend(const Scene& scene) {
     for (LegendEntry& entry : scene.mission.is_team() ? team_paths(scene) : single_paths(scene)) {
         entries.push_back(std::move(entry));
     }
-    constexpr std::array<std::pair<Style, std::string_view>, 8> obstacles{{{Style::obstacle, "obstacle"},
-                                                                           {Style::barrier, "wall, fence, hedge"},
-                                                                           {Style::fixed_obstacle, "not removable"},
-                                                                           {Style::water, "water"},
-                                                                           {Style::cliff, "cliff or ditch"},
-                                                                           {Style::forbidden, "forbidden ground"},
-                                                                           {Style::off_road, "off the roads"},
-                                                                           {Style::unknown, "unknown: no data"}}};
-    for (const auto& [style, name] : obstacles) {
-        if (!scene.outline(style).empty()) entries.push_back({swatch(style), name});
+    for (std::size_t i = 0; i < std::size_t(Style::removed); ++i) {
+        if (!scene.outline(Style(i)).empty()) entries.push_back({swatch(Style(i)), style_words[i]});
     }
     if (!scene.plan.breaches.empty()) {
-        entries.push_back({swatch(Style::removed), "removed obstacle"});
+        entries.push_back({swatch(Style::removed), style_words[std::size_t(Style::removed)]});
         const bool has_opener = opener(scene, scene.plan.breaches.front()).has_value();
         entries.push_back({breach_label(middle, "1", unit), has_opener ? "breach, when, who" : "breach, when"});
     }

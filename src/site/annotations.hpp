@@ -27,7 +27,9 @@ struct Annotations {
     ObstacleTags tags = {};               // what the source says of them: amenity=school, ...
     Sections sections = {};               // what they are parts of, where they are cut
     Background background = {};           // streets, water, ...
-    std::vector<CellRun> bridges = {};    // open cells that a flood does not reach, row by row
+    std::vector<CellRun> bridges = {};    // open cells that a flood does not reach, row by row, like those below
+    std::vector<CellRun> ways = {};       // open cells of ways that are for the profile; empty if nobody knows
+    std::vector<CellRun> unknown = {};    // cells that are open though nobody knows what is there
 
     // Empty where it is unknown.
     std::string_view name_of(ObstacleId id) const {

@@ -41,22 +41,22 @@ double width(const std::string& text) {
 }
 
 TEST(GroundRules, KnowWhoMayGoWhere) {
-    EXPECT_EQ(layers("highway=residential"), "W");
+    EXPECT_EQ(layers("highway=residential"), "rW");
     EXPECT_EQ(layers("highway=construction"), "");
     EXPECT_EQ(layers("highway=motorway_link"), "f");
     EXPECT_EQ(layers("highway=motorway_link", Shape::line, truck), "rW");
     EXPECT_EQ(layers("highway=motorway|tunnel=yes"), "");
     EXPECT_EQ(layers("highway=footway", Shape::line, truck), "");
     EXPECT_EQ(layers("highway=steps"), "w");
-    EXPECT_EQ(layers("highway=steps", Shape::line, walker), "W");
+    EXPECT_EQ(layers("highway=steps", Shape::line, walker), "rW");
     EXPECT_EQ(layers("highway=residential", Shape::line, paper), "");
 }
 
 TEST(GroundRules, HeedTheKeyOfTheVehicleBeforeTheGeneralOne) {
     EXPECT_EQ(layers("highway=service|access=private"), "f");
-    EXPECT_EQ(layers("highway=service|access=private|foot=yes"), "W");
+    EXPECT_EQ(layers("highway=service|access=private|foot=yes"), "rW");
     EXPECT_EQ(layers("highway=service|access=private|foot=yes", Shape::line, truck), "f");
-    EXPECT_EQ(layers("highway=service|access=destination"), "W");
+    EXPECT_EQ(layers("highway=service|access=destination"), "rW");
     EXPECT_EQ(layers("highway=service|foot=no"), "");
     EXPECT_EQ(layers("highway=service|foot=no", Shape::line, truck), "rW");
     EXPECT_EQ(layers("highway=service|hgv=no", Shape::line, truck), "");
@@ -64,17 +64,17 @@ TEST(GroundRules, HeedTheKeyOfTheVehicleBeforeTheGeneralOne) {
 }
 
 TEST(GroundRules, TellBridgesFromTunnels) {
-    EXPECT_EQ(layers("highway=path|bridge=yes"), "soW");
-    EXPECT_EQ(layers("highway=path|bridge=boardwalk"), "oW");
-    EXPECT_EQ(layers("highway=path|bridge=no"), "W");
-    EXPECT_EQ(layers("highway=path|ford=yes"), "oW");
+    EXPECT_EQ(layers("highway=path|bridge=yes"), "sorW");
+    EXPECT_EQ(layers("highway=path|bridge=boardwalk"), "orW");
+    EXPECT_EQ(layers("highway=path|bridge=no"), "rW");
+    EXPECT_EQ(layers("highway=path|ford=yes"), "orW");
     EXPECT_EQ(layers("highway=path|bridge=yes|layer=-1"), "u");
     EXPECT_EQ(layers("highway=path|tunnel=yes"), "u");
-    EXPECT_EQ(layers("highway=path|tunnel=building_passage|layer=-1"), "W");
+    EXPECT_EQ(layers("highway=path|tunnel=building_passage|layer=-1"), "rW");
     EXPECT_EQ(layers("highway=path|indoor=yes"), "");
-    EXPECT_EQ(layers("man_made=pier"), "oW");
-    EXPECT_EQ(layers("man_made=pier", Shape::area), "o");
-    EXPECT_EQ(layers("highway=pedestrian|bridge=yes", Shape::area), "o");
+    EXPECT_EQ(layers("man_made=pier"), "orW");
+    EXPECT_EQ(layers("man_made=pier", Shape::area), "or");
+    EXPECT_EQ(layers("highway=pedestrian|bridge=yes", Shape::area), "or");
 }
 
 TEST(GroundRules, KnowWhatBlocks) {

@@ -33,6 +33,19 @@ std::string picture(const geotiff::LabelTiff& tiff) {
     return text;
 }
 
+// Its unknown cells, row by row.
+std::vector<site::CellRun> unknown_runs(const geotiff::LabelTiff& tiff) {
+    const std::string cells = picture(tiff);
+    const int columns = tiff.map.width() + 1;
+    std::vector<site::CellRun> runs;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] != '?') continue;
+        if (i == 0 || cells[i - 1] != '?') runs.push_back({{int(i) % columns, int(i) / columns}, 0});
+        ++runs.back().length;
+    }
+    return runs;
+}
+
 class UnknownGround : public TemporaryFolder {
   protected:
     // Half of the window: two houses, one across the edge of the data; a pond and a street, both likewise.
@@ -108,6 +121,7 @@ TEST_F(UnknownGround, IsFreeForWhoAsksForThat) {
     const ImportReport report = import(options);
     EXPECT_EQ(picture(report.tiff).find('?'), std::string::npos);
     EXPECT_FALSE(report.unknown_beyond);
+    EXPECT_EQ(report.tiff.annotations.unknown, unknown_runs(import().tiff));
     ASSERT_EQ(report.tiff.annotations.notes.size(), 1U);
     EXPECT_NE(report.tiff.annotations.notes[0].find("of the window; the rest is free on the map"), std::string::npos);
 }

@@ -112,24 +112,47 @@ TEST(LabelTiff, keeps_ids_with_their_obstacles_when_a_piece_is_cut_out) {
     EXPECT_EQ(tiff.annotations.sections, (site::Sections{small_map().annotations.sections.structures, {{}, {}, {1}}}));
 }
 
-TEST(LabelTiff, keeps_bridges_where_they_are) {
+TEST(LabelTiff, keeps_cells_where_they_are) {
     LabelTiff tiff = small_map();
     tiff.annotations.bridges = {{{0, 0}, 1}, {{1, 2}, 3}};
+    tiff.annotations.ways = {{{0, 0}, 2}, {{3, 0}, 1}, {{1, 2}, 3}};
+    tiff.annotations.unknown = {{{2, 1}, 1}};
     const std::string bytes = label_tiff_bytes(tiff);
-    EXPECT_EQ(read_label_tiff(bytes, "city.tif").annotations.bridges, tiff.annotations.bridges);
-    const auto bridges = [&bytes](const std::vector<const char*>& arguments) {
-        return read_label_tiff(translated(bytes, arguments), "piece.tif").annotations.bridges;
+    const site::Annotations read = read_label_tiff(bytes, "city.tif").annotations;
+    EXPECT_EQ(read.bridges, tiff.annotations.bridges);
+    EXPECT_EQ(read.ways, tiff.annotations.ways);
+    EXPECT_EQ(read.unknown, tiff.annotations.unknown);
+    const auto ways = [&bytes](const std::vector<const char*>& arguments) {
+        return read_label_tiff(translated(bytes, arguments), "piece.tif").annotations.ways;
     };
-    EXPECT_EQ(bridges({"-srcwin", "2", "1", "3", "3"}), (std::vector<site::CellRun>{{{0, 1}, 2}}));
-    EXPECT_EQ(bridges({"-srcwin", "0", "0", "2", "1"}), (std::vector<site::CellRun>{{{0, 0}, 1}}));
-    EXPECT_TRUE(bridges({"-r", "nearest", "-outsize", "200%", "200%"}).empty());  // other cells
+    EXPECT_EQ(ways({"-srcwin", "2", "1", "3", "3"}), (std::vector<site::CellRun>{{{0, 1}, 2}}));
+    EXPECT_EQ(ways({"-srcwin", "0", "0", "2", "1"}), (std::vector<site::CellRun>{{{0, 0}, 2}}));
+    EXPECT_TRUE(ways({"-r", "nearest", "-outsize", "200%", "200%"}).empty());  // other cells
+    EXPECT_EQ(ways({"-mo", "WAYBREAKER_WAYS=390000.25 5820000.75 2.4\n1 2 3"}),
+              (std::vector<site::CellRun>{{{1, 2}, 3}}));
 }
 
-TEST(LabelTiff, refuses_bridges_that_are_no_cells) {
+RC_GTEST_PROP(LabelTiff, keepsAnyCells, ()) {
+    const int side = *rc::gen::inRange(1, 400);
+    LabelTiff tiff{.map = Map(Grid(side, side)), .cell_size = 2.4, .georeference = small_map().georeference};
+    std::vector<site::CellRun>& ways = tiff.annotations.ways;
+    for (int y = *rc::gen::inRange(0, side); y < side; y += *rc::gen::inRange(1, 100)) {
+        for (int x = *rc::gen::inRange(0, side); x < side;) {
+            const int length = *rc::gen::inRange(1, side - x + 1);
+            ways.push_back({{x, y}, length});
+            x += length + *rc::gen::inRange(1, 200);
+        }
+    }
+    RC_ASSERT(read_label_tiff(label_tiff_bytes(tiff), "city.tif").annotations.ways == ways);
+}
+
+TEST(LabelTiff, refuses_cells_that_are_none) {
     const std::string bytes = label_tiff_bytes(small_map());
-    for (const char* text : {"x", "1 2 0", "390000.25 5820000.75 2.4\n1 2", "390000.25 5820000.75 2.4\n1 2 0",
-                             "390000.25 5820000.75 2.4\n-1 2 1", "390000.25 5820000.75 2.4\n1 2 3 4"}) {
-        const std::string item = std::string("WAYBREAKER_BRIDGES=") + text;
+    const std::string place = "390000.25 5820000.75 2.4\n";
+    for (const std::string& text :
+         {std::string("x"), std::string("1 2 0"), place + "1 2", place + "1 2 0", place + "-1 2 1", place + "1 2 3 4",
+          place, place + "00", place + "789c", place + "789c636060000000030001"}) {
+        const std::string item = "WAYBREAKER_BRIDGES=" + text;
         const std::string error = input_error([&] {
             read_label_tiff(translated(bytes, {"-mo", item.c_str()}), "city.tif");
         });

@@ -121,10 +121,14 @@ TEST_F(PlanKindsTest, OfMapsThatSayMore) {
     request["rules"].update({{"budget_m2", 500}, {"minimise_demolition", 0.01}});
     const Json plan = planned(yard, request);
     EXPECT_TRUE(plan.contains("demolition"));
+    EXPECT_GT(plan["agents"][0]["surface"]["ways"], 0);  // across the lane
+    EXPECT_GT(plan["agents"][0]["surface"]["off_ways"], 0);
     EXPECT_EQ(post(yard + "/export?format=geojson", plan.dump()).status, 200);
     Json team = mission_of(across);
     team["agents"].push_back(agent("c", "ground", {far, 0}, {0, 0}));
-    EXPECT_TRUE(planned(yard, team).contains("demolition"));
+    const Json driven = planned(yard, team);
+    EXPECT_TRUE(driven.contains("demolition"));
+    EXPECT_TRUE(driven["agents"][2].contains("surface"));
 }
 
 TEST_F(PlanKindsTest, FrontsComparisonsAndEvents) {

@@ -92,7 +92,16 @@ export interface Agent {
   start: Cell;
   goal: Cell;
   waits?: ExplainedWait[]; // of a vehicle that waits anywhere
+  surface?: Surface; // of a vehicle, where the map knows its ways
   path: TimedPoint[]; // two points in a row at the same place are a wait
+}
+
+// What a path leads over, in cells; the first three add up to its length.
+export interface Surface {
+  ways: number;
+  off_ways: number;
+  unknown: number;
+  near_water?: number; // within 5 m of it
 }
 
 // A part of a wait that has one reason.

@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { isTeam } from "../domain/plan";
 import type { PageState } from "../mission/page_state";
 import type { Studio } from "../mission/studio";
+import { surfaceWords } from "../mission/surface_words";
 import { teamArrivals, teamHeadline } from "../mission/team_words";
 import { arrivals, figuresText, figureTexts, headline, nounOf, proof, type Proof, tooEarly } from "../mission/words";
 import type { Judged } from "../planning/results";
@@ -43,10 +44,11 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
   const telling = { units, buildings, isLooking, isFound };
   const words = team ? teamHeadline(after.plan, closed, telling) : headline(after.plan, telling);
   const who = team ? teamArrivals(after.plan, units) : arrivals(after.plan, units);
+  const surface = surfaceWords(after.plan, units);
   const figures = words.figures ? figureTexts(words.figures, units) : [];
   const asked = studio ? null : askedRules(after.plan); // there the choices are listed
   const told = words.figures ? `${words.title}: ${figuresText(words.figures, units)}.` : words.title;
-  const spoken = [told, words.note, who].filter((part) => part).join(" ");
+  const spoken = [told, words.note, who, surface].filter((part) => part).join(" ");
   return (
     <section class={`headline ${words.tone}`} aria-label="Result" aria-busy={page.outdated.value || isLooking}>
       <h2>
@@ -68,6 +70,7 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
       )}
       {words.note && <p class="arrivals">{words.note}</p>}
       {who && <p class="arrivals">{who}</p>}
+      {surface && <p class="arrivals">{surface}</p>}
       {asked && <p class="arrivals">Asked for: {asked}.</p>}
       {words.remedies.length > 0 && (
         <ul class="remedies">

@@ -1,0 +1,19 @@
+#include "io/plan_surfaces.hpp"
+
+namespace waybreaker::io {
+
+std::vector<std::optional<site::Surface>> plan_surfaces(const Plan& plan, const MapFile& map) {
+    std::vector<std::optional<site::Surface>> surfaces(plan.agents.size());
+    if (map.annotations.ways.empty() || !map.has_metres()) return surfaces;
+    const site::SurfaceMap ground(map.map, map.annotations, map.cell_size);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const Itinerary& agent = plan.agents[i];
+        if (agent.kind != AgentKind::ground) continue;
+        std::vector<Point> path;
+        for (const Waypoint& at : agent.path) path.emplace_back(at.x, at.y);
+        surfaces[i] = ground.along(path);
+    }
+    return surfaces;
+}
+
+}  // namespace waybreaker::io
