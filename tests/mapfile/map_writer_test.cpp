@@ -129,6 +129,7 @@ TEST_F(WrittenMaps, AreStillKnownByTheirNames) {
     EXPECT_EQ(write(city, "b.geojson").losses,
               (std::vector<std::string>{"a GeoJSON does not hold the size of a cell", "a GeoJSON " + ground,
                                         "a GeoJSON does not hold whom the map was made for",
+                                        "a GeoJSON does not hold which cells are ways and bridges",
                                         "a GeoJSON does not hold the notes"}));
     city::ImportOptions all_of_it{.longitude = 13.383, .latitude = 52.5213};
     all_of_it.choice.obstacles = {{.key = "*"}};
