@@ -33,8 +33,8 @@ io::MapFile read_map(const std::string& path) {
     return mapfile::read_map_file(path);
 }
 
-void require_place(const io::MapFile& file) {
-    if (file.georeference) return;
+const site::Georeference& place_of(const io::MapFile& file) {
+    if (file.georeference) return *file.georeference;
     throw InputError(
         fmt::format("{}: does not say where on Earth it lies, so that nothing can be laid over it; if its "
                     "metres are those of a coordinate system, 'waybreaker map convert' it to placed.tif, "
@@ -53,11 +53,11 @@ void run(const MapOverlayOptions& options) {
     for (const city::OverlaySource& overlay : overlays) inputs.emplace_back("--also", overlay.file);
     keep_inputs({{"--output", options.out}}, inputs);
     io::MapFile file = read_map(options.in);
-    require_place(file);
+    const site::Georeference place = place_of(file);
     site::DescribedMap map{std::move(file.map), std::move(file.annotations)};
     std::vector<city::OverlayReport> reports;
     for (const city::OverlaySource& overlay : overlays) {
-        reports.push_back(city::lay_over(overlay, *file.georeference, options.costs, map));
+        reports.push_back(city::lay_over(overlay, place, options.costs, map));
     }
     file.map = std::move(map.map);
     file.annotations = std::move(map.annotations);

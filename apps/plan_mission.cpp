@@ -114,10 +114,10 @@ void set_sizes(const PlanOptions& options, const io::MapFile& map, io::MissionDo
         }
     }
     if (options.radius) document.unsized.clear();
-    if (!io::size_agents(document, map)) return;
-    const site::Profile profile = *map.annotations.profile;
+    const std::optional<site::Profile> profile = map.annotations.profile;
+    if (!io::size_agents(document, map) || !profile) return;
     note(map.source, fmt::format("is made for a {}, {} m wide: its radius is {} cells; --radius says another",
-                                 site::profile_word(profile), site::vehicle_width(profile), io::usual_radius(map)));
+                                 site::profile_word(*profile), site::vehicle_width(*profile), io::usual_radius(map)));
 }
 
 // Speeds in metres per second make a unit of time a second, and so do times in seconds: without any speed both agents

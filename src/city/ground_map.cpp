@@ -15,7 +15,8 @@ namespace {
 using Cells = std::vector<std::uint32_t>;
 
 Cells no_cells(const CellWindow& window) {
-    return Cells(std::size_t(window.width) * std::size_t(window.height), 0);
+    Cells cells(std::size_t(window.width) * std::size_t(window.height), 0);
+    return cells;
 }
 
 // The pieces of a layer within the window; with their numbers, or a label for all.
