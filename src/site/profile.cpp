@@ -7,18 +7,18 @@
 namespace waybreaker::site {
 namespace {
 
-constexpr std::array<std::string_view, 4> words{"rover", "truck", "walker", "paper"};
+constexpr std::array<std::string_view, 4> profile_words{"rover", "truck", "walker", "paper"};
 constexpr std::array<double, 4> widths{0.8, 2.55, 0.6, 0};
 
 }  // namespace
 
 std::string_view profile_word(Profile profile) {
-    return words[std::size_t(profile)];
+    return profile_words[std::size_t(profile)];
 }
 
 std::optional<Profile> profile_called(std::string_view word) {
-    const auto* const found = std::find(words.begin(), words.end(), word);
-    return found == words.end() ? std::nullopt : std::optional(Profile(found - words.begin()));
+    const auto* const found = std::find(profile_words.begin(), profile_words.end(), word);
+    return found == profile_words.end() ? std::nullopt : std::optional(Profile(found - profile_words.begin()));
 }
 
 double vehicle_width(Profile profile) {
