@@ -68,6 +68,7 @@ export class StudioPage {
 
   static async visit(browser: Browser, url: string, { query = "", viewport = wide, colorScheme = "light" }: Visit = {}) {
     const context = await browser.newContext({ viewport, colorScheme, acceptDownloads: true });
+    context.setDefaultTimeout(120_000);
     const page = await context.newPage();
     const studio = new StudioPage(page, url.startsWith("http") ? new URL(url).origin : url);
     await page.exposeFunction("keepAnswer", (body: string) => studio.keep(body));

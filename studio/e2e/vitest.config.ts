@@ -7,7 +7,7 @@ export default defineConfig({
     include: ["e2e/*.test.ts"],
     globalSetup: "e2e/command.ts",
     fileParallelism: false,
-    testTimeout: 60_000,
-    hookTimeout: 60_000,
+    testTimeout: 240_000, // of a machine that does other things, too
+    hookTimeout: 240_000,
   },
 });
