@@ -33,7 +33,7 @@ FeatureTags::FeatureTags(OGRLayer& layer)
       geofabrik_(geofabrik_key(layer)) {}
 
 bool FeatureTags::can_have(const std::string& key) const {
-    if (!geofabrik_.empty()) return key == geofabrik_ || key == "bridge" || key == "tunnel" || key == "leisure";
+    if (!geofabrik_.empty() && (key == geofabrik_ || (key == "leisure" && geofabrik_ == "landuse"))) return true;
     return other_ >= 0 || definition_.GetFieldIndex(key.c_str()) >= 0;
 }
 

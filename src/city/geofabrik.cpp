@@ -50,15 +50,10 @@ std::string_view geofabrik_key(OGRLayer& layer) {
 
 std::vector<Tag> geofabrik_tags(std::string_view key, std::vector<Tag> attributes) {
     std::vector<Tag> tags;
-    for (Tag& attribute : attributes) {
-        const auto& [name, value] = attribute;
-        if (name == "fclass") {
-            tags.push_back(tag_of(key, value));
-        } else if (name == "bridge" || name == "tunnel") {
-            if (value == "T") tags.emplace_back(name, "yes");
-        } else if (name != "code" && name != "type") {
-            tags.push_back(std::move(attribute));
-        }
+    for (auto& [name, value] : attributes) {
+        if (name == "fclass") tags.push_back(tag_of(key, value));
+        const bool flag = name == "bridge" || name == "tunnel";
+        tags.emplace_back(std::move(name), flag ? (value == "T" ? "yes" : "no") : std::move(value));
     }
     return tags;
 }

@@ -15,7 +15,7 @@ namespace waybreaker::city {
 // here.
 std::string_view geofabrik_key(OGRLayer& layer);
 
-// The tags of OpenStreetMap of a feature with those attributes, in a layer of that key.
+// The attributes of a feature in a layer of that key, and the tag of OpenStreetMap that its `fclass` stands for.
 std::vector<std::pair<std::string, std::string>> geofabrik_tags(
     std::string_view key, std::vector<std::pair<std::string, std::string>> attributes);
 

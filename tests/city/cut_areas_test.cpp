@@ -9,8 +9,8 @@
 #include <numbers>
 #include <utility>
 
-#include "city/bounds.hpp"
 #include "city/edge_faces.hpp"
+#include "city/envelope.hpp"
 #include "city/vector_source.hpp"
 
 namespace waybreaker::city {
@@ -36,7 +36,7 @@ CutArea outline(std::vector<Line> outer, std::vector<Line> inner = {}) {
 }
 
 // 400 x 300 metres.
-const OGRPolygon edge = rectangle(box(0, 0, 400, 300));
+const OGRPolygon edge = rectangle(envelope(0, 0, 400, 300));
 const Line north_bank{{5, 180}, {200, 180}, {396, 180}};
 const Line south_bank{{392, 120}, {5, 120}};
 const Evidence stream{.within = {{{5, 150}, {395, 150}}}};
@@ -159,7 +159,7 @@ TEST(CutOutline, may_leave_the_edge_and_come_back) {
 }
 
 TEST(EdgeOfData, is_its_bounds_or_the_hull_that_outlines_end_at) {
-    const OGREnvelope bounds = box(0, 0, 1000, 1000);
+    const OGREnvelope bounds = envelope(0, 0, 1000, 1000);
     const std::vector<Point> diamond{{500, 0}, {1000, 500}, {500, 1000}, {0, 500}, {500, 500}};
     const auto area = [](const std::unique_ptr<OGRPolygon>& polygon) { return polygon->get_Area(); };
     EXPECT_EQ(edge_of_data({}, {}, {}), nullptr);
@@ -229,7 +229,7 @@ std::vector<Line> in_ways(const std::vector<Line>& runs) {
 
 RC_GTEST_PROP(CutArea, closed_again_is_what_was_cut, ()) {
     constexpr double step = 5;
-    std::unique_ptr<OGRGeometry> convex(rectangle(box(0, 0, 400, 300)).clone());
+    std::unique_ptr<OGRGeometry> convex(rectangle(envelope(0, 0, 400, 300)).clone());
     if (*rc::gen::arbitrary<bool>()) {
         OGRMultiPoint corners;
         for (const Point& corner : {Point{0, 80}, {150, 0}, {400, 60}, {370, 280}, {90, 300}}) {

@@ -93,6 +93,14 @@ TEST_F(Geofabrik, HasNoBuildingsInItsWater) {
     for (const Obstacle& obstacle : water.tiff.map.obstacles()) EXPECT_FALSE(obstacle.destructible);
 }
 
+TEST_F(Geofabrik, KeepsItsAttributes) {
+    draw();
+    ImportOptions options = town_window;
+    options.choice.layer = "gis_osm_water_a_free_1";
+    options.choice.obstacles = {{"fclass", {"river"}}};
+    EXPECT_EQ(import_city(path("town"), options).tiff.map.obstacles().size(), 1U);
+}
+
 TEST_F(Geofabrik, IsKnownByItsAttributesAndName) {
     std::filesystem::create_directory(path("town"));
     layer("houses", wkbPolygon, {{"building", box(0.6, 0.6, 3.4, 2.4)}});

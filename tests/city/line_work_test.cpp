@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "city/bounds.hpp"
+#include "city/envelope.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -60,7 +60,7 @@ RC_GTEST_PROP(JoinedLines, are_as_long_as_their_ways_and_cannot_be_joined_furthe
 }
 
 TEST(ClippedLines, are_the_pieces_inside) {
-    const OGREnvelope bounds = box(0, 0, 10, 10);
+    const OGREnvelope bounds = envelope(0, 0, 10, 10);
     EXPECT_EQ(clipped({{-5, 5}, {5, 5}, {5, 15}}, bounds), (std::vector<Line>{{{0, 5}, {5, 5}, {5, 10}}}));
     EXPECT_EQ(clipped({{5, 5}, {15, 5}, {15, 6}, {5, 6}}, bounds),
               (std::vector<Line>{{{5, 5}, {10, 5}}, {{10, 6}, {5, 6}}}));
@@ -71,7 +71,7 @@ TEST(ClippedLines, are_the_pieces_inside) {
 
 // Against many small steps along the line.
 RC_GTEST_PROP(ClippedLines, are_inside_and_all_that_is, ()) {
-    const OGREnvelope bounds = box(0, 0, 10, 6);
+    const OGREnvelope bounds = envelope(0, 0, 10, 6);
     Line line;
     const int points = *rc::gen::inRange(2, 6);
     for (int i = 0; i < points; ++i) line.emplace_back(*rc::gen::inRange(-5, 15), *rc::gen::inRange(-5, 11));

@@ -1,11 +1,11 @@
-// Bounds by their sides.
+// An envelope by its sides.
 #pragma once
 
 #include <ogr_core.h>
 
 namespace waybreaker::city {
 
-inline OGREnvelope box(double west, double south, double east, double north) {
+inline OGREnvelope envelope(double west, double south, double east, double north) {
     OGREnvelope bounds;
     bounds.MinX = west;
     bounds.MinY = south;
