@@ -66,7 +66,7 @@ TagSet FeatureTags::all(const OGRFeature& feature) const {
         if (!key || !value) break;
         tags.emplace_back(std::move(*key), std::move(*value));
     }
-    if (!geofabrik_.empty()) tags = geofabrik_tags(geofabrik_, std::move(tags));
+    if (!geofabrik_.empty()) tags = geofabrik_tags(geofabrik_, tags);
     return TagSet(std::move(tags), TagSet::Case::ignored);  // as columns of databases have it
 }
 

@@ -48,12 +48,12 @@ std::string_view geofabrik_key(OGRLayer& layer) {
     return found == keys.end() ? std::string_view() : found->second;
 }
 
-std::vector<Tag> geofabrik_tags(std::string_view key, std::vector<Tag> attributes) {
+std::vector<Tag> geofabrik_tags(std::string_view key, const std::vector<Tag>& attributes) {
     std::vector<Tag> tags;
-    for (auto& [name, value] : attributes) {
+    for (const auto& [name, value] : attributes) {
         if (name == "fclass") tags.push_back(tag_of(key, value));
         const bool flag = name == "bridge" || name == "tunnel";
-        tags.emplace_back(std::move(name), flag ? (value == "T" ? "yes" : "no") : std::move(value));
+        tags.emplace_back(name, flag ? (value == "T" ? "yes" : "no") : value);
     }
     return tags;
 }

@@ -17,6 +17,6 @@ std::string_view geofabrik_key(OGRLayer& layer);
 
 // The attributes of a feature in a layer of that key, and the tag of OpenStreetMap that its `fclass` stands for.
 std::vector<std::pair<std::string, std::string>> geofabrik_tags(
-    std::string_view key, std::vector<std::pair<std::string, std::string>> attributes);
+    std::string_view key, const std::vector<std::pair<std::string, std::string>>& attributes);
 
 }  // namespace waybreaker::city
