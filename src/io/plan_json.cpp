@@ -214,6 +214,10 @@ Json seconds_json(const Plan::Seconds& seconds) {
 
 }  // namespace
 
+int removals_of(std::span<const Plan> front, const Rules& rules) {
+    return int(front.size() + rules.force.size()) - 1;
+}
+
 std::string plan_json(const Plan& plan, const PlanContext& context) {
     Json json{{"format", "waybreaker-plan/1"}, {"status", to_string(plan.status)}};
     if (plan.limit_reached) json["limit_reached"] = true;

@@ -1,11 +1,11 @@
-#include "studio/plan_picture.hpp"
+#include "render/plan_picture.hpp"
 
 #include "render/caption.hpp"
 
-namespace waybreaker::studio {
+namespace waybreaker::render {
 
-render::PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked) {
-    render::PictureOptions options{.cell_size = map.cell_size,
+PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked) {
+    PictureOptions options{.cell_size = map.cell_size,
                                    .metres = map.has_metres(),
                                    .seconds = asked.in_seconds,
                                    .objective = asked.mission.rules.objective,
@@ -15,11 +15,11 @@ render::PictureOptions picture_options(const io::MapFile& map, const io::Mission
 }
 
 std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan) {
-    return render::svg(map.map, plan.asked.mission, plan.plan, picture_options(map, plan.asked));
+    return svg(map.map, plan.asked.mission, plan.plan, picture_options(map, plan.asked));
 }
 
 std::string plan_sentence(const io::MapFile& map, const io::PlanFile& plan) {
-    return render::headline(map.map, plan.asked.mission, plan.plan, picture_options(map, plan.asked));
+    return headline(map.map, plan.asked.mission, plan.plan, picture_options(map, plan.asked));
 }
 
-}  // namespace waybreaker::studio
+}  // namespace waybreaker::render
