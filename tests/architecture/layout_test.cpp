@@ -136,7 +136,7 @@ const fs::path project = waybreaker::project_folder();
 // Calls visit(path relative to the project, text) for every text file of ours below the given folders.
 template <class Visit>
 void for_each_file(std::initializer_list<const char*> folders, Visit visit) {
-    static const std::set<std::string> extensions = {"", ".cpp", ".hpp", ".txt", ".md", ".cmake", ".json"};
+    static const std::set<std::string> extensions = {"", ".c", ".cpp", ".h", ".hpp", ".txt", ".md", ".cmake", ".json"};
     for (const char* folder : folders) {
         if (!fs::exists(project / folder)) continue;
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(project / folder)) {
