@@ -5,7 +5,7 @@
 
 enum { width = 12, height = 5 };
 
-// Two walls that a rover would have to drive around; the number of a wall is the id that the level knows it by.
+// There is a way around the first wall, and none past the second. Its number is what the level knows a wall by.
 static const char* const level[height] = {
     "...7....9...",  //
     "...7....9...",  //

@@ -48,7 +48,7 @@ OwnedMap from_labels(const std::vector<std::uint32_t>& labels, Sides sides,
 
 TEST(CMap, SaysWhatItIs) {
     const OwnedMap map = from_movingai(yard);
-    ASSERT_NE(map, nullptr);
+    ASSERT_TRUE(map);
     EXPECT_EQ(waybreaker_map_width(map.get()), 4);
     EXPECT_EQ(waybreaker_map_height(map.get()), 3);
     EXPECT_EQ(waybreaker_map_obstacle_count(map.get()), 3U);
@@ -86,7 +86,7 @@ TEST(CMap, NumbersLabelsAnewAndKeepsTheirAttributes) {
     std::vector<waybreaker_attributes> attributes(8, {0, 1, 0, true});
     attributes[7] = {-4711, 2.5, 30, false};
     const OwnedMap map = from_labels({7, 0, 9000, 0, 7, 7}, {3, 2}, attributes);
-    ASSERT_NE(map, nullptr);
+    ASSERT_TRUE(map);
     EXPECT_EQ(labels_of(map), (std::vector<std::uint32_t>{1, 0, 2, 0, 1, 1}));
     waybreaker_obstacle first{};
     ASSERT_TRUE(waybreaker_map_obstacle(map.get(), 1, &first));
@@ -130,7 +130,7 @@ TEST(CMap, OfLabelsHasTheDigestOfAllThatDecidesAPlan) {
 TEST(CMap, RefusesBadInput) {
     const auto why_grid = [](Sides sides, int connectivity = 4, double cell_size = 0) {
         Answer why;
-        EXPECT_EQ(from_grid(yard_cells.data(), sides, connectivity, cell_size, &why), nullptr);
+        EXPECT_FALSE(from_grid(yard_cells.data(), sides, connectivity, cell_size, &why));
         EXPECT_EQ(why.status, WAYBREAKER_INPUT_ERROR);
         return why.error;
     };
@@ -140,7 +140,7 @@ TEST(CMap, RefusesBadInput) {
                               Sides{INT32_MAX, INT32_MAX}, Sides{INT32_MIN, INT32_MIN}}) {
         EXPECT_NE(why_grid(sides).find("is out of range"), std::string::npos);
         Answer why;
-        EXPECT_EQ(from_labels({1}, sides, {}, &why), nullptr);
+        EXPECT_FALSE(from_labels({1}, sides, {}, &why));
         EXPECT_EQ(why.status, WAYBREAKER_INPUT_ERROR);
         EXPECT_NE(why.error.find("is out of range"), std::string::npos);
     }
@@ -150,16 +150,16 @@ TEST(CMap, RefusesBadInput) {
                   std::string::npos);
     }
     Answer why;
-    EXPECT_EQ(from_labels({0, 1}, {2, 1}, {{}, {0, -1, 0, true}}, &why), nullptr);
+    EXPECT_FALSE(from_labels({0, 1}, {2, 1}, {{}, {0, -1, 0, true}}, &why));
     EXPECT_NE(why.error.find("weight"), std::string::npos) << why.error;
-    EXPECT_EQ(from_movingai("type octile\nheight 3\nwidth 4\nmap\n....\n", "m.map", 4, 0, &why), nullptr);
+    EXPECT_FALSE(from_movingai("type octile\nheight 3\nwidth 4\nmap\n....\n", "m.map", 4, 0, &why));
     EXPECT_EQ(why.status, WAYBREAKER_INPUT_ERROR);
     EXPECT_EQ(why.error.substr(0, 6), "m.map:") << why.error;
 }
 
 TEST(CMap, TakesNullForAnArrayAsAnError) {
     Answer why;
-    EXPECT_EQ(from_grid(nullptr, {}, 4, 0, &why), nullptr);
+    EXPECT_FALSE(from_grid(nullptr, {}, 4, 0, &why));
     EXPECT_EQ(why.error, "the array of blocked cells is NULL");
     const auto call = [&](const std::uint32_t* labels, std::size_t attribute_count, waybreaker_map** map) {
         waybreaker_text* error = nullptr;

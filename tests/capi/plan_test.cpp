@@ -21,7 +21,7 @@ std::string walled_yard() {
     return map;
 }
 
-const std::string mission = R"({"format": "waybreaker-mission/1",
+const std::string through_the_wall = R"({"format": "waybreaker-mission/1",
     "agents": [{"id": "rover", "kind": "ground", "start": [2, 1], "goal": [17, 1]},
                {"id": "drone", "kind": "air", "start": [2, 1], "goal": [17, 1], "speed": 4}],
     "rules": {"removals": 1}})";
@@ -43,7 +43,7 @@ TEST(CVersion, IsThatOfTheHeader) {
 }
 
 TEST_F(CPlan, BreachesTheWall) {
-    const Answer plan = capi::plan(planner, map, mission);
+    const Answer plan = capi::plan(planner, map, through_the_wall);
     ASSERT_EQ(plan.status, WAYBREAKER_OK) << plan.error;
     EXPECT_EQ(plan.error, "");
     const Json document = Json::parse(plan.text);
@@ -57,18 +57,19 @@ TEST_F(CPlan, BreachesTheWall) {
 
 TEST_F(CPlan, MeasuresSecondsWhereAsked) {
     waybreaker_text* plan = nullptr;
-    ASSERT_EQ(waybreaker_plan(planner.get(), map.get(), mission.data(), mission.size(), true, &plan, nullptr),
+    ASSERT_EQ(waybreaker_plan(planner.get(), map.get(), through_the_wall.data(), through_the_wall.size(), true, &plan,
+                              nullptr),
               WAYBREAKER_OK);
     EXPECT_TRUE(Json::parse(taken(plan)).contains("seconds"));
 }
 
 TEST_F(CPlan, IsTheSameFromAPlannerThatHasPlannedBefore) {
-    const std::string first = capi::plan(new_planner(), map, mission).text;
+    const std::string first = capi::plan(new_planner(), map, through_the_wall).text;
     const OwnedMap other = from_movingai("type octile\nheight 2\nwidth 30\nmap\n" + std::string(30, '.') + "\n" +
                                          std::string(30, '.') + "\n");
-    const std::string there = with(with(mission, "[17, 1]", "[29, 1]"), "[17, 1]", "[29, 1]");
+    const std::string there = with(with(through_the_wall, "[17, 1]", "[29, 1]"), "[17, 1]", "[29, 1]");
     for (int i = 0; i < 200; ++i) {
-        ASSERT_EQ(capi::plan(planner, map, mission).text, first) << i;
+        ASSERT_EQ(capi::plan(planner, map, through_the_wall).text, first) << i;
         ASSERT_EQ(capi::plan(planner, other, there).status, WAYBREAKER_OK) << i;
         ASSERT_EQ(capi::plan(planner, map, "nonsense").status, WAYBREAKER_INPUT_ERROR) << i;
     }
@@ -89,7 +90,7 @@ TEST_F(CPlan, OfATeam) {
 }
 
 TEST_F(CPlan, FrontSaysWhatEachRemovalGains) {
-    const Answer front = capi::front(planner, map, with(mission, R"("removals": 1)", R"("removals": 5)"));
+    const Answer front = capi::front(planner, map, with(through_the_wall, R"("removals": 1)", R"("removals": 5)"));
     ASSERT_EQ(front.status, WAYBREAKER_OK) << front.error;
     const Json document = Json::parse(front.text);
     ASSERT_EQ(document["front"].size(), 2U) << "there is but one wall";
@@ -100,7 +101,7 @@ TEST_F(CPlan, FrontSaysWhatEachRemovalGains) {
 
 TEST_F(CPlan, WithABudgetOfSquareMetresWeighsAreas) {
     const OwnedMap in_metres = from_movingai(walled_yard(), "yard.map", 4, 2);
-    const std::string cheap = with(mission, R"("removals": 1)", R"("removals": 1, "budget_m2": 31)");
+    const std::string cheap = with(through_the_wall, R"("removals": 1)", R"("removals": 1, "budget_m2": 31)");
     EXPECT_TRUE(Json::parse(capi::plan(planner, in_metres, cheap).text)["removed"].empty());
     const Answer enough = capi::plan(planner, in_metres, with(cheap, "31", "32"));
     EXPECT_EQ(Json::parse(enough.text)["removed"][0]["weight"], 32);
@@ -135,27 +136,28 @@ TEST_F(CPlan, RefusesBadMissions) {
     EXPECT_EQ(why("{").substr(0, 12), "the mission:");
     EXPECT_EQ(why(std::string(1000, '[')).substr(0, 12), "the mission:");
     EXPECT_EQ(why(std::string("{\0}", 3)).substr(0, 12), "the mission:");
-    EXPECT_NE(why(with(mission, "rover", "drone")), "");
-    EXPECT_EQ(why(with(mission, "[17, 1]", "[10, 1]")).substr(0, 62),
+    EXPECT_NE(why(with(through_the_wall, "rover", "drone")), "");
+    EXPECT_EQ(why(with(through_the_wall, "[17, 1]", "[10, 1]")).substr(0, 62),
               "the rover agent's goal 10,1 lies inside obstacle 1; a free cel");
-    EXPECT_NE(why(with(mission, "[2, 1]", "[-2, 1]")), "");
-    EXPECT_NE(why(with(mission, R"("removals": 1)", R"("removals": -1)")), "");
-    EXPECT_NE(why(with(mission, R"("removals": 1)", R"("removals": 1, "protect": [2])")), "");
-    EXPECT_NE(why(with(mission, R"("removals": 1)", R"("removals": 1, "protect": ["amenity=school"])")), "");
+    EXPECT_NE(why(with(through_the_wall, "[2, 1]", "[-2, 1]")), "");
+    EXPECT_NE(why(with(through_the_wall, R"("removals": 1)", R"("removals": -1)")), "");
+    EXPECT_NE(why(with(through_the_wall, R"("removals": 1)", R"("removals": 1, "protect": [2])")), "");
+    EXPECT_NE(why(with(through_the_wall, R"("removals": 1)", R"("removals": 1, "protect": ["amenity=school"])")), "");
 }
 
 TEST_F(CPlan, TakesNullAsAnError) {
     const OwnedMap none;
-    EXPECT_EQ(capi::plan(OwnedPlanner(), map, mission).error, "the planner is NULL");
-    EXPECT_EQ(capi::plan(planner, none, mission).error, "the map is NULL");
-    EXPECT_EQ(capi::front(planner, none, mission).error, "the map is NULL");
+    EXPECT_EQ(capi::plan(OwnedPlanner(), map, through_the_wall).error, "the planner is NULL");
+    EXPECT_EQ(capi::plan(planner, none, through_the_wall).error, "the map is NULL");
+    EXPECT_EQ(capi::front(planner, none, through_the_wall).error, "the map is NULL");
     EXPECT_EQ(check(none, "{}").error, "the map is NULL");
     EXPECT_EQ(svg(none, "{}").error, "the map is NULL");
     waybreaker_text* text = nullptr;
     EXPECT_EQ(waybreaker_plan(planner.get(), map.get(), nullptr, 7, false, &text, nullptr), WAYBREAKER_INPUT_ERROR);
     EXPECT_EQ(text, nullptr);
     EXPECT_EQ(waybreaker_plan(planner.get(), map.get(), nullptr, 0, false, &text, nullptr), WAYBREAKER_INPUT_ERROR);
-    EXPECT_EQ(waybreaker_plan(planner.get(), map.get(), mission.data(), mission.size(), false, nullptr, nullptr),
+    EXPECT_EQ(waybreaker_plan(planner.get(), map.get(), through_the_wall.data(), through_the_wall.size(), false,
+                              nullptr, nullptr),
               WAYBREAKER_INPUT_ERROR);
     EXPECT_EQ(waybreaker_check(map.get(), nullptr, 3, nullptr, &text, nullptr), WAYBREAKER_INPUT_ERROR);
     waybreaker_text_free(nullptr);
@@ -166,7 +168,7 @@ TEST_F(CPlan, TakesNullAsAnError) {
 }
 
 TEST_F(CPlan, IsJudgedByTheMap) {
-    const std::string plan = capi::plan(planner, map, mission).text;
+    const std::string plan = capi::plan(planner, map, through_the_wall).text;
     bool valid = false;
     const Answer good = check(map, plan, &valid);
     EXPECT_EQ(good.status, WAYBREAKER_OK);
@@ -194,7 +196,7 @@ TEST_F(CPlan, IsJudgedByTheMap) {
 }
 
 TEST_F(CPlan, IsDrawn) {
-    const std::string picture = svg(map, capi::plan(planner, map, mission).text).text;
+    const std::string picture = svg(map, capi::plan(planner, map, through_the_wall).text).text;
     EXPECT_EQ(picture.substr(0, 4), "<svg");
     EXPECT_NE(picture.find("yard.map"), std::string::npos);
 }
@@ -232,18 +234,18 @@ TEST_F(CPlan, StopsForAnotherThread) {
     const Json document = Json::parse(plan.text);
     EXPECT_TRUE(document["status"] == "stopped" || document.contains("limit_reached")) << document["status"];
 
-    const Answer next = capi::plan(planner, map, mission);
+    const Answer next = capi::plan(planner, map, through_the_wall);
     EXPECT_EQ(Json::parse(next.text)["status"], "solved") << "later calls are not stopped";
 }
 
 TEST_F(CPlan, OfOneMapByManyThreads) {
-    const std::string expected = capi::plan(planner, map, mission).text;
+    const std::string expected = capi::plan(planner, map, through_the_wall).text;
     std::vector<std::thread> threads;
     std::atomic<int> equal = 0;
     for (int i = 0; i < 4; ++i) {
         threads.emplace_back([&] {
             const OwnedPlanner own = new_planner();
-            for (int j = 0; j < 20; ++j) equal += capi::plan(own, map, mission).text == expected ? 1 : 0;
+            for (int j = 0; j < 20; ++j) equal += capi::plan(own, map, through_the_wall).text == expected ? 1 : 0;
         });
     }
     for (std::thread& thread : threads) thread.join();
