@@ -23,9 +23,8 @@
 #include "plan_table.hpp"
 #include "progress.hpp"
 #include "raster/png.hpp"
-#include "render/picture.hpp"
+#include "render/plan_picture.hpp"
 #include "studio/plan_html.hpp"
-#include "studio/plan_picture.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 
@@ -142,7 +141,7 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         for (Itinerary& agent : plan.agents) agent.gain.reset();
     }
     const io::MapFile& file = context.map;
-    const render::PictureOptions picture = studio::picture_options(file, asked, plan);
+    const render::PictureOptions picture = render::picture_options(file, asked, plan);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, asked.mission, plan, picture));
     if (!options.png.empty())
@@ -241,9 +240,10 @@ void run(const PlanOptions& options) {
     io::MissionDocument given = given_mission(options);
     io::MapFile file = to_plan_on(given.overlays, read_map(options));
     io::MissionDocument asked = mission_of(options, std::move(given), file);
-    if (auto weighed = io::resolve(asked, file, weights_of(options, asked, file.map))) file.map = std::move(*weighed);
+    if (auto weighed = io::settle(asked, file, weights_of(options, asked, file.map))) file.map = std::move(*weighed);
     std::vector<std::pair<std::string, std::string>> outputs;
-    if (!options.save_mission.empty()) outputs.emplace_back(options.save_mission, saved_mission(asked, options.save_mission));
+    if (!options.save_mission.empty())
+        outputs.emplace_back(options.save_mission, saved_mission(asked, options.save_mission));
     const Deadline deadline(asked.limits.seconds - since_start.seconds());
     validate(search_options(asked.method, asked.mission.ground_body()));
     const std::string file_at_fault = io::input_name(options.mission.empty() ? options.map : options.mission);
@@ -260,7 +260,7 @@ void run(const PlanOptions& options) {
     const std::vector<Plan> plans = plan_mission(file, asked, options.removals_auto);
     asked.method.explain = explain;
     Rules& rules = asked.mission.rules;
-    if (options.removals_auto) rules.removals = int(plans.size() + rules.force.size()) - 1;
+    if (options.removals_auto) rules.removals = io::removals_of(plans, rules);
     const Plan& plan = plans.back();
     const io::PlanContext context{.map = file,
                                   .asked = asked,

@@ -230,7 +230,6 @@ io::MissionDocument mission_of(const PlanOptions& options, io::MissionDocument g
             "--planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits; "
             "drop it, or the option that contradicts it");
     }
-    method.planner = planner;
     const bool by_steps =
         planner == Planner::astar || planner == Planner::jps || planner == Planner::dijkstra || planner == Planner::bfs;
     if (from_map && map.task->smoothing && by_steps) {

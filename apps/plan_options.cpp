@@ -331,12 +331,12 @@ void validate(const PlanOptions& options) {
     if (options.paper && options.planner && *options.planner != Planner::theta) {
         throw InputError(
             fmt::format("--paper stands for --planner theta, which --planner {} contradicts; drop one of them",
-                        io::word_of(io::planner_words, *options.planner)));
+                        to_string(*options.planner)));
     }
     if (options.paper && options.select && *options.select != Selection::hits) {
         throw InputError(
             fmt::format("--paper stands for --select hits, which --select {} contradicts; drop one of them",
-                        io::word_of(io::selection_words, *options.select)));
+                        to_string(*options.select)));
     }
     if (options.paper && options.flight == FlightRule::optimal && options.removals.value_or(3) > 1) {
         throw InputError("--paper stands for --flight nearest, which --flight optimal contradicts; drop one of them");
@@ -362,7 +362,8 @@ void validate(const PlanOptions& options) {
                       {"--weights", options.weights},
                       {"--mission", options.mission},
                       {"--agents", options.agents}};
-    for (const site::OverlaySource& overlay : overlays_of(options.overlays)) inputs.emplace_back("--also", overlay.file);
+    for (const site::OverlaySource& overlay : overlays_of(options.overlays))
+        inputs.emplace_back("--also", overlay.file);
     validate_inputs(inputs);
     validate_outputs(outputs, inputs);
 }

@@ -233,8 +233,7 @@ std::string without_aircraft(const Mission& mission) {
 
 // The objective as a person says it.
 std::string words(Objective objective) {
-    return objective == Objective::ground_makespan ? "ground agent's arrival"
-                                                   : std::string(io::word_of(io::objective_words, objective));
+    return objective == Objective::ground_makespan ? "ground agent's arrival" : std::string(to_string(objective));
 }
 
 // What each further removal saves.

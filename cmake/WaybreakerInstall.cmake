@@ -1,11 +1,19 @@
-# cmake --install: the library for programs that embed it (component `library`: headers, archive or shared library, CMake
-# package, pkg-config file; needs the standard library alone) and the command (component `command`, see apps/).
+# cmake --install: the libraries for programs that embed them, in C++ and, where the documents are built, in C (component
+# `library`: headers, archives or shared libraries, CMake package, pkg-config files; they need the standard library alone),
+# and the command (component `command`, see apps/).
 
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/waybreaker)
 
-install(TARGETS waybreaker EXPORT waybreaker
+set(libraries waybreaker)
+set(pc_files waybreaker)
+if(TARGET waybreaker_c)
+  list(APPEND libraries waybreaker_c)
+  list(APPEND pc_files waybreaker-c)
+  install(FILES include/waybreaker.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library)
+endif()
+install(TARGETS ${libraries} EXPORT waybreaker
         LIBRARY COMPONENT library NAMELINK_COMPONENT library
         ARCHIVE COMPONENT library
         RUNTIME COMPONENT library)
@@ -20,5 +28,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/waybreaker-config-version.cmake DESTIN
 # From where it lies, so that the installed tree can be moved.
 file(RELATIVE_PATH prefix_of_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" prefix_of_pc ${prefix_of_pc})
-configure_file(${CMAKE_CURRENT_LIST_DIR}/waybreaker.pc.in waybreaker.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/waybreaker.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
+foreach(pc IN LISTS pc_files)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/${pc}.pc.in ${pc}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${pc}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
+endforeach()

@@ -6,20 +6,23 @@ option(WAYBREAKER_PRECOMPILE "Precompile the headers of large libraries" ON)
 
 function(waybreaker_flags target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
-                         -Wnon-virtual-dtor -Woverloaded-virtual $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>)
+                         $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual>
+                         $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wreserved-identifier>)
   # The last bit of a time is the same on processors with and without fused multiply-add.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   if(PROJECT_IS_TOP_LEVEL)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(WAYBREAKER_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=${WAYBREAKER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    # C may be compiled by another compiler, with another runtime.
+    target_compile_options(${target} PRIVATE
+      $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${WAYBREAKER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer>)
     # It opens a pipe to look at an object, and takes it for none where no file can be opened, as some tests want it.
-    target_compile_options(${target} PRIVATE -fno-sanitize=vptr)
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-fno-sanitize=vptr>)
     target_link_options(${target} PRIVATE -fsanitize=${WAYBREAKER_SANITIZE})
   endif()
   if(WAYBREAKER_COVERAGE)
-    target_compile_options(${target} PRIVATE --coverage)
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:--coverage>)
     target_link_options(${target} PRIVATE --coverage)
   endif()
 endfunction()
@@ -49,6 +52,30 @@ endfunction()
 # Hardly optimised: for code whose speed nobody feels, while what its headers bring takes long to compile.
 function(waybreaker_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# waybreaker_combined_library(TARGET NAME FOLDERS folder... EXPORTS script SOVERSION number): all these folders in one
+# library, waybreaker::NAME, for programs of others. If it is shared, it shows what the version script in cmake/ lists.
+function(waybreaker_combined_library target name)
+  cmake_parse_arguments(ARG "" "EXPORTS;SOVERSION" "FOLDERS" ${ARGN})
+  add_library(${target})
+  add_library(waybreaker::${name} ALIAS ${target})
+  foreach(folder IN LISTS ARG_FOLDERS)
+    get_target_property(type waybreaker_${folder} TYPE)
+    if(NOT type STREQUAL INTERFACE_LIBRARY)
+      target_sources(${target} PRIVATE $<TARGET_OBJECTS:waybreaker_${folder}>)
+    endif()
+  endforeach()
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  waybreaker_flags(${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION}
+                        SOVERSION ${ARG_SOVERSION})
+  if(BUILD_SHARED_LIBS AND NOT APPLE)
+    set(exports ${PROJECT_SOURCE_DIR}/cmake/${ARG_EXPORTS})
+    target_link_options(${target} PRIVATE LINKER:--version-script=${exports} LINKER:--no-undefined)
+    set_target_properties(${target} PROPERTIES LINK_DEPENDS ${exports})
+  endif()
 endfunction()
 
 # waybreaker_library(NAME SOURCES file... [USES folder...] [NEEDS library...])

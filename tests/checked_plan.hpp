@@ -19,7 +19,7 @@ namespace waybreaker {
 // A violation in one line, with place and time.
 inline std::string line_of(const Violation& violation) {
     std::ostringstream line;
-    line << name(violation.rule) << ": " << violation.message;
+    line << to_string(violation.rule) << ": " << violation.message;
     if (violation.place) line << " (" << violation.place->x << "," << violation.place->y << ")";
     if (violation.time) line << " [t = " << *violation.time << "]";
     return line.str();

@@ -1,14 +1,19 @@
 // How the ground agent is shaped and moves (contract, section 2).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "waybreaker/map.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
 // Which blocked side cells a diagonal step may pass. `none`: neither; `cut`: one; `squeeze`: both.
 enum class Corners { none, cut, squeeze };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<Corners>{"none", "cut", "squeeze"};
 
 // What an agent is, to the ground it moves on.
 struct Body {

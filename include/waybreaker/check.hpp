@@ -7,6 +7,7 @@
 // meeting. Slow next to a planner, and obvious.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
@@ -53,8 +55,12 @@ enum class Rule {
     surface,     // what a ground agent drives over is what the plan file says it is
 };
 
-// As written in reports: the word above.
-std::string_view name(Rule rule);
+template <>
+inline constexpr std::array<std::string_view, 32> words_of<Rule>{
+    "map",       "status",   "agents",     "start",    "goal",     "time",     "speed",           "vertex",
+    "collision", "obstacle", "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
+    "order",     "next",     "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
+    "bound",     "gap",      "separation", "capacity", "saves",    "gain",     "waits",           "surface"};
 
 struct Violation {
     Rule rule = Rule::map;

@@ -3,18 +3,23 @@
 // Paper, section 3: "a grid pre-processing is needed in order to assign the unique identifiers to all the obstacles".
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "waybreaker/cell.hpp"
 #include "waybreaker/grid.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
 enum class Connectivity { four, eight };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<Connectivity>{"4", "8"};
 
 // What an obstacle can weigh, and the longest that its breach can take.
 inline constexpr double least_weight = 1e-9;

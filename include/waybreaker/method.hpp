@@ -5,20 +5,28 @@
 //     follow_paper(mission.rules, method);
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/search_options.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
 // How obstacles are selected: `exact` proves how far from the best its choice can be, `hits` is the paper's rule,
 // `greedy` takes again and again what shortens the ground path (of a team: the objective) most, `none` takes none.
 enum class Selection { exact, hits, greedy, none };
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<Selection>{"exact", "hits", "greedy", "none"};
+
 // How the air agent flies past them: the shortest way, or the paper's for more than one obstacle.
 enum class FlightRule { optimal, nearest };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<FlightRule>{"optimal", "nearest"};
 
 // How a mission is planned.
 struct Method {

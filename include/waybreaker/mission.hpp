@@ -5,25 +5,39 @@
 //     Plan plan = MissionPlanner().plan(map, mission);   // waybreaker/planner.hpp
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "waybreaker/body.hpp"
 #include "waybreaker/map.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
 enum class AgentKind { ground, air };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<AgentKind>{"ground", "air"};
+
 // What a plan is to make small: when the last agent reaches its goal; the sum over agents of when each reaches its
 // goal; or when the last ground agent does, whenever the aircraft is home.
 enum class Objective { makespan, flowtime, ground_makespan };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<Objective>{"makespan", "flowtime", "ground-makespan"};
+
 // `enforce`: an obstacle is solid until it has been breached; `ignore`: removed obstacles never were there (the paper).
 enum class Timing { enforce, ignore };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<Timing>{"enforce", "ignore"};
+
 // What ground agents do at their goals: they stand there for ever, or vanish.
 enum class AtGoal { stay, leave };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<AtGoal>{"stay", "leave"};
 
 // Speeds of agents, in cells per unit of time: within these every time is a number one can use.
 inline constexpr double least_speed = 1e-6;

@@ -24,6 +24,9 @@ namespace waybreaker {
 Grid read_movingai_map(std::istream& in, const std::string& name);
 Grid read_movingai_map(std::string_view bytes, const std::string& name);
 
+// The text of a map file: `.` where a cell is free, `@` where it is blocked.
+std::string movingai_map(const Grid& grid);
+
 struct Scenario {
     int bucket = 0;
     std::string map;

@@ -1,13 +1,16 @@
 // Plan: what a mission's planning gives back, as data (contract, section 4).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
@@ -22,6 +25,8 @@ struct Waypoint {
 // What a ground agent waits for. `readiness`: its own Agent::ready_at; `opening`: an obstacle that stands; `agent`: one
 // that it would touch; `nothing`: it could go on, and only the planner did not see it.
 enum class WaitReason { nothing, readiness, opening, agent };
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<WaitReason>{"nothing", "readiness", "opening", "agent"};
 
 // A time for which a ground agent stands on its way, and why: had it gone on at any moment of it, along its path to
 // where it waits next or to its goal, that would have been in its way. Two in a row at one place are two reasons, one
@@ -111,6 +116,9 @@ std::optional<double> value(const Outcome& outcome, Objective objective);
 // plan and without a proof that there is none, as it may for several ground agents; more time would not help.
 // `limit_reached`, `stopped`: it ended early.
 enum class PlanStatus { solved, no_plan, not_found, limit_reached, stopped };
+template <>
+inline constexpr std::array<std::string_view, 5> words_of<PlanStatus>{"solved", "no_plan", "not_found", "limit_reached",
+                                                                      "stopped"};
 
 struct Plan {
     PlanStatus status = PlanStatus::no_plan;

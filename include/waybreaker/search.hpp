@@ -7,18 +7,24 @@
 // Theta*: Nash, Daniel, Koenig, Felner 2007. Lazy Theta*: Nash, Koenig, Tovey 2010. JPS: Harabor, Grastien 2011.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "waybreaker/map.hpp"
 #include "waybreaker/search_options.hpp"  // IWYU pragma: export
+#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
 // `no_path`: there is none. `not_found`: the search ended by itself without a path and without a proof that there is
 // none. `limit_reached`, `stopped`: it ended early.
 enum class SearchStatus { found, no_path, not_found, limit_reached, stopped };
+template <>
+inline constexpr std::array<std::string_view, 5> words_of<SearchStatus>{"found", "no_path", "not_found",
+                                                                        "limit_reached", "stopped"};
 
 // Whether what it has not found is not there.
 constexpr bool came_to_its_end(SearchStatus status) {

@@ -1,18 +1,31 @@
 // Search options: how a ground path is searched. What a search does with them: search.hpp.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "waybreaker/body.hpp"
 #include "waybreaker/cell.hpp"
 #include "waybreaker/limits.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker {
 
 // `optimal` is the crossing search with nothing to cross (crossing.hpp); a mission can ask for it, a Searcher cannot.
 enum class Planner { theta, lazy_theta, astar, jps, dijkstra, bfs, optimal };
+template <>
+inline constexpr std::array<std::string_view, 7> words_of<Planner>{"theta",    "lazy-theta", "astar",  "jps",
+                                                                   "dijkstra", "bfs",        "optimal"};
+
 enum class Heuristic { euclidean, octile, chebyshev, manhattan, zero };
+template <>
+inline constexpr std::array<std::string_view, 5> words_of<Heuristic>{"euclidean", "octile", "chebyshev", "manhattan",
+                                                                     "zero"};
+
 enum class TieBreak { g_max, g_min };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<TieBreak>{"g-max", "g-min"};
 
 // Hears a search as it runs; for traces and pictures. g and f are in cells, f includes the weighted heuristic.
 class SearchListener {

@@ -20,3 +20,5 @@
 #include "waybreaker/schedule.hpp"        // IWYU pragma: export
 #include "waybreaker/search.hpp"          // IWYU pragma: export
 #include "waybreaker/search_options.hpp"  // IWYU pragma: export
+#include "waybreaker/version.hpp"         // IWYU pragma: export
+#include "waybreaker/words.hpp"           // IWYU pragma: export

@@ -151,15 +151,6 @@ std::string text(ObstacleId obstacle) {
 
 }  // namespace checker
 
-std::string_view name(Rule rule) {
-    constexpr std::array<std::string_view, 32> names{
-        "map",       "status",   "agents",     "start",    "goal",     "time",     "speed",           "vertex",
-        "collision", "obstacle", "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
-        "order",     "next",     "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
-        "bound",     "gap",      "separation", "capacity", "saves",    "gain",     "waits",           "surface"};
-    return names.at(std::size_t(rule));
-}
-
 std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan, double tolerance) {
     const checker::Terms terms{mission.rules, mission.ground_body(), tolerance};
     checker::validate(terms);

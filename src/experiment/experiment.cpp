@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 std::string canonical(const Experiment& experiment) {
     std::string text = fmt::format("waybreaker-experiment/1\ntime_limit {}\n", experiment.time_limit);
     for (const Configuration& one : experiment.configurations) {
-        text += fmt::format("configuration {} {} {} {}\n", word_for(one.method), word_for(one.planner), one.weight,
+        text += fmt::format("configuration {} {} {} {}\n", to_string(one.method), to_string(one.planner), one.weight,
                             one.removals);
     }
     for (const std::string& set : experiment.sets) text += fmt::format("set {}\n", set);

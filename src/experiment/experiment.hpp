@@ -12,6 +12,7 @@
 //     removals = [1, 2, 3, 4, 5]
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,12 +21,21 @@
 #include <vector>
 
 #include "waybreaker/method.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker::experiment {
 
 // paper: the hits of its section 3. exact: the proven choice. greedy: again and again the obstacle whose removal
 // shortens the ground path most. none: the mission without removal.
 enum class Method { paper, exact, greedy, none };
+
+}  // namespace waybreaker::experiment
+
+template <>
+inline constexpr std::array<std::string_view, 4> waybreaker::words_of<waybreaker::experiment::Method>{"paper", "exact",
+                                                                                                      "greedy", "none"};
+
+namespace waybreaker::experiment {
 
 struct Configuration {
     Method method = Method::exact;
@@ -74,9 +84,5 @@ struct Experiment {
 // Reads a spec and the files of missions it names; maps are found from these files' folder, and are only digested here.
 // Throws InputError with file and line.
 Experiment read_experiment(const std::string& spec_path);
-
-// The words of a spec.
-std::string_view word_for(Method method);
-std::string_view word_for(Planner planner);
 
 }  // namespace waybreaker::experiment

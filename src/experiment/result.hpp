@@ -1,6 +1,7 @@
 // Result: what one job gave, the row that is stored.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,11 +10,20 @@
 #include <vector>
 
 #include "waybreaker/map.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker::experiment {
 
 // `timed_out`: the time limit ended it. `failed`: it threw. `crashed`: it took the program down twice.
 enum class ResultStatus { solved, no_plan, timed_out, failed, crashed };
+
+}  // namespace waybreaker::experiment
+
+template <>
+inline constexpr std::array<std::string_view, 5> waybreaker::words_of<waybreaker::experiment::ResultStatus>{
+    "solved", "no plan", "timed out", "failed", "crashed"};
+
+namespace waybreaker::experiment {
 
 // The mission without removal, or as planned. Lengths in cells, makespan and flowtime in units of time. Of a team the
 // sums over its agents.
@@ -37,9 +47,6 @@ struct Result {
     std::vector<ObstacleId> removed = {};  // in flight order
     double seconds = 0;                    // of the whole mission's planning
 };
-
-// As results files say it.
-std::string_view word_for(ResultStatus status);
 
 struct Row {
     std::uint64_t job = 0;  // its number in the experiment

@@ -6,13 +6,19 @@
 #include <charconv>
 
 #include "experiment/spec.hpp"
-#include "experiment/words.hpp"
 #include "io/csv_field.hpp"
 #include "io/mission_json.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::experiment {
 namespace {
+
+// Throws InputError for a word that is none, as a results file from elsewhere may hold.
+template <class Enum>
+Enum value_of(std::string_view word) {
+    if (const auto value = from_string<Enum>(word)) return *value;
+    throw InputError("the results hold a word that is unknown: '" + std::string(word) + "'");
+}
 
 std::optional<double> number(const SQLite::Column& column) {
     return column.isNull() ? std::nullopt : std::optional(column.getDouble());
@@ -30,7 +36,7 @@ Stage stage(SQLite::Statement& row, int at) {
 
 // Without the obstacles, which only people read.
 Result result(SQLite::Statement& row, int at) {
-    return {.status = value_of(status_words, row.getColumn(at).getText()),
+    return {.status = value_of<ResultStatus>(row.getColumn(at).getText()),
             .message = row.getColumn(at + 1).getString(),
             .before = stage(row, at + 2),
             .after = stage(row, at + 9),
@@ -98,8 +104,8 @@ void Results::read() {
     }
     for (SQLite::Statement one(sql, "SELECT method, planner, weight, removals FROM configurations ORDER BY id");
          one.executeStep();) {
-        experiment_.configurations.push_back({value_of(method_words, one.getColumn(0).getText()),
-                                              value_of(planner_words, one.getColumn(1).getText()),
+        experiment_.configurations.push_back({value_of<Method>(one.getColumn(0).getText()),
+                                              value_of<Planner>(one.getColumn(1).getText()),
                                               one.getColumn(2).getDouble(), one.getColumn(3).getInt()});
     }
     for (SQLite::Statement one(sql, "SELECT \"set\", map, octile, document FROM missions ORDER BY id");

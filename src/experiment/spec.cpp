@@ -9,7 +9,6 @@
 #include <initializer_list>
 #include <optional>
 
-#include "experiment/words.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::experiment {
@@ -64,14 +63,12 @@ class Reader {
         throw error(node, fmt::format("{} must be a whole number from {} to {}", what, least, most));
     }
 
-    template <class Value, std::size_t count>
-    Value word(const toml::node& node, const std::array<Word<Value>, count>& words) const {
+    template <class Enum>
+    Enum word(const toml::node& node) const {
         const auto* given = node.as_string();
-        const auto found = given == nullptr ? words.end() : std::ranges::find(words, given->get(), &Word<Value>::word);
-        if (found != words.end()) return found->value;
-        std::vector<std::string_view> known;
-        for (const Word<Value>& entry : words) known.push_back(entry.word);
-        throw error(node, fmt::format("this must be one of \"{}\"", fmt::join(known, "\", \"")));
+        const auto value = given == nullptr ? std::nullopt : from_string<Enum>(given->get());
+        if (value) return *value;
+        throw error(node, fmt::format("this must be one of \"{}\"", fmt::join(words_of<Enum>, "\", \"")));
     }
 
   private:
@@ -97,7 +94,7 @@ void validate(const Reader& reader, const toml::table& run, const Configuration&
         one.planner == Planner::optimal || one.planner == Planner::dijkstra || one.planner == Planner::bfs;
     if (weightless && one.weight != 1) {
         throw reader.error(
-            run, fmt::format("the planner {} has no heuristic that a weight could change", word_for(one.planner)));
+            run, fmt::format("the planner {} has no heuristic that a weight could change", to_string(one.planner)));
     }
 }
 
@@ -123,12 +120,12 @@ std::vector<Configuration> configurations(const Reader& reader, const toml::tabl
     const auto methods = reader.items(run, "methods");
     if (methods.empty()) throw reader.error(run, R"(a [[run]] needs 'methods', such as ["paper", "exact"])");
     for (const toml::node* method_node : methods) {
-        const Method method = reader.word(*method_node, method_words);
+        const Method method = reader.word<Method>(*method_node);
         if (method != Method::none && removals.empty()) {
             throw reader.error(run, "this [[run]] needs 'removals', such as [1, 2, 3]");
         }
         std::vector<Planner> drivers;
-        for (const toml::node* node : planners) drivers.push_back(reader.word(*node, planner_words));
+        for (const toml::node* node : planners) drivers.push_back(reader.word<Planner>(*node));
         if (drivers.empty()) drivers.push_back(usual_planner(method));
         for (const Planner planner : drivers) {
             for (const double weight : weights) {
@@ -176,8 +173,8 @@ Spec parse_spec(std::string_view text, const std::string& name) {
         for (const Configuration& one : configurations(reader, *node->as_table())) {
             if (std::ranges::find(spec.configurations, one) != spec.configurations.end()) {
                 throw reader.error(
-                    *node, fmt::format("{} with {}, weight {} and {} removals stands here twice", word_for(one.method),
-                                       word_for(one.planner), one.weight, one.removals));
+                    *node, fmt::format("{} with {}, weight {} and {} removals stands here twice", to_string(one.method),
+                                       to_string(one.planner), one.weight, one.removals));
             }
             if (spec.configurations.size() == most_configurations) {
                 throw reader.error(*node, fmt::format("more than {} configurations are too many", most_configurations));

@@ -8,8 +8,6 @@
 #include <optional>
 
 #include "experiment/document.hpp"
-#include "experiment/words.hpp"
-#include "io/option_words.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::experiment {
@@ -44,7 +42,7 @@ void insert(SQLite::Statement& statement, const Row& row, std::size_t configurat
     int at = 0;
     statement.bind(++at, std::int64_t(row.job / configurations));
     statement.bind(++at, std::int64_t(row.job % configurations));
-    statement.bind(++at, std::string(word_for(result.status)));
+    statement.bind(++at, std::string(to_string(result.status)));
     statement.bind(++at, result.message);
     bind(statement, at, result.before);
     bind(statement, at, result.after);
@@ -79,7 +77,7 @@ void insert_mission(SQLite::Statement& statement, std::size_t number, const Expe
     bind(statement, at, one.octile);
     for (const AgentKind kind : {AgentKind::ground, AgentKind::air})
         statement.bind(++at, std::int64_t(one.count(kind)));
-    statement.bind(++at, std::string(io::word_of(io::objective_words, one.mission.rules.objective)));
+    statement.bind(++at, std::string(to_string(one.mission.rules.objective)));
     statement.bind(++at, document_of(one.mission));
     statement.exec();
     statement.reset();
@@ -119,8 +117,8 @@ void Store::begin(const std::string& version) {
     SQLite::Statement configuration(sql, "INSERT INTO configurations VALUES (?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < experiment_.configurations.size(); ++i) {
         const Configuration& one = experiment_.configurations[i];
-        insert_line(configuration, std::int64_t(i), std::string(word_for(one.method)),
-                    std::string(word_for(one.planner)), one.weight, one.removals);
+        insert_line(configuration, std::int64_t(i), std::string(to_string(one.method)),
+                    std::string(to_string(one.planner)), one.weight, one.removals);
     }
     SQLite::Statement mission(sql, "INSERT INTO missions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < experiment_.missions.size(); ++i) {

@@ -15,7 +15,7 @@ bool is_solved(const std::optional<Result>& result) {
 
 std::string series_name(const Configuration& one) {
     if (one.method == Method::none) return "no removal";
-    return fmt::format("{}, {} {}", word_for(one.method), one.removals, one.removals == 1 ? "removal" : "removals");
+    return fmt::format("{}, {} {}", to_string(one.method), one.removals, one.removals == 1 ? "removal" : "removals");
 }
 
 }  // namespace

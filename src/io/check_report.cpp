@@ -140,7 +140,7 @@ std::string check_json(const Violations& violations) {
     Json list = Json::array();
     for (const Violation& violation : violations) {
         const std::optional<Point>& place = violation.place;
-        list.push_back({{"rule", name(violation.rule)},
+        list.push_back({{"rule", to_string(violation.rule)},
                         {"message", violation.message},
                         {"agent", violation.agent.empty() ? Json() : Json(violation.agent)},
                         {"obstacle", violation.obstacle ? Json(violation.obstacle.value) : Json()},

@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "io/place_reason.hpp"
 #include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/place_error.hpp"
 
 namespace waybreaker::io {
 
@@ -36,6 +38,21 @@ std::optional<Map> resolve(MissionDocument& document, const MapFile& file,
     if (document.area_budget) return file.map.with_weights(area_weights(file));
     if (weights) return file.map.with_weights(*weights);
     return std::nullopt;
+}
+
+std::optional<Map> settle(MissionDocument& document, const MapFile& file,
+                          const std::optional<std::vector<double>>& weights) {
+    size_agents(document, file);
+    document.method.planner = planner_of(document.method, document.mission.ground_body());
+    return resolve(document, file, weights);
+}
+
+void validate_on(const MapFile& file, const MissionDocument& document) try {
+    validate(file.map, document.mission, document.method, document.limits);
+} catch (const PlaceError& error) {
+    Misplaced agent = error.misplaced;
+    agent.reason = place_reason(agent, file);
+    throw PlaceError(std::move(agent));
 }
 
 }  // namespace waybreaker::io

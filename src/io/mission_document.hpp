@@ -46,4 +46,12 @@ bool size_agents(MissionDocument& document, const MapFile& file);
 std::optional<Map> resolve(MissionDocument& document, const MapFile& file,
                            const std::optional<std::vector<double>>& weights = {});
 
+// All that makes a mission one of this map, for whoever plans it: sizes its agents, resolves it, and names the planner
+// that drives its ground agent (planner_of).
+std::optional<Map> settle(MissionDocument& document, const MapFile& file,
+                          const std::optional<std::vector<double>>& weights = {});
+
+// Throws what validate (method.hpp) throws. Why an agent is misplaced is said by what the map knows of the place.
+void validate_on(const MapFile& file, const MissionDocument& document);
+
 }  // namespace waybreaker::io

@@ -18,8 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto format = "waybreaker-mission/1";
-constexpr double most_radius = 32;       // cells
-constexpr std::size_t longest_id = 100;  // characters
+constexpr double most_radius = 32;        // cells
+constexpr std::size_t longest_id = 100;   // characters
 constexpr double widest_overlay = 10000;  // metres
 
 template <class Value>
@@ -106,7 +106,7 @@ Json number(double value) {
 
 Json agent_json(const Agent& agent) {
     Json json{{"id", agent.id},
-              {"kind", word_of(agent_words, agent.kind)},
+              {"kind", to_string(agent.kind)},
               {"start", cell_json(agent.start)},
               {"goal", cell_json(agent.goal)},
               {"speed", number(agent.speed)}};
@@ -114,7 +114,7 @@ Json agent_json(const Agent& agent) {
     if (agent.breaches != any_number) json["breaches"] = agent.breaches;
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
-    json["corners"] = word_of(corner_words, agent.body.corners);
+    json["corners"] = to_string(agent.body.corners);
     return json;
 }
 
@@ -139,21 +139,21 @@ Json rules_json(const MissionDocument& document) {
     json["force"] = ids_json(rules.force);
     json["breach_time"] = number(rules.breach_time.per_obstacle);
     json["breach_time_per_cell"] = number(rules.breach_time.per_cell);
-    json["timing"] = word_of(timing_words, rules.timing);
-    json["objective"] = word_of(objective_words, rules.objective);
+    json["timing"] = to_string(rules.timing);
+    json["objective"] = to_string(rules.objective);
     if (rules.minimise_demolition) json["minimise_demolition"] = number(*rules.minimise_demolition);
     if (rules.separation != 0) json["separation"] = number(rules.separation);
-    if (rules.at_goal != AtGoal::stay) json["at_goal"] = word_of(at_goal_words, rules.at_goal);
+    if (rules.at_goal != AtGoal::stay) json["at_goal"] = to_string(rules.at_goal);
     return json;
 }
 
 Json method_json(const Method& method) {
-    Json json{{"select", word_of(selection_words, method.select)},
-              {"flight", word_of(flight_words, method.flight)},
-              {"planner", word_of(planner_words, method.planner)}};
-    if (method.heuristic) json["heuristic"] = word_of(heuristic_words, *method.heuristic);
+    Json json{{"select", to_string(method.select)},
+              {"flight", to_string(method.flight)},
+              {"planner", to_string(method.planner)}};
+    if (method.heuristic) json["heuristic"] = to_string(*method.heuristic);
     json["weight"] = number(method.weight);
-    json["tie_break"] = word_of(tie_break_words, method.tie_break);
+    json["tie_break"] = to_string(method.tie_break);
     json["moves"] = method.diagonal ? 8 : 4;
     json["bound"] = method.bound;
     json["explain"] = method.explain;

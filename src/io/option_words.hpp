@@ -9,46 +9,38 @@
 #include "io/ros_yaml.hpp"
 #include "waybreaker/method.hpp"
 #include "waybreaker/plan.hpp"
+#include "waybreaker/words.hpp"
 
 namespace waybreaker::io {
 
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 
-inline const Words<Selection> selection_words{
-    {"exact", Selection::exact}, {"hits", Selection::hits}, {"greedy", Selection::greedy}, {"none", Selection::none}};
-inline const Words<FlightRule> flight_words{{"optimal", FlightRule::optimal}, {"nearest", FlightRule::nearest}};
-inline const Words<Timing> timing_words{{"enforce", Timing::enforce}, {"ignore", Timing::ignore}};
-inline const Words<Objective> objective_words{{"makespan", Objective::makespan},
-                                              {"flowtime", Objective::flowtime},
-                                              {"ground-makespan", Objective::ground_makespan}};
+// Those of the library (waybreaker/words.hpp).
+template <class Enum>
+Words<Enum> all_words() {
+    Words<Enum> all;
+    for (const std::string_view word : words_of<Enum>) all.emplace_back(word, *from_string<Enum>(word));
+    return all;
+}
+
+inline const Words<Selection> selection_words = all_words<Selection>();
+inline const Words<FlightRule> flight_words = all_words<FlightRule>();
+inline const Words<Timing> timing_words = all_words<Timing>();
+inline const Words<Objective> objective_words = all_words<Objective>();
+inline const Words<Planner> planner_words = all_words<Planner>();
+inline const Words<Heuristic> heuristic_words = all_words<Heuristic>();
+inline const Words<TieBreak> tie_break_words = all_words<TieBreak>();
+inline const Words<Corners> corner_words = all_words<Corners>();
+inline const Words<AgentKind> agent_words = all_words<AgentKind>();
+inline const Words<AtGoal> at_goal_words = all_words<AtGoal>();
+inline const Words<PlanStatus> status_words = all_words<PlanStatus>();
+inline const Words<WaitReason> wait_words = all_words<WaitReason>();
+inline const Words<Nav2> nav2_words{{"jazzy", Nav2::jazzy}, {"humble", Nav2::humble}};
 // The members of plan files that hold what these speak of.
 inline const Words<Objective> objective_keys{{"makespan", Objective::makespan},
                                              {"flowtime", Objective::flowtime},
                                              {"ground_makespan", Objective::ground_makespan}};
-inline const Words<Planner> planner_words{{"theta", Planner::theta},       {"lazy-theta", Planner::lazy_theta},
-                                          {"astar", Planner::astar},       {"jps", Planner::jps},
-                                          {"dijkstra", Planner::dijkstra}, {"bfs", Planner::bfs},
-                                          {"optimal", Planner::optimal}};
-inline const Words<Heuristic> heuristic_words{{"euclidean", Heuristic::euclidean},
-                                              {"octile", Heuristic::octile},
-                                              {"chebyshev", Heuristic::chebyshev},
-                                              {"manhattan", Heuristic::manhattan},
-                                              {"zero", Heuristic::zero}};
-inline const Words<TieBreak> tie_break_words{{"g-max", TieBreak::g_max}, {"g-min", TieBreak::g_min}};
-inline const Words<Corners> corner_words{{"none", Corners::none}, {"cut", Corners::cut}, {"squeeze", Corners::squeeze}};
-inline const Words<AgentKind> agent_words{{"ground", AgentKind::ground}, {"air", AgentKind::air}};
-inline const Words<AtGoal> at_goal_words{{"stay", AtGoal::stay}, {"leave", AtGoal::leave}};
-inline const Words<Nav2> nav2_words{{"jazzy", Nav2::jazzy}, {"humble", Nav2::humble}};
-inline const Words<PlanStatus> status_words{{"solved", PlanStatus::solved},
-                                            {"no_plan", PlanStatus::no_plan},
-                                            {"not_found", PlanStatus::not_found},
-                                            {"limit_reached", PlanStatus::limit_reached},
-                                            {"stopped", PlanStatus::stopped}};
-inline const Words<WaitReason> wait_words{{"nothing", WaitReason::nothing},
-                                          {"readiness", WaitReason::readiness},
-                                          {"opening", WaitReason::opening},
-                                          {"agent", WaitReason::agent}};
 
 // Precondition: there is a word for the value.
 template <class Value>

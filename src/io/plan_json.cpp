@@ -40,22 +40,22 @@ Json options_json(const PlanContext& context) {
     const Rules& rules = context.asked.mission.rules;
     const Body& body = context.asked.mission.ground_body();
     const SearchOptions search = search_options(context.asked.method, body);
-    Json json{{"planner", word_of(planner_words, search.planner)},
-              {"heuristic", word_of(heuristic_words, heuristic_of(search))},
+    Json json{{"planner", to_string(search.planner)},
+              {"heuristic", to_string(heuristic_of(search))},
               {"weight", number(search.weight)},
-              {"tie_break", word_of(tie_break_words, search.tie_break)},
-              {"select", word_of(selection_words, context.asked.method.select)},
-              {"flight", word_of(flight_words, context.asked.method.flight)},
-              {"timing", word_of(timing_words, rules.timing)},
-              {"objective", word_of(objective_words, rules.objective)},
+              {"tie_break", to_string(search.tie_break)},
+              {"select", to_string(context.asked.method.select)},
+              {"flight", to_string(context.asked.method.flight)},
+              {"timing", to_string(rules.timing)},
+              {"objective", to_string(rules.objective)},
               {"removals", rules.removals},
               {"breach_time", number(rules.breach_time.per_obstacle)},
               {"breach_time_per_cell", number(rules.breach_time.per_cell)},
               {"connectivity", context.connectivity == Connectivity::four ? 4 : 8},
-              {"corners", word_of(corner_words, body.corners)},
+              {"corners", to_string(body.corners)},
               {"radius", number(body.radius)}};
     if (rules.separation != 0) json["separation"] = number(rules.separation);
-    if (rules.at_goal != AtGoal::stay) json["at_goal"] = word_of(at_goal_words, rules.at_goal);
+    if (rules.at_goal != AtGoal::stay) json["at_goal"] = to_string(rules.at_goal);
     for (const ObstacleId id : rules.protect) json["protect"].push_back(id.value);
     for (const ObstacleId id : rules.force) json["force"].push_back(id.value);
     if (std::isfinite(rules.budget)) json[context.asked.area_budget ? "budget_m2" : "budget"] = number(rules.budget);
@@ -155,7 +155,7 @@ Json wait_json(const Wait& wait) {
     Json json{{"at", Json::array({coordinate(wait.at.x), coordinate(wait.at.y)})},
               {"from", number(wait.from)},
               {"until", number(wait.until)},
-              {"reason", word_of(wait_words, wait.reason)}};
+              {"reason", to_string(wait.reason)}};
     if (wait.obstacle) json["obstacle"] = wait.obstacle.value;
     if (!wait.agent.empty()) json["agent"] = wait.agent;
     return json;
@@ -174,7 +174,7 @@ Json agent_json(const Itinerary& agent, const std::optional<site::Surface>& surf
         path.push_back(Json::array({coordinate(point.x), coordinate(point.y), number(point.t)}));
     }
     Json json{{"id", agent.id},
-              {"kind", word_of(agent_words, agent.kind)},
+              {"kind", to_string(agent.kind)},
               {"speed", number(agent.speed)},
               {"start", cell_json(agent.start)},
               {"goal", cell_json(agent.goal)}};
@@ -199,7 +199,7 @@ Json step_json(const Plan& plan, Objective objective, const MapFile& map) {
               {"bound", bound_json(plan, objective)},
               {"removed", std::move(removed)}};
     // Whether there is no way, or none is known.
-    if (plan.status != PlanStatus::solved) json["status"] = word_of(status_words, plan.status);
+    if (plan.status != PlanStatus::solved) json["status"] = to_string(plan.status);
     if (map.has_metres()) json["area_m2"] = number(map.square_metres(cells));
     return json;
 }
@@ -214,8 +214,12 @@ Json seconds_json(const Plan::Seconds& seconds) {
 
 }  // namespace
 
+int removals_of(std::span<const Plan> front, const Rules& rules) {
+    return int(front.size() + rules.force.size()) - 1;
+}
+
 std::string plan_json(const Plan& plan, const PlanContext& context) {
-    Json json{{"format", "waybreaker-plan/1"}, {"status", word_of(status_words, plan.status)}};
+    Json json{{"format", "waybreaker-plan/1"}, {"status", to_string(plan.status)}};
     if (plan.limit_reached) json["limit_reached"] = true;
     json.update(Json{{"map", map_json(context.map, context.image)},
                      {"options", options_json(context)},

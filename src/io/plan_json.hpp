@@ -20,6 +20,9 @@ struct PlanContext {
     std::span<const Plan> front = {};  // the plans for 0, 1, 2, ... removals, if asked for
 };
 
+// How many removals the last plan of a front may make, by the mission's rules: what the document of the front states.
+int removals_of(std::span<const Plan> front, const Rules& rules);
+
 // The whole document, indented, with a final newline. Same input, same bytes, `seconds` aside.
 std::string plan_json(const Plan& plan, const PlanContext& context);
 

@@ -4,18 +4,14 @@
 #include <array>
 #include <string>
 
+#include "map/map_size.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
 namespace {
 
 int checked_side(int width, int height) {
-    const bool in_range = width >= 1 && height >= 1 && width <= max_side && height <= max_side;
-    if (!in_range || std::size_t(width) * std::size_t(height) > max_cells) {
-        throw InputError("a map of " + std::to_string(width) + " x " + std::to_string(height) +
-                         " cells is out of range: sides go from 1 to " + std::to_string(max_side) + ", with at most " +
-                         std::to_string(max_cells) + " cells in all");
-    }
+    require_size(width, height);
     return width;
 }
 

@@ -1,9 +1,20 @@
 #include "map/map_size.hpp"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
+#include "waybreaker/error.hpp"
+
 namespace waybreaker {
+
+void require_size(int width, int height) {
+    const bool in_range = width >= 1 && height >= 1 && width <= max_side && height <= max_side;
+    if (in_range && std::size_t(width) * std::size_t(height) <= max_cells) return;
+    throw InputError("a map of " + std::to_string(width) + " x " + std::to_string(height) +
+                     " cells is out of range: sides go from 1 to " + std::to_string(max_side) + ", with at most " +
+                     std::to_string(max_cells) + " cells in all");
+}
 
 std::size_t count_labels(std::span<const std::uint32_t> labels) {
     if (labels.empty()) return 0;

@@ -9,6 +9,9 @@
 
 namespace waybreaker {
 
+// Throws InputError unless a map may have that size, by the limits of grid.hpp.
+void require_size(int width, int height);
+
 // Limits for a map that is being read.
 struct MapLimits {
     std::size_t cells = max_cells;

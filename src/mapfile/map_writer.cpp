@@ -14,6 +14,7 @@
 #include "mapfile/ros_map.hpp"
 #include "site/unknown_ground.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/movingai.hpp"
 
 namespace waybreaker::mapfile {
 namespace {
@@ -135,16 +136,6 @@ std::vector<std::string> losses_of(const io::MapFile& map, const Format& format)
     return losses;
 }
 
-std::string movingai_bytes(const Grid& grid) {
-    std::string text =
-        "type octile\nheight " + std::to_string(grid.height()) + "\nwidth " + std::to_string(grid.width()) + "\nmap\n";
-    for (Cell c; c.y < grid.height(); ++c.y) {
-        for (c.x = 0; c.x < grid.width(); ++c.x) text += grid.blocked(c) ? '@' : '.';
-        text += '\n';
-    }
-    return text;
-}
-
 std::vector<std::uint8_t> grey(const Grid& grid, std::uint8_t of_free) {
     std::vector<std::uint8_t> pixels;
     pixels.reserve(grid.cell_count());
@@ -174,7 +165,7 @@ std::vector<OutputFile> ros_files(const io::MapFile& map, const std::string& pat
 
 std::string bytes_of(const io::MapFile& map, std::string_view extension) {
     const Grid& grid = map.map.grid();
-    if (extension == ".map") return movingai_bytes(grid);
+    if (extension == ".map") return movingai_map(grid);
     if (extension == ".geojson") return io::map_geojson(map, geotiff::lon_lat_of(map.georeference));
     if (extension == ".xml") return authors::authors_xml_text(map);
     if (extension == ".png") return png_bytes(grid.width(), grid.height(), grey(grid, white));

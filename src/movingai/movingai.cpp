@@ -176,6 +176,17 @@ Grid read_movingai_map(std::istream& in, const std::string& name) {
     return read_movingai_map(all_bytes(in, name), name);
 }
 
+std::string movingai_map(const Grid& grid) {
+    std::string text =
+        "type octile\nheight " + std::to_string(grid.height()) + "\nwidth " + std::to_string(grid.width()) + "\nmap\n";
+    text.reserve(text.size() + grid.cell_count() + std::size_t(grid.height()));
+    for (Cell c; c.y < grid.height(); ++c.y) {
+        for (c.x = 0; c.x < grid.width(); ++c.x) text += grid.blocked(c) ? '@' : '.';
+        text += '\n';
+    }
+    return text;
+}
+
 std::vector<Scenario> read_movingai_scenarios(std::string_view bytes, const std::string& name) {
     TextLines lines(bytes, name);
     std::vector<Scenario> scenarios;

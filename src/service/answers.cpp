@@ -17,7 +17,6 @@
 #include "http/problem.hpp"
 #include "io/check_report.hpp"
 #include "io/option_words.hpp"
-#include "io/place_reason.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_file.hpp"
 #include "io/plan_geojson.hpp"
@@ -26,11 +25,10 @@
 #include "io/shortest_text.hpp"
 #include "mapfile/map_info.hpp"
 #include "raster/png.hpp"
+#include "render/plan_picture.hpp"
 #include "service/responses.hpp"
 #include "studio/plan_html.hpp"
-#include "studio/plan_picture.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/place_error.hpp"
 
 namespace waybreaker::service {
 namespace {
@@ -67,14 +65,6 @@ const io::MapFile& map_of(const Task& task, const PreparedMission& prepared) {
     return prepared.reweighted ? *prepared.reweighted : task.map->file;
 }
 
-void validate_on(const io::MapFile& map, const io::MissionDocument& asked, const Limits& limits) try {
-    validate(map.map, asked.mission, asked.method, limits);
-} catch (const PlaceError& error) {
-    Misplaced agent = error.misplaced;
-    agent.reason = io::place_reason(agent, map);
-    throw PlaceError(std::move(agent));
-}
-
 PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const http::Worker& worker,
                         double seconds) try {
     const io::MapFile& file = task.map->file;
@@ -88,7 +78,7 @@ PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const ht
     limits.stop = worker.stop;
     limits.progress = task.report;
     limits.seconds = std::min(limits.seconds, seconds);
-    validate_on(map_of(task, prepared), prepared.asked, limits);
+    io::validate_on(map_of(task, prepared), prepared.asked);
     return prepared;
 } catch (const InputError& error) {
     throw http::Problem(http::unprocessable, error.what(), "mission-unfit");
@@ -154,7 +144,7 @@ io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
 std::string drawn(const io::MapFile& file, const io::PlanFile& plan) {
     if (plan.plan.agents.empty())
         throw http::Problem(http::unprocessable, "the plan has no agents to draw", "plan-invalid");
-    return studio::plan_svg(file, plan);
+    return render::plan_svg(file, plan);
 }
 
 const std::map<std::string, std::string> export_types{{"json", json_type},
@@ -216,8 +206,7 @@ std::string front_answer(const Task& task, const http::Worker& worker) {
     PlannerPool::Loan planner = task.planners.borrow(task.map);
     const std::vector<Plan> plans =
         planner.front(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
-    Rules& rules = asked.mission.rules;
-    rules.removals = int(plans.size() + rules.force.size()) - 1;
+    asked.mission.rules.removals = io::removals_of(plans, asked.mission.rules);
     return io::plan_json(plans.back(), context_of(task, prepared, plans));
 }
 

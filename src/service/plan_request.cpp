@@ -230,21 +230,18 @@ MissionOnMap on_map(const ShortMission& mission, const OptionsRequest& options, 
     if (options.budget_given && !options.removals_given) {
         asked.mission.rules.removals = int(std::min<std::size_t>(map.map.obstacles().size(), INT_MAX));
     }
-    waybreaker::Body body;
     for (Agent& agent : asked.mission.agents) {
         if (agent.kind == AgentKind::air) continue;
         agent.body.radius = options.radius.value_or(agent.body.radius);
         agent.body.corners = options.corners.value_or(agent.body.corners);
-        body = agent.body;
     }
-    Method& method = asked.method;
-    const Planner planner = planner_of(method, body);
-    if (options.planner_given && method.planner == Planner::optimal && planner != Planner::optimal) {
+    const Method& method = asked.method;
+    if (options.planner_given && method.planner == Planner::optimal &&
+        planner_of(method, asked.mission.ground_body()) != Planner::optimal) {
         throw InputError(
             "the planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits");
     }
-    method.planner = planner;
-    result.reweighted = io::resolve(asked, map, weights_of(options, map.map));
+    result.reweighted = io::settle(asked, map, weights_of(options, map.map));
     return result;
 }
 

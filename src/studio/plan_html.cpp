@@ -7,8 +7,8 @@
 #include "io/obstacles_json.hpp"
 #include "io/plan_file.hpp"
 #include "mapfile/map_info.hpp"
+#include "render/plan_picture.hpp"
 #include "studio/plan_page.hpp"
-#include "studio/plan_picture.hpp"
 
 namespace waybreaker::studio {
 
@@ -22,8 +22,8 @@ std::string plan_html(const io::MapFile& map, std::span<const NamedPlan> plans, 
     for (const NamedPlan& plan : plans) {
         const io::PlanFile file = io::parse_plan(plan.json, "the plan");
         if (data.back() == '[') {
-            still.sentence = plan_sentence(map, file);
-            still.picture = plan_svg(map, file);
+            still.sentence = render::plan_sentence(map, file);
+            still.picture = render::plan_svg(map, file);
         } else {
             data += ',';
         }

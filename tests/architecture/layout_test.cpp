@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "project_folder.hpp"
+#include "waybreaker/version.hpp"
 
 namespace {
 
@@ -135,7 +136,7 @@ const fs::path project = waybreaker::project_folder();
 // Calls visit(path relative to the project, text) for every text file of ours below the given folders.
 template <class Visit>
 void for_each_file(std::initializer_list<const char*> folders, Visit visit) {
-    static const std::set<std::string> extensions = {"", ".cpp", ".hpp", ".txt", ".md", ".cmake", ".json"};
+    static const std::set<std::string> extensions = {"", ".c", ".cpp", ".h", ".hpp", ".txt", ".md", ".cmake", ".json"};
     for (const char* folder : folders) {
         if (!fs::exists(project / folder)) continue;
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(project / folder)) {
@@ -216,6 +217,17 @@ TEST(Layout, TheCitationIsOfThisVersion) {
     const std::vector<std::string> version = matches(read(project / "CITATION.cff"), cited);
     ASSERT_EQ(version.size(), 1U);
     EXPECT_EQ(version, matches(read(project / "CMakeLists.txt"), built));
+}
+
+TEST(Layout, TheHeadersAreOfThisVersion) {
+    static const std::regex built(R"(\bproject\(waybreaker VERSION (\S+) )");
+    const std::string macros = std::to_string(WAYBREAKER_VERSION_MAJOR) + "." +
+                               std::to_string(WAYBREAKER_VERSION_MINOR) + "." +
+                               std::to_string(WAYBREAKER_VERSION_PATCH);
+    EXPECT_EQ(matches(read(project / "CMakeLists.txt"), built), std::vector{macros});
+    EXPECT_EQ(WAYBREAKER_VERSION_STRING, macros);
+    EXPECT_EQ(WAYBREAKER_VERSION,
+              10000 * WAYBREAKER_VERSION_MAJOR + 100 * WAYBREAKER_VERSION_MINOR + WAYBREAKER_VERSION_PATCH);
 }
 
 // The checks above find what they are for.

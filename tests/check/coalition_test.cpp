@@ -129,7 +129,7 @@ TEST(CoalitionCheck, RejectsEachFault) {
 }
 
 TEST(CoalitionCheck, NamesEveryRule) {
-    for (int rule = 0; rule <= int(Rule::capacity); ++rule) EXPECT_NE(name(Rule(rule)), "") << rule;
+    for (int rule = 0; rule <= int(Rule::capacity); ++rule) EXPECT_NE(to_string(Rule(rule)), "") << rule;
 }
 
 }  // namespace

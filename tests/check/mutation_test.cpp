@@ -339,7 +339,7 @@ TEST(Mutation, IsRejectedForTheRightReason) {
                 const std::set<Rule> broken = broken_rules(mutant.map, mutant.mission, mutant.plan);
                 if (!broken.contains(mutation.broken)) {
                     std::string message = mutation.name + ", but breaks only";
-                    for (const Rule rule : broken) message.append(" ").append(name(rule));
+                    for (const Rule rule : broken) message.append(" ").append(to_string(rule));
                     RC_FAIL(message);
                 }
             }
@@ -354,7 +354,7 @@ TEST(Mutation, BreaksEveryRule) {
     for (const Mutation& mutation : mutations) broken.insert(mutation.broken);
     for (int rule = int(Rule::map) + 1; rule <= int(Rule::waits); ++rule) {
         if (Rule(rule) == Rule::separation) continue;  // of teams
-        EXPECT_TRUE(broken.contains(Rule(rule))) << name(Rule(rule));
+        EXPECT_TRUE(broken.contains(Rule(rule))) << to_string(Rule(rule));
     }
 }
 

@@ -8,7 +8,7 @@ namespace waybreaker {
 
 // Shown by GoogleTest.
 inline void PrintTo(Rule rule, std::ostream* out) {
-    *out << name(rule);
+    *out << to_string(rule);
 }
 
 namespace {

@@ -54,7 +54,7 @@ MapFile any_town(const PlainMap& plain) {
 std::vector<std::string> messages(const std::string& plan, const MapFile& map, const JudgeOptions& options = {}) {
     std::vector<std::string> found;
     for (const Violation& one : judge(parse_plan(plan, "plan.json"), map, options)) {
-        found.push_back(std::string(name(one.rule)) + ": " + one.message);
+        found.push_back(std::string(to_string(one.rule)) + ": " + one.message);
     }
     return found;
 }

@@ -7,10 +7,10 @@
 #include "io/plan_file.hpp"
 #include "render/picture.hpp"
 
-namespace waybreaker::studio {
+namespace waybreaker::render {
 
 // How a plan on this map is drawn. What its vehicles drive over is the first of the notes.
-render::PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked, const Plan& plan);
+PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked, const Plan& plan);
 
 // An SVG document.
 std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan);
@@ -18,4 +18,4 @@ std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan);
 // Text of XML or HTML.
 std::string plan_sentence(const io::MapFile& map, const io::PlanFile& plan);
 
-}  // namespace waybreaker::studio
+}  // namespace waybreaker::render
