@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -54,8 +55,13 @@ class Map {
     // Obstacles are what the label layer says: width * height labels, row by row, 0 = free. Labels may be any numbers;
     // obstacles are numbered anew in scan order. `attributes[label]`, where given, describes the obstacle of that
     // label. Throws InputError if there are not width * height labels, or a size, weight or time is out of range.
-    static Map from_labels(int width, int height, std::vector<std::uint32_t> labels,
-                           std::span<const ObstacleAttributes> attributes = {});
+    [[nodiscard]] static Map from_labels(int width, int height, std::vector<std::uint32_t> labels,
+                                         std::span<const ObstacleAttributes> attributes = {});
+
+    // From pictures of the rows, of one length: `.` is free, any other character a cell of the obstacle of that
+    // character, whether its cells lie together or not. The obstacle's source_id is the character's code, 1 to 255;
+    // ids are given in scan order, as always. Throws InputError for rows of different length, or none.
+    [[nodiscard]] static Map from_rows(const std::vector<std::string>& rows);
 
     int width() const { return grid_.width(); }
     int height() const { return grid_.height(); }
@@ -86,11 +92,11 @@ class Map {
 
     // The same map, its obstacles weighing that: weights[id], of every obstacle; entry 0 is not used. Throws InputError
     // unless there are obstacles().size() + 1 of them from least_weight to most_weight.
-    Map with_weights(std::span<const double> weights) const;
+    [[nodiscard]] Map with_weights(std::span<const double> weights) const;
 
     // Cells of the map outside the obstacle and 8-adjacent to one of its cells, in scan order. They may be free or
     // belong to other obstacles. Precondition: as of obstacle(id). Time O(bounding box).
-    std::vector<Cell> boundary(ObstacleId id) const;
+    [[nodiscard]] std::vector<Cell> boundary(ObstacleId id) const;
 
   private:
     Map(Grid&& grid, std::vector<std::uint32_t> labels);

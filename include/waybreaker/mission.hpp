@@ -58,6 +58,11 @@ struct Agent {
     int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
 };
 
+// Agents that move one cell in a unit of time; an aircraft returns to its start unless a goal is given.
+[[nodiscard]] Agent vehicle(std::string id, Cell start, Cell goal);
+[[nodiscard]] Agent aircraft(std::string id, Cell start, Cell goal);
+[[nodiscard]] Agent aircraft(std::string id, Cell start);
+
 // How long the air agent stays at a breach point until the obstacle is gone, in units of time: what the map says of the
 // obstacle, and this: each from 0 to most_breach_time.
 struct BreachTime {
@@ -107,7 +112,7 @@ struct Mission {
 };
 
 // The paper's coalition: a ground agent and an air agent that start and end together.
-Mission ground_and_air(Cell start, Cell goal);
+[[nodiscard]] Mission ground_and_air(Cell start, Cell goal);
 
 // Throws InputError, naming what is wrong, if the mission cannot be put on the map: an agent starts in a wall or off
 // the map, rules contradict each other, an obstacle does not exist, two agents of a team have one id or no room beside

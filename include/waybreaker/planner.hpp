@@ -4,12 +4,11 @@
 //     Plan plan = planner.plan(map, ground_and_air({12, 20}, {400, 380}), {}, {.seconds = 1});
 #pragma once
 
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "waybreaker/crossing.hpp"
+#include "waybreaker/expected.hpp"
 #include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/method.hpp"
@@ -29,6 +28,10 @@ class MissionPlanner {
     // plan found by then, with Plan::limit_reached. Keeps its memory between calls; not for two threads at once.
     Plan plan(const Map& map, const Mission& mission, const Method& method = {}, const Limits& limits = {});
 
+    // The same, bad input as a value; throws nothing but what the standard library does where memory runs out.
+    Expected<Plan> try_plan(const Map& map, const Mission& mission, const Method& method = {},
+                            const Limits& limits = {});
+
     // What each further removal gains: the plans for 0, 1, 2, ... removals, up to the last that gains, at most
     // rules.removals; none is worse than the one before, except to demolish less. limits.seconds is that of all plans
     // together; the last one is explained, if asked for.
@@ -45,17 +48,11 @@ class MissionPlanner {
     CrossingSearcher crossing_;
 };
 
-// A mission of a batch: its plan, or why it cannot be planned (the message of the InputError).
-struct BatchPlan {
-    std::optional<Plan> plan;
-    std::string error;  // empty if there is a plan
-};
-
-// Plans each mission as MissionPlanner::plan does, over that many threads (0: all cores), and gives the results in the
-// order of the missions: the same whatever the number of threads, measured seconds aside. A mission that cannot be put
-// on the map costs the others nothing. The limits hold for each mission; limits.progress is called on several threads
-// at a time.
-std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> missions, const Method& method = {},
-                                const Limits& limits = {}, unsigned threads = 0);
+// Plans each mission as MissionPlanner::try_plan does, over that many threads (0: all cores), and gives the results in
+// the order of the missions: the same whatever the number of threads, measured seconds aside. A mission that cannot be
+// put on the map costs the others nothing. The limits hold for each mission; limits.progress is called on several
+// threads at a time.
+std::vector<Expected<Plan>> plan_all(const Map& map, std::span<const Mission> missions, const Method& method = {},
+                                     const Limits& limits = {}, unsigned threads = 0);
 
 }  // namespace waybreaker

@@ -6,6 +6,7 @@
 #include "waybreaker/check.hpp"           // IWYU pragma: export
 #include "waybreaker/crossing.hpp"        // IWYU pragma: export
 #include "waybreaker/error.hpp"           // IWYU pragma: export
+#include "waybreaker/expected.hpp"        // IWYU pragma: export
 #include "waybreaker/flight.hpp"          // IWYU pragma: export
 #include "waybreaker/grid.hpp"            // IWYU pragma: export
 #include "waybreaker/limits.hpp"          // IWYU pragma: export

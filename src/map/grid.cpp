@@ -12,9 +12,10 @@ namespace {
 int checked_side(int width, int height) {
     const bool in_range = width >= 1 && height >= 1 && width <= max_side && height <= max_side;
     if (!in_range || std::size_t(width) * std::size_t(height) > max_cells) {
-        throw InputError("a map of " + std::to_string(width) + " x " + std::to_string(height) +
-                         " cells is out of range: sides go from 1 to " + std::to_string(max_side) + ", with at most " +
-                         std::to_string(max_cells) + " cells in all");
+        throw InputError(ErrorCode::out_of_range, "the size of the map",
+                         "a map of " + std::to_string(width) + " x " + std::to_string(height) +
+                             " cells is out of range: sides go from 1 to " + std::to_string(max_side) +
+                             ", with at most " + std::to_string(max_cells) + " cells in all");
     }
     return width;
 }
@@ -51,9 +52,10 @@ Grid::Grid(int width, int height)
 
 void Grid::set_blocked(Cell c, bool blocked) {
     if (!contains(c)) {
-        throw InputError("cell " + std::to_string(c.x) + "," + std::to_string(c.y) +
-                         " is off the map: x goes from 0 to " + std::to_string(width_ - 1) + ", y from 0 to " +
-                         std::to_string(height_ - 1));
+        throw InputError(ErrorCode::off_map, "",
+                         "cell " + std::to_string(c.x) + "," + std::to_string(c.y) +
+                             " is off the map: x goes from 0 to " + std::to_string(width_ - 1) + ", y from 0 to " +
+                             std::to_string(height_ - 1));
     }
     const std::size_t bit = std::size_t(c.x + 1);
     std::uint64_t& word = mutable_row(c.y)[bit / 64];

@@ -84,6 +84,23 @@ Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
     return map;
 }
 
+Map Map::from_rows(const std::vector<std::string>& rows) {
+    if (rows.empty()) throw InputError("a map needs at least one row");
+    const std::size_t width = rows.front().size();
+    std::vector<std::uint32_t> labels;
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+        if (rows[y].size() != width) {
+            throw InputError("row " + std::to_string(y) + " of the map has " + std::to_string(rows[y].size()) +
+                             " cells, and row 0 has " + std::to_string(width));
+        }
+        for (const char tile : rows[y]) labels.push_back(tile == '.' ? 0U : static_cast<unsigned char>(tile) + 1U);
+    }
+    std::vector<ObstacleAttributes> tiles(257);  // by label, which is the character's code and 1
+    for (std::size_t label = 1; label < tiles.size(); ++label) tiles[label].source_id = std::int64_t(label) - 1;
+    constexpr std::size_t too_long = max_side + 1;
+    return from_labels(int(std::min(width, too_long)), int(std::min(rows.size(), too_long)), std::move(labels), tiles);
+}
+
 Map Map::with_weights(std::span<const double> weights) const {
     if (weights.size() != obstacles_.size() + 1) {
         throw InputError("weights are needed for all " + std::to_string(obstacles_.size()) +

@@ -21,17 +21,21 @@ void validate(const SearchOptions& options) {
     if (options.heuristic) require_enumerator(*options.heuristic, Heuristic::zero, "the heuristic");
     require_enumerator(options.tie_break, TieBreak::g_min, "the tie-break");
     require_range(options.weight, 1, most_heuristic_weight, "the heuristic's weight");
-    if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
+    if (!(options.limits.seconds >= 0))
+        throw InputError(ErrorCode::out_of_range, "the time limit", "the time limit of a search cannot be negative");
     validate(options.body);
     if (options.planner == Planner::optimal) {
         if (can_drive_optimally(options.body, options.diagonal)) return;
         throw InputError(
+            ErrorCode::contradiction, "",
             "the optimal planner drives an agent that passes no blocked corner by eight moves: use theta for others");
     }
     if (options.planner != Planner::jps) return;
-    if (!options.diagonal) throw InputError("jps needs eight neighbours: use astar for four");
+    if (!options.diagonal)
+        throw InputError(ErrorCode::contradiction, "", "jps needs eight neighbours: use astar for four");
     if (options.body.reach() > 0.5) {
-        throw InputError("jps plans for a radius of at most 0.5: use astar or theta for larger agents");
+        throw InputError(ErrorCode::contradiction, "",
+                         "jps plans for a radius of at most 0.5: use astar or theta for larger agents");
     }
 }
 

@@ -127,11 +127,11 @@ TEST(CheckedNumbers, OfAMissionAreInRange) {
         for (const double none : {nan, -infinity, -1.0}) {
             Mission mission = made.mission;
             set(mission, none);
-            EXPECT_THROW(check(two_walls(), mission, made.plan), InputError);
+            EXPECT_THROW(static_cast<void>(check(two_walls(), mission, made.plan)), InputError);
         }
     }
     for (const double none : {nan, infinity, -1.0}) {
-        EXPECT_THROW(check(two_walls(), made.mission, made.plan, none), InputError);
+        EXPECT_THROW(static_cast<void>(check(two_walls(), made.mission, made.plan, none)), InputError);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "waybreaker/error.hpp"
 #include "waybreaker/method.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
@@ -45,6 +46,7 @@ TEST(Words, NameEachValueOfEachEnum) {
     expect_words(WaitReason::agent);
     expect_words(PlanStatus::stopped);
     expect_words(SearchStatus::stopped);
+    expect_words(ErrorCode::option);
 }
 
 TEST(Words, AreTheOnesOfDocuments) {
