@@ -3,8 +3,10 @@
 //     bench_frame [--missions N] [--side CELLS] [--seed N]
 //
 // Rooms of 24 cells with doors of 2. Processor time of one core: median, of 95 in 100, worst; and how much later than
-// the plan of the default method the mission ends, on average of those that have an answer.
+// the plan of the default method the mission ends, on average of those that have an answer. Then, by the clock: a wall
+// falls, and planning in slices.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -20,6 +22,7 @@
 
 #include "program.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/map_edit.hpp"
 #include "waybreaker/planner.hpp"
 #include "waybreaker/schedule.hpp"
 
@@ -166,6 +169,45 @@ std::vector<Way> ways(const Map& map, MissionPlanner& planner, Searcher& searche
     };
 }
 
+// Of milliseconds.
+void print(const char* name, std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    std::printf("%-36s %9.3f %9.3f %9.3f\n", name, times[times.size() / 2], times[times.size() * 95 / 100],
+                times.back());
+}
+
+double milliseconds_of(const auto& act) {
+    const auto begun = std::chrono::steady_clock::now();
+    act();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+}
+
+// A wall falls: the map by an edit, and made anew.
+void time_edits(const Map& map) {
+    std::vector<double> edited;
+    std::vector<double> anew;
+    for (const Obstacle& wall : map.obstacles()) {
+        Map next = map;
+        edited.push_back(milliseconds_of([&] { next = map.with({MapEdit::remove(wall.id)}); }));
+        std::vector<std::uint32_t> labels(next.labels().begin(), next.labels().end());
+        anew.push_back(milliseconds_of([&] { next = Map::from_labels(map.width(), map.height(), std::move(labels)); }));
+    }
+    print("Map::with, a wall falls", std::move(edited));
+    print("Map::from_labels, without it", std::move(anew));
+}
+
+// How long steps take that were given 2 ms.
+void time_steps(const Map& map, std::span<const Mission> missions, MissionPlanner& planner) {
+    std::vector<double> steps;
+    for (const Mission& mission : missions) {
+        PlanningJob job = planner.start(map, mission);
+        for (bool done = false; !done;) {
+            steps.push_back(milliseconds_of([&] { done = job.step(std::chrono::milliseconds(2)); }));
+        }
+    }
+    print("PlanningJob::step, 2 ms", std::move(steps));
+}
+
 void run(const Arguments& arguments) {
     std::mt19937 random(arguments.seed);
     const Map map = rooms(arguments.side, random);
@@ -200,6 +242,8 @@ void run(const Arguments& arguments) {
                     times[times.size() * 95 / 100], times.back(), 100 * above / std::max(found, 1),
                     asked.size() - std::size_t(found));
     }
+    time_edits(map);
+    time_steps(map, asked, planner);
 }
 
 }  // namespace

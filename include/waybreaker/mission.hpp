@@ -78,7 +78,7 @@ struct Rules {
     int removals = 3;  // how many obstacles may be removed, >= 0
     // What the removed obstacles may weigh together, >= 0, in the units of Obstacle::weight.
     double budget = std::numeric_limits<double>::infinity();
-    std::vector<ObstacleId> protect = {};  // never removed
+    std::vector<ObstacleId> protect = {};  // never removed; may be gone
     std::vector<ObstacleId> force = {};    // must be removed; they count among the removals, and in the budget
     BreachTime breach_time = {};
     Timing timing = Timing::enforce;

@@ -4,6 +4,8 @@
 //     Plan plan = planner.plan(map, ground_and_air({12, 20}, {400, 380}), {}, {.seconds = 1});
 #pragma once
 
+#include <chrono>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,35 @@
 
 namespace waybreaker {
 
+// Planning in slices, for a loop that has other things to do:
+//
+//     PlanningJob job = planner.start(map, mission);
+//     while (!job.step(std::chrono::milliseconds(2))) draw();
+//     Plan plan = job.plan();
+//
+// The plan is that of MissionPlanner::plan, to the byte. It is made by a thread of the job's own, which runs only while
+// a step waits for it; the first step starts it, and where the system has no thread to give, that step does all.
+class PlanningJob {
+  public:
+    PlanningJob(PlanningJob&&) noexcept;
+    PlanningJob& operator=(PlanningJob&&) noexcept;
+    // Ends the planning early, as Limits::stop does.
+    ~PlanningJob();
+
+    // Goes on for about that long; true once the plan is there. It is overrun by what lies between two looks at
+    // Limits::stop.
+    bool step(std::chrono::nanoseconds time);
+    bool done() const;
+    // The plan, once; goes on until it is there. Throws what planning threw.
+    Plan plan();
+
+  private:
+    friend class MissionPlanner;
+    class Work;
+    explicit PlanningJob(std::unique_ptr<Work> work);
+    std::unique_ptr<Work> work_;
+};
+
 class MissionPlanner {
   public:
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
@@ -31,6 +62,14 @@ class MissionPlanner {
     // The same, bad input as a value; throws nothing but what the standard library does where memory runs out.
     Expected<Plan> try_plan(const Map& map, const Mission& mission, const Method& method = {},
                             const Limits& limits = {});
+
+    // The same in slices. The planner is busy until the job is done or gone; it and the map stay where they are as
+    // long. limits.seconds run on between steps, limits.threads is 1, and limits.progress is called within a step.
+    // Throws InputError at once.
+    [[nodiscard]] PlanningJob start(const Map& map, const Mission& mission, const Method& method = {},
+                                    const Limits& limits = {});
+    PlanningJob start(const Map&& map, const Mission& mission, const Method& method = {},
+                      const Limits& limits = {}) = delete;
 
     // What each further removal gains: the plans for 0, 1, 2, ... removals, up to the last that gains, at most
     // rules.removals; none is worse than the one before, except to demolish less. limits.seconds is that of all plans

@@ -11,6 +11,7 @@
 #include "waybreaker/grid.hpp"            // IWYU pragma: export
 #include "waybreaker/limits.hpp"          // IWYU pragma: export
 #include "waybreaker/map.hpp"             // IWYU pragma: export
+#include "waybreaker/map_edit.hpp"        // IWYU pragma: export
 #include "waybreaker/method.hpp"          // IWYU pragma: export
 #include "waybreaker/mission.hpp"         // IWYU pragma: export
 #include "waybreaker/movingai.hpp"        // IWYU pragma: export

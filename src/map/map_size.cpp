@@ -1,6 +1,7 @@
 #include "map/map_size.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace waybreaker {
@@ -25,7 +26,9 @@ std::size_t map_bytes(int width, int height, std::size_t obstacles) {
         return (std::size_t(cells) / 64 + 1) * (std::size_t(lines) + 2) * sizeof(std::uint64_t);
     };
     const std::size_t cells = std::size_t(width) * std::size_t(height);
-    return bits(height, width) + bits(width, height) + cells * sizeof(std::uint32_t) + obstacles * sizeof(Obstacle);
+    const std::size_t rows = std::size_t(height) * sizeof(std::shared_ptr<const std::uint32_t[]>);
+    return bits(height, width) + bits(width, height) + rows + cells * sizeof(std::uint32_t) +
+           obstacles * sizeof(Obstacle);
 }
 
 }  // namespace waybreaker

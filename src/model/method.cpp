@@ -42,8 +42,9 @@ bool weighs_cells(const Map& map) {
     constexpr double tolerance = 1e-6;
     const auto of_a_cell = [](const Obstacle& o) { return o.weight / o.cells; };
     const auto obstacles = map.obstacles();
-    return std::ranges::all_of(obstacles, [&](const Obstacle& o) {
-        return std::abs(of_a_cell(o) - of_a_cell(obstacles.front())) <= tolerance * of_a_cell(o);
+    const auto stands = std::ranges::find(obstacles, false, &Obstacle::gone);
+    return std::ranges::all_of(stands, obstacles.end(), [&](const Obstacle& o) {
+        return o.gone() || std::abs(of_a_cell(o) - of_a_cell(*stands)) <= tolerance * of_a_cell(o);
     });
 }
 

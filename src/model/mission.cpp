@@ -54,6 +54,8 @@ void validate_forced(const Map& map, const Rules& rules) {
     double weight = 0;
     for (auto id = rules.force.begin(); id != rules.force.end(); ++id) {
         const std::string who = "obstacle " + std::to_string(id->value) + " must be removed, but ";
+        if (map.obstacle(*id).gone())
+            throw InputError(ErrorCode::unknown_obstacle, std::to_string(id->value), who + "is gone");
         const auto refuse = [&](const char* but) {
             throw InputError(ErrorCode::contradiction, std::to_string(id->value), who + but);
         };

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "city/city_import.hpp"
+#include "http/problem.hpp"
 #include "live_server.hpp"
 #include "osm_yard.hpp"
 #include "service/extract_json.hpp"
