@@ -25,6 +25,7 @@
 #include "render/picture.hpp"
 #include "studio/plan_html.hpp"
 #include "studio/plan_picture.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 

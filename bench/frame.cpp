@@ -21,10 +21,12 @@
 #include <vector>
 
 #include "program.hpp"
+#include "waybreaker/advanced/crossing.hpp"
+#include "waybreaker/advanced/schedule.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/map_edit.hpp"
 #include "waybreaker/planner.hpp"
-#include "waybreaker/schedule.hpp"
 
 namespace waybreaker::bench {
 namespace {

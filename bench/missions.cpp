@@ -12,6 +12,7 @@
 #include "missions_of_paper.hpp"
 #include "program.hpp"
 #include "statistics.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "maps.hpp"
 #include "statistics.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/movingai.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker::bench {
 namespace {

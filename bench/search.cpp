@@ -1,5 +1,5 @@
 // One long query on a city map with every planner, and Theta* with its hit counting on and off.
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 #include <utility>
+#include <waybreaker/advanced.hpp>
 #include <waybreaker/waybreaker.hpp>
 
 namespace {

@@ -14,7 +14,7 @@
 
 #include "plain_map.hpp"
 #include "slow_sight.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker::slow {
 

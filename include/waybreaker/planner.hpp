@@ -9,14 +9,12 @@
 #include <span>
 #include <vector>
 
-#include "waybreaker/crossing.hpp"
 #include "waybreaker/expected.hpp"
 #include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/method.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 
@@ -51,6 +49,11 @@ class PlanningJob {
 
 class MissionPlanner {
   public:
+    MissionPlanner();
+    ~MissionPlanner();
+    MissionPlanner(MissionPlanner&&) noexcept;
+    MissionPlanner& operator=(MissionPlanner&&) noexcept;
+
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
     // and puts all agents in time. With timing enforced no plan is worse than removing nothing, unless rules.force
     // demands removals. More removals can cost more where breaches take time, bases or speeds differ, or a limit ended
@@ -83,8 +86,8 @@ class MissionPlanner {
     std::vector<Plan> front_of_active(const Map& map, const Mission& mission, const Method& method,
                                       const Limits& limits);
 
-    Searcher searcher_;
-    CrossingSearcher crossing_;
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
 };
 
 // Plans each mission as MissionPlanner::try_plan does, over that many threads (0: all cores), and gives the results in

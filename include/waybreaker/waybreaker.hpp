@@ -1,13 +1,12 @@
-// waybreaker, all of it: missions of ground agents whose way aircraft can open. Depends on the standard library alone.
+// waybreaker: missions of ground agents whose way aircraft can open, planned and checked. Depends on the standard
+// library alone. What plans are made of, search by search: advanced.hpp.
 #pragma once
 
 #include "waybreaker/body.hpp"            // IWYU pragma: export
 #include "waybreaker/cell.hpp"            // IWYU pragma: export
 #include "waybreaker/check.hpp"           // IWYU pragma: export
-#include "waybreaker/crossing.hpp"        // IWYU pragma: export
 #include "waybreaker/error.hpp"           // IWYU pragma: export
 #include "waybreaker/expected.hpp"        // IWYU pragma: export
-#include "waybreaker/flight.hpp"          // IWYU pragma: export
 #include "waybreaker/grid.hpp"            // IWYU pragma: export
 #include "waybreaker/limits.hpp"          // IWYU pragma: export
 #include "waybreaker/map.hpp"             // IWYU pragma: export
@@ -18,9 +17,6 @@
 #include "waybreaker/place_error.hpp"     // IWYU pragma: export
 #include "waybreaker/plan.hpp"            // IWYU pragma: export
 #include "waybreaker/planner.hpp"         // IWYU pragma: export
-#include "waybreaker/safe_interval.hpp"   // IWYU pragma: export
-#include "waybreaker/schedule.hpp"        // IWYU pragma: export
-#include "waybreaker/search.hpp"          // IWYU pragma: export
 #include "waybreaker/search_options.hpp"  // IWYU pragma: export
 #include "waybreaker/version.hpp"         // IWYU pragma: export
 #include "waybreaker/words.hpp"           // IWYU pragma: export

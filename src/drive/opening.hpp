@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/random.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker::experiment {
 namespace {

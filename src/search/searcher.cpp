@@ -4,8 +4,8 @@
 #include "search/observers.hpp"
 #include "search/parents.hpp"
 #include "search/steps.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 

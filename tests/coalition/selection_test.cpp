@@ -8,6 +8,7 @@
 #include "any_coalition.hpp"
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 

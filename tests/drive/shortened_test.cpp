@@ -10,7 +10,7 @@
 
 #include "random_map.hpp"
 #include "slow_sight.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 namespace {

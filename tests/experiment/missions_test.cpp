@@ -6,7 +6,7 @@
 
 #include "ascii_map.hpp"
 #include "input_error.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker::experiment {
 namespace {

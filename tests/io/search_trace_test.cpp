@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ascii_map.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker::io {
 namespace {

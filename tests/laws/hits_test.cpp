@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "random_map.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 namespace {

@@ -9,7 +9,7 @@
 #include "paper_plan.hpp"
 #include "random_map.hpp"
 #include "select/hits.hpp"
-#include "waybreaker/flight.hpp"
+#include "waybreaker/advanced/flight.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {

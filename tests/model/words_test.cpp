@@ -5,11 +5,11 @@
 #include <set>
 #include <string_view>
 
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/method.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 namespace {

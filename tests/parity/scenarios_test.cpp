@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "shared_data.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/movingai.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 namespace {

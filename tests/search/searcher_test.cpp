@@ -9,8 +9,8 @@
 #include "ascii_map.hpp"
 #include "legal_path.hpp"
 #include "random_map.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 namespace {

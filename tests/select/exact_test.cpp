@@ -8,9 +8,9 @@
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 #include "waybreaker/planner.hpp"
-#include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
 namespace {

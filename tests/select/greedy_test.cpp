@@ -8,6 +8,7 @@
 #include "checked_plan.hpp"
 #include "input_error.hpp"
 #include "random_map.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker {
 namespace {
