@@ -45,7 +45,7 @@ struct PlanOptions {
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;
 
-    std::optional<Planner> planner;
+    std::optional<Algorithm> planner;
     std::optional<Heuristic> heuristic;
     std::optional<double> weight;
     std::optional<TieBreak> tie_break;

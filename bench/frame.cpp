@@ -130,7 +130,7 @@ double infinite_unless(const std::optional<double>& end) {
     return end.value_or(std::numeric_limits<double>::infinity());
 }
 
-std::vector<Way> ways(const Map& map, MissionPlanner& planner, Searcher& searcher, CrossingSearcher& crossing) {
+std::vector<Way> ways(const Map& map, Planner& planner, Searcher& searcher, CrossingSearcher& crossing) {
     const auto plan = [&](const Method& method, const Limits& limits) {
         return [&map, &planner, method, limits](const Mission& mission) {
             return infinite_unless(planner.plan(map, mission, method, limits).after.makespan);
@@ -162,9 +162,9 @@ std::vector<Way> ways(const Map& map, MissionPlanner& planner, Searcher& searche
                                         mission.rules, best.crossed})
                  .makespan;
          }},
-        {"MissionPlanner, Selection::greedy", plan({.select = Selection::greedy}, {})},
+        {"Planner, Selection::greedy", plan({.select = Selection::greedy}, {})},
         {"  the same, .expansions = 2000", plan({.select = Selection::greedy}, {.expansions = 2000})},
-        {"MissionPlanner (exact)", plan({}, {})},
+        {"Planner (exact)", plan({}, {})},
         {"  the same, .gap = 0.03", plan({}, {.gap = 0.03})},
         {"  the same, .expansions = 2000", plan({}, {.expansions = 2000})},
         {"  the same, .seconds = 0.004", plan({}, {.seconds = 0.004})},
@@ -199,7 +199,7 @@ void time_edits(const Map& map) {
 }
 
 // How long steps take that were given 2 ms.
-void time_steps(const Map& map, std::span<const Mission> missions, MissionPlanner& planner) {
+void time_steps(const Map& map, std::span<const Mission> missions, Planner& planner) {
     std::vector<double> steps;
     for (const Mission& mission : missions) {
         PlanningJob job = planner.start(map, mission);
@@ -217,7 +217,7 @@ void run(const Arguments& arguments) {
     std::printf("%d x %d cells, %zu obstacles, %zu missions\n", map.width(), map.height(), map.obstacles().size(),
                 asked.size());
     std::printf("%-36s %9s %9s %9s %9s %9s\n", "milliseconds", "median", "95 %", "worst", "above", "no plan");
-    MissionPlanner planner;
+    Planner planner;
     Searcher searcher;
     CrossingSearcher crossing;
     std::vector<double> best;

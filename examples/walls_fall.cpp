@@ -24,7 +24,7 @@ int main() {
     mission.rules.removals = 1;
     mission.rules.protect = {keep};
 
-    waybreaker::MissionPlanner planner;  // keeps its memory from map to map
+    waybreaker::Planner planner;  // keeps its memory from map to map
     for (int turn = 1; turn <= 4; ++turn) {
         const waybreaker::Plan plan = planner.plan(map, mission);
         std::cout << "turn " << turn << ": there after " << plan.after.ground_makespan.value_or(0);

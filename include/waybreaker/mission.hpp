@@ -2,7 +2,7 @@
 //
 //     Mission mission = ground_and_air({12, 20}, {400, 380});
 //     mission.rules.removals = 2;
-//     Plan plan = MissionPlanner().plan(map, mission);   // waybreaker/planner.hpp
+//     Plan plan = Planner().plan(map, mission);   // waybreaker/planner.hpp
 #pragma once
 
 #include <array>

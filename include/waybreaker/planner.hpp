@@ -1,6 +1,6 @@
 // Planner: the paper's method from mission to plan.
 //
-//     MissionPlanner planner;                                   // keeps its memory between missions
+//     Planner planner;                                   // keeps its memory between missions
 //     Plan plan = planner.plan(map, ground_and_air({12, 20}, {400, 380}), {}, {.seconds = 1});
 #pragma once
 
@@ -24,7 +24,7 @@ namespace waybreaker {
 //     while (!job.step(std::chrono::milliseconds(2))) draw();
 //     Plan plan = job.plan();
 //
-// The plan is that of MissionPlanner::plan, to the byte. It is made by a thread of the job's own, which runs only while
+// The plan is that of Planner::plan, to the byte. It is made by a thread of the job's own, which runs only while
 // a step waits for it; the first step starts it, and where the system has no thread to give, that step does all.
 class PlanningJob {
   public:
@@ -41,18 +41,18 @@ class PlanningJob {
     Plan plan();
 
   private:
-    friend class MissionPlanner;
+    friend class Planner;
     class Work;
     explicit PlanningJob(std::unique_ptr<Work> work);
     std::unique_ptr<Work> work_;
 };
 
-class MissionPlanner {
+class Planner {
   public:
-    MissionPlanner();
-    ~MissionPlanner();
-    MissionPlanner(MissionPlanner&&) noexcept;
-    MissionPlanner& operator=(MissionPlanner&&) noexcept;
+    Planner();
+    ~Planner();
+    Planner(Planner&&) noexcept;
+    Planner& operator=(Planner&&) noexcept;
 
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
     // and puts all agents in time. With timing enforced no plan is worse than removing nothing, unless rules.force
@@ -90,7 +90,7 @@ class MissionPlanner {
     std::unique_ptr<Memory> memory_;
 };
 
-// Plans each mission as MissionPlanner::try_plan does, over that many threads (0: all cores), and gives the results in
+// Plans each mission as Planner::try_plan does, over that many threads (0: all cores), and gives the results in
 // the order of the missions: the same whatever the number of threads, measured seconds aside. A mission that cannot be
 // put on the map costs the others nothing. The limits hold for each mission; limits.progress is called on several
 // threads at a time.

@@ -7,8 +7,7 @@
 
 namespace waybreaker {
 
-Expected<Plan> MissionPlanner::try_plan(const Map& map, const Mission& mission, const Method& method,
-                                        const Limits& limits) {
+Expected<Plan> Planner::try_plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     try {
         return plan(map, mission, method, limits);
     } catch (const InputError& error) {
@@ -19,7 +18,7 @@ Expected<Plan> MissionPlanner::try_plan(const Map& map, const Mission& mission, 
 std::vector<Expected<Plan>> plan_all(const Map& map, std::span<const Mission> missions, const Method& method,
                                      const Limits& limits, unsigned threads) {
     std::vector<Expected<Plan>> plans(missions.size(), Plan());
-    std::vector<MissionPlanner> planners(std::min<std::size_t>(thread_count(threads), missions.size()));
+    std::vector<Planner> planners(std::min<std::size_t>(thread_count(threads), missions.size()));
     for_each_index(missions.size(), threads, [&](std::size_t i, std::size_t thread) {
         plans[i] = planners[thread].try_plan(map, missions[i], method, limits);
     });

@@ -163,17 +163,17 @@ Plan with_waits(const Map& map, const Mission& mission, Plan plan) {
 }  // namespace
 
 // What is kept from mission to mission.
-struct MissionPlanner::Memory {
+struct Planner::Memory {
     Searcher searcher;
     CrossingSearcher crossing;
 };
 
-MissionPlanner::MissionPlanner() : memory_(std::make_unique<Memory>()) {}
-MissionPlanner::~MissionPlanner() = default;
-MissionPlanner::MissionPlanner(MissionPlanner&&) noexcept = default;
-MissionPlanner& MissionPlanner::operator=(MissionPlanner&&) noexcept = default;
+Planner::Planner() : memory_(std::make_unique<Memory>()) {}
+Planner::~Planner() = default;
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
 
-Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+Plan Planner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
     const ActivePart active(mission);
     const AgentOrder order(active.mission());
@@ -181,7 +181,7 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
     return with_waits(map, mission, active.whole(map, order.restored(std::move(plan))));
 }
 
-Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     // What earlier missions have taught would change how much work this one is.
     CrossingMemory nothing;
     memory_->crossing.exchange(nothing);
@@ -252,8 +252,7 @@ Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const M
     return plan;
 }
 
-std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const Method& method,
-                                        const Limits& limits) {
+std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
     const ActivePart active(mission);
     const AgentOrder order(active.mission());
@@ -262,8 +261,8 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
     return plans;
 }
 
-std::vector<Plan> MissionPlanner::front_of_active(const Map& map, const Mission& mission, const Method& method,
-                                                  const Limits& limits) {
+std::vector<Plan> Planner::front_of_active(const Map& map, const Mission& mission, const Method& method,
+                                           const Limits& limits) {
     const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
     if (std::ranges::none_of(mission.agents, flies)) return {plan_active(map, mission, method, limits)};
     const Rules& rules = mission.rules;

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 class PlanningJob::Work {
   public:
-    Work(MissionPlanner& planner, const Map& map, Mission mission, Method method, Limits limits)
+    Work(Planner& planner, const Map& map, Mission mission, Method method, Limits limits)
         : planner_(planner),
           map_(map),
           mission_(std::move(mission)),
@@ -110,7 +110,7 @@ class PlanningJob::Work {
     }
 #endif
 
-    MissionPlanner& planner_;
+    Planner& planner_;
     const Map& map_;
     const Mission mission_;
     const Method method_;
@@ -150,7 +150,7 @@ Plan PlanningJob::plan() {
     return work_->take();
 }
 
-PlanningJob MissionPlanner::start(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+PlanningJob Planner::start(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
     return PlanningJob(std::make_unique<PlanningJob::Work>(*this, map, mission, method, limits));
 }

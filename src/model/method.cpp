@@ -12,9 +12,9 @@
 
 namespace waybreaker {
 
-Planner planner_of(const Method& method, const Body& body) {
+Algorithm planner_of(const Method& method, const Body& body) {
     const bool possible = method.select != Selection::hits && can_drive_optimally(body, method.diagonal);
-    return method.planner == Planner::optimal && !possible ? Planner::theta : method.planner;
+    return method.planner == Algorithm::optimal && !possible ? Algorithm::theta : method.planner;
 }
 
 SearchOptions search_options(const Method& method, const Body& body) {
@@ -30,7 +30,7 @@ void follow_paper(Rules& rules, Method& method) {
     rules.timing = Timing::ignore;
     rules.minimise_demolition.reset();
     method.select = Selection::hits;
-    method.planner = Planner::theta;
+    method.planner = Algorithm::theta;
     // For one obstacle the paper flies the shortest way past it, which is what `optimal` does.
     method.flight = rules.removals == 1 ? FlightRule::optimal : FlightRule::nearest;
 }
@@ -125,7 +125,7 @@ void validate(const Map& map, const Mission& mission, const Method& method, cons
     for (const Agent& agent : mission.agents) {
         if (agent.kind != AgentKind::ground) continue;
         validate(search_options(method, agent.body));
-        if (method.select == Selection::greedy && planner_of(method, agent.body) != Planner::optimal) {
+        if (method.select == Selection::greedy && planner_of(method, agent.body) != Algorithm::optimal) {
             throw InputError(
                 ErrorCode::contradiction, "",
                 "greedy selection drives by the optimal planner, which moves an agent that passes no blocked corner");

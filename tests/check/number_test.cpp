@@ -44,7 +44,7 @@ Made explained(bool team) {
         second.start.y = second.goal.y = 2;
         made.mission.agents.insert(made.mission.agents.begin(), second);
     }
-    made.plan = MissionPlanner().plan(two_walls(), made.mission, {.explain = true});
+    made.plan = Planner().plan(two_walls(), made.mission, {.explain = true});
     made.plan.next = {{.obstacle = two_walls().obstacle_at({8, 0}), .saves = 1}};
     return made;
 }

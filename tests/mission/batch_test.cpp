@@ -19,7 +19,7 @@ RC_GTEST_PROP(Batch, GivesWhatEachMissionGivesAlone, ()) {
     const std::vector<Expected<Plan>> results = plan_all(map, missions, {}, {}, unsigned(*number(1, 4)));
     RC_ASSERT(results.size() == missions.size());
     for (std::size_t i = 0; i < missions.size(); ++i) {
-        const Plan alone = MissionPlanner().plan(map, missions[i]);
+        const Plan alone = Planner().plan(map, missions[i]);
         RC_ASSERT(results[i].has_value());
         const Plan& plan = *results[i];
         RC_ASSERT(plan.status == alone.status);

@@ -47,16 +47,16 @@ RC_GTEST_PROP(ChangingMap, PlansAsAMapFromScratch, ()) {
     mission.rules.breach_time.per_obstacle = *rc::gen::element(0, 2);
     mission.agents[0].body.radius = *rc::gen::element(0.0, 0.5, 0.5);
     Map map(blocks.grid());
-    MissionPlanner kept;
+    Planner kept;
     for (int edits = *number(1, 4); edits > 0; --edits) {
         map = map.with({any_edit(map, mission)});
         const Plan plan = kept.plan(map, mission);
         RC_ASSERT(plan_faults(map, mission, plan) == "");
-        const Plan anew = MissionPlanner().plan(map, mission);
+        const Plan anew = Planner().plan(map, mission);
         RC_ASSERT(plan.status == anew.status);
         RC_ASSERT(same_paths(plan, anew));
         const Map fresh = Map::from_labels(map.width(), map.height(), {map.labels().begin(), map.labels().end()});
-        const Plan same = MissionPlanner().plan(fresh, mission);
+        const Plan same = Planner().plan(fresh, mission);
         RC_ASSERT(plan.status == same.status);
         RC_ASSERT(about(plan.before.makespan, same.before.makespan));
         RC_ASSERT(about(plan.after.makespan, same.after.makespan));
@@ -74,7 +74,7 @@ RC_GTEST_PROP(ChangingMap, PlansTeamsThatFly, ()) {
     RC_PRE(distance(mission.agents[0].start, mission.agents[1].start) >= 1);
     mission.rules.removals = *number(1, 2);
     Map map(blocks.grid());
-    MissionPlanner kept;
+    Planner kept;
     for (int edits = *number(1, 3); edits > 0; --edits) {
         const MapEdit edit = any_edit(map, mission);
         const Map next = map.with({edit});
@@ -82,7 +82,7 @@ RC_GTEST_PROP(ChangingMap, PlansTeamsThatFly, ()) {
         map = next;
         const Plan plan = kept.plan(map, mission);
         RC_ASSERT(plan_faults(map, mission, plan) == "");
-        RC_ASSERT(same_paths(plan, MissionPlanner().plan(map, mission)));
+        RC_ASSERT(same_paths(plan, Planner().plan(map, mission)));
     }
 }
 
@@ -90,9 +90,9 @@ TEST(ChangingMap, WhatIsGoneCanBeProtectedAndNotForced) {
     const Map map = Map::from_rows({".A.", ".A.", ".A."}).with({MapEdit::remove({1})});
     Mission mission = ground_and_air({0, 1}, {2, 1});
     mission.rules.protect = {{1}};
-    EXPECT_TRUE(is_valid(map, mission, MissionPlanner().plan(map, mission)));
+    EXPECT_TRUE(is_valid(map, mission, Planner().plan(map, mission)));
     mission.rules = {.removals = 1, .force = {{1}}};
-    const Expected<Plan> refused = MissionPlanner().try_plan(map, mission);
+    const Expected<Plan> refused = Planner().try_plan(map, mission);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::unknown_obstacle);
     EXPECT_EQ(refused.error().detail, "obstacle 1 must be removed, but is gone");

@@ -52,7 +52,7 @@ bool same(const Plan& one, const Plan& other) {
 
 TEST(PlanningJob, GivesThePlan) {
     const Map map = level();
-    MissionPlanner planner;
+    Planner planner;
     PlanningJob job = planner.start(map, mission());
     EXPECT_FALSE(job.done());
     int steps = 0;
@@ -60,13 +60,13 @@ TEST(PlanningJob, GivesThePlan) {
     EXPECT_GT(steps, 1) << "each step ends where the planner looks next";
     EXPECT_TRUE(job.done());
     EXPECT_TRUE(job.step(nanoseconds(0)));
-    EXPECT_TRUE(same(job.plan(), MissionPlanner().plan(map, mission())));
+    EXPECT_TRUE(same(job.plan(), Planner().plan(map, mission())));
 }
 
 TEST(PlanningJob, PlanGoesOnUntilItIsThere) {
     const Map map = level();
-    MissionPlanner planner;
-    const Plan expected = MissionPlanner().plan(map, mission());
+    Planner planner;
+    const Plan expected = Planner().plan(map, mission());
     EXPECT_TRUE(same(planner.start(map, mission()).plan(), expected)) << "without a step";
     PlanningJob job = planner.start(map, mission());
     job.step(nanoseconds(0));
@@ -77,7 +77,7 @@ TEST(PlanningJob, PlanGoesOnUntilItIsThere) {
 
 TEST(PlanningJob, LeavesThePlannerWhenItIsGone) {
     const Map map = level();
-    MissionPlanner planner;
+    Planner planner;
     { const PlanningJob never_stepped = planner.start(map, mission()); }
     {
         PlanningJob job = planner.start(map, mission());
@@ -85,18 +85,18 @@ TEST(PlanningJob, LeavesThePlannerWhenItIsGone) {
         PlanningJob moved = std::move(job);
         moved.step(nanoseconds(0));
     }
-    EXPECT_TRUE(same(planner.plan(map, mission()), MissionPlanner().plan(map, mission())));
+    EXPECT_TRUE(same(planner.plan(map, mission()), Planner().plan(map, mission())));
 }
 
 TEST(PlanningJob, SaysWhatIsWrongAtOnce) {
     const Map map = level();
-    MissionPlanner planner;
+    Planner planner;
     EXPECT_THROW(static_cast<void>(planner.start(map, ground_and_air({0, 0}, {99, 0}))), InputError);
 }
 
 TEST(PlanningJob, HeedsTheStopTokenAndReportsWithinSteps) {
     const Map map = level();
-    MissionPlanner planner;
+    Planner planner;
     StopSource stop;
     PlanningJob job = planner.start(map, mission(), {}, {.stop = stop.get_token()});
     job.step(nanoseconds(0));
@@ -127,12 +127,12 @@ RC_GTEST_PROP(PlanningJob, GivesThePlanOfAnyMission, ()) {
         asked.rules.at_goal = AtGoal::leave;
         RC_PRE(distance(asked.agents[0].start, asked.agents[2].start) >= 1);
     }
-    MissionPlanner planner;
+    Planner planner;
     PlanningJob job = planner.start(map, asked);
     const nanoseconds slice(*rc::gen::element(0, 1000, 100000));
     while (!job.step(slice)) {
     }
-    RC_ASSERT(same(job.plan(), MissionPlanner().plan(map, asked)));
+    RC_ASSERT(same(job.plan(), Planner().plan(map, asked)));
 }
 
 }  // namespace

@@ -22,13 +22,13 @@ Mission mission() {
 }
 
 Error error_of(const Mission& wrong, const Method& method = {}, const Limits& limits = {}) {
-    MissionPlanner planner;
+    Planner planner;
     const Expected<Plan> plan = planner.try_plan(level(), wrong, method, limits);
     return plan ? Error{.detail = "there is a plan"} : plan.error();
 }
 
 TEST(Error, TryPlanGivesThePlan) {
-    MissionPlanner planner;
+    Planner planner;
     const Expected<Plan> plan = planner.try_plan(level(), mission());
     ASSERT_TRUE(plan);
     EXPECT_EQ(plan->status, PlanStatus::solved);
@@ -39,7 +39,7 @@ TEST(Error, TryPlanGivesTheErrorThatPlanThrows) {
     Mission wrong = mission();
     wrong.agents[0].goal = {9, 1};
     try {
-        MissionPlanner().plan(level(), wrong);
+        Planner().plan(level(), wrong);
         FAIL();
     } catch (const InputError& thrown) {
         const Error error = error_of(wrong);
@@ -72,7 +72,7 @@ TEST(Error, CodeAndSubjectSayWhatIsWrongWithWhom) {
     wrong.agents[0].speed = 0;
     expect(error_of(wrong), ErrorCode::out_of_range, "the rover agent's speed");
     expect(error_of(mission(), {}, {.seconds = 0}), ErrorCode::out_of_range, "the time limit");
-    expect(error_of(mission(), {.select = Selection::hits, .planner = Planner::jps, .diagonal = false}),
+    expect(error_of(mission(), {.select = Selection::hits, .planner = Algorithm::jps, .diagonal = false}),
            ErrorCode::contradiction, "");
 }
 
