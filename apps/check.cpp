@@ -82,7 +82,7 @@ void judge_by_planning(const io::PlanFile& file, const Map& map, double toleranc
     Method method = file.asked.method;
     method.bound = plan.bound.has_value();
     method.explain = false;
-    const Plan again = MissionPlanner().plan(map, file.asked.mission, method, {.seconds = seconds_to_replan});
+    const Plan again = Planner().plan(map, file.asked.mission, method, {.seconds = seconds_to_replan});
     const auto report = [&](Rule rule, const char* what, double stated, double found) {
         violations.push_back(
             {rule, fmt::format("{} is {:.9g} by the plan, and {:.9g} when it is planned again", what, stated, found)});

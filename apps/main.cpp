@@ -31,6 +31,11 @@ int complain(ExitStatus status, std::string message) {
     return status;
 }
 
+// Options as the command spells them.
+std::string worded(const InputError& error) {
+    return error.error().code == ErrorCode::option ? fmt::format("--{}", error.what()) : error.what();
+}
+
 void setup(CLI::App& root, Run& run) {
     root.name("waybreaker");
     root.formatter(std::make_shared<HelpFormatter>());
@@ -101,7 +106,7 @@ int main(int argc, char** argv) {
     } catch (const InvalidPlan& error) {
         return complain(no_plan, error.what());
     } catch (const waybreaker::InputError& error) {
-        return complain(bad_input, error.what());
+        return complain(bad_input, worded(error));
     } catch (const std::bad_alloc&) {
         return complain(internal_error, "out of memory");
     } catch (const std::exception& error) {

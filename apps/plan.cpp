@@ -25,6 +25,7 @@
 #include "raster/png.hpp"
 #include "render/plan_picture.hpp"
 #include "studio/plan_html.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 
@@ -88,7 +89,7 @@ constexpr double share_of_team = 0.7;  // of the time: for a team's plan, before
 // The plan, and what there is to compare it with: no removal, the paper's plan (which knows no teams), more and fewer
 // removals.
 std::string html(const io::PlanContext& context, const Plan& chosen, const Limits& limits, const Deadline& deadline) {
-    MissionPlanner planner;
+    Planner planner;
     const auto what_is_left = [&] {
         Limits left = limits;
         left.seconds = time_left(deadline);
@@ -226,7 +227,7 @@ std::vector<Plan> plan_mission(const io::MapFile& file, const io::MissionDocumen
         if (known.bound > 0) line += fmt::format(", none below {:.1f}", known.bound);
         progress.update(line);
     };
-    MissionPlanner planner;
+    Planner planner;
     std::vector<Plan> plans = front ? planner.front(file.map, asked.mission, asked.method, limits)
                                     : std::vector<Plan>{planner.plan(file.map, asked.mission, asked.method, limits)};
     plans.back().seconds.label = file.label_seconds;

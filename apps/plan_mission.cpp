@@ -219,19 +219,19 @@ io::MissionDocument mission_of(const PlanOptions& options, io::MissionDocument g
         method.diagonal = search.diagonal;
         method.planner = search.planner;
     } else if (needs_search(options)) {
-        method.planner = Planner::theta;
+        method.planner = Algorithm::theta;
     }
     say(options, result);
     set_method(options, method);
     result.limits.threads = options.threads;
-    const Planner planner = planner_of(method, mission.ground_body());
-    if (options.planner == Planner::optimal && planner != Planner::optimal) {
+    const Algorithm planner = planner_of(method, mission.ground_body());
+    if (options.planner == Algorithm::optimal && planner != Algorithm::optimal) {
         throw InputError(
             "--planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits; "
             "drop it, or the option that contradicts it");
     }
-    const bool by_steps =
-        planner == Planner::astar || planner == Planner::jps || planner == Planner::dijkstra || planner == Planner::bfs;
+    const bool by_steps = planner == Algorithm::astar || planner == Algorithm::jps || planner == Algorithm::dijkstra ||
+                          planner == Algorithm::bfs;
     if (from_map && map.task->smoothing && by_steps) {
         note(map.source, "its <postsmoothing> is not heeded; --planner theta or optimal makes straight paths");
     }

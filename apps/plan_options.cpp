@@ -325,10 +325,10 @@ void validate(const PlanOptions& options) {
     io::MissionDocument said;
     say(options, said);
     const Rules& rules = said.mission.rules;
-    if (options.planner == Planner::optimal && needs_search(options)) {
+    if (options.planner == Algorithm::optimal && needs_search(options)) {
         throw InputError("--planner optimal has no --heuristic, --weight, --tie-break or --trace; use theta for them");
     }
-    if (options.paper && options.planner && *options.planner != Planner::theta) {
+    if (options.paper && options.planner && *options.planner != Algorithm::theta) {
         throw InputError(
             fmt::format("--paper stands for --planner theta, which --planner {} contradicts; drop one of them",
                         to_string(*options.planner)));

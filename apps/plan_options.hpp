@@ -47,7 +47,7 @@ struct PlanOptions {
     io::ImageReading image;
     OverlayOptions overlays;
 
-    std::optional<Planner> planner;
+    std::optional<Algorithm> planner;
     std::optional<Heuristic> heuristic;
     std::optional<double> weight;
     std::optional<TieBreak> tie_break;

@@ -52,11 +52,10 @@ struct Batch {
     std::vector<Mission> missions;
 
     // The plan files of all missions in a row.
-    std::string bytes(std::span<const BatchPlan> plans) const {
+    std::string bytes(std::span<const Expected<Plan>> plans) const {
         std::string text;
         for (std::size_t i = 0; i < plans.size(); ++i) {
-            text += io::plan_json(plans[i].plan.value(),
-                                  {.map = map, .asked = {.mission = missions[i]}, .timing_fields = false});
+            text += io::plan_json(*plans[i], {.map = map, .asked = {.mission = missions[i]}, .timing_fields = false});
         }
         return text;
     }

@@ -167,7 +167,7 @@ void run_city(const Map& map, const std::vector<CityMission>& missions, const Te
         if (row.drawn++ % arguments.every != 0) continue;
         const auto start = std::chrono::steady_clock::now();
         const double start_of_work = processor_seconds();
-        const Plan plan = MissionPlanner().plan(
+        const Plan plan = Planner().plan(
             map, mission, {}, {.seconds = arguments.seconds, .gap = arguments.gap, .threads = arguments.threads});
         row.processor_seconds.push_back(processor_seconds() - start_of_work);
         row.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

@@ -89,7 +89,7 @@ class Bench {
     std::vector<CityMission> missions_;
     std::map<std::string, Map> maps_;
     Rows floors_ = rows_of(shared_folder() / "reference" / "floors.csv");
-    MissionPlanner planner_;
+    Planner planner_;
 };
 
 void print_excess(const char* what, const std::vector<double>& ratios) {

@@ -1,11 +1,11 @@
 // The air agent's tour past the n obstacles most in the way: the shortest one, and the paper's.
-#include "waybreaker/flight.hpp"
+#include "waybreaker/advanced/flight.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include "maps.hpp"
 #include "select/hits.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker::bench {
 namespace {

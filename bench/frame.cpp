@@ -3,8 +3,10 @@
 //     bench_frame [--missions N] [--side CELLS] [--seed N]
 //
 // Rooms of 24 cells with doors of 2. Processor time of one core: median, of 95 in 100, worst; and how much later than
-// the plan of the default method the mission ends, on average of those that have an answer.
+// the plan of the default method the mission ends, on average of those that have an answer. Then, by the clock: a wall
+// falls, and planning in slices.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -19,9 +21,12 @@
 #include <vector>
 
 #include "program.hpp"
+#include "waybreaker/advanced/crossing.hpp"
+#include "waybreaker/advanced/schedule.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
+#include "waybreaker/map_edit.hpp"
 #include "waybreaker/planner.hpp"
-#include "waybreaker/schedule.hpp"
 
 namespace waybreaker::bench {
 namespace {
@@ -125,7 +130,7 @@ double infinite_unless(const std::optional<double>& end) {
     return end.value_or(std::numeric_limits<double>::infinity());
 }
 
-std::vector<Way> ways(const Map& map, MissionPlanner& planner, Searcher& searcher, CrossingSearcher& crossing) {
+std::vector<Way> ways(const Map& map, Planner& planner, Searcher& searcher, CrossingSearcher& crossing) {
     const auto plan = [&](const Method& method, const Limits& limits) {
         return [&map, &planner, method, limits](const Mission& mission) {
             return infinite_unless(planner.plan(map, mission, method, limits).after.makespan);
@@ -157,13 +162,52 @@ std::vector<Way> ways(const Map& map, MissionPlanner& planner, Searcher& searche
                                         mission.rules, best.crossed})
                  .makespan;
          }},
-        {"MissionPlanner, Selection::greedy", plan({.select = Selection::greedy}, {})},
+        {"Planner, Selection::greedy", plan({.select = Selection::greedy}, {})},
         {"  the same, .expansions = 2000", plan({.select = Selection::greedy}, {.expansions = 2000})},
-        {"MissionPlanner (exact)", plan({}, {})},
+        {"Planner (exact)", plan({}, {})},
         {"  the same, .gap = 0.03", plan({}, {.gap = 0.03})},
         {"  the same, .expansions = 2000", plan({}, {.expansions = 2000})},
         {"  the same, .seconds = 0.004", plan({}, {.seconds = 0.004})},
     };
+}
+
+// Of milliseconds.
+void print(const char* name, std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    std::printf("%-36s %9.3f %9.3f %9.3f\n", name, times[times.size() / 2], times[times.size() * 95 / 100],
+                times.back());
+}
+
+double milliseconds_of(const auto& act) {
+    const auto begun = std::chrono::steady_clock::now();
+    act();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+}
+
+// A wall falls: the map by an edit, and made anew.
+void time_edits(const Map& map) {
+    std::vector<double> edited;
+    std::vector<double> anew;
+    for (const Obstacle& wall : map.obstacles()) {
+        Map next = map;
+        edited.push_back(milliseconds_of([&] { next = map.with({MapEdit::remove(wall.id)}); }));
+        std::vector<std::uint32_t> labels(next.labels().begin(), next.labels().end());
+        anew.push_back(milliseconds_of([&] { next = Map::from_labels(map.width(), map.height(), std::move(labels)); }));
+    }
+    print("Map::with, a wall falls", std::move(edited));
+    print("Map::from_labels, without it", std::move(anew));
+}
+
+// How long steps take that were given 2 ms.
+void time_steps(const Map& map, std::span<const Mission> missions, Planner& planner) {
+    std::vector<double> steps;
+    for (const Mission& mission : missions) {
+        PlanningJob job = planner.start(map, mission);
+        for (bool done = false; !done;) {
+            steps.push_back(milliseconds_of([&] { done = job.step(std::chrono::milliseconds(2)); }));
+        }
+    }
+    print("PlanningJob::step, 2 ms", std::move(steps));
 }
 
 void run(const Arguments& arguments) {
@@ -173,7 +217,7 @@ void run(const Arguments& arguments) {
     std::printf("%d x %d cells, %zu obstacles, %zu missions\n", map.width(), map.height(), map.obstacles().size(),
                 asked.size());
     std::printf("%-36s %9s %9s %9s %9s %9s\n", "milliseconds", "median", "95 %", "worst", "above", "no plan");
-    MissionPlanner planner;
+    Planner planner;
     Searcher searcher;
     CrossingSearcher crossing;
     std::vector<double> best;
@@ -200,6 +244,8 @@ void run(const Arguments& arguments) {
                     times[times.size() * 95 / 100], times.back(), 100 * above / std::max(found, 1),
                     asked.size() - std::size_t(found));
     }
+    time_edits(map);
+    time_steps(map, asked, planner);
 }
 
 }  // namespace

@@ -11,9 +11,9 @@
 #include "maps.hpp"
 #include "program.hpp"
 #include "statistics.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker::bench {
 namespace {

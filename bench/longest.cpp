@@ -13,10 +13,10 @@
 #include "missions_of_paper.hpp"
 #include "program.hpp"
 #include "statistics.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker::bench {
 namespace {

@@ -12,6 +12,7 @@
 #include "missions_of_paper.hpp"
 #include "program.hpp"
 #include "statistics.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 
@@ -43,7 +44,7 @@ struct Times {
     std::vector<double> counting;  // Theta* counting hits, memory kept from query to query
     std::vector<double> plain;     // without counting
     std::vector<double> first;     // counting, the first query of a Searcher
-    std::vector<double> whole;     // MissionPlanner::plan
+    std::vector<double> whole;     // Planner::plan
 };
 
 void require_found(const SearchResult& result) {
@@ -51,13 +52,13 @@ void require_found(const SearchResult& result) {
 }
 
 Times measure(const std::vector<CityMission>& missions, int repeats) {
-    const SearchOptions theta{.planner = Planner::theta};
-    const SearchOptions counting{.planner = Planner::theta, .count_hits = true};
+    const SearchOptions theta{.planner = Algorithm::theta};
+    const SearchOptions counting{.planner = Algorithm::theta, .count_hits = true};
     Method paper;
     std::map<std::string, Map> cities;
     for (const CityMission& mission : missions) cities.try_emplace(mission.city, read_city(mission.city));
     Searcher searcher;
-    MissionPlanner planner;
+    Planner planner;
     Times times;
     for (const CityMission& mission : missions) {
         const Map& map = cities.at(mission.city);

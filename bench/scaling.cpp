@@ -11,7 +11,7 @@
 #include "missions_of_paper.hpp"
 #include "program.hpp"
 #include "statistics.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::bench {

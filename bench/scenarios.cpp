@@ -10,15 +10,15 @@
 
 #include "maps.hpp"
 #include "statistics.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/movingai.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker::bench {
 namespace {
 
 struct Entrant {
     const char* name;
-    Planner planner;
+    Algorithm planner;
     double seconds = 0;
     std::size_t entries = 0;
     std::size_t wrong = 0;
@@ -52,7 +52,7 @@ void run_file(const std::filesystem::path& file, std::size_t every, Searcher& se
 
 // How many searches went wrong.
 std::size_t run(std::size_t every) {
-    Entrants entrants{{{"A*", Planner::astar}, {"JPS", Planner::jps}, {"Dijkstra", Planner::dijkstra}}};
+    Entrants entrants{{{"A*", Algorithm::astar}, {"JPS", Algorithm::jps}, {"Dijkstra", Algorithm::dijkstra}}};
     Searcher searcher;
     std::size_t files = 0;
     for (const char* const folder : {"benchmarks", "cities"}) {

@@ -1,5 +1,5 @@
 // One long query on a city map with every planner, and Theta* with its hit counting on and off.
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -22,16 +22,16 @@ void find(benchmark::State& state, const SearchOptions& options) {
         double(expanded), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-BENCHMARK_CAPTURE(find, theta, {.planner = Planner::theta})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, theta_counting_hits, {.planner = Planner::theta, .count_hits = true})
+BENCHMARK_CAPTURE(find, theta, {.planner = Algorithm::theta})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find, theta_counting_hits, {.planner = Algorithm::theta, .count_hits = true})
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, theta_weight_2, {.planner = Planner::theta, .weight = 2})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, lazy_theta, {.planner = Planner::lazy_theta})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, astar, {.planner = Planner::astar})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, jps, {.planner = Planner::jps})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, dijkstra, {.planner = Planner::dijkstra})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, bfs, {.planner = Planner::bfs})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(find, theta_wide_agent, {.planner = Planner::theta, .body = {.radius = 1.5}})
+BENCHMARK_CAPTURE(find, theta_weight_2, {.planner = Algorithm::theta, .weight = 2})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find, lazy_theta, {.planner = Algorithm::lazy_theta})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find, astar, {.planner = Algorithm::astar})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find, jps, {.planner = Algorithm::jps})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find, dijkstra, {.planner = Algorithm::dijkstra})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find, bfs, {.planner = Algorithm::bfs})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(find, theta_wide_agent, {.planner = Algorithm::theta, .body = {.radius = 1.5}})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

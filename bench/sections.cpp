@@ -71,7 +71,7 @@ void run(const Arguments& arguments) {
             cities.emplace(mission.city, sectioned(read_city(mission.city), arguments.side));
         }
     }
-    MissionPlanner planner;
+    Planner planner;
     std::printf("%4s %9s %9s %11s %11s %10s %10s %10s %9s\n", "n", "missions", "makespan", "gap, mean", "worst",
                 "ms, mean", "median", "worst", "cut short");
     for (const int removals : {0, 1, 3, 5, 10, 16}) {

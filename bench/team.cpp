@@ -85,7 +85,7 @@ void run(const Arguments& arguments) {
             first_seconds = processor_seconds() - start;
             first = known.best;
         };
-        const Plan plan = MissionPlanner().plan(map, mission, {}, limits);
+        const Plan plan = Planner().plan(map, mission, {}, limits);
         if (plan.status != PlanStatus::solved) {
             std::printf("%8zu %8s\n", count, "no");
             continue;

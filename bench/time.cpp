@@ -116,7 +116,7 @@ void run(const Arguments& arguments) {
     std::map<std::string, Map> cities;
     const std::vector<CityMission> missions = missions_of_paper();
     for (const CityMission& mission : missions) cities.try_emplace(mission.city, read_city(mission.city));
-    MissionPlanner planner;
+    Planner planner;
     std::printf("%zu missions, n = %d\n%-30s %10s %10s %10s %10s %12s %6s\n", missions.size(), arguments.removals, "",
                 "gap, mean", "worst", "ms, mean", "worst", "makespan", "plans");
     for (const Setting& setting : settings) {

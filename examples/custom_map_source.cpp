@@ -46,7 +46,7 @@ waybreaker::Map map_of_level() {
 
 int main() {
     const waybreaker::Map map = map_of_level();
-    waybreaker::MissionPlanner planner;
+    waybreaker::Planner planner;
     auto mission = waybreaker::ground_and_air({1, 5}, {26, 4});
     waybreaker::Method method;
     mission.rules.removals = 2;

@@ -20,7 +20,7 @@ int main() {
                    {"id": "drone", "kind": "air", "start": [4, 4], "goal": [36, 4], "speed": 2}],
         "rules": {"removals": 1, "breach_time": 3}})",
                                                                                 "mission.json");
-    const waybreaker::Plan plan = waybreaker::MissionPlanner().plan(map.map, asked.mission, asked.method, asked.limits);
+    const waybreaker::Plan plan = waybreaker::Planner().plan(map.map, asked.mission, asked.method, asked.limits);
     std::cout << waybreaker::io::plan_json(plan, {.map = map, .asked = asked, .timing_fields = false});
     std::ofstream("documents.svg") << waybreaker::render::svg(map.map, asked.mission, plan,
                                                               {.annotations = {.title = "Yard"}});

@@ -7,7 +7,7 @@ int main() {
     for (int y = 0; y < 18; ++y) grid.set_blocked({20, y}, true);
     const waybreaker::Map map(std::move(grid));
 
-    waybreaker::MissionPlanner planner;
+    waybreaker::Planner planner;
     auto mission = waybreaker::ground_and_air({4, 4}, {36, 4});
     mission.rules.removals = 1;
     const waybreaker::Plan plan = planner.plan(map, mission);

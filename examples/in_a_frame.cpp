@@ -1,9 +1,10 @@
 // One question of a game within a frame: which wall should the drone break for the rover, and who is where when? The
-// crossing search alone knows the way and the wall; MissionPlanner needs most of its time to prove that nothing is
+// crossing search alone knows the way and the wall; Planner needs most of its time to prove that nothing is
 // better.
 #include <iostream>
 #include <optional>
 #include <utility>
+#include <waybreaker/advanced.hpp>
 #include <waybreaker/waybreaker.hpp>
 
 namespace {

@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const InputError&) {
         return 0;
     }
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     law(check(map, mission, plan).empty());
     const double best = AllPlans(map, mission).best();
     law((plan.status == PlanStatus::solved) == std::isfinite(best));

@@ -74,7 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Map map = any_map(choices, 10, 8);
     const Mission mission = any_team(choices, map);
     if (!is_possible(map, mission)) return 0;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     law(check(map, mission, plan).empty());
     if (plan.status != PlanStatus::solved) return 0;
     law(!plan.bound || *plan.bound <= *value(plan.after, mission.rules.objective) * (1 + 1e-9));

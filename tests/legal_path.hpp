@@ -7,7 +7,7 @@
 
 #include "plain_map.hpp"
 #include "slow_sight.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 
@@ -18,7 +18,7 @@ inline std::string path_fault(const PlainMap& map, Cell start, Cell goal, const 
     const std::vector<Cell>& path = result.path;
     if (result.status != SearchStatus::found) return path.empty() ? "" : "a path without success";
     if (path.empty() || path.front() != start || path.back() != goal) return "it does not lead from start to goal";
-    const bool any_angle = options.planner == Planner::theta || options.planner == Planner::lazy_theta;
+    const bool any_angle = options.planner == Algorithm::theta || options.planner == Algorithm::lazy_theta;
     const auto place = [](Cell c) { return std::to_string(c.x) + "," + std::to_string(c.y); };
     if (!slow::sees(map, start, start, options.body)) return "it starts where the agent cannot stand";
     double length = 0;

@@ -9,7 +9,7 @@ inline Plan paper_plan(const Map& map, Mission mission, int removals) {
     mission.rules.removals = removals;
     Method method;
     follow_paper(mission.rules, method);
-    return MissionPlanner().plan(map, mission, method);
+    return Planner().plan(map, mission, method);
 }
 
 }  // namespace waybreaker

@@ -21,7 +21,7 @@
 
 #include "plain_map.hpp"
 #include "slow_sight.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker::slow {
 

@@ -14,7 +14,7 @@
 
 #include "plain_map.hpp"
 #include "slow_sight.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker::slow {
 
@@ -30,7 +30,7 @@ class Search {
         while (!open_.empty()) {
             const Cell cell = std::get<2>(*open_.begin());
             open_.erase(open_.begin());
-            if (options.planner == Planner::lazy_theta) settle(cell);
+            if (options.planner == Algorithm::lazy_theta) settle(cell);
             closed_.insert(cell);
             ++result.expanded;
             if (cell == goal) {
@@ -53,7 +53,7 @@ class Search {
     };
     using Entry = std::tuple<double, float, Cell>;
 
-    bool theta() const { return options_.planner == Planner::theta || options_.planner == Planner::lazy_theta; }
+    bool theta() const { return options_.planner == Algorithm::theta || options_.planner == Algorithm::lazy_theta; }
     bool stands(Cell c) const { return plain_.contains(c) && sees(plain_, c, c, options_.body); }
 
     bool may_step(Cell from, int dx, int dy) const {
@@ -73,10 +73,10 @@ class Search {
         return false;
     }
 
-    double step_cost(Cell a, Cell b) const { return options_.planner == Planner::bfs ? 1 : distance(a, b); }
+    double step_cost(Cell a, Cell b) const { return options_.planner == Algorithm::bfs ? 1 : distance(a, b); }
 
     double estimate(Cell c) const {
-        if (options_.planner == Planner::dijkstra || options_.planner == Planner::bfs) return 0;
+        if (options_.planner == Algorithm::dijkstra || options_.planner == Algorithm::bfs) return 0;
         const int dx = std::abs(c.x - goal_.x);
         const int dy = std::abs(c.y - goal_.y);
         const Heuristic usual = theta()             ? Heuristic::euclidean
@@ -144,7 +144,7 @@ class Search {
                 const Cell to{cell.x + dx, cell.y + dy};
                 for (const std::uint32_t id : in_the_way(to)) ++result.hits[id];
                 if (!may_step(cell, dx, dy) || closed_.count(to) > 0) continue;
-                const bool trusted = options_.planner == Planner::lazy_theta;
+                const bool trusted = options_.planner == Algorithm::lazy_theta;
                 if (theta() && (trusted || line_of_sight(map_, node.parent, to, options_.body))) {
                     reach(to, node.parent, parent_g + distance(node.parent, to));
                 } else {

@@ -79,6 +79,7 @@ struct Violation {
 // the mission's bodies, times or budget, or the tolerance, are out of range; ids of obstacles that the map has not are
 // judged. Time O(length of the ground paths * radius) plus O(obstacles), and for a team O(points of the paths) for each
 // pair of agents whose ways come near each other; any plan can be judged, however broken.
-std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan, double tolerance = 1e-6);
+[[nodiscard]] std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan,
+                                           double tolerance = 1e-6);
 
 }  // namespace waybreaker

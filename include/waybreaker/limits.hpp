@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace waybreaker {
 
@@ -13,23 +14,33 @@ namespace waybreaker {
 class StopToken {
   public:
     StopToken() = default;  // never asks
-    bool stop_requested() const { return requested_ && requested_->load(std::memory_order_relaxed); }
+    bool stop_requested() const {
+        return state_ && (state_->requested.load(std::memory_order_relaxed) || (state_->look && state_->look()));
+    }
 
   private:
     friend class StopSource;
-    explicit StopToken(std::shared_ptr<const std::atomic<bool>> requested) : requested_(std::move(requested)) {}
-    std::shared_ptr<const std::atomic<bool>> requested_;
+    struct State {
+        std::atomic<bool> requested = false;
+        std::function<bool()> look = {};  // asked as well, each time
+    };
+    explicit StopToken(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+    std::shared_ptr<const State> state_;
 };
 
 class StopSource {
   public:
-    StopToken get_token() const { return StopToken(requested_); }
-    bool stop_requested() const { return requested_->load(std::memory_order_relaxed); }
+    StopSource() : state_(std::make_shared<StopToken::State>()) {}
+    // Its token asks this as well whenever it is asked itself, on the thread that works.
+    explicit StopSource(std::function<bool()> look) : StopSource() { state_->look = std::move(look); }
+
+    StopToken get_token() const { return StopToken(state_); }
+    bool stop_requested() const { return state_->requested.load(std::memory_order_relaxed); }
     // Whether this is the first time.
-    bool request_stop() { return !requested_->exchange(true, std::memory_order_relaxed); }
+    bool request_stop() { return !state_->requested.exchange(true, std::memory_order_relaxed); }
 
   private:
-    std::shared_ptr<std::atomic<bool>> requested_ = std::make_shared<std::atomic<bool>>(false);
+    std::shared_ptr<StopToken::State> state_;
 };
 
 // What is known of the objective while obstacles are still being selected, in units of time.

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,7 +28,7 @@ inline constexpr double least_weight = 1e-9;
 inline constexpr double most_weight = 1e12;
 inline constexpr double most_breach_time = 1e9;
 
-// One obstacle: a connected set of blocked cells, or what a label layer says.
+// One obstacle: a connected set of blocked cells, or what a label layer or edits say.
 struct Obstacle {
     ObstacleId id;
     std::uint32_t cells = 0;
@@ -35,6 +37,10 @@ struct Obstacle {
     std::int64_t source_id = 0;  // who it is in the source, e.g. its OpenStreetMap id; 0 = unknown
     double weight = 1;           // what its removal counts for against a budget, least_weight to most_weight
     double breach_time = 0;      // how long its breach takes, beside what the mission says; 0 to most_breach_time
+
+    // Whether edits took all its cells (Map::with). It keeps its id and source_id, its bounds are empty, and no plan
+    // can remove it.
+    bool gone() const { return cells == 0; }
 };
 
 // What a label layer knows of one of its labels; index it by label, entry 0 is not used.
@@ -45,6 +51,8 @@ struct ObstacleAttributes {
     double breach_time = 0;
 };
 
+struct MapEdit;  // map_edit.hpp
+
 class Map {
   public:
     // Obstacles are the maximal connected sets of blocked cells (contract: 4-connected by default).
@@ -54,8 +62,13 @@ class Map {
     // Obstacles are what the label layer says: width * height labels, row by row, 0 = free. Labels may be any numbers;
     // obstacles are numbered anew in scan order. `attributes[label]`, where given, describes the obstacle of that
     // label. Throws InputError if there are not width * height labels, or a size, weight or time is out of range.
-    static Map from_labels(int width, int height, std::vector<std::uint32_t> labels,
-                           std::span<const ObstacleAttributes> attributes = {});
+    [[nodiscard]] static Map from_labels(int width, int height, std::vector<std::uint32_t> labels,
+                                         std::span<const ObstacleAttributes> attributes = {});
+
+    // From pictures of the rows, of one length: `.` is free, any other character a cell of the obstacle of that
+    // character, whether its cells lie together or not. The obstacle's source_id is the character's code, 1 to 255;
+    // ids are given in scan order, as always. Throws InputError for rows of different length, or none.
+    [[nodiscard]] static Map from_rows(const std::vector<std::string>& rows);
 
     int width() const { return grid_.width(); }
     int height() const { return grid_.height(); }
@@ -73,33 +86,56 @@ class Map {
     // builds with assertions check.
     ObstacleId obstacle_at(Cell c) const {
         assert(grid_.contains(c));
-        return ObstacleId{labels_[std::size_t(c.y) * std::size_t(width()) + std::size_t(c.x)]};
+        return ObstacleId{rows_[std::size_t(c.y)].get()[c.x]};
     }
     // Whether cells of different obstacles lie side by side, as they can in a label layer.
-    bool obstacles_touch() const { return obstacles_touch_; }
-    // Labels row by row, as obstacle_at gives them.
-    std::span<const std::uint32_t> labels() const { return labels_; }
+    bool obstacles_touch() const { return touching_ > 0; }
+    // Labels of a row, as obstacle_at gives them. Precondition: 0 <= y < height().
+    std::span<const std::uint32_t> labels(int y) const { return {rows_[std::size_t(y)].get(), std::size_t(width())}; }
+    // All of them, row by row. A map that edits made puts them together when first asked, in 4 bytes a cell.
+    std::span<const std::uint32_t> labels() const {
+        const std::vector<std::uint32_t>* all = together_->labels.load(std::memory_order_acquire);
+        return all != nullptr ? *all : put_together();
+    }
 
     // Equal for copies of one map, and for no others as long as somebody holds it: what is known of the map can be
     // kept.
     const std::shared_ptr<const void>& identity() const { return identity_; }
 
+    // The map with its obstacles changed, in the order of the edits; this one stays as it is. All other obstacles keep
+    // their ids. Time and memory: the rows of the cells that change, a quarter of a byte for each cell of the map and a
+    // copy of the list of obstacles; rows that stay the same are shared. Throws InputError for cells off the map, for
+    // obstacles that are not there, and for attributes out of range.
+    [[nodiscard]] Map with(const std::vector<MapEdit>& edits) const;
+
     // The same map, its obstacles weighing that: weights[id], of every obstacle; entry 0 is not used. Throws InputError
-    // unless there are obstacles().size() + 1 of them from least_weight to most_weight.
-    Map with_weights(std::span<const double> weights) const;
+    // unless there are obstacles().size() + 1 of them, from least_weight to most_weight where the obstacle is not gone.
+    [[nodiscard]] Map with_weights(std::span<const double> weights) const;
 
     // Cells of the map outside the obstacle and 8-adjacent to one of its cells, in scan order. They may be free or
     // belong to other obstacles. Precondition: as of obstacle(id). Time O(bounding box).
-    std::vector<Cell> boundary(ObstacleId id) const;
+    [[nodiscard]] std::vector<Cell> boundary(ObstacleId id) const;
 
   private:
+    class Editor;
+    // All labels in one piece; none before they are asked for.
+    struct Together {
+        std::atomic<const std::vector<std::uint32_t>*> labels = nullptr;
+        Together() = default;
+        Together(const Together&) = delete;
+        Together& operator=(const Together&) = delete;
+        ~Together() { delete labels.load(); }
+    };
+
     Map(Grid&& grid, std::vector<std::uint32_t> labels);
+    const std::vector<std::uint32_t>& put_together() const;
 
     Grid grid_;
     Grid transposed_;
-    std::vector<std::uint32_t> labels_;
+    std::shared_ptr<Together> together_ = std::make_shared<Together>();
+    std::vector<std::shared_ptr<const std::uint32_t[]>> rows_;  // of labels, shared with maps that have the same
     std::vector<Obstacle> obstacles_;
-    bool obstacles_touch_ = false;
+    std::size_t touching_ = 0;  // sides between cells of different obstacles
     std::shared_ptr<const void> identity_ = std::make_shared<char>();
 };
 

@@ -33,7 +33,7 @@ struct Method {
     Selection select = Selection::exact;
     FlightRule flight = FlightRule::optimal;
     // Of the ground agent; see planner_of. The members below are SearchOptions' own.
-    Planner planner = Planner::optimal;
+    Algorithm planner = Algorithm::optimal;
     std::optional<Heuristic> heuristic = std::nullopt;
     double weight = 1.0;
     TieBreak tie_break = TieBreak::g_max;
@@ -44,7 +44,7 @@ struct Method {
 
 // The planner that drives the ground agent: the one asked for; Theta* in place of `optimal` where hits are to be
 // counted, or the agent or its moves are none that `optimal` drives (can_drive_optimally).
-Planner planner_of(const Method& method, const Body& body);
+Algorithm planner_of(const Method& method, const Body& body);
 
 // The method's search of a ground agent, its planner that of planner_of.
 SearchOptions search_options(const Method& method, const Body& body);

@@ -2,7 +2,7 @@
 //
 //     Mission mission = ground_and_air({12, 20}, {400, 380});
 //     mission.rules.removals = 2;
-//     Plan plan = MissionPlanner().plan(map, mission);   // waybreaker/planner.hpp
+//     Plan plan = Planner().plan(map, mission);   // waybreaker/planner.hpp
 #pragma once
 
 #include <array>
@@ -58,6 +58,11 @@ struct Agent {
     int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
 };
 
+// Agents that move one cell in a unit of time; an aircraft returns to its start unless a goal is given.
+[[nodiscard]] Agent vehicle(std::string id, Cell start, Cell goal);
+[[nodiscard]] Agent aircraft(std::string id, Cell start, Cell goal);
+[[nodiscard]] Agent aircraft(std::string id, Cell start);
+
 // How long the air agent stays at a breach point until the obstacle is gone, in units of time: what the map says of the
 // obstacle, and this: each from 0 to most_breach_time.
 struct BreachTime {
@@ -73,7 +78,7 @@ struct Rules {
     int removals = 3;  // how many obstacles may be removed, >= 0
     // What the removed obstacles may weigh together, >= 0, in the units of Obstacle::weight.
     double budget = std::numeric_limits<double>::infinity();
-    std::vector<ObstacleId> protect = {};  // never removed
+    std::vector<ObstacleId> protect = {};  // never removed; may be gone
     std::vector<ObstacleId> force = {};    // must be removed; they count among the removals, and in the budget
     BreachTime breach_time = {};
     Timing timing = Timing::enforce;
@@ -107,7 +112,7 @@ struct Mission {
 };
 
 // The paper's coalition: a ground agent and an air agent that start and end together.
-Mission ground_and_air(Cell start, Cell goal);
+[[nodiscard]] Mission ground_and_air(Cell start, Cell goal);
 
 // Throws InputError, naming what is wrong, if the mission cannot be put on the map: an agent starts in a wall or off
 // the map, rules contradict each other, an obstacle does not exist, two agents of a team have one id or no room beside

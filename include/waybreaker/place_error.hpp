@@ -10,6 +10,7 @@
 namespace waybreaker {
 
 struct Misplaced {
+    std::string agent;     // its id
     std::string what_for;  // "the ground agent's start"
     Cell at;
     ObstacleId obstacle;          // that it lies in; none if there is only too little room

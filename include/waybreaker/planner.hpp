@@ -1,26 +1,59 @@
 // Planner: the paper's method from mission to plan.
 //
-//     MissionPlanner planner;                                   // keeps its memory between missions
+//     Planner planner;                                   // keeps its memory between missions
 //     Plan plan = planner.plan(map, ground_and_air({12, 20}, {400, 380}), {}, {.seconds = 1});
 #pragma once
 
-#include <optional>
+#include <chrono>
+#include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/expected.hpp"
 #include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/method.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 
-class MissionPlanner {
+// Planning in slices, for a loop that has other things to do:
+//
+//     PlanningJob job = planner.start(map, mission);
+//     while (!job.step(std::chrono::milliseconds(2))) draw();
+//     Plan plan = job.plan();
+//
+// The plan is that of Planner::plan, to the byte. It is made by a thread of the job's own, which runs only while
+// a step waits for it; the first step starts it, and where the system has no thread to give, that step does all.
+class PlanningJob {
   public:
+    PlanningJob(PlanningJob&&) noexcept;
+    PlanningJob& operator=(PlanningJob&&) noexcept;
+    // Ends the planning early, as Limits::stop does.
+    ~PlanningJob();
+
+    // Goes on for about that long; true once the plan is there. It is overrun by what lies between two looks at
+    // Limits::stop.
+    bool step(std::chrono::nanoseconds time);
+    bool done() const;
+    // The plan, once; goes on until it is there. Throws what planning threw.
+    Plan plan();
+
+  private:
+    friend class Planner;
+    class Work;
+    explicit PlanningJob(std::unique_ptr<Work> work);
+    std::unique_ptr<Work> work_;
+};
+
+class Planner {
+  public:
+    Planner();
+    ~Planner();
+    Planner(Planner&&) noexcept;
+    Planner& operator=(Planner&&) noexcept;
+
     // Validates, searches the ground path without removal, selects obstacles (the paper's section 3, or with proof),
     // and puts all agents in time. With timing enforced no plan is worse than removing nothing, unless rules.force
     // demands removals. More removals can cost more where breaches take time, bases or speeds differ, or a limit ended
@@ -28,6 +61,18 @@ class MissionPlanner {
     // may breach. Aircraft that may breach nothing change no other agent's path. When limits.seconds are over: the best
     // plan found by then, with Plan::limit_reached. Keeps its memory between calls; not for two threads at once.
     Plan plan(const Map& map, const Mission& mission, const Method& method = {}, const Limits& limits = {});
+
+    // The same, bad input as a value; throws nothing but what the standard library does where memory runs out.
+    Expected<Plan> try_plan(const Map& map, const Mission& mission, const Method& method = {},
+                            const Limits& limits = {});
+
+    // The same in slices. The planner is busy until the job is done or gone; it and the map stay where they are as
+    // long. limits.seconds run on between steps, limits.threads is 1, and limits.progress is called within a step.
+    // Throws InputError at once.
+    [[nodiscard]] PlanningJob start(const Map& map, const Mission& mission, const Method& method = {},
+                                    const Limits& limits = {});
+    PlanningJob start(const Map&& map, const Mission& mission, const Method& method = {},
+                      const Limits& limits = {}) = delete;
 
     // What each further removal gains: the plans for 0, 1, 2, ... removals, up to the last that gains, at most
     // rules.removals; none is worse than the one before, except to demolish less. limits.seconds is that of all plans
@@ -41,21 +86,15 @@ class MissionPlanner {
     std::vector<Plan> front_of_active(const Map& map, const Mission& mission, const Method& method,
                                       const Limits& limits);
 
-    Searcher searcher_;
-    CrossingSearcher crossing_;
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
 };
 
-// A mission of a batch: its plan, or why it cannot be planned (the message of the InputError).
-struct BatchPlan {
-    std::optional<Plan> plan;
-    std::string error;  // empty if there is a plan
-};
-
-// Plans each mission as MissionPlanner::plan does, over that many threads (0: all cores), and gives the results in the
-// order of the missions: the same whatever the number of threads, measured seconds aside. A mission that cannot be put
-// on the map costs the others nothing. The limits hold for each mission; limits.progress is called on several threads
-// at a time.
-std::vector<BatchPlan> plan_all(const Map& map, std::span<const Mission> missions, const Method& method = {},
-                                const Limits& limits = {}, unsigned threads = 0);
+// Plans each mission as Planner::try_plan does, over that many threads (0: all cores), and gives the results in
+// the order of the missions: the same whatever the number of threads, measured seconds aside. A mission that cannot be
+// put on the map costs the others nothing. The limits hold for each mission; limits.progress is called on several
+// threads at a time.
+std::vector<Expected<Plan>> plan_all(const Map& map, std::span<const Mission> missions, const Method& method = {},
+                                     const Limits& limits = {}, unsigned threads = 0);
 
 }  // namespace waybreaker

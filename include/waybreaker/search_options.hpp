@@ -12,11 +12,12 @@
 
 namespace waybreaker {
 
-// `optimal` is the crossing search with nothing to cross (crossing.hpp); a mission can ask for it, a Searcher cannot.
-enum class Planner { theta, lazy_theta, astar, jps, dijkstra, bfs, optimal };
+// How a search goes about it. `optimal` is the crossing search with nothing to cross (crossing.hpp); a mission can ask
+// for it, a Searcher cannot.
+enum class Algorithm { theta, lazy_theta, astar, jps, dijkstra, bfs, optimal };
 template <>
-inline constexpr std::array<std::string_view, 7> words_of<Planner>{"theta",    "lazy-theta", "astar",  "jps",
-                                                                   "dijkstra", "bfs",        "optimal"};
+inline constexpr std::array<std::string_view, 7> words_of<Algorithm>{"theta",    "lazy-theta", "astar",  "jps",
+                                                                     "dijkstra", "bfs",        "optimal"};
 
 enum class Heuristic { euclidean, octile, chebyshev, manhattan, zero };
 template <>
@@ -39,7 +40,7 @@ class SearchListener {
 inline constexpr double most_heuristic_weight = 1e6;
 
 struct SearchOptions {
-    Planner planner = Planner::theta;
+    Algorithm planner = Algorithm::theta;
     // Default: euclidean for theta and lazy_theta, octile for astar and jps (manhattan without diagonal moves).
     // Dijkstra and BFS use none.
     std::optional<Heuristic> heuristic = std::nullopt;
@@ -52,7 +53,7 @@ struct SearchOptions {
     SearchListener* listener = nullptr;  // not owned; called at every step
 };
 
-// Whether Planner::optimal moves an agent of that body: one that passes no blocked corner, by eight moves.
+// Whether Algorithm::optimal moves an agent of that body: one that passes no blocked corner, by eight moves.
 bool can_drive_optimally(const Body& body, bool diagonal);
 
 // The heuristic that a search with these options uses.

@@ -1,24 +1,22 @@
-// waybreaker, all of it: missions of ground agents whose way aircraft can open. Depends on the standard library alone.
+// waybreaker: missions of ground agents whose way aircraft can open, planned and checked. Depends on the standard
+// library alone. What plans are made of, search by search: advanced.hpp.
 #pragma once
 
 #include "waybreaker/body.hpp"            // IWYU pragma: export
 #include "waybreaker/cell.hpp"            // IWYU pragma: export
 #include "waybreaker/check.hpp"           // IWYU pragma: export
-#include "waybreaker/crossing.hpp"        // IWYU pragma: export
 #include "waybreaker/error.hpp"           // IWYU pragma: export
-#include "waybreaker/flight.hpp"          // IWYU pragma: export
+#include "waybreaker/expected.hpp"        // IWYU pragma: export
 #include "waybreaker/grid.hpp"            // IWYU pragma: export
 #include "waybreaker/limits.hpp"          // IWYU pragma: export
 #include "waybreaker/map.hpp"             // IWYU pragma: export
+#include "waybreaker/map_edit.hpp"        // IWYU pragma: export
 #include "waybreaker/method.hpp"          // IWYU pragma: export
 #include "waybreaker/mission.hpp"         // IWYU pragma: export
 #include "waybreaker/movingai.hpp"        // IWYU pragma: export
 #include "waybreaker/place_error.hpp"     // IWYU pragma: export
 #include "waybreaker/plan.hpp"            // IWYU pragma: export
 #include "waybreaker/planner.hpp"         // IWYU pragma: export
-#include "waybreaker/safe_interval.hpp"   // IWYU pragma: export
-#include "waybreaker/schedule.hpp"        // IWYU pragma: export
-#include "waybreaker/search.hpp"          // IWYU pragma: export
 #include "waybreaker/search_options.hpp"  // IWYU pragma: export
 #include "waybreaker/version.hpp"         // IWYU pragma: export
 #include "waybreaker/words.hpp"           // IWYU pragma: export

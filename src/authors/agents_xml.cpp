@@ -126,8 +126,8 @@ InputError no_map(const Element& root) {
         return found;
     };
     const char* const seems = root.is("graphml")        ? "this is a roadmap (GraphML), and maps are grids here"
-                              : has("agents")           ? "it holds agents: give its map, and this file with --agents"
-                              : has("agent")            ? "it holds agents: give its map, and this file with --agents"
+                              : has("agents")           ? "it holds agents: give its map, and this file as the agents"
+                              : has("agent")            ? "it holds agents: give its map, and this file as the agents"
                               : has("dynamicobstacles") ? "it holds moving obstacles, which are not planned around"
                               : has("algorithm")        ? "it holds options of another program: give its map"
                                                         : nullptr;

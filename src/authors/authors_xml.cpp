@@ -109,7 +109,7 @@ Value choice(const Element& algorithm, std::string_view tag, const XmlWords<Valu
 
 SearchOptions read_algorithm(const Element& algorithm) {
     SearchOptions search;
-    search.planner = choice(algorithm, "searchtype", xml_planners, Planner::theta);
+    search.planner = choice(algorithm, "searchtype", xml_planners, Algorithm::theta);
     search.heuristic = choice(algorithm, "metrictype", xml_heuristics, std::optional<Heuristic>());
     search.tie_break = choice(algorithm, "breakingties", xml_ties, TieBreak::g_max);
     if (const auto weight = algorithm.find("hweight")) search.weight = weight_of(*weight);
@@ -144,7 +144,7 @@ AuthorsXml parse_authors_xml(std::string_view bytes, const std::string& name) {
     if (const auto algorithm = file.root().find("algorithm")) {
         task.search = read_algorithm(*algorithm);
         // The authors' program smooths no path of Theta*.
-        task.smoothing = flag(*algorithm, "postsmoothing", false) && task.search.planner != Planner::theta;
+        task.smoothing = flag(*algorithm, "postsmoothing", false) && task.search.planner != Algorithm::theta;
     }
     return result;
 }

@@ -13,11 +13,11 @@ namespace waybreaker::authors {
 template <class Value, std::size_t n>
 using XmlWords = std::array<std::pair<std::string_view, Value>, n>;
 
-inline constexpr XmlWords<Planner, 5> xml_planners{{{"theta", Planner::theta},
-                                                    {"astar", Planner::astar},
-                                                    {"jp_search", Planner::jps},
-                                                    {"dijkstra", Planner::dijkstra},
-                                                    {"bfs", Planner::bfs}}};
+inline constexpr XmlWords<Algorithm, 5> xml_planners{{{"theta", Algorithm::theta},
+                                                      {"astar", Algorithm::astar},
+                                                      {"jp_search", Algorithm::jps},
+                                                      {"dijkstra", Algorithm::dijkstra},
+                                                      {"bfs", Algorithm::bfs}}};
 inline constexpr XmlWords<std::optional<Heuristic>, 4> xml_heuristics{{{"diagonal", Heuristic::octile},
                                                                        {"manhattan", Heuristic::manhattan},
                                                                        {"euclid", Heuristic::euclidean},

@@ -26,7 +26,7 @@ Cells turns_of(const Itinerary& agent) {
         const bool near = std::abs(point.x) <= max_side && std::abs(point.y) <= max_side;
         if (!near || point.x != std::round(point.x) || point.y != std::round(point.y)) {
             throw InputError("the authors' XML knows paths from cell to cell only, and agent " + agent.id +
-                             " turns at corners of cells; use another format, or another --planner");
+                             " turns at corners of cells; use another format, or another planner");
         }
         const Cell cell{int(point.x), int(point.y)};
         if (cells.empty() || cells.back() != cell) cells.push_back(cell);

@@ -24,7 +24,7 @@ struct waybreaker_map {
 
 struct waybreaker_planner {
     // Empty until it plans, and after a call that ran out of memory in the middle of its work.
-    std::optional<waybreaker::MissionPlanner> kept;
+    std::optional<waybreaker::Planner> kept;
     // Of the call that runs. The flag is held as long as it takes to copy a pointer; there is no std::mutex where there
     // are no threads, as in WebAssembly.
     std::atomic_flag locked;

@@ -87,12 +87,12 @@ Text document_of(waybreaker_planner& planner, const waybreaker_map& map, std::st
     }
 }
 
-std::string plan_document(MissionPlanner& planner, const io::PlanContext& context) {
+std::string plan_document(Planner& planner, const io::PlanContext& context) {
     const io::MissionDocument& asked = context.asked;
     return io::plan_json(planner.plan(context.map.map, asked.mission, asked.method, asked.limits), context);
 }
 
-std::string front_document(MissionPlanner& planner, const io::PlanContext& context) {
+std::string front_document(Planner& planner, const io::PlanContext& context) {
     io::MissionDocument asked = context.asked;
     const std::vector<Plan> front = planner.front(context.map.map, asked.mission, asked.method, asked.limits);
     asked.mission.rules.removals = io::removals_of(front, asked.mission.rules);

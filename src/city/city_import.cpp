@@ -130,8 +130,8 @@ int section_side(const ImportOptions& options) {
     const double metres = options.section.value_or(profile_of(options) == Profile::paper ? 0 : usual_section);
     if (metres == 0) return 0;
     if (metres < options.cell) {
-        throw InputError(
-            fmt::format("--section {}: cells have {} m; give at least that, or none", metres, options.cell));
+        throw OptionError("section",
+                          fmt::format("{}: cells have {} m; give at least that, or none", metres, options.cell));
     }
     return int(std::round(std::min(metres / options.cell, double(max_side))));
 }
@@ -350,8 +350,9 @@ std::size_t import_tiles(const std::string& source, const ImportOptions& given, 
     const double cells = std::round(side / options.cell);
     const int least = std::min(window.width, window.height);
     if (!(cells >= 1 && cells <= least)) {
-        throw InputError(fmt::format("--tile {}: the window has {} x {} m, and cells have {} m: no such tile fits",
-                                     side, window.width * options.cell, window.height * options.cell, options.cell));
+        throw OptionError("tile",
+                          fmt::format("{}: the window has {} x {} m, and cells have {} m: no such tile fits", side,
+                                      window.width * options.cell, window.height * options.cell, options.cell));
     }
     const Material material = read(source, window.window, options);
     const int tile = int(cells);

@@ -25,27 +25,26 @@ OGRSpatialReference utm_at(double longitude, double latitude) {
 
 void check_cell(double cell) {
     if (!(cell >= 0.01 && cell <= 1000)) {
-        throw InputError(fmt::format("--cell {}: expected a cell size from 0.01 to 1000 metres", cell));
+        throw OptionError("cell", fmt::format("{}: expected a cell size from 0.01 to 1000 metres", cell));
     }
 }
 
 int checked_cells(const ImportOptions& options) {
     if (!(std::abs(options.longitude) <= 180) || !(std::abs(options.latitude) <= 80)) {
-        throw InputError(
-            fmt::format("--center {},{}: expected LON,LAT in degrees, longitude within 180 of 0 and "
-                        "latitude within 80 (there are no UTM zones beyond)",
-                        options.longitude, options.latitude));
+        throw OptionError("center", fmt::format("{},{}: expected LON,LAT in degrees, longitude within 180 of 0 and "
+                                                "latitude within 80 (there are no UTM zones beyond)",
+                                                options.longitude, options.latitude));
     }
     check_cell(options.cell);
     const int limit = int(std::sqrt(double(max_cells)));
     const double cells = std::round(options.size / options.cell);
     if (!(cells >= 1 && cells <= limit)) {
-        throw InputError(fmt::format("--size {}: with cells of {} m a window can be {} to {} m wide", options.size,
-                                     options.cell, options.cell, options.cell * limit));
+        throw OptionError("size", fmt::format("{}: with cells of {} m a window can be {} to {} m wide", options.size,
+                                              options.cell, options.cell, options.cell * limit));
     }
     if (!(options.size <= widest)) {
-        throw InputError(
-            fmt::format("--size {}: a window of one UTM zone can be up to {} m wide", options.size, widest));
+        throw OptionError("size",
+                          fmt::format("{}: a window of one UTM zone can be up to {} m wide", options.size, widest));
     }
     return int(cells);
 }
@@ -89,7 +88,7 @@ CellWindow window_around(const ImportOptions& options) {
 CellWindow window_of_box(const std::array<double, 4>& box, double cell) {
     const auto [west, south, east, north] = box;
     const auto refuse = [&](const char* reason) {
-        throw InputError(fmt::format("--bbox {},{},{},{}: {}", west, south, east, north, reason));
+        throw OptionError("bbox", fmt::format("{},{},{},{}: {}", west, south, east, north, reason));
     };
     if (!(std::abs(west) <= 180 && std::abs(east) <= 180 && std::abs(south) <= 80 && std::abs(north) <= 80)) {
         refuse("expected WEST,SOUTH,EAST,NORTH in degrees, latitudes within 80");
@@ -113,7 +112,7 @@ CellWindow window_of_box(const std::array<double, 4>& box, double cell) {
     const double height = std::max(std::round((bounds.MaxY - bounds.MinY) / cell), 1.0);
     if (width * cell > widest || height * cell > widest) refuse("is wider than the 100 km of one UTM zone's window");
     if (width > max_side || height > max_side || width * height > double(max_cells)) {
-        refuse("has too many cells; give a larger --cell");
+        refuse("has too many cells; give larger cells");
     }
     return window_at(utm, bounds.MinX, bounds.MaxY, int(width), int(height), cell, center);
 }

@@ -10,6 +10,7 @@
 #include "city/vector_source.hpp"
 #include "core/in_quotes.hpp"
 #include "geotiff/gdal_scope.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -34,9 +35,9 @@ void choose_buildings(std::vector<OGRLayer*>& layers, const std::string& source)
         std::erase_if(layers, [&](OGRLayer* layer) { return !knows(layer); });
         return;
     }
-    throw refusal(source,
-                  fmt::format("has {} layers of areas ({}) and none says what is a building; name one by --layer",
-                              layers.size(), names_of(layers)));
+    throw OptionError("layer",
+                      fmt::format("is missing: {} has {} layers of areas ({}) and none says what is a building", source,
+                                  layers.size(), names_of(layers)));
 }
 
 // The layer of that name alone.

@@ -135,7 +135,7 @@ std::vector<std::uint32_t> rasterise(const std::vector<Thing>& things, site::Ove
 
 void note(const LeftOut& left_out, std::size_t things, std::vector<std::string>& notes) {
     if (const std::size_t count = left_out.points; count > 0) {
-        notes.push_back(fmt::format("{}; --width METRES makes a disc of {}",
+        notes.push_back(fmt::format("{}; a width makes a disc of {}",
                                     count == 1 ? "1 point is left out" : fmt::format("{} points are left out", count),
                                     count == 1 ? "it" : "each"));
     }

@@ -159,7 +159,8 @@ bool Columns::may_gain(std::size_t vehicle, const Obstacle& obstacle) const {
     const Agent& agent = *problem_.vehicles()[vehicle];
     const double closed = (pools_[vehicle].columns.front().arrival - agent.ready_at) * agent.speed;
     const double reach = agent.body.reach() + 1;
-    return gap(obstacle.bounds, agent.start) + gap(obstacle.bounds, agent.goal) - 2 * reach < closed;
+    return !obstacle.gone() &&
+           gap(obstacle.bounds, agent.start) + gap(obstacle.bounds, agent.goal) - 2 * reach < closed;
 }
 
 // In cells that it could drive until then.

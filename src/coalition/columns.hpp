@@ -10,7 +10,7 @@
 
 #include "coalition/problem.hpp"
 #include "coalition/workers.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker::coalition {
 

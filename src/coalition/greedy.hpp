@@ -9,7 +9,7 @@
 #include "coalition/workers.hpp"
 #include "schedule/earliest_openings.hpp"
 #include "team/fleet.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker::coalition {
 

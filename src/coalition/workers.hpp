@@ -7,8 +7,8 @@
 #include "coalition/problem.hpp"
 #include "core/parallel.hpp"
 #include "schedule/earliest_openings.hpp"
-#include "waybreaker/crossing.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/crossing.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker::coalition {
 

@@ -18,8 +18,9 @@ inline std::string number_text(double value) {
 // Throws InputError, "WHAT must be from 0 to 10, not nan", unless least <= value <= most.
 inline void require_range(double value, double least, double most, const std::string& what) {
     if (value >= least && value <= most) return;
-    throw InputError(what + " must be from " + number_text(least) + " to " + number_text(most) + ", not " +
-                     number_text(value));
+    throw InputError(
+        ErrorCode::out_of_range, what,
+        what + " must be from " + number_text(least) + " to " + number_text(most) + ", not " + number_text(value));
 }
 
 // The same of an enum, which a program can make of any number.

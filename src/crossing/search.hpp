@@ -24,7 +24,7 @@
 #include "crossing/labels/crossed_sets.hpp"
 #include "crossing/labels/labels.hpp"
 #include "crossing/labels/query.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker {
 

@@ -12,8 +12,9 @@ void validate(const Map& map, const CrossingOptions& options) {
     const auto check_ids = [&map](std::span<const ObstacleId> ids, const char* what) {
         for (const ObstacleId id : ids) {
             if (id.value >= 1 && id.value <= map.obstacles().size()) continue;
-            throw InputError("the map has no obstacle " + std::to_string(id.value) + " to " + what + "; it has " +
-                             std::to_string(map.obstacles().size()));
+            throw InputError(ErrorCode::unknown_obstacle, std::to_string(id.value),
+                             "the map has no obstacle " + std::to_string(id.value) + " to " + what + "; it has " +
+                                 std::to_string(map.obstacles().size()));
         }
     };
     if (options.crossings < 0) throw InputError("the number of crossings cannot be negative");

@@ -1,7 +1,7 @@
 // Checks of a query.
 #pragma once
 
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker {
 

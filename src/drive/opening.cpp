@@ -108,7 +108,7 @@ Opening open_for_disc(const Trip& trip, const Searchers& searchers, std::vector<
 
 SearchOptions Trip::by_cells() const {
     SearchOptions options = search;
-    if (by_crossing()) options.planner = Planner::theta;
+    if (by_crossing()) options.planner = Algorithm::theta;
     options.limits = limits(deadline.left());
     return options;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
 
@@ -28,7 +28,7 @@ struct Trip {
     std::uint64_t expansions = UINT64_MAX;
     StopToken stop = {};
 
-    bool by_crossing() const { return search.planner == Planner::optimal; }
+    bool by_crossing() const { return search.planner == Algorithm::optimal; }
     Limits limits(double seconds) const { return {.seconds = seconds, .expansions = expansions, .stop = stop}; }
     // Limits of a search from cell to cell that ends with the call's time: Theta* where the planner is the optimal one.
     SearchOptions by_cells() const;

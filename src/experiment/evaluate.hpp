@@ -19,7 +19,7 @@ class Evaluator {
     Result plan(const Map& map, const ExperimentMission& mission, const Configuration& configuration,
                 const StopToken& stop);
 
-    MissionPlanner planner_;
+    Planner planner_;
 };
 
 }  // namespace waybreaker::experiment

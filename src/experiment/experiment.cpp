@@ -44,8 +44,8 @@ void require_plannable(const Experiment& experiment, const std::string& spec) {
     const auto is_team = [](const ExperimentMission& one) { return one.mission.is_team(); };
     if (std::ranges::none_of(experiment.missions, is_team)) return;
     for (const Configuration& one : experiment.configurations) {
-        const bool usual = one == Configuration{Method::exact, Planner::optimal, 1, one.removals} ||
-                           one == Configuration{Method::none, Planner::theta, 1, 0};
+        const bool usual = one == Configuration{Method::exact, Algorithm::optimal, 1, one.removals} ||
+                           one == Configuration{Method::none, Algorithm::theta, 1, 0};
         if (usual) continue;
         throw InputError(spec, 0,
                          "teams are planned by exact and none, without planners and weights: give a spec of its own to "

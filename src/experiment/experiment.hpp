@@ -39,7 +39,7 @@ namespace waybreaker::experiment {
 
 struct Configuration {
     Method method = Method::exact;
-    Planner planner = Planner::optimal;
+    Algorithm planner = Algorithm::optimal;
     double weight = 1;
     int removals = 0;
     friend bool operator==(const Configuration&, const Configuration&) = default;

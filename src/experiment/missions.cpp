@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/random.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker::experiment {
 namespace {
@@ -52,11 +52,11 @@ DrawnMissions draw_missions(const Map& map, const MissionRules& rules) {
     for (int i = 0; i < rules.pairs; ++i) {
         const auto [start, goal] = draw_pair(map, rules.min_distance, random);
         ++missions.drawn;
-        const SearchResult way = searcher.find(closed, start, goal, {.planner = Planner::theta});
+        const SearchResult way = searcher.find(closed, start, goal, {.planner = Algorithm::theta});
         if (way.status != SearchStatus::found) {
             ++missions.without_way;
         } else if (way.length > (1 + rules.min_detour) * distance(start, goal)) {
-            const double octile = searcher.find(closed, start, goal, {.planner = Planner::astar}).length;
+            const double octile = searcher.find(closed, start, goal, {.planner = Algorithm::astar}).length;
             missions.kept.push_back({.bucket = int(octile / bucket_size),
                                      .map = {},
                                      .width = map.width(),

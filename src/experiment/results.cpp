@@ -105,7 +105,7 @@ void Results::read() {
     for (SQLite::Statement one(sql, "SELECT method, planner, weight, removals FROM configurations ORDER BY id");
          one.executeStep();) {
         experiment_.configurations.push_back({value_of<Method>(one.getColumn(0).getText()),
-                                              value_of<Planner>(one.getColumn(1).getText()),
+                                              value_of<Algorithm>(one.getColumn(1).getText()),
                                               one.getColumn(2).getDouble(), one.getColumn(3).getInt()});
     }
     for (SQLite::Statement one(sql, "SELECT \"set\", map, octile, document FROM missions ORDER BY id");

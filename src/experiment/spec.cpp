@@ -84,22 +84,22 @@ class Reader {
 // Nothing that the method cannot do, or that would silently make no difference.
 void validate(const Reader& reader, const toml::table& run, const Configuration& one) {
     const bool paper = one.method == Method::paper;
-    if (paper && one.planner == Planner::optimal) {
+    if (paper && one.planner == Algorithm::optimal) {
         throw reader.error(run, "the paper's method counts hits, which the optimal planner cannot: use theta");
     }
-    if (one.method == Method::greedy && one.planner != Planner::optimal) {
+    if (one.method == Method::greedy && one.planner != Algorithm::optimal) {
         throw reader.error(run, "the greedy method drives by the optimal planner only");
     }
     const bool weightless =
-        one.planner == Planner::optimal || one.planner == Planner::dijkstra || one.planner == Planner::bfs;
+        one.planner == Algorithm::optimal || one.planner == Algorithm::dijkstra || one.planner == Algorithm::bfs;
     if (weightless && one.weight != 1) {
         throw reader.error(
             run, fmt::format("the planner {} has no heuristic that a weight could change", to_string(one.planner)));
     }
 }
 
-Planner usual_planner(Method method) {
-    return method == Method::paper || method == Method::none ? Planner::theta : Planner::optimal;
+Algorithm usual_planner(Method method) {
+    return method == Method::paper || method == Method::none ? Algorithm::theta : Algorithm::optimal;
 }
 
 // The product of a [[run]]'s lists.
@@ -124,10 +124,10 @@ std::vector<Configuration> configurations(const Reader& reader, const toml::tabl
         if (method != Method::none && removals.empty()) {
             throw reader.error(run, "this [[run]] needs 'removals', such as [1, 2, 3]");
         }
-        std::vector<Planner> drivers;
-        for (const toml::node* node : planners) drivers.push_back(reader.word<Planner>(*node));
+        std::vector<Algorithm> drivers;
+        for (const toml::node* node : planners) drivers.push_back(reader.word<Algorithm>(*node));
         if (drivers.empty()) drivers.push_back(usual_planner(method));
-        for (const Planner planner : drivers) {
+        for (const Algorithm planner : drivers) {
             for (const double weight : weights) {
                 for (const int n : method == Method::none ? std::vector<int>{0} : removals) {
                     product.push_back({method, planner, weight, n});

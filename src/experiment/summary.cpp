@@ -40,10 +40,11 @@ bool comparable(MissionResults row) {
 }
 
 std::string name_of(const Configuration& one, bool weights_differ) {
-    const Planner usual = one.method == Method::paper || one.method == Method::none ? Planner::theta : Planner::optimal;
+    const Algorithm usual =
+        one.method == Method::paper || one.method == Method::none ? Algorithm::theta : Algorithm::optimal;
     std::string name(to_string(one.method));
     if (one.planner != usual) name += fmt::format(", {}", to_string(one.planner));
-    if (weights_differ && one.planner != Planner::optimal) name += fmt::format(", w = {}", one.weight);
+    if (weights_differ && one.planner != Algorithm::optimal) name += fmt::format(", w = {}", one.weight);
     return name;
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "waybreaker/flight.hpp"
+#include "waybreaker/advanced/flight.hpp"
 
 namespace waybreaker {
 

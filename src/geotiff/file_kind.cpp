@@ -96,7 +96,7 @@ std::optional<FileKind> json_kind(std::string_view head) {
     const auto has = [text](std::string_view word) { return text.find(word) != std::string_view::npos; };
     if (has("\"waybreaker-plan/")) return FileKind{"a plan file", "name the map that it was made for", neither};
     if (has("\"waybreaker-mission/")) {
-        return FileKind{"a mission file", "name its map, and the mission as --mission", neither};
+        return FileKind{"a mission file", "name its map, and this file as the mission", neither};
     }
     if (has("\"elements\"") && (has("\"osm3s\"") || has("Overpass"))) {
         return FileKind{"JSON of the Overpass API",

@@ -47,7 +47,7 @@ std::string plan_geojson(const Plan& plan, const MapFile& map, const site::ToLon
     if (!to_lon_lat) {
         throw InputError(map.source +
                          ": GeoJSON needs longitude and latitude, but the map does not say where it lies on earth; "
-                         "--csv and --ros-path do without");
+                         "CSV and ROS paths do without");
     }
     std::vector<Json> features;
     for (std::size_t i = 0; i < plan.breaches.size(); ++i) {

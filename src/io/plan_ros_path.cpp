@@ -108,7 +108,7 @@ void require_bounded(const std::vector<Pose>& corners, double step) {
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) poses += pieces_between(corners[i], corners[i + 1], step);
     if (!(poses <= most_poses)) {
         throw InputError("a pose every " + shortest_text(step) +
-                         " m makes more than a million of them; give a larger --step");
+                         " m makes more than a million of them; give a larger step");
     }
     const auto late = [](const Pose& pose) { return !(pose.t >= 0 && pose.t <= last_second); };
     if (std::any_of(corners.begin(), corners.end(), late)) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "map/map_size.hpp"
+#include "map/require_on_map.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
@@ -45,12 +46,17 @@ Grid::Grid(int width, int height)
     }
 }
 
-void Grid::set_blocked(Cell c, bool blocked) {
-    if (!contains(c)) {
-        throw InputError("cell " + std::to_string(c.x) + "," + std::to_string(c.y) +
-                         " is off the map: x goes from 0 to " + std::to_string(width_ - 1) + ", y from 0 to " +
-                         std::to_string(height_ - 1));
+void require_on_map(const Grid& grid, Cell c) {
+    if (!grid.contains(c)) {
+        throw InputError(ErrorCode::off_map, "",
+                         "cell " + std::to_string(c.x) + "," + std::to_string(c.y) +
+                             " is off the map: x goes from 0 to " + std::to_string(grid.width() - 1) +
+                             ", y from 0 to " + std::to_string(grid.height() - 1));
     }
+}
+
+void Grid::set_blocked(Cell c, bool blocked) {
+    require_on_map(*this, c);
     const std::size_t bit = std::size_t(c.x + 1);
     std::uint64_t& word = mutable_row(c.y)[bit / 64];
     const std::uint64_t mask = std::uint64_t{1} << (bit % 64);

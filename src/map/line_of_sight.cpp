@@ -37,7 +37,8 @@ void validate(const Body& body) {
         require_range(body.radius, 1 / double(unit), max_radius, "the radius, in cells, unless it is 0,");
     require_enumerator(body.corners, Corners::squeeze, "what an agent does at corners");
     if (body.corners != Corners::none && body.radius != 0.5) {
-        throw InputError("an agent that cuts corners or squeezes through is a point: leave its radius at 0.5");
+        throw InputError(ErrorCode::contradiction, "",
+                         "an agent that cuts corners or squeezes through is a point: leave its radius at 0.5");
     }
 }
 

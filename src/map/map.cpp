@@ -7,6 +7,7 @@
 
 #include "core/range.hpp"
 #include "map/bit_run.hpp"
+#include "map/describe.hpp"
 #include "map/label.hpp"
 #include "waybreaker/error.hpp"
 
@@ -15,18 +16,23 @@ namespace waybreaker {
 // The grid is only taken once it is labelled: binding a reference moves nothing.
 Map::Map(Grid grid, Connectivity connectivity) : Map(std::move(grid), label_components(grid, connectivity)) {}
 
-Map::Map(Grid&& grid, std::vector<std::uint32_t> labels)
-    : grid_(std::move(grid)), transposed_(grid_.transposed()), labels_(std::move(labels)) {
-    obstacles_.reserve(*std::max_element(labels_.begin(), labels_.end()));  // they can be most of the map's memory
+Map::Map(Grid&& grid, std::vector<std::uint32_t> labels) : grid_(std::move(grid)), transposed_(grid_.transposed()) {
+    together_->labels = new std::vector<std::uint32_t>(std::move(labels));
+    const std::span<const std::uint32_t> all = this->labels();
+    for (std::size_t y = 0; y < std::size_t(height()); ++y) {
+        rows_.emplace_back(together_, all.data() + y * std::size_t(width()));
+    }
+    obstacles_.reserve(*std::max_element(all.begin(), all.end()));  // they can be most of the map's memory
     for (int y = 0; y < height(); ++y) {
-        const std::uint32_t* row = labels_.data() + std::size_t(y) * std::size_t(width());
+        const std::span<const std::uint32_t> row = this->labels(y);
         for_each_run(grid_.row(y), width(), [&](int first, int last) {
             // A run of blocked cells can hold several obstacles where the labels come from outside.
             while (first <= last) {
-                const ObstacleId id{row[first]};
+                const ObstacleId id{row[std::size_t(first)]};
                 int end = first + 1;
-                while (end <= last && row[end] == id.value) ++end;
-                if (first > 0 && row[first - 1] != 0 && row[first - 1] != id.value) obstacles_touch_ = true;
+                while (end <= last && row[std::size_t(end)] == id.value) ++end;
+                const std::uint32_t before = first > 0 ? row[std::size_t(first - 1)] : 0;
+                if (before != 0 && before != id.value) ++touching_;
                 if (id.value > obstacles_.size()) obstacles_.push_back({.id = id, .bounds = {{first, y}, {first, y}}});
                 Obstacle& obstacle = obstacles_[id.value - 1];
                 obstacle.cells += std::uint32_t(end - first);
@@ -48,7 +54,7 @@ Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
     }
     std::unordered_map<std::uint32_t, std::uint32_t> id_of_label;
     std::vector<std::uint32_t> label_of_id;
-    bool touch = false;
+    std::size_t touching = 0;  // one above the other
     std::uint32_t* label = labels.data();
     for (int y = 0; y < height; ++y) {
         std::uint32_t last_label = 0;
@@ -63,25 +69,36 @@ Map Map::from_labels(int width, int height, std::vector<std::uint32_t> labels,
             }
             *label = last_id;
             const std::uint32_t above = y > 0 ? *(label - width) : 0;
-            touch = touch || (above != 0 && above != last_id);
+            if (above != 0 && above != last_id) ++touching;
             grid.set_blocked({x, y}, true);
         }
     }
     Map map(std::move(grid), std::move(labels));
-    map.obstacles_touch_ = map.obstacles_touch_ || touch;
+    map.touching_ += touching;
     for (Obstacle& obstacle : map.obstacles_) {
         const std::uint32_t source_label = label_of_id[obstacle.id.value - 1];
         if (source_label >= attributes.size()) continue;
         const ObstacleAttributes& given = attributes[source_label];
-        const auto what = [&](const char* is) { return is + (" of label " + std::to_string(source_label)); };
-        require_range(given.weight, least_weight, most_weight, what("the weight"));
-        require_range(given.breach_time, 0, most_breach_time, what("the breach time"));
-        obstacle.destructible = given.destructible;
-        obstacle.source_id = given.source_id;
-        obstacle.weight = given.weight;
-        obstacle.breach_time = given.breach_time;
+        describe(obstacle, given, "of label " + std::to_string(source_label));
     }
     return map;
+}
+
+Map Map::from_rows(const std::vector<std::string>& rows) {
+    if (rows.empty()) throw InputError("a map needs at least one row");
+    const std::size_t width = rows.front().size();
+    std::vector<std::uint32_t> labels;
+    for (std::size_t y = 0; y < rows.size(); ++y) {
+        if (rows[y].size() != width) {
+            throw InputError("row " + std::to_string(y) + " of the map has " + std::to_string(rows[y].size()) +
+                             " cells, and row 0 has " + std::to_string(width));
+        }
+        for (const char tile : rows[y]) labels.push_back(tile == '.' ? 0U : static_cast<unsigned char>(tile) + 1U);
+    }
+    std::vector<ObstacleAttributes> tiles(257);  // by label, which is the character's code and 1
+    for (std::size_t label = 1; label < tiles.size(); ++label) tiles[label].source_id = std::int64_t(label) - 1;
+    constexpr std::size_t too_long = max_side + 1;
+    return from_labels(int(std::min(width, too_long)), int(std::min(rows.size(), too_long)), std::move(labels), tiles);
 }
 
 Map Map::with_weights(std::span<const double> weights) const {
@@ -91,11 +108,24 @@ Map Map::with_weights(std::span<const double> weights) const {
     }
     Map map = *this;
     for (Obstacle& obstacle : map.obstacles_) {
+        if (obstacle.gone()) continue;
         const double weight = weights[obstacle.id.value];
         require_range(weight, least_weight, most_weight, "the weight of obstacle " + std::to_string(obstacle.id.value));
         obstacle.weight = weight;
     }
     return map;
+}
+
+// Where two threads make them at once, those of one are kept.
+const std::vector<std::uint32_t>& Map::put_together() const {
+    auto made = std::make_unique<std::vector<std::uint32_t>>();
+    made->reserve(grid_.cell_count());
+    for (int y = 0; y < height(); ++y) {
+        const std::span<const std::uint32_t> row = labels(y);
+        made->insert(made->end(), row.begin(), row.end());
+    }
+    const std::vector<std::uint32_t>* kept = nullptr;
+    return together_->labels.compare_exchange_strong(kept, made.get()) ? *made.release() : *kept;
 }
 
 std::vector<Cell> Map::boundary(ObstacleId id) const {
@@ -110,7 +140,7 @@ std::vector<Cell> Map::boundary(ObstacleId id) const {
     const auto read = [&](int y, BitRow& row) {
         std::fill(row.begin(), row.end(), 0);
         if (y < bounds.min.y || y > bounds.max.y) return;
-        const std::uint32_t* labels = labels_.data() + std::size_t(y) * std::size_t(width());
+        const std::uint32_t* labels = this->labels(y).data();
         for (std::size_t word = 1; word + 1 < words; ++word) {
             const int begin = first.x + int(word - 1) * 64;
             for (int x = std::min(begin + 63, last.x); x >= begin; --x) {

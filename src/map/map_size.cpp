@@ -1,6 +1,7 @@
 #include "map/map_size.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,10 @@ namespace waybreaker {
 void require_size(int width, int height) {
     const bool in_range = width >= 1 && height >= 1 && width <= max_side && height <= max_side;
     if (in_range && std::size_t(width) * std::size_t(height) <= max_cells) return;
-    throw InputError("a map of " + std::to_string(width) + " x " + std::to_string(height) +
-                     " cells is out of range: sides go from 1 to " + std::to_string(max_side) + ", with at most " +
-                     std::to_string(max_cells) + " cells in all");
+    throw InputError(ErrorCode::out_of_range, "the size of the map",
+                     "a map of " + std::to_string(width) + " x " + std::to_string(height) +
+                         " cells is out of range: sides go from 1 to " + std::to_string(max_side) + ", with at most " +
+                         std::to_string(max_cells) + " cells in all");
 }
 
 std::size_t count_labels(std::span<const std::uint32_t> labels) {
@@ -36,7 +38,9 @@ std::size_t map_bytes(int width, int height, std::size_t obstacles) {
         return (std::size_t(cells) / 64 + 1) * (std::size_t(lines) + 2) * sizeof(std::uint64_t);
     };
     const std::size_t cells = std::size_t(width) * std::size_t(height);
-    return bits(height, width) + bits(width, height) + cells * sizeof(std::uint32_t) + obstacles * sizeof(Obstacle);
+    const std::size_t rows = std::size_t(height) * sizeof(std::shared_ptr<const std::uint32_t[]>);
+    return bits(height, width) + bits(width, height) + rows + cells * sizeof(std::uint32_t) +
+           obstacles * sizeof(Obstacle);
 }
 
 }  // namespace waybreaker

@@ -58,7 +58,7 @@ OpenedMap::OpenedMap(const Map& map, std::span<const ObstacleId> removed)
     for (const ObstacleId id : removed_) {
         const Box& bounds = map.obstacle(id).bounds;
         for (Cell c = bounds.min; c.y <= bounds.max.y; ++c.y) {
-            const auto labels = map.labels().subspan(std::size_t(c.y) * std::size_t(width()), std::size_t(width()));
+            const auto labels = map.labels(c.y);
             for (c.x = bounds.min.x; c.x <= bounds.max.x; ++c.x) {
                 if (labels[std::size_t(c.x)] != id.value) continue;
                 clear(row(c.y), c.x);

@@ -231,9 +231,9 @@ void heed_neighbours(const std::string& path, io::MapFile& file) {
     if (!image || file.georeference || file.origin) return;
     const std::string world = world_file_of(path);
     if (world.empty()) return;
-    file.notes.push_back("the world file beside it, " + world + ", is not read: " +
-                         (tiff ? "'gdal_translate' writes what it says into a new file"
-                               : "--cell-size METRES says how large a cell is"));
+    file.notes.push_back(
+        "the world file beside it, " + world + ", is not read: " +
+        (tiff ? "'gdal_translate' writes what it says into a new file" : "give the size of a cell in metres"));
 }
 
 io::MapFile parse(std::string& bytes, const std::string& path, Connectivity connectivity, const io::ImageReading& image,

@@ -1,8 +1,8 @@
 // What the end of a search means for a plan.
 #pragma once
 
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 

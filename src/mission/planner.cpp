@@ -20,6 +20,8 @@
 #include "select/bound.hpp"
 #include "select/least_demolition.hpp"
 #include "select/selector.hpp"
+#include "waybreaker/advanced/crossing.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 namespace {
@@ -160,7 +162,18 @@ Plan with_waits(const Map& map, const Mission& mission, Plan plan) {
 
 }  // namespace
 
-Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+// What is kept from mission to mission.
+struct Planner::Memory {
+    Searcher searcher;
+    CrossingSearcher crossing;
+};
+
+Planner::Planner() : memory_(std::make_unique<Memory>()) {}
+Planner::~Planner() = default;
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+
+Plan Planner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
     const ActivePart active(mission);
     const AgentOrder order(active.mission());
@@ -168,14 +181,15 @@ Plan MissionPlanner::plan(const Map& map, const Mission& mission, const Method& 
     return with_waits(map, mission, active.whole(map, order.restored(std::move(plan))));
 }
 
-Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
+Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     // What earlier missions have taught would change how much work this one is.
     CrossingMemory nothing;
-    crossing_.exchange(nothing);
-    if (!drives_alone(mission)) return explained_team(map, mission, method, limits, searcher_, crossing_);
+    memory_->crossing.exchange(nothing);
+    if (!drives_alone(mission))
+        return explained_team(map, mission, method, limits, memory_->searcher, memory_->crossing);
     const Task task = task_of(map, mission, method, limits);
     const Stopwatch total;
-    const Searchers searchers{searcher_, crossing_};
+    const Searchers searchers{memory_->searcher, memory_->crossing};
     const std::unique_ptr<Selector> selector = selector_of(method, searchers);
 
     // The ground path without removal; the paper counts on the way how often each obstacle is in it.
@@ -207,8 +221,9 @@ Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const M
         plan.agents = itineraries(mission, best.schedule);
         const double reached = cost(task, best);
         if (selected.bound || method.bound) {
-            const double bound =
-                selected.bound ? *selected.bound : prove_bound(task, crossing_, reached, task.deadline).objective;
+            const double bound = selected.bound
+                                     ? *selected.bound
+                                     : prove_bound(task, memory_->crossing, reached, task.deadline).objective;
             plan.bound = std::min(bound, reached);
             plan.gap = *plan.bound > 0 ? reached / *plan.bound - 1 : 0;
         }
@@ -231,14 +246,13 @@ Plan MissionPlanner::plan_active(const Map& map, const Mission& mission, const M
     }
     // The map grown for a wide body takes as much memory as the map itself.
     const bool grown = mission.ground_body().reach() > 0.5;
-    if (grown && map.grid().cell_count() > most_grown_cells_kept) crossing_ = CrossingSearcher();
+    if (grown && map.grid().cell_count() > most_grown_cells_kept) memory_->crossing = CrossingSearcher();
     plan.seconds.select = selecting_seconds;
     plan.seconds.total = total.seconds();
     return plan;
 }
 
-std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, const Method& method,
-                                        const Limits& limits) {
+std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
     const ActivePart active(mission);
     const AgentOrder order(active.mission());
@@ -247,8 +261,8 @@ std::vector<Plan> MissionPlanner::front(const Map& map, const Mission& mission, 
     return plans;
 }
 
-std::vector<Plan> MissionPlanner::front_of_active(const Map& map, const Mission& mission, const Method& method,
-                                                  const Limits& limits) {
+std::vector<Plan> Planner::front_of_active(const Map& map, const Mission& mission, const Method& method,
+                                           const Limits& limits) {
     const auto flies = [](const Agent& agent) { return agent.kind == AgentKind::air; };
     if (std::ranges::none_of(mission.agents, flies)) return {plan_active(map, mission, method, limits)};
     const Rules& rules = mission.rules;
@@ -262,7 +276,8 @@ std::vector<Plan> MissionPlanner::front_of_active(const Map& map, const Mission&
         left.seconds = std::max(deadline.left(), 1e-3);
         // Those with fewer removals are here anyway.
         if (!drives_alone(step) && !explained) {
-            return planned_team(map, step, how, left, coalition::Fewer::not_tried, searcher_, crossing_);
+            return planned_team(map, step, how, left, coalition::Fewer::not_tried, memory_->searcher,
+                                memory_->crossing);
         }
         return plan_active(map, step, how, left);
     };

@@ -162,7 +162,7 @@ coalition::Choice choice_of(const Map& map, const Mission& mission, const Method
 // Whether greedy steps drive all vehicles (validate).
 bool moves_greedily(const Mission& mission, const Method& method) {
     return std::ranges::all_of(mission.agents, [&](const Agent& agent) {
-        return agent.kind == AgentKind::air || planner_of(method, agent.body) == Planner::optimal;
+        return agent.kind == AgentKind::air || planner_of(method, agent.body) == Algorithm::optimal;
     });
 }
 

@@ -12,9 +12,9 @@
 
 namespace waybreaker {
 
-Planner planner_of(const Method& method, const Body& body) {
+Algorithm planner_of(const Method& method, const Body& body) {
     const bool possible = method.select != Selection::hits && can_drive_optimally(body, method.diagonal);
-    return method.planner == Planner::optimal && !possible ? Planner::theta : method.planner;
+    return method.planner == Algorithm::optimal && !possible ? Algorithm::theta : method.planner;
 }
 
 SearchOptions search_options(const Method& method, const Body& body) {
@@ -30,7 +30,7 @@ void follow_paper(Rules& rules, Method& method) {
     rules.timing = Timing::ignore;
     rules.minimise_demolition.reset();
     method.select = Selection::hits;
-    method.planner = Planner::theta;
+    method.planner = Algorithm::theta;
     // For one obstacle the paper flies the shortest way past it, which is what `optimal` does.
     method.flight = rules.removals == 1 ? FlightRule::optimal : FlightRule::nearest;
 }
@@ -42,16 +42,19 @@ bool weighs_cells(const Map& map) {
     constexpr double tolerance = 1e-6;
     const auto of_a_cell = [](const Obstacle& o) { return o.weight / o.cells; };
     const auto obstacles = map.obstacles();
-    return std::ranges::all_of(obstacles, [&](const Obstacle& o) {
-        return std::abs(of_a_cell(o) - of_a_cell(obstacles.front())) <= tolerance * of_a_cell(o);
+    const auto stands = std::ranges::find(obstacles, false, &Obstacle::gone);
+    return std::ranges::all_of(stands, obstacles.end(), [&](const Obstacle& o) {
+        return o.gone() || std::abs(of_a_cell(o) - of_a_cell(*stands)) <= tolerance * of_a_cell(o);
     });
 }
 
 void validate_demolition(const Map& map, const Mission& mission, const Method& method) {
     if (!mission.rules.minimise_demolition) return;
-    if (method.select != Selection::exact) throw InputError("demolition is minimised by exact selection only");
+    if (method.select != Selection::exact)
+        throw InputError(ErrorCode::contradiction, "", "demolition is minimised by exact selection only");
     if (std::isfinite(mission.rules.budget) && !weighs_cells(map)) {
-        throw InputError("demolition is minimised within a budget of square metres or cells, not of other weights");
+        throw InputError(ErrorCode::contradiction, "",
+                         "demolition is minimised within a budget of square metres or cells, not of other weights");
     }
 }
 
@@ -61,16 +64,23 @@ void validate_capacity(const Mission& mission) {
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::ground) {
             const bool is_limited = agent.breaches != any_number;
-            if (is_limited) throw InputError("breaches is for air agents: the " + agent.id + " agent drives");
+            if (is_limited)
+                throw InputError(ErrorCode::contradiction, "",
+                                 "breaches is for air agents: the " + agent.id + " agent drives");
             continue;
         }
-        if (agent.ready_at > 0) throw InputError("ready_at is for ground agents: the " + agent.id + " agent flies");
-        if (agent.breaches < 0) throw InputError("the " + agent.id + " agent cannot breach less than no obstacle");
+        if (agent.ready_at > 0)
+            throw InputError(ErrorCode::contradiction, "",
+                             "ready_at is for ground agents: the " + agent.id + " agent flies");
+        if (agent.breaches < 0)
+            throw InputError(ErrorCode::out_of_range, "breaches",
+                             "the " + agent.id + " agent cannot breach less than no obstacle");
         capacity += agent.breaches;
     }
     const auto forced = std::int64_t(mission.rules.force.size());
     if (forced > capacity) {
-        throw InputError(capacity == 0 ? "there is no air agent to remove what must be removed"
+        throw InputError(ErrorCode::contradiction, "",
+                         capacity == 0 ? "there is no air agent to remove what must be removed"
                                        : "the air agents may breach " + std::to_string(capacity) + " obstacles, but " +
                                              std::to_string(forced) + " must be removed");
     }
@@ -83,19 +93,24 @@ void validate_team(const Mission& mission, const Method& method) {
     const bool removes = aircraft > 0 && mission.rules.removals > 0;
     if (removes && (vehicles > 1 || aircraft > 1) && method.flight != FlightRule::optimal) {
         throw InputError(
+            ErrorCode::contradiction, "",
             "the aircraft of a team fly by optimal; nearest, the paper's rule, is for one vehicle and one aircraft");
     }
     if (vehicles == 1 && aircraft > 0) return;
-    if (!method.diagonal) throw InputError("several ground agents move by eight neighbours, not by four");
+    if (!method.diagonal)
+        throw InputError(ErrorCode::contradiction, "", "several ground agents move by eight neighbours, not by four");
 }
 
 // Explanations and the least demolition compare plans that are best.
 void validate_gap(const Mission& mission, const Method& method, const Limits& limits) {
-    if (!(limits.gap >= 0) || !std::isfinite(limits.gap)) throw InputError("the gap must be a share of 0 or more");
+    if (!(limits.gap >= 0) || !std::isfinite(limits.gap))
+        throw InputError(ErrorCode::out_of_range, "the gap", "the gap must be a share of 0 or more");
     if (limits.gap == 0) return;
-    if (method.explain) throw InputError("explanations compare best plans: leave out the gap, or the explanation");
+    if (method.explain)
+        throw InputError(ErrorCode::contradiction, "",
+                         "explanations compare best plans: leave out the gap, or the explanation");
     if (mission.rules.minimise_demolition) {
-        throw InputError("demolition is minimised among best plans: leave out the gap");
+        throw InputError(ErrorCode::contradiction, "", "demolition is minimised among best plans: leave out the gap");
     }
 }
 
@@ -104,13 +119,15 @@ void validate_gap(const Mission& mission, const Method& method, const Limits& li
 void validate(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     require_enumerator(method.select, Selection::none, "what to select by");
     require_enumerator(method.flight, FlightRule::nearest, "what to fly by");
-    if (!(limits.seconds > 0)) throw InputError("the time limit must be above 0 seconds");
+    if (!(limits.seconds > 0))
+        throw InputError(ErrorCode::out_of_range, "the time limit", "the time limit must be above 0 seconds");
     validate_gap(mission, method, limits);
     for (const Agent& agent : mission.agents) {
         if (agent.kind != AgentKind::ground) continue;
         validate(search_options(method, agent.body));
-        if (method.select == Selection::greedy && planner_of(method, agent.body) != Planner::optimal) {
+        if (method.select == Selection::greedy && planner_of(method, agent.body) != Algorithm::optimal) {
             throw InputError(
+                ErrorCode::contradiction, "",
                 "greedy selection drives by the optimal planner, which moves an agent that passes no blocked corner");
         }
     }

@@ -24,8 +24,9 @@ std::string text(Cell c) {
 void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std::string& what) {
     const std::string where = "the " + agent.id + " agent's " + what + " " + text(at);
     if (!map.map().grid().contains(at)) {
-        throw InputError(where + " is off the map: x goes from 0 to " + std::to_string(map.width() - 1) +
-                         ", y from 0 to " + std::to_string(map.height() - 1));
+        throw InputError(ErrorCode::off_map, agent.id,
+                         where + " is off the map: x goes from 0 to " + std::to_string(map.width() - 1) +
+                             ", y from 0 to " + std::to_string(map.height() - 1));
     }
     if (agent.kind == AgentKind::air || fits(map, at, agent.body)) return;
     const ObstacleId obstacle = map.map().obstacle_at(at);
@@ -33,7 +34,8 @@ void validate_place(const OpenedMap& map, const Agent& agent, Cell at, const std
                                         : "leaves no room for a radius of " + number_text(agent.body.radius);
     const std::optional<Cell> place = nearest_place(map, at, agent.body);
     const std::string none = agent.body.reach() > 0.5 ? "cell with room for the agent" : "free cell";
-    throw PlaceError({.what_for = "the " + agent.id + " agent's " + what,
+    throw PlaceError({.agent = agent.id,
+                      .what_for = "the " + agent.id + " agent's " + what,
                       .at = at,
                       .obstacle = obstacle,
                       .reason = reason,
@@ -52,18 +54,25 @@ void validate_forced(const Map& map, const Rules& rules) {
     double weight = 0;
     for (auto id = rules.force.begin(); id != rules.force.end(); ++id) {
         const std::string who = "obstacle " + std::to_string(id->value) + " must be removed, but ";
-        if (std::find(rules.force.begin(), id, *id) != id) throw InputError(who + "is named twice");
-        if (!map.obstacle(*id).destructible) throw InputError(who + "cannot be destroyed");
-        if (std::ranges::count(rules.protect, *id) > 0) throw InputError(who + "is protected as well");
+        if (map.obstacle(*id).gone())
+            throw InputError(ErrorCode::unknown_obstacle, std::to_string(id->value), who + "is gone");
+        const auto refuse = [&](const char* but) {
+            throw InputError(ErrorCode::contradiction, std::to_string(id->value), who + but);
+        };
+        if (std::find(rules.force.begin(), id, *id) != id) refuse("is named twice");
+        if (!map.obstacle(*id).destructible) refuse("cannot be destroyed");
+        if (std::ranges::count(rules.protect, *id) > 0) refuse("is protected as well");
         weight += map.obstacle(*id).weight;
     }
     if (rules.force.size() > std::size_t(rules.removals)) {
-        throw InputError("at most " + std::to_string(rules.removals) + " obstacles may be removed, but " +
-                         std::to_string(rules.force.size()) + " must be");
+        throw InputError(ErrorCode::contradiction, "removals",
+                         "at most " + std::to_string(rules.removals) + " obstacles may be removed, but " +
+                             std::to_string(rules.force.size()) + " must be");
     }
     if (!rules.force.empty() && weight > rules.budget) {
-        throw InputError("the obstacles that must be removed weigh " + number_text(weight) +
-                         ", more than the budget of " + number_text(rules.budget));
+        throw InputError(ErrorCode::contradiction, "budget",
+                         "the obstacles that must be removed weigh " + number_text(weight) +
+                             ", more than the budget of " + number_text(rules.budget));
     }
 }
 
@@ -71,14 +80,17 @@ void validate(const Map& map, const Rules& rules) {
     require_enumerator(rules.objective, Objective::ground_makespan, "the objective");
     require_enumerator(rules.timing, Timing::ignore, "the timing");
     require_enumerator(rules.at_goal, AtGoal::leave, "what agents do at their goals");
-    if (rules.removals < 0) throw InputError("the number of removals cannot be negative");
+    if (rules.removals < 0)
+        throw InputError(ErrorCode::out_of_range, "the number of removals",
+                         "the number of removals cannot be negative");
     require_range(rules.breach_time.per_obstacle, 0, most_breach_time, "the time of a breach");
     require_range(rules.breach_time.per_cell, 0, most_breach_time, "the time of a breach for each cell");
     const std::size_t obstacles = map.obstacles().size();
     const auto require_known = [&](ObstacleId id, const std::string& purpose) {
         if (id && id.value <= obstacles) return;
-        throw InputError("there is no obstacle " + std::to_string(id.value) + " to " + purpose + ": the map has " +
-                         std::to_string(obstacles));
+        throw InputError(ErrorCode::unknown_obstacle, std::to_string(id.value),
+                         "there is no obstacle " + std::to_string(id.value) + " to " + purpose + ": the map has " +
+                             std::to_string(obstacles));
     };
     for (const ObstacleId id : rules.protect) require_known(id, "protect");
     for (const ObstacleId id : rules.force) require_known(id, "force");
@@ -86,7 +98,8 @@ void validate(const Map& map, const Rules& rules) {
     if (rules.minimise_demolition) {
         require_range(*rules.minimise_demolition, 0, 1, "the tolerance for a plan that demolishes less");
     }
-    if (!(rules.budget >= 0)) throw InputError("the budget cannot be " + number_text(rules.budget));
+    if (!(rules.budget >= 0))
+        throw InputError(ErrorCode::out_of_range, "the budget", "the budget cannot be " + number_text(rules.budget));
 }
 
 // Two discs at once at these places.
@@ -95,22 +108,24 @@ void validate_room(const Agent& a, const Agent& b, Cell Agent::*place, const cha
     const double apart = distance(a.*place, b.*place);
     constexpr double rounding = 1e-9;
     if (apart + rounding >= needed && a.*place != b.*place) return;
-    throw InputError("the " + a.id + " and the " + b.id + " agent have no room at their " + name + "s, " +
-                     text(a.*place) + " and " + text(b.*place) + ": these are " + number_text(apart) +
-                     " cells apart, and must be " + number_text(std::max(needed, 1.0)));
+    throw InputError(ErrorCode::no_room, b.id,
+                     "the " + a.id + " and the " + b.id + " agent have no room at their " + name + "s, " +
+                         text(a.*place) + " and " + text(b.*place) + ": these are " + number_text(apart) +
+                         " cells apart, and must be " + number_text(std::max(needed, 1.0)));
 }
 
 void validate_team(const Mission& mission) {
     if (mission.agents.size() > most_agents) {
-        throw InputError("a mission has at most " + std::to_string(most_agents) + " agents, not " +
-                         std::to_string(mission.agents.size()));
+        throw InputError(ErrorCode::too_large, "agents",
+                         "a mission has at most " + std::to_string(most_agents) + " agents, not " +
+                             std::to_string(mission.agents.size()));
     }
     require_range(mission.rules.separation, 0, 32, "the separation of ground agents, in cells,");
     std::vector<const Agent*> drivers;
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::ground) drivers.push_back(&agent);
     }
-    if (drivers.empty()) throw InputError("the mission has no ground agent");
+    if (drivers.empty()) throw InputError(ErrorCode::contradiction, "", "the mission has no ground agent");
     for (std::size_t i = 0; i < drivers.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             validate_room(*drivers[j], *drivers[i], &Agent::start, "start", mission.rules.separation);
@@ -131,12 +146,24 @@ Body Mission::ground_body() const {
     return ground == agents.end() ? Body() : ground->body;
 }
 
-Mission ground_and_air(Cell start, Cell goal) {
-    return {{{.id = "ground", .kind = AgentKind::ground, .start = start, .goal = goal},
-             {.id = "air", .kind = AgentKind::air, .start = start, .goal = goal}}};
+Agent vehicle(std::string id, Cell start, Cell goal) {
+    return {.id = std::move(id), .kind = AgentKind::ground, .start = start, .goal = goal};
 }
 
-PlaceError::PlaceError(Misplaced agent) : InputError(sentence(agent)), misplaced(std::move(agent)) {}
+Agent aircraft(std::string id, Cell start, Cell goal) {
+    return {.id = std::move(id), .kind = AgentKind::air, .start = start, .goal = goal};
+}
+
+Agent aircraft(std::string id, Cell start) {
+    return aircraft(std::move(id), start, start);
+}
+
+Mission ground_and_air(Cell start, Cell goal) {
+    return {{vehicle("ground", start, goal), aircraft("air", start, goal)}};
+}
+
+PlaceError::PlaceError(Misplaced agent)
+    : InputError(ErrorCode::no_room, agent.agent, sentence(agent)), misplaced(std::move(agent)) {}
 
 bool Mission::is_team() const {
     return !agents.empty() && (agents.size() != 2 || agents[0].kind == agents[1].kind);
@@ -150,12 +177,14 @@ int Mission::removals_allowed() const {
 
 void validate(const Map& map, const Mission& mission) {
     validate(map, mission.rules);
-    if (mission.agents.empty()) throw InputError("the mission has no ground agent");
+    if (mission.agents.empty()) throw InputError(ErrorCode::contradiction, "", "the mission has no ground agent");
     const OpenedMap closed(map);
     std::set<std::string> ids;
     for (const Agent& agent : mission.agents) {
         require_enumerator(agent.kind, AgentKind::air, "the " + agent.id + " agent's kind");
-        if (!ids.insert(agent.id).second) throw InputError("two agents of the mission have the id '" + agent.id + "'");
+        if (!ids.insert(agent.id).second)
+            throw InputError(ErrorCode::contradiction, agent.id,
+                             "two agents of the mission have the id '" + agent.id + "'");
         require_range(agent.speed, least_speed, most_speed, "the " + agent.id + " agent's speed");
         require_range(agent.ready_at, 0, most_breach_time, "the time at which the " + agent.id + " agent is ready");
         if (agent.kind == AgentKind::ground) validate(agent.body);

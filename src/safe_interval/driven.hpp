@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "waybreaker/safe_interval.hpp"
+#include "waybreaker/advanced/safe_interval.hpp"
 
 namespace waybreaker::safe_interval {
 

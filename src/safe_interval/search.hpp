@@ -10,7 +10,7 @@
 #include "map/line_of_sight.hpp"
 #include "safe_interval/distance_memory.hpp"
 #include "safe_interval/traffic.hpp"
-#include "waybreaker/safe_interval.hpp"
+#include "waybreaker/advanced/safe_interval.hpp"
 
 namespace waybreaker {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "safe_interval/motion.hpp"
-#include "waybreaker/safe_interval.hpp"
+#include "waybreaker/advanced/safe_interval.hpp"
 
 namespace waybreaker {
 

@@ -13,7 +13,7 @@
 #include "flight/target.hpp"
 #include "schedule/precedence.hpp"
 #include "schedule/timetable.hpp"
-#include "waybreaker/schedule.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 
 namespace waybreaker {
 

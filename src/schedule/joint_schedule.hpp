@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/objective.hpp"
-#include "waybreaker/schedule.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 
 namespace waybreaker {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "waybreaker/schedule.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 
 namespace waybreaker {
 

@@ -15,7 +15,7 @@
 #include "search/node_store.hpp"
 #include "search/open_list.hpp"
 #include "search/surroundings.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "search/surroundings.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 

@@ -7,7 +7,7 @@
 
 #include "map/line_of_sight.hpp"
 #include "search/surroundings.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 

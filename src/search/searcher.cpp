@@ -4,8 +4,8 @@
 #include "search/observers.hpp"
 #include "search/parents.hpp"
 #include "search/steps.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 
@@ -66,18 +66,19 @@ struct Assembly {
 
     template <class Steps>
     SearchResult parents(const Steps& moves) const {
-        if (query.options.planner == Planner::theta) return observe(moves, ThetaParents(query.map, sight));
-        if (query.options.planner == Planner::lazy_theta) return observe(moves, LazyThetaParents<Steps>{sight, moves});
+        if (query.options.planner == Algorithm::theta) return observe(moves, ThetaParents(query.map, sight));
+        if (query.options.planner == Algorithm::lazy_theta)
+            return observe(moves, LazyThetaParents<Steps>{sight, moves});
         return observe(moves, StepParents{});
     }
 
     SearchResult assemble() const {
         const Corners corners = query.options.body.passes();
         const bool diagonal = query.options.diagonal;
-        if (query.options.planner == Planner::jps) {
+        if (query.options.planner == Algorithm::jps) {
             return observe(JumpSteps(query.map, corners, query.goal), StepParents{});
         }
-        const bool unit_cost = query.options.planner == Planner::bfs;
+        const bool unit_cost = query.options.planner == Algorithm::bfs;
         if (is_wide(query.options.body)) return parents(WideSteps(sight, diagonal, unit_cost));
         return parents(GridSteps(query.map, corners, diagonal, unit_cost));
     }
@@ -87,7 +88,7 @@ struct Assembly {
 
 SearchResult Searcher::find(const OpenedMap& map, Cell start, Cell goal, const SearchOptions& options) {
     validate(options);
-    if (options.planner == Planner::optimal)
+    if (options.planner == Algorithm::optimal)
         throw InputError("a Searcher has no optimal planner: use CrossingSearcher");
     const LineOfSight sight(map, options.body);
     const auto stands = [&](Cell c) { return map.map().grid().contains(c) && sight.fits(c); };

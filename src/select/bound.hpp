@@ -7,7 +7,7 @@
 
 #include "select/opening_times.hpp"
 #include "select/task.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker {
 

@@ -45,7 +45,7 @@ bool keep_needed(const Task& task, const JointSchedule& schedule, Opening& openi
 }  // namespace
 
 bool drives_by_crossing(const Task& task) {
-    return task.planner() == Planner::optimal;
+    return task.planner() == Algorithm::optimal;
 }
 
 Candidate candidate_of(const Task& task, Opening opening) {

@@ -8,7 +8,7 @@
 #include "drive/opening.hpp"
 #include "schedule/joint_schedule.hpp"
 #include "select/task.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/plan.hpp"
 
 namespace waybreaker {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "schedule/earliest_openings.hpp"
-#include "waybreaker/flight.hpp"
+#include "waybreaker/advanced/flight.hpp"
 
 namespace waybreaker {
 

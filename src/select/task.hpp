@@ -31,7 +31,7 @@ struct Task {
     bool reports = true;  // its progress
 
     // The planner that drives the ground agent.
-    Planner planner() const { return planner_of(method, driver.body); }
+    Algorithm planner() const { return planner_of(method, driver.body); }
     // The ground agent on its way.
     Trip trip() const {
         return {map, driver, search_options(method, driver.body), deadline, limits.expansions, limits.stop};

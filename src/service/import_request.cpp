@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -135,12 +136,14 @@ std::size_t cells_of(const ImportRequest& request, const city::Extract& extract,
                     width, height, most),
         "map-too-large");
 } catch (const InputError& error) {
-    throw http::Problem(http::unprocessable, without_dashes(error.what()), "import-unfit");
+    throw http::Problem(http::unprocessable, worded(error), "import-unfit");
 }
 
-std::string without_dashes(std::string message) {
-    for (std::size_t at; (at = message.find("--")) != std::string::npos;) message.erase(at, 2);
-    return message;
+std::string worded(const InputError& error) {
+    if (error.error().code != ErrorCode::option) return error.what();
+    std::string name = error.error().subject;
+    std::ranges::replace(name, '-', '_');
+    return name + " " + error.error().detail;
 }
 
 }  // namespace waybreaker::service

@@ -9,6 +9,7 @@
 
 #include "city/city_import.hpp"
 #include "city/extract.hpp"
+#include "waybreaker/error.hpp"
 
 namespace waybreaker::service {
 
@@ -29,10 +30,7 @@ city::ImportOptions window_of(const ImportRequest& request, const city::Extract&
 // Throws Problem if its window has more cells than that, or there is no such window.
 std::size_t cells_of(const ImportRequest& request, const city::Extract& extract, std::size_t most);
 
-// A message about options of the command, as the service calls them.
-std::string without_dashes(std::string message);
-
-// A message about options of the command, as the service calls them.
-std::string without_dashes(std::string message);
+// What is wrong, options under the names that requests give them.
+std::string worded(const InputError& error);
 
 }  // namespace waybreaker::service

@@ -91,7 +91,7 @@ std::string import_answer(const city::SentSource& source, const Json& asked) {
         const city::ImportReport report = city::import_city(source.path(), window_of(request, extract));
         return answer_of(Json::object(), geotiff::label_tiff_bytes(report.tiff));
     } catch (const InputError& error) {
-        return answer_of(problem("import-unfit", without_dashes(source.named(error.what()))));
+        return answer_of(problem("import-unfit", source.named(worded(error))));
     }
 }
 
@@ -105,14 +105,13 @@ std::string overlay_answer(const city::SentSource& source, const Json& asked) {
                                                      .width = asked.at("width")},
                                                     place, asked.at("columns"), asked.at("rows"));
         site::DescribedMap things = site::described(std::move(read.overlay.things));
-        for (std::string& note : read.report.notes) note = without_dashes(std::move(note));
         return answer_of({{"notes", read.report.notes}},
                          geotiff::label_tiff_bytes({.map = std::move(things.map),
                                                     .cell_size = place.transform[1],
                                                     .georeference = place,
                                                     .annotations = std::move(things.annotations)}));
     } catch (const InputError& error) {
-        return answer_of(problem("source-unreadable", without_dashes(source.named(error.what()))));
+        return answer_of(problem("source-unreadable", source.named(worded(error))));
     }
 }
 

@@ -118,7 +118,7 @@ OptionsRequest options(const JsonField& field, OptionsRequest result = {}) {
     // What only a search from cell to cell knows asks for one; a mission file names its planner itself.
     const bool asks = field.find("heuristic") || field.find("weight") || field.find("tie_break");
     Method& method = result.asked.method;
-    if (asks && !result.planner_given && has_search_words(method)) method.planner = Planner::theta;
+    if (asks && !result.planner_given && has_search_words(method)) method.planner = Algorithm::theta;
     if (const auto radius = field.find("radius")) result.radius = io::read_not_negative(*radius);
     if (const auto corners = field.find("corners")) result.corners = corners->one_of(io::corner_words);
     return result;
@@ -236,8 +236,8 @@ MissionOnMap on_map(const ShortMission& mission, const OptionsRequest& options, 
         agent.body.corners = options.corners.value_or(agent.body.corners);
     }
     const Method& method = asked.method;
-    if (options.planner_given && method.planner == Planner::optimal &&
-        planner_of(method, asked.mission.ground_body()) != Planner::optimal) {
+    if (options.planner_given && method.planner == Algorithm::optimal &&
+        planner_of(method, asked.mission.ground_body()) != Algorithm::optimal) {
         throw InputError(
             "the planner optimal drives an agent that passes no blocked corner by eight moves, and counts no hits");
     }

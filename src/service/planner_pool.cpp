@@ -36,11 +36,11 @@ http::Problem shortage(const MemoryBudget& budget, const std::weak_ptr<const Sto
 
 }  // namespace
 
-struct PlannerPool::Loan::Planner {
-    explicit Planner(MemoryBudget& budget) : account(budget, MemoryBudget::Use::planner) {}
+struct PlannerPool::Loan::Pooled {
+    explicit Pooled(MemoryBudget& budget) : account(budget, MemoryBudget::Use::planner) {}
 
     MemoryAccount account;
-    MissionPlanner planner;
+    Planner planner;
     std::weak_ptr<const StoredMap> map;  // it has planned on last
     Clock::time_point rests_since;
     bool failed = false;  // half a search is left in it
@@ -52,7 +52,7 @@ PlannerPool::PlannerPool(MemoryBudget& budget) : budget_(budget) {
 
 PlannerPool::~PlannerPool() = default;
 
-PlannerPool::Loan::Loan(PlannerPool& pool, std::unique_ptr<Planner> planner)
+PlannerPool::Loan::Loan(PlannerPool& pool, std::unique_ptr<Pooled> planner)
     : pool_(&pool), planner_(std::move(planner)) {}
 PlannerPool::Loan::Loan(Loan&&) noexcept = default;
 
@@ -81,17 +81,17 @@ auto PlannerPool::Loan::metered(Call call) {
 }
 
 Plan PlannerPool::Loan::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
-    return metered([&](MissionPlanner& planner) { return planner.plan(map, mission, method, limits); });
+    return metered([&](Planner& planner) { return planner.plan(map, mission, method, limits); });
 }
 
 std::vector<Plan> PlannerPool::Loan::front(const Map& map, const Mission& mission, const Method& method,
                                            const Limits& limits) {
-    return metered([&](MissionPlanner& planner) { return planner.front(map, mission, method, limits); });
+    return metered([&](Planner& planner) { return planner.front(map, mission, method, limits); });
 }
 
 PlannerPool::Loan PlannerPool::borrow(const SharedMap& map) {
     const MemoryAccount::Scope none(nullptr);
-    std::unique_ptr<Planner> planner;
+    std::unique_ptr<Pooled> planner;
     {
         const std::scoped_lock lock(mutex_);
         const auto fits = [&map](const auto& one) { return same(one->map, map) || one->account.bytes() <= little; };
@@ -103,19 +103,19 @@ PlannerPool::Loan PlannerPool::borrow(const SharedMap& map) {
             resting_.erase(std::next(found).base());
         }
     }
-    if (!planner) planner = std::make_unique<Planner>(budget_);
+    if (!planner) planner = std::make_unique<Pooled>(budget_);
     planner->map = map;
     return {*this, std::move(planner)};
 }
 
-void PlannerPool::take_back(std::unique_ptr<Planner> planner) {
+void PlannerPool::take_back(std::unique_ptr<Pooled> planner) {
     planner->rests_since = Clock::now();
     const std::scoped_lock lock(mutex_);
     resting_.push_back(std::move(planner));
 }
 
 bool PlannerPool::release_one() {
-    std::unique_ptr<Planner> released;  // destroyed without the lock: that takes time
+    std::unique_ptr<Pooled> released;  // destroyed without the lock: that takes time
     const std::scoped_lock lock(mutex_);
     if (resting_.empty()) return false;
     released = std::move(resting_.front());
@@ -124,7 +124,7 @@ bool PlannerPool::release_one() {
 }
 
 void PlannerPool::release_rested(Clock::duration time) {
-    std::vector<std::unique_ptr<Planner>> released;
+    std::vector<std::unique_ptr<Pooled>> released;
     const std::scoped_lock lock(mutex_);
     const Clock::time_point latest = Clock::now() - time;
     const auto stays = [latest](const auto& one) { return !one->map.expired() && one->rests_since > latest; };

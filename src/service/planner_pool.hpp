@@ -35,19 +35,19 @@ class PlannerPool {
         Loan& operator=(Loan&&) = delete;
         ~Loan();
 
-        // As those of MissionPlanner. Throw Problem if the search needs more than the budget has left.
+        // As those of Planner. Throw Problem if the search needs more than the budget has left.
         Plan plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
         std::vector<Plan> front(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
 
       private:
         friend class PlannerPool;
-        struct Planner;
-        Loan(PlannerPool& pool, std::unique_ptr<Planner> planner);
+        struct Pooled;
+        Loan(PlannerPool& pool, std::unique_ptr<Pooled> planner);
         template <class Call>
         auto metered(Call call);
 
         PlannerPool* pool_;
-        std::unique_ptr<Planner> planner_;
+        std::unique_ptr<Pooled> planner_;
     };
 
     // For plans on that map: one that rests and has planned on it comes first.
@@ -59,12 +59,12 @@ class PlannerPool {
     void release_rested(Clock::duration time);
 
   private:
-    using Planner = Loan::Planner;
-    void take_back(std::unique_ptr<Planner> planner);
+    using Pooled = Loan::Pooled;
+    void take_back(std::unique_ptr<Pooled> planner);
 
     MemoryBudget& budget_;
     std::mutex mutex_;
-    std::vector<std::unique_ptr<Planner>> resting_;  // the one that rests longest first
+    std::vector<std::unique_ptr<Pooled>> resting_;  // the one that rests longest first
 };
 
 }  // namespace waybreaker::service

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "team/vehicle.hpp"
+#include "waybreaker/advanced/safe_interval.hpp"
 #include "waybreaker/mission.hpp"
-#include "waybreaker/safe_interval.hpp"
 
 namespace waybreaker::team {
 

@@ -33,7 +33,7 @@ bool is_wide(const Body& body) {
 }
 
 Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts) {
-    const Planner planner = drives_by_crossing(agent.body) ? Planner::optimal : Planner::theta;
+    const Algorithm planner = drives_by_crossing(agent.body) ? Algorithm::optimal : Algorithm::theta;
     return {map,
             agent,
             {.planner = planner, .body = agent.body},

@@ -7,7 +7,7 @@
 
 #include "core/stopwatch.hpp"
 #include "drive/opening.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/mission.hpp"
 
 namespace waybreaker::team {

@@ -38,4 +38,5 @@
 #define hyper
 #define uuid
 
+#include "waybreaker/advanced.hpp"
 #include "waybreaker/waybreaker.hpp"

@@ -37,7 +37,7 @@ std::vector<std::string> matches(const std::string& text, const std::regex& patt
 // Reads table rows "| `src/map/` | what it holds | `grid.hpp` `map.hpp` | core |".
 Rules read_rules(const std::string& page) {
     static const std::regex row(R"(\| `(?:src/|include/)?(\w+)/` \|[^|]*\|([^|]*)\|([^|]*)\|)");
-    static const std::regex header(R"(`([\w.]+)`)");
+    static const std::regex header(R"(`(?:advanced/)?([\w.]+)`)");
     static const std::regex word(R"((\w+))");
     Rules rules;
     for (std::sregex_iterator match(page.begin(), page.end(), row), end; match != end; ++match) {
@@ -254,7 +254,7 @@ TEST_F(ForbiddenUses, FindIncludes) {
     EXPECT_EQ(of("src/map/a.cpp", "#include \"search/x.hpp\"").size(), 1U);
     EXPECT_EQ(of("src/plan/deep/a.hpp", "  # include <search/x.hpp>").size(), 1U);
     EXPECT_EQ(of("src/plan/a.cpp", "#include \"waybreaker/map.hpp\"").size(), 1U);
-    EXPECT_EQ(of("include/waybreaker/map.hpp", "#include \"waybreaker/search.hpp\"").size(), 1U);
+    EXPECT_EQ(of("include/waybreaker/map.hpp", "#include \"waybreaker/advanced/search.hpp\"").size(), 1U);
     EXPECT_EQ(of("src/map/a.cpp", "#include \"waybreaker/unknown.hpp\"").size(), 1U);
 }
 

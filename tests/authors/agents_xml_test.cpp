@@ -134,8 +134,8 @@ TEST(AgentsXml, AreNoMapAndAreToldFromOne) {
     const auto no_map = [](const std::string& text) { return input_error([&] { parse_authors_xml(text, "a.xml"); }); };
     const std::string start = "a.xml:1: <map> is missing in 'root'";
     EXPECT_EQ(no_map("<root/>"), start);
-    EXPECT_EQ(no_map("<root><agents/></root>"), start + "; it holds agents: give its map, and this file with --agents");
-    EXPECT_EQ(no_map("<root><agent/></root>"), start + "; it holds agents: give its map, and this file with --agents");
+    EXPECT_EQ(no_map("<root><agents/></root>"), start + "; it holds agents: give its map, and this file as the agents");
+    EXPECT_EQ(no_map("<root><agent/></root>"), start + "; it holds agents: give its map, and this file as the agents");
     EXPECT_EQ(no_map("<root><dynamicobstacles/></root>"),
               start + "; it holds moving obstacles, which are not planned around");
     EXPECT_EQ(no_map("<root><algorithm/></root>"), start + "; it holds options of another program: give its map");

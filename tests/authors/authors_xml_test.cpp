@@ -46,7 +46,7 @@ TEST(AuthorsXml, NeedsNothingButItsGrid) {
     EXPECT_EQ(xml.cell_size, 1);
     const io::MapTask& plain = xml.task;
     EXPECT_FALSE(plain.start || plain.goal);
-    EXPECT_EQ(plain.search.planner, Planner::theta);
+    EXPECT_EQ(plain.search.planner, Algorithm::theta);
     EXPECT_EQ(plain.search.heuristic, std::nullopt);
     EXPECT_EQ(plain.search.weight, 1);
     EXPECT_EQ(plain.search.tie_break, TieBreak::g_max);
@@ -55,12 +55,12 @@ TEST(AuthorsXml, NeedsNothingButItsGrid) {
 }
 
 TEST(AuthorsXml, SaysHowToSearch) {
-    EXPECT_EQ(search("<searchtype>bfs</searchtype>").planner, Planner::bfs);
-    EXPECT_EQ(search("<searchtype>dijkstra</searchtype>").planner, Planner::dijkstra);
-    EXPECT_EQ(search("<searchtype>AStar</searchtype>").planner, Planner::astar);
-    EXPECT_EQ(search("<searchType> jp_search </searchType>").planner, Planner::jps);
-    EXPECT_EQ(search("<searchtype>theta</searchtype>").planner, Planner::theta);
-    EXPECT_EQ(search("<searchtype>lian</searchtype>").planner, Planner::theta);
+    EXPECT_EQ(search("<searchtype>bfs</searchtype>").planner, Algorithm::bfs);
+    EXPECT_EQ(search("<searchtype>dijkstra</searchtype>").planner, Algorithm::dijkstra);
+    EXPECT_EQ(search("<searchtype>AStar</searchtype>").planner, Algorithm::astar);
+    EXPECT_EQ(search("<searchType> jp_search </searchType>").planner, Algorithm::jps);
+    EXPECT_EQ(search("<searchtype>theta</searchtype>").planner, Algorithm::theta);
+    EXPECT_EQ(search("<searchtype>lian</searchtype>").planner, Algorithm::theta);
     EXPECT_EQ(search("<metrictype>diagonal</metrictype>").heuristic, Heuristic::octile);
     EXPECT_EQ(search("<metrictype>manhattan</metrictype>").heuristic, Heuristic::manhattan);
     EXPECT_EQ(search("<metrictype>euclid</metrictype>").heuristic, Heuristic::euclidean);

@@ -46,7 +46,7 @@ CoalitionPlan planned_coalition() {
     made.mission.agents = {
         agent("up", AgentKind::ground, {0, 0}, {10, 0}), agent("down", AgentKind::ground, {0, 3}, {10, 3}),
         agent("west", AgentKind::air, {0, 2}, {0, 2}), agent("east", AgentKind::air, {10, 2}, {10, 2})};
-    made.plan = MissionPlanner().plan(walls(), made.mission);
+    made.plan = Planner().plan(walls(), made.mission);
     return made;
 }
 

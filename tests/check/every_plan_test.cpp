@@ -59,12 +59,12 @@ RC_GTEST_PROP(EveryPlan, IsValid, ()) {
     const Map map = any_weights(Map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight)));
     Method method = any_method();
     method.select = *rc::gen::element(Selection::hits, Selection::exact);
-    method.planner = *rc::gen::element(Planner::theta, Planner::lazy_theta, Planner::astar, Planner::jps,
-                                       Planner::dijkstra, Planner::bfs);
+    method.planner = *rc::gen::element(Algorithm::theta, Algorithm::lazy_theta, Algorithm::astar, Algorithm::jps,
+                                       Algorithm::dijkstra, Algorithm::bfs);
     const Body body = any_body();
-    if (method.planner == Planner::jps && body.radius > 0.5) method.planner = Planner::astar;
+    if (method.planner == Algorithm::jps && body.radius > 0.5) method.planner = Algorithm::astar;
     const Mission mission = any_mission(plain, map, body);
-    const Plan plan = MissionPlanner().plan(map, mission, method);
+    const Plan plan = Planner().plan(map, mission, method);
     RC_ASSERT(plan_faults(map, mission, plan) == "");
 }
 
@@ -73,7 +73,7 @@ RC_GTEST_PROP(EveryPlan, IsValidWithTheOptimalPlanner, ()) {
     const PlainMap plain = *random_map(24, 20);
     const Map map = any_weights(Map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight)));
     const Mission mission = any_mission(plain, map, *rc::gen::element(Body(), point_body));
-    const Plan plan = MissionPlanner().plan(map, mission, any_method());
+    const Plan plan = Planner().plan(map, mission, any_method());
     RC_ASSERT(plan_faults(map, mission, plan) == "");
 }
 
@@ -86,12 +86,12 @@ TEST(EveryPlan, KeepsToABudgetWithoutWeights) {
     Mission mission = ground_and_air({0, 1}, {10, 1});
     for (const Selection select : {Selection::exact, Selection::hits}) {
         mission.rules = {.removals = 3, .budget = 2};
-        const Plan two = MissionPlanner().plan(map, mission, {.select = select});
+        const Plan two = Planner().plan(map, mission, {.select = select});
         EXPECT_EQ(two.status, PlanStatus::no_plan);
         EXPECT_LE(two.breaches.size(), 2U);
         EXPECT_EQ(plan_faults(map, mission, two), "");
         mission.rules.budget = 3;
-        const Plan three = MissionPlanner().plan(map, mission, {.select = select});
+        const Plan three = Planner().plan(map, mission, {.select = select});
         EXPECT_EQ(three.breaches.size(), select == Selection::exact ? 3U : three.breaches.size());
         EXPECT_EQ(plan_faults(map, mission, three), "");
     }

@@ -6,8 +6,8 @@
 #include "checked_plan.hpp"
 #include "hand_made.hpp"
 #include "random_map.hpp"
-#include "waybreaker/crossing.hpp"
-#include "waybreaker/schedule.hpp"
+#include "waybreaker/advanced/crossing.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 
 namespace waybreaker {
 namespace {

@@ -319,7 +319,7 @@ void for_any_case(const std::function<void(const LonePlan&)>& visit) {
     mission.rules.removals = *number(1, 4);
     Method method;
     follow_paper(mission.rules, method);
-    const Plan plan = MissionPlanner().plan(map, mission, method);
+    const Plan plan = Planner().plan(map, mission, method);
     RC_PRE(plan.status == PlanStatus::solved);
     const auto entered = std::find_if(plan.breaches.begin(), plan.breaches.end(),
                                       [](const Breach& breach) { return breach.entered_at.has_value(); });

@@ -44,7 +44,7 @@ Made explained(bool team) {
         second.start.y = second.goal.y = 2;
         made.mission.agents.insert(made.mission.agents.begin(), second);
     }
-    made.plan = MissionPlanner().plan(two_walls(), made.mission, {.explain = true});
+    made.plan = Planner().plan(two_walls(), made.mission, {.explain = true});
     made.plan.next = {{.obstacle = two_walls().obstacle_at({8, 0}), .saves = 1}};
     return made;
 }
@@ -127,11 +127,11 @@ TEST(CheckedNumbers, OfAMissionAreInRange) {
         for (const double none : {nan, -infinity, -1.0}) {
             Mission mission = made.mission;
             set(mission, none);
-            EXPECT_THROW(check(two_walls(), mission, made.plan), InputError);
+            EXPECT_THROW(static_cast<void>(check(two_walls(), mission, made.plan)), InputError);
         }
     }
     for (const double none : {nan, infinity, -1.0}) {
-        EXPECT_THROW(check(two_walls(), made.mission, made.plan, none), InputError);
+        EXPECT_THROW(static_cast<void>(check(two_walls(), made.mission, made.plan, none)), InputError);
     }
 }
 

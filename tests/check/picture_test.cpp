@@ -308,10 +308,10 @@ TEST(Check, RefusesRulesThatMakeNoSense) {
         mission.agents[0].body.radius = radius;
         return mission;
     };
-    EXPECT_THROW(check(map, with_radius(-1), {}), std::exception);
-    EXPECT_THROW(check(map, with_radius(1e300), {}), std::exception);
-    EXPECT_THROW(check(map, {}, {}, 1), std::exception);
-    EXPECT_THROW(check(map, {{}, {.breach_time = {.per_cell = -1}}}, {}), std::exception);
+    EXPECT_THROW(static_cast<void>(check(map, with_radius(-1), {})), std::exception);
+    EXPECT_THROW(static_cast<void>(check(map, with_radius(1e300), {})), std::exception);
+    EXPECT_THROW(static_cast<void>(check(map, {}, {}, 1)), std::exception);
+    EXPECT_THROW(static_cast<void>(check(map, {{}, {.breach_time = {.per_cell = -1}}}, {})), std::exception);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TeamPlan planned_team() {
     made.mission.rules.objective = Objective::flowtime;
     made.mission.agents = {vehicle("a", {0, 0}, {8, 4}), vehicle("b", {8, 0}, {0, 4}), vehicle("c", {4, 4}, {4, 0})};
     made.mission.agents[2].ready_at = 1;
-    made.plan = MissionPlanner().plan(yard(), made.mission);
+    made.plan = Planner().plan(yard(), made.mission);
     return made;
 }
 
@@ -75,7 +75,7 @@ TEST(TeamCheck, RejectsAnAgentThatVanishesBeforeItIsReady) {
     TeamPlan made;
     made.mission.rules.at_goal = AtGoal::leave;
     made.mission.agents = {vehicle("a", {4, 4}, {4, 4}), vehicle("b", {0, 4}, {8, 4})};
-    made.plan = MissionPlanner().plan(yard(), made.mission);
+    made.plan = Planner().plan(yard(), made.mission);
     ASSERT_EQ(made.plan.status, PlanStatus::solved);
     EXPECT_EQ(broken(made), std::set<Rule>{});
     made.mission.agents[0].ready_at = 3;

@@ -115,17 +115,17 @@ TEST(CityImport, refuses_windows_that_cannot_be) {
     const auto expect = [&](ImportOptions options, const char* message) {
         expect_refusal(source.path(), options, message);
     };
-    expect({181, 52, 120, 10}, "--center 181,52");
-    expect({13, 85, 120, 10}, "--center 13,85");
-    expect({nan, 52, 120, 10}, "--center");
-    expect({13, 52, 120, 0}, "--cell 0");
-    expect({13, 52, 120, -1}, "--cell -1");
-    expect({13, 52, 120, nan}, "--cell nan");
-    expect({13, 52, 0, 10}, "--size 0");
-    expect({13, 52, nan, 10}, "--size nan");
-    expect({13, 52, 1e300, 10}, "--size");
-    expect({13, 52, 16385, 1}, "--size 16385");
-    expect({13, 52, 200000, 100}, "--size 200000");
+    expect({181, 52, 120, 10}, "center 181,52");
+    expect({13, 85, 120, 10}, "center 13,85");
+    expect({nan, 52, 120, 10}, "center");
+    expect({13, 52, 120, 0}, "cell 0");
+    expect({13, 52, 120, -1}, "cell -1");
+    expect({13, 52, 120, nan}, "cell nan");
+    expect({13, 52, 0, 10}, "size 0");
+    expect({13, 52, nan, 10}, "size nan");
+    expect({13, 52, 1e300, 10}, "size");
+    expect({13, 52, 16385, 1}, "size 16385");
+    expect({13, 52, 200000, 100}, "size 200000");
     expect({.box = std::array{9.0, 50.0, 8.0, 51.0}}, "west must be below east, but for a box across 180 degrees");
     expect({.box = std::array{9.0, 51.0, 9.1, 50.0}}, "south below north");
 }

@@ -190,7 +190,7 @@ TEST_F(Overlays, of_points_are_discs_of_the_width_that_is_given) {
               "..xxx.........\n"
               "..xxx.........\n"
               "..............\n");
-    EXPECT_EQ(report().notes, std::vector<std::string>{"1 point is left out; --width METRES makes a disc of it"});
+    EXPECT_EQ(report().notes, std::vector<std::string>{"1 point is left out; a width makes a disc of it"});
     EXPECT_NE(laid(source(OverlayUse::closed, crater, 2)).substr(9 * 15, 15).find('x'), std::string::npos);
 }
 

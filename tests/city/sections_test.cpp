@@ -59,7 +59,7 @@ TEST_F(ImportedSections, are_none_for_the_paper_unless_asked_for) {
 }
 
 TEST_F(ImportedSections, have_the_side_of_a_cell_at_least) {
-    EXPECT_EQ(input_error([&] { import(1.5); }), "--section 1.5: cells have 2 m; give at least that, or none");
+    EXPECT_EQ(input_error([&] { import(1.5); }), "section 1.5: cells have 2 m; give at least that, or none");
 }
 
 // A file of one cell with that item.

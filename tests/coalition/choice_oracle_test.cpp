@@ -350,7 +350,7 @@ Tally judge(World draw(std::uint32_t seed), std::uint32_t seeds) {
         const World world = draw(seed);
         if (!has_many_sets(world)) continue;
         const double best = ChoiceJudge(world).best();
-        const Plan plan = MissionPlanner().plan(world.map, world.mission);
+        const Plan plan = Planner().plan(world.map, world.mission);
         EXPECT_TRUE(is_valid(world.map, world.mission, plan)) << seed;
         EXPECT_TRUE(plan.status != PlanStatus::solved || best != unreachable) << seed;
         EXPECT_TRUE(plan.status != PlanStatus::no_plan || best == unreachable) << seed;

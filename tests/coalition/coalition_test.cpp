@@ -29,7 +29,7 @@ RC_GTEST_PROP(Coalition, PlansAreValid, ()) {
     const bool drives_alone = std::ranges::count(mission.agents, AgentKind::ground, &Agent::kind) == 1;
     if (drives_alone) method.select = *rc::gen::element(Selection::exact, Selection::hits, Selection::none);
     method.bound = true;
-    const Plan plan = MissionPlanner().plan(map, mission, method);
+    const Plan plan = Planner().plan(map, mission, method);
     RC_TAG(plan.status == PlanStatus::solved ? "solved" : "not solved");
     RC_TAG(std::to_string(plan.breaches.size()) + " removed");
     RC_ASSERT(plan_faults(map, mission, plan) == "");
@@ -49,7 +49,7 @@ RC_GTEST_PROP(Coalition, IsNoWorseWithMoreRemovals, ()) {
     std::optional<double> before;
     for (int removals = 0; removals <= 4; ++removals) {
         mission.rules.removals = removals;
-        const Plan plan = MissionPlanner().plan(map, mission);
+        const Plan plan = Planner().plan(map, mission);
         RC_LOG() << removals << " removals: " << value(plan.after, objective).value_or(-1) << '\n';
         if (before) {
             RC_ASSERT(plan.status == PlanStatus::solved);
@@ -67,12 +67,12 @@ RC_GTEST_PROP(Coalition, IsNoWorseThanWithItsOwnSetForced, ()) {
     Mission mission = any_coalition(plain, map);
     mission.rules.force.clear();
     const Objective objective = mission.rules.objective;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     if (plan.status != PlanStatus::solved) return;
     for (const Breach& breach : plan.breaches) mission.rules.force.push_back(breach.obstacle);
     std::ranges::sort(mission.rules.force);
     mission.rules.removals = int(mission.rules.force.size());
-    const Plan alone = MissionPlanner().plan(map, mission);
+    const Plan alone = Planner().plan(map, mission);
     if (alone.status != PlanStatus::solved) return;
     RC_ASSERT(*value(plan.after, objective) <= *value(alone.after, objective) * (1 + 1e-9));
 }
@@ -87,7 +87,7 @@ TEST(Coalition, OpensAWallForTwo) {
     mission.rules.objective = Objective::flowtime;
     mission.rules.removals = 1;
     mission.agents = {vehicle("a", {3, 0}, {3, 2}), vehicle("b", {5, 0}, {5, 2}), aircraft("air", {4, 0}, {4, 0})};
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(map, mission, plan));
     ASSERT_EQ(plan.breaches.size(), 1U);
@@ -122,13 +122,13 @@ std::set<std::string> breachers(const Plan& plan) {
 TEST(Coalition, SharesBreachesOut) {
     Mission mission = through_two_walls();
     mission.rules.breach_time.per_obstacle = 3;
-    const Plan plan = MissionPlanner().plan(two_walls(), mission);
+    const Plan plan = Planner().plan(two_walls(), mission);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(two_walls(), mission, plan));
     EXPECT_FALSE(plan.before.makespan.has_value());
     EXPECT_EQ(breachers(plan), (std::set<std::string>{"east", "west"}));
     mission.agents[3].breaches = 0;
-    const Plan alone = MissionPlanner().plan(two_walls(), mission);
+    const Plan alone = Planner().plan(two_walls(), mission);
     ASSERT_EQ(alone.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(two_walls(), mission, alone));
     EXPECT_EQ(breachers(alone), std::set<std::string>{"west"});
@@ -138,13 +138,13 @@ TEST(Coalition, SharesBreachesOut) {
 TEST(Coalition, HasNoPlanWhereNotEnoughMayBeRemoved) {
     Mission mission = through_two_walls();
     mission.rules.removals = 1;
-    EXPECT_EQ(MissionPlanner().plan(two_walls(), mission).status, PlanStatus::no_plan);
+    EXPECT_EQ(Planner().plan(two_walls(), mission).status, PlanStatus::no_plan);
     mission.rules.removals = 2;
     mission.agents[2].breaches = mission.agents[3].breaches = 0;
-    EXPECT_EQ(MissionPlanner().plan(two_walls(), mission).status, PlanStatus::no_plan);
+    EXPECT_EQ(Planner().plan(two_walls(), mission).status, PlanStatus::no_plan);
     mission.agents[2].breaches = 2;
     mission.rules.protect = {{1}};
-    EXPECT_EQ(MissionPlanner().plan(two_walls(), mission).status, PlanStatus::no_plan);
+    EXPECT_EQ(Planner().plan(two_walls(), mission).status, PlanStatus::no_plan);
 }
 
 // Vehicles that hinder each other: the set that is best for each alone is not the best for all.
@@ -165,9 +165,9 @@ TEST(Coalition, TriesFewerRemovalsThanAircraftCanBreach) {
     mission.rules.timing = Timing::ignore;
     mission.rules.separation = 0.5;
     mission.rules.removals = 1;
-    const Plan one = MissionPlanner().plan(map, mission);
+    const Plan one = Planner().plan(map, mission);
     mission.rules.removals = 4;
-    const Plan four = MissionPlanner().plan(map, mission);
+    const Plan four = Planner().plan(map, mission);
     ASSERT_EQ(one.status, PlanStatus::solved);
     ASSERT_EQ(four.status, PlanStatus::solved);
     EXPECT_LE(*four.after.flowtime, *one.after.flowtime * (1 + 1e-9));
@@ -182,20 +182,20 @@ TEST(Coalition, RemovesWhatItMust) {
     Mission mission;
     mission.agents = {vehicle("a", {0, 0}, {4, 0}), vehicle("b", {4, 1}, {0, 1}), aircraft("air", {0, 0}, {0, 0}, 2)};
     mission.rules.force = {{1}};
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_EQ(plan.breaches.size(), 1U);
     mission.agents[2].breaches = 0;
-    EXPECT_THROW(MissionPlanner().plan(map, mission), InputError);
+    EXPECT_THROW(Planner().plan(map, mission), InputError);
 }
 
 TEST(Coalition, IsPlannedTheSameEachTime) {
     const Mission mission = through_two_walls();
-    MissionPlanner used;
+    Planner used;
     const Plan first = used.plan(two_walls(), mission);
     ASSERT_EQ(first.status, PlanStatus::solved);
-    for (const Plan& again : {used.plan(two_walls(), mission), MissionPlanner().plan(two_walls(), mission)}) {
+    for (const Plan& again : {used.plan(two_walls(), mission), Planner().plan(two_walls(), mission)}) {
         EXPECT_EQ(again.bound, first.bound);
         for (std::size_t i = 0; i < first.agents.size(); ++i) EXPECT_EQ(again.agents[i].path, first.agents[i].path);
     }
@@ -212,11 +212,11 @@ RC_GTEST_PROP(Coalition, IsPlannedTheSameAgainAndByAnyNumberOfThreads, ()) {
     } catch (const InputError&) {
         RC_DISCARD();
     }
-    MissionPlanner planner;
+    Planner planner;
     const Plan first = planner.plan(map, mission, {}, limits);
     const Plan again = planner.plan(map, mission, {}, limits);
     limits.threads = unsigned(*number(2, 4));
-    const Plan by_many = MissionPlanner().plan(map, mission, {}, limits);
+    const Plan by_many = Planner().plan(map, mission, {}, limits);
     for (const Plan* other : {&again, &by_many}) {
         RC_ASSERT(other->status == first.status);
         RC_ASSERT(other->bound == first.bound);
@@ -236,17 +236,17 @@ TEST(Coalition, StopsInTime) {
     const Mission mission = through_two_walls();
     StopSource source;
     source.request_stop();
-    const Plan stopped = MissionPlanner().plan(two_walls(), mission, {}, {.stop = source.get_token()});
+    const Plan stopped = Planner().plan(two_walls(), mission, {}, {.stop = source.get_token()});
     EXPECT_NE(stopped.status, PlanStatus::no_plan);
     EXPECT_EQ(plan_faults(two_walls(), mission, stopped), "");
-    const Plan hasty = MissionPlanner().plan(two_walls(), mission, {}, {.expansions = 1});
+    const Plan hasty = Planner().plan(two_walls(), mission, {}, {.expansions = 1});
     EXPECT_NE(hasty.status, PlanStatus::no_plan);
     EXPECT_EQ(plan_faults(two_walls(), mission, hasty), "");
 }
 
 TEST(Coalition, GainsWithEachRemoval) {
     Mission mission = through_two_walls();
-    const std::vector<Plan> front = MissionPlanner().front(two_walls(), mission);
+    const std::vector<Plan> front = Planner().front(two_walls(), mission);
     ASSERT_EQ(front.size(), 3U);  // nobody arrives with less than two
     EXPECT_EQ(front[1].status, PlanStatus::no_plan);
     EXPECT_EQ(front[2].status, PlanStatus::solved);
@@ -257,7 +257,7 @@ RC_GTEST_PROP(Coalition, CurveNeverGoesUp, ()) {
     const Map map(plain.grid());
     Mission mission = any_coalition(plain, map);
     mission.rules.force.clear();
-    const std::vector<Plan> front = MissionPlanner().front(map, mission);
+    const std::vector<Plan> front = Planner().front(map, mission);
     for (std::size_t n = 0; n < front.size(); ++n) {
         mission.rules.removals = int(n);
         RC_ASSERT(plan_faults(map, mission, front[n]) == "");

@@ -266,7 +266,7 @@ void expect_best(std::string_view picture, Objective objective, double breach_ti
     mission.agents.push_back(vehicle("0", mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G')));
     mission.agents.back().speed = speed;
     mission.agents.insert(mission.agents.end(), aircraft.begin(), aircraft.end());
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_NEAR(*value(plan.after, objective), Oracle(map, mission).best(), 1e-6);
@@ -319,7 +319,7 @@ Count compare(const std::function<std::optional<Case>()>& draw) {
         if (!made) continue;
         const auto& [map, mission] = *made;
         const double best = Oracle(map, mission).best();
-        const Plan plan = MissionPlanner().plan(map, mission);
+        const Plan plan = Planner().plan(map, mission);
         EXPECT_TRUE(is_valid(map, mission, plan)) << round;
         EXPECT_EQ(plan.status == PlanStatus::solved, best != never) << round;
         if (best == never || plan.status != PlanStatus::solved) continue;
@@ -351,8 +351,8 @@ TEST(CoalitionOracle, LosesNoMoreThanTheGapAskedFor) {
         if (!made) continue;
         const auto& [map, mission] = *made;
         const double gap = std::array{0.01, 0.1, 0.5}[random() % 3];
-        const Plan best = MissionPlanner().plan(map, mission);
-        const Plan plan = MissionPlanner().plan(map, mission, {}, {.gap = gap});
+        const Plan best = Planner().plan(map, mission);
+        const Plan plan = Planner().plan(map, mission, {}, {.gap = gap});
         ASSERT_EQ(plan.status, best.status) << round;
         if (plan.status != PlanStatus::solved) continue;
         EXPECT_TRUE(is_valid(map, mission, plan)) << round;

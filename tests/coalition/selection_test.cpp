@@ -8,6 +8,7 @@
 #include "any_coalition.hpp"
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
 
@@ -42,7 +43,7 @@ RC_GTEST_PROP(Selections, KeepToTheRules, ()) {
     Method method;
     method.select = *rc::gen::element(Selection::hits, Selection::greedy, Selection::none);
     method.bound = *rc::gen::arbitrary<bool>();
-    const Plan plan = MissionPlanner().plan(map, mission, method);
+    const Plan plan = Planner().plan(map, mission, method);
     RC_TAG(std::to_string(plan.breaches.size()) + " removed");
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     if (plan.status != PlanStatus::solved) return;
@@ -58,11 +59,11 @@ RC_GTEST_PROP(Selections, AreNoBetterThanWhatIsProven, ()) {
     const PlainMap plain = *random_map(16, 16);
     const Map map(plain.grid());
     const Mission mission = any_team(plain, map);
-    const Plan exact = MissionPlanner().plan(map, mission);
+    const Plan exact = Planner().plan(map, mission);
     for (const Selection select : {Selection::hits, Selection::greedy, Selection::none}) {
         Method method;
         method.select = select;
-        const Plan plan = MissionPlanner().plan(map, mission, method);
+        const Plan plan = Planner().plan(map, mission, method);
         if (plan.status != PlanStatus::solved) continue;
         RC_ASSERT(exact.status == PlanStatus::solved);
         RC_ASSERT(*exact.bound <= objective(mission, plan) + 1e-9);
@@ -83,7 +84,7 @@ RC_GTEST_PROP(Selections, AreNoWorseWithMoreRemovals, ()) {
     std::optional<double> before;
     for (int removals = 0; removals <= 4; ++removals) {
         mission.rules.removals = removals;
-        const Plan plan = MissionPlanner().plan(map, mission, method);
+        const Plan plan = Planner().plan(map, mission, method);
         if (before) {
             RC_ASSERT(plan.status == PlanStatus::solved);
             RC_ASSERT(objective(mission, plan) <= *before * (1 + 1e-9));
@@ -118,7 +119,7 @@ RC_GTEST_PROP(Selections, ByHitsRemoveWhatAllSearchesRanIntoMost, ()) {
     std::ranges::sort(most);
     Method method;
     method.select = Selection::hits;
-    const Plan plan = MissionPlanner().plan(map, mission, method);
+    const Plan plan = Planner().plan(map, mission, method);
     if (plan.status != PlanStatus::solved) return;
     std::vector<ObstacleId> removed;
     for (const Breach& breach : plan.breaches) {
@@ -132,7 +133,7 @@ RC_GTEST_PROP(Selections, ByHitsRemoveWhatAllSearchesRanIntoMost, ()) {
 std::vector<ObstacleId> removed_by(const Map& map, const Mission& mission, Selection select) {
     Method method;
     method.select = select;
-    const Plan plan = MissionPlanner().plan(map, mission, method);
+    const Plan plan = Planner().plan(map, mission, method);
     EXPECT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(map, mission, plan));
     std::vector<ObstacleId> removed;

@@ -15,7 +15,7 @@
 
 #include "random_map.hpp"
 #include "slow_crossing.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker {
 

@@ -10,7 +10,7 @@
 
 #include "random_map.hpp"
 #include "slow_sight.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 namespace {
@@ -26,7 +26,7 @@ RC_GTEST_PROP(Shortened, LeavesNothingToGainNearABend, ()) {
     const Map map(plain.grid());
     const Body body{.radius = *rc::gen::element(0.2, 0.5, 0.5, 0.7, 1.2)};
     SearchOptions by_steps;
-    by_steps.planner = Planner::astar;
+    by_steps.planner = Algorithm::astar;
     by_steps.body = body;
     Searcher searcher;
     const OpenedMap opened(map);

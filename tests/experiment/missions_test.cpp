@@ -6,7 +6,7 @@
 
 #include "ascii_map.hpp"
 #include "input_error.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker::experiment {
 namespace {
@@ -37,7 +37,7 @@ TEST(DrawMissions, KeepWhatTheRulesSay) {
         const double theta = searcher.find(closed, mission.start, mission.goal).length;
         EXPECT_GT(theta, 1.1 * distance(mission.start, mission.goal));
         const double dijkstra =
-            searcher.find(closed, mission.start, mission.goal, {.planner = Planner::dijkstra}).length;
+            searcher.find(closed, mission.start, mission.goal, {.planner = Algorithm::dijkstra}).length;
         EXPECT_NEAR(mission.optimal_length, dijkstra, 1e-9);
         EXPECT_EQ(mission.bucket, int(mission.optimal_length / 4));
         EXPECT_EQ(mission.width, 60);

@@ -232,7 +232,7 @@ TEST_F(TeamReport, ShowsWhatTeamsReachByTheirSize) {
     EXPECT_FALSE(teams.series[0].of(TeamMeasure::gap, 2).has_value());
     Mission mission = results.experiment().missions[0].mission;
     mission.rules.removals = 1;
-    const Plan plan = MissionPlanner().plan(mapfile::read_map_file(path("street.map")).map, mission);
+    const Plan plan = Planner().plan(mapfile::read_map_file(path("street.map")).map, mission);
     ASSERT_EQ(plan.breaches.size(), 1U);
     EXPECT_NEAR(teams.series[0].of(TeamMeasure::flowtime, 1)->mean, 100 * *plan.after.flowtime / *plan.before.flowtime,
                 1e-9);

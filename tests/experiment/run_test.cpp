@@ -66,7 +66,7 @@ TEST_F(RunExperiment, StoresAResultForEveryJob) {
 TEST_F(RunExperiment, StoresWhatThePlannerSays) {
     run_into("r.db");
     Results results(path("r.db"));
-    MissionPlanner planner;
+    Planner planner;
     Grid grid(12, 7);
     for (const int x : {3, 4, 8, 9}) {
         for (int y = 1; y < (x < 5 ? 6 : 5); ++y) grid.set_blocked({x, y}, true);
@@ -99,7 +99,8 @@ TEST_F(RunExperiment, GreedyLiesBetweenNothingAndTheProvenBest) {
     Results results(path("r.db"));
     const auto index = [&](Method method, int removals) {
         const auto& all = results.experiment().configurations;
-        return std::size_t(std::ranges::find(all, Configuration{method, Planner::optimal, 1, removals}) - all.begin());
+        return std::size_t(std::ranges::find(all, Configuration{method, Algorithm::optimal, 1, removals}) -
+                           all.begin());
     };
     results.for_each_mission([&](const ExperimentMission&, std::span<const std::optional<Result>> row) {
         for (const int n : {0, 1, 2}) {

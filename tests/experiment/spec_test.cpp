@@ -20,10 +20,10 @@ TEST(Spec, MultipliesTheListsOfARun) {
     EXPECT_EQ(spec.missions, (std::vector<std::string>{"a.scen", "b.scen"}));
     EXPECT_EQ(spec.time_limit, 2.5);
     const std::vector<Configuration> expected{
-        {Method::paper, Planner::theta, 1, 1},  {Method::paper, Planner::theta, 1, 3},
-        {Method::paper, Planner::theta, 2, 1},  {Method::paper, Planner::theta, 2, 3},
-        {Method::none, Planner::theta, 1, 0},   {Method::none, Planner::theta, 2, 0},
-        {Method::exact, Planner::optimal, 1, 0}};
+        {Method::paper, Algorithm::theta, 1, 1},  {Method::paper, Algorithm::theta, 1, 3},
+        {Method::paper, Algorithm::theta, 2, 1},  {Method::paper, Algorithm::theta, 2, 3},
+        {Method::none, Algorithm::theta, 1, 0},   {Method::none, Algorithm::theta, 2, 0},
+        {Method::exact, Algorithm::optimal, 1, 0}};
     EXPECT_EQ(spec.configurations, expected);
 }
 

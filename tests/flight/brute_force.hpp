@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "waybreaker/flight.hpp"
+#include "waybreaker/advanced/flight.hpp"
 
 namespace waybreaker {
 

@@ -48,7 +48,7 @@ MissionDocument any_document() {
         .objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan)};
     document.method = {.select = *rc::gen::element(Selection::exact, Selection::hits),
                        .flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest),
-                       .planner = *rc::gen::element(Planner::optimal, Planner::theta, Planner::jps),
+                       .planner = *rc::gen::element(Algorithm::optimal, Algorithm::theta, Algorithm::jps),
                        .heuristic = *rc::gen::element(std::optional<Heuristic>(), std::optional(Heuristic::octile)),
                        .weight = *rc::gen::element(1.0, 1.1),
                        .tie_break = *rc::gen::element(TieBreak::g_max, TieBreak::g_min),

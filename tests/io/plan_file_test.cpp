@@ -120,7 +120,7 @@ RC_GTEST_PROP(PlanFile, ComesBackAsItWasWritten, ()) {
                         .tie_break = *rc::gen::element(TieBreak::g_max, TieBreak::g_min),
                         .diagonal = *rc::gen::arbitrary<bool>(),
                         .bound = *rc::gen::arbitrary<bool>()};
-    Plan plan = MissionPlanner().plan(file.map, mission, method);
+    Plan plan = Planner().plan(file.map, mission, method);
     for (Breach& breach : plan.breaches) {
         breach.saves = 0.1;
         breach.by = *rc::gen::element<std::string>("", "air 1");

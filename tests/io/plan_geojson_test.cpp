@@ -38,7 +38,7 @@ class PlanGeojson : public TemporaryFolder {
   protected:
     PlanGeojson() {
         GDALAllRegister();
-        plan = MissionPlanner().plan(map.map, ground_and_air({256, 434}, {118, 55}));
+        plan = Planner().plan(map.map, ground_and_air({256, 434}, {118, 55}));
         file.reset(GDALDataset::Open(
             put("plan.geojson", plan_geojson(plan, map, geotiff::lon_lat_of(map.georeference))).c_str(),
             GDAL_OF_VECTOR));
@@ -170,7 +170,7 @@ TEST_F(PlanGeojson, NeedsToKnowWhereTheMapLies) {
 
 TEST_F(PlanGeojson, HasALineAlsoForWhoStays) {
     MapFile here{.map = Map::from_labels(3, 1, {0, 0, 0}), .georeference = map.georeference};
-    const Plan stay = MissionPlanner().plan(here.map, ground_and_air({1, 0}, {1, 0}));
+    const Plan stay = Planner().plan(here.map, ground_and_air({1, 0}, {1, 0}));
     ASSERT_EQ(stay.status, PlanStatus::solved);
     const std::string path = put("stay.geojson", plan_geojson(stay, here, geotiff::lon_lat_of(here.georeference)));
     const GDALDatasetUniquePtr read(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));

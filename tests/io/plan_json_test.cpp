@@ -111,9 +111,9 @@ TEST_F(PlanJson, SaysWhatThePlanSays) {
 }
 
 TEST_F(PlanJson, NamesOptionsAsTheCommandLineDoes) {
-    const std::vector<std::pair<Planner, std::string>> planners{
-        {Planner::theta, "theta"}, {Planner::lazy_theta, "lazy-theta"}, {Planner::astar, "astar"},
-        {Planner::jps, "jps"},     {Planner::dijkstra, "dijkstra"},     {Planner::bfs, "bfs"}};
+    const std::vector<std::pair<Algorithm, std::string>> planners{
+        {Algorithm::theta, "theta"}, {Algorithm::lazy_theta, "lazy-theta"}, {Algorithm::astar, "astar"},
+        {Algorithm::jps, "jps"},     {Algorithm::dijkstra, "dijkstra"},     {Algorithm::bfs, "bfs"}};
     for (const auto& [planner, name] : planners) {
         method.planner = planner;
         EXPECT_EQ(json()["options"]["planner"], name);

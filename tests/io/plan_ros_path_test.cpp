@@ -98,7 +98,7 @@ TEST(RosPaths, HaveAPoseEveryStep) {
     EXPECT_EQ(count(1), 5U);
     EXPECT_EQ(count(0.25), 4U + 1 + 2 + 5);
     EXPECT_EQ(count(0.1), 4U + 9 + 14);
-    EXPECT_NE(input_error([&] { count(1e-9); }).find("give a larger --step"), std::string::npos);
+    EXPECT_NE(input_error([&] { count(1e-9); }).find("give a larger step"), std::string::npos);
 }
 
 // YAML 1.1, which most of ROS reads, takes 1e-06 for a text and 1 for a whole number.

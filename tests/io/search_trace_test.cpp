@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ascii_map.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker::io {
 namespace {
@@ -26,7 +27,7 @@ struct Traced {
     Json trace;
 };
 
-Traced traced(std::string_view map_picture, Planner planner) {
+Traced traced(std::string_view map_picture, Algorithm planner) {
     const Map map = map_from_ascii(map_picture);
     const OpenedMap closed(map);
     const Cell start = mark_in_ascii(map_picture, 'S');
@@ -46,7 +47,7 @@ std::vector<std::string> types(const Json& trace) {
 }
 
 TEST(SearchTrace, IsWhatTheFormatAsksFor) {
-    const Json trace = traced(picture, Planner::theta).trace;
+    const Json trace = traced(picture, Algorithm::theta).trace;
     EXPECT_EQ(trace["version"], "1.4.0");
     EXPECT_EQ(trace["views"]["main"][0]["$"], "rect");
     EXPECT_TRUE(trace["pivot"].contains("x"));
@@ -70,13 +71,13 @@ TEST(SearchTrace, OfAStepIsWrittenOut) {
         R"({"type": "expanding", "id": 2, "x": 1, "y": 0, "pId": 1, "g": 1, "f": 1})",
         R"({"type": "end", "id": 2, "x": 1, "y": 0, "pId": 1, "g": 1, "f": 1})",
     };
-    const Json trace = traced("SG", Planner::astar).trace;
+    const Json trace = traced("SG", Algorithm::astar).trace;
     ASSERT_EQ(trace["events"].size(), lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(trace["events"][i], Json::parse(lines[i])) << lines[i];
 }
 
 TEST(SearchTrace, AgreesWithTheSearch) {
-    for (const Planner planner : {Planner::theta, Planner::lazy_theta, Planner::astar, Planner::jps}) {
+    for (const Algorithm planner : {Algorithm::theta, Algorithm::lazy_theta, Algorithm::astar, Algorithm::jps}) {
         const auto [result, trace] = traced(picture, planner);
         ASSERT_EQ(result.status, SearchStatus::found);
         std::map<std::string, std::uint64_t> count;
@@ -92,7 +93,7 @@ TEST(SearchTrace, AgreesWithTheSearch) {
 
 // Every parent was generated before its child, so that the way back to the start can be drawn at any step.
 TEST(SearchTrace, LeadsBackFromEveryCell) {
-    for (const Planner planner : {Planner::theta, Planner::lazy_theta, Planner::astar, Planner::jps}) {
+    for (const Algorithm planner : {Algorithm::theta, Algorithm::lazy_theta, Algorithm::astar, Algorithm::jps}) {
         const Json trace = traced(picture, planner).trace;
         std::set<Json> seen;
         for (const Json& event : trace["events"]) {
@@ -106,7 +107,7 @@ TEST(SearchTrace, LeadsBackFromEveryCell) {
 }
 
 TEST(SearchTrace, EndsWithAClosedCellWhereThereIsNoPath) {
-    const auto [result, trace] = traced("S.#G", Planner::theta);
+    const auto [result, trace] = traced("S.#G", Algorithm::theta);
     EXPECT_EQ(result.status, SearchStatus::no_path);
     EXPECT_EQ(types(trace).back(), "closing");
 }

@@ -76,10 +76,10 @@ Planned any_plan() {
     mission.rules.removals = *number(0, 2);
     Body& body = mission.agents[0].body;
     body.radius = *rc::gen::element(0.0, 0.5, 0.8);
-    const Method method{.planner = *rc::gen::element(Planner::optimal, Planner::theta, Planner::astar)};
+    const Method method{.planner = *rc::gen::element(Algorithm::optimal, Algorithm::theta, Algorithm::astar)};
     Plan plan;
     try {
-        plan = MissionPlanner().plan(planned.map.map, mission, method);
+        plan = Planner().plan(planned.map.map, mission, method);
     } catch (const InputError&) {
         RC_DISCARD("a start that is too narrow");
     }
@@ -129,7 +129,7 @@ class SurfacesOfATown : public testing::Test {
 
     std::string plan() const {
         const Mission mission = ground_and_air({0, 0}, {8, 0});
-        return plan_json(MissionPlanner().plan(file_.map, mission, {}), {.map = file_, .asked = {.mission = mission}});
+        return plan_json(Planner().plan(file_.map, mission, {}), {.map = file_, .asked = {.mission = mission}});
     }
     Json agent(std::size_t i) const { return Json::parse(plan())["agents"][i]; }
 

@@ -42,7 +42,7 @@ RC_GTEST_PROP(AnyAngle, PathsAreLegalAndNoShorterThanTheShortest, ()) {
     const Cell goal = any_free_cell(plain);
     const Body body{.corners = any_corners()};
     const double shortest = shortest_any_angle(plain, start, goal, body);
-    for (const Planner planner : {Planner::theta, Planner::lazy_theta}) {
+    for (const Algorithm planner : {Algorithm::theta, Algorithm::lazy_theta}) {
         for (const double weight : {1.0, 1.5}) {
             const SearchOptions options{.planner = planner, .weight = weight, .body = body};
             const SearchResult result = Searcher().find(OpenedMap(map), start, goal, options);
@@ -60,7 +60,7 @@ RC_GTEST_PROP(AnyAngle, PathsOfWideAgentsAreLegal, ()) {
     const Map map(plain.grid());
     const Cell start = any_free_cell(plain);
     const Cell goal = any_free_cell(plain);
-    for (const Planner planner : {Planner::theta, Planner::lazy_theta}) {
+    for (const Algorithm planner : {Algorithm::theta, Algorithm::lazy_theta}) {
         const SearchOptions options{.planner = planner, .body = {.radius = *rc::gen::element(0.501, 1.0, 1.7)}};
         const SearchResult result = Searcher().find(OpenedMap(map), start, goal, options);
         RC_ASSERT(path_fault(plain, start, goal, options, result).empty());
@@ -69,7 +69,7 @@ RC_GTEST_PROP(AnyAngle, PathsOfWideAgentsAreLegal, ()) {
 
 TEST(AnyAngle, IsStraightWhereNothingIsInTheWay) {
     const Map map(Grid(40, 30));
-    for (const Planner planner : {Planner::theta, Planner::lazy_theta}) {
+    for (const Algorithm planner : {Algorithm::theta, Algorithm::lazy_theta}) {
         const SearchResult result = Searcher().find(OpenedMap(map), {3, 4}, {38, 27}, {.planner = planner});
         EXPECT_EQ(result.path, (std::vector<Cell>{{3, 4}, {38, 27}}));
     }
@@ -99,13 +99,13 @@ TEST(AnyAngle, IsHardlyEverLongerThanAStar) {
         const Map map(std::move(grid));
         const Cell start{below(map.width()), below(map.height())};
         const Cell goal{below(map.width()), below(map.height())};
-        const auto length = [&](Planner planner) {
+        const auto length = [&](Algorithm planner) {
             return searcher.find(OpenedMap(map), start, goal, {.planner = planner}).length;
         };
-        const double astar = length(Planner::astar);
+        const double astar = length(Algorithm::astar);
         if (astar == 0) continue;
-        const double theta = length(Planner::theta);
-        const double lazy = length(Planner::lazy_theta);
+        const double theta = length(Algorithm::theta);
+        const double lazy = length(Algorithm::lazy_theta);
         ++found;
         longer += theta > astar + 1e-9 ? 1 : 0;
         lazy_longer += lazy > astar + 1e-9 ? 1 : 0;

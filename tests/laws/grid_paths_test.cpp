@@ -44,10 +44,10 @@ RC_GTEST_PROP(GridPaths, AreEquallyLongByAnyOptimalPlanner, ()) {
     // Wide maps for jumps across words of bits.
     const World world(*random_map(*rc::gen::element(24, 200), *rc::gen::element(3, 24)));
     const Corners corners = any_corners();
-    const SearchResult optimal = world.find({.planner = Planner::dijkstra, .body = {.corners = corners}});
+    const SearchResult optimal = world.find({.planner = Algorithm::dijkstra, .body = {.corners = corners}});
     for (const Heuristic heuristic : {Heuristic::octile, Heuristic::euclidean, Heuristic::chebyshev, Heuristic::zero}) {
         for (const TieBreak tie_break : {TieBreak::g_max, TieBreak::g_min}) {
-            for (const Planner planner : {Planner::astar, Planner::jps}) {
+            for (const Algorithm planner : {Algorithm::astar, Algorithm::jps}) {
                 check_equally_long(optimal, world.find({.planner = planner,
                                                         .heuristic = heuristic,
                                                         .tie_break = tie_break,
@@ -60,15 +60,15 @@ RC_GTEST_PROP(GridPaths, AreEquallyLongByAnyOptimalPlanner, ()) {
 RC_GTEST_PROP(GridPaths, OfWideAgentsAreEquallyLong, ()) {
     const World world(*random_map(30, 24));
     const Body body{.radius = *rc::gen::element(0.5, 0.501, 0.75, 1.2, 2.25)};
-    check_equally_long(world.find({.planner = Planner::dijkstra, .body = body}),
-                       world.find({.planner = Planner::astar, .body = body}));
+    check_equally_long(world.find({.planner = Algorithm::dijkstra, .body = body}),
+                       world.find({.planner = Algorithm::astar, .body = body}));
 }
 
 RC_GTEST_PROP(GridPaths, OfBfsAreShortestOnFourNeighbours, ()) {
     const World world(*random_map(24, 24));
-    const SearchResult by_moves = world.find({.planner = Planner::bfs, .diagonal = false});
-    check_equally_long(by_moves, world.find({.planner = Planner::dijkstra, .diagonal = false}));
-    check_equally_long(by_moves, world.find({.planner = Planner::astar, .diagonal = false}));
+    const SearchResult by_moves = world.find({.planner = Algorithm::bfs, .diagonal = false});
+    check_equally_long(by_moves, world.find({.planner = Algorithm::dijkstra, .diagonal = false}));
+    check_equally_long(by_moves, world.find({.planner = Algorithm::astar, .diagonal = false}));
 }
 
 // On eight neighbours BFS takes the fewest moves: no more than a shortest path has.
@@ -83,8 +83,8 @@ RC_GTEST_PROP(GridPaths, OfBfsTakeTheFewestMoves, ()) {
         }
         return count;
     };
-    const SearchResult fewest = world.find({.planner = Planner::bfs, .body = body});
-    const SearchResult shortest = world.find({.planner = Planner::dijkstra, .body = body});
+    const SearchResult fewest = world.find({.planner = Algorithm::bfs, .body = body});
+    const SearchResult shortest = world.find({.planner = Algorithm::dijkstra, .body = body});
     RC_ASSERT(moves(fewest) <= moves(shortest));
     RC_ASSERT(fewest.length >= shortest.length - 1e-9);
 }
@@ -93,8 +93,8 @@ RC_GTEST_PROP(GridPaths, StayWithinTheHeuristicsWeight, ()) {
     const World world(*random_map(30, 30));
     const Body body{.corners = any_corners()};
     const double weight = *rc::gen::element(1.1, 1.5, 2.0, 5.0);
-    const SearchResult optimal = world.find({.planner = Planner::dijkstra, .body = body});
-    for (const Planner planner : {Planner::astar, Planner::jps}) {
+    const SearchResult optimal = world.find({.planner = Algorithm::dijkstra, .body = body});
+    for (const Algorithm planner : {Algorithm::astar, Algorithm::jps}) {
         const SearchResult greedy = world.find({.planner = planner, .weight = weight, .body = body});
         RC_ASSERT(greedy.status == optimal.status);
         RC_ASSERT(greedy.length <= weight * optimal.length + 1e-9);
@@ -126,7 +126,7 @@ TEST(GridPaths, OfAWeightedJumpSearchAreFound) {
         ######...................)";
     const Map map = map_from_ascii(picture);
     for (const Corners corners : {Corners::cut, Corners::squeeze}) {
-        const SearchOptions options{.planner = Planner::jps, .weight = 5, .body = {.corners = corners}};
+        const SearchOptions options{.planner = Algorithm::jps, .weight = 5, .body = {.corners = corners}};
         const SearchResult found =
             Searcher().find(OpenedMap(map, {}), mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'), options);
         EXPECT_EQ(found.status, SearchStatus::found);
@@ -139,7 +139,7 @@ RC_GTEST_PROP(GridPaths, ShortenWithFreedom, ()) {
     const World world(closed);
     const Map map(closed.grid());
     const auto length = [&world](const Body& body, bool diagonal = true) {
-        const SearchResult result = world.find({.planner = Planner::astar, .diagonal = diagonal, .body = body});
+        const SearchResult result = world.find({.planner = Algorithm::astar, .diagonal = diagonal, .body = body});
         return result.status == SearchStatus::found ? result.length : std::numeric_limits<double>::infinity();
     };
     const double none = length({});
@@ -151,7 +151,7 @@ RC_GTEST_PROP(GridPaths, ShortenWithFreedom, ()) {
     RC_ASSERT(none <= length({.radius = 0.9}) + 1e-9);
     // Removals too.
     if (closed.blocked(world.start) || closed.blocked(world.goal)) return;
-    const SearchResult before = Searcher().find(OpenedMap(map), world.start, world.goal, {.planner = Planner::astar});
+    const SearchResult before = Searcher().find(OpenedMap(map), world.start, world.goal, {.planner = Algorithm::astar});
     if (before.status == SearchStatus::found) RC_ASSERT(none <= before.length + 1e-9);
 }
 

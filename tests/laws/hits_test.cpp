@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "random_map.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 namespace {
@@ -14,7 +14,7 @@ RC_GTEST_PROP(Hits, ZeroMeansThatRemovalChangesNothing, ()) {
     const Map map(plain.grid());
     const Cell start = any_free_cell(plain);
     const Cell goal = any_free_cell(plain);
-    const SearchOptions options{.planner = *rc::gen::element(Planner::astar, Planner::dijkstra, Planner::bfs),
+    const SearchOptions options{.planner = *rc::gen::element(Algorithm::astar, Algorithm::dijkstra, Algorithm::bfs),
                                 .diagonal = mostly(),
                                 .body = any_body(),
                                 .count_hits = true};
@@ -38,7 +38,7 @@ RC_GTEST_PROP(Hits, NameEveryWallOfAPrison, ()) {
     const Map map(plain.grid());
     const Cell start = any_free_cell(plain);
     const Cell goal = any_free_cell(plain);
-    const SearchOptions options{.planner = *rc::gen::element(Planner::theta, Planner::lazy_theta, Planner::astar),
+    const SearchOptions options{.planner = *rc::gen::element(Algorithm::theta, Algorithm::lazy_theta, Algorithm::astar),
                                 .count_hits = true};
     const SearchResult before = Searcher().find(OpenedMap(map), start, goal, options);
     if (before.status == SearchStatus::found) return;

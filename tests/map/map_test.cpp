@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ascii_map.hpp"
+#include "input_error.hpp"
 #include "random_map.hpp"
 #include "waybreaker/error.hpp"
 
@@ -93,10 +94,35 @@ TEST(Map, LetsObstaclesTouch) {
 }
 
 TEST(Map, RefusesWrongNumbersOfLabels) {
-    EXPECT_THROW(Map::from_labels(3, 3, std::vector<std::uint32_t>(8)), InputError);
-    EXPECT_THROW(Map::from_labels(3, 3, std::vector<std::uint32_t>(10)), InputError);
-    EXPECT_THROW(Map::from_labels(0, 3, {}), InputError);
-    EXPECT_THROW(Map::from_labels(max_side, max_side, {}), InputError);
+    EXPECT_THROW(static_cast<void>(Map::from_labels(3, 3, std::vector<std::uint32_t>(8))), InputError);
+    EXPECT_THROW(static_cast<void>(Map::from_labels(3, 3, std::vector<std::uint32_t>(10))), InputError);
+    EXPECT_THROW(static_cast<void>(Map::from_labels(0, 3, {})), InputError);
+    EXPECT_THROW(static_cast<void>(Map::from_labels(max_side, max_side, {})), InputError);
+}
+
+TEST(Map, IsMadeOfRowsOfCharacters) {
+    const Map map = Map::from_rows({"..#A..", "..#.A.", "A....."});
+    EXPECT_EQ(map.width(), 6);
+    EXPECT_EQ(map.height(), 3);
+    ASSERT_EQ(map.obstacles().size(), 2U);
+    EXPECT_EQ(map.obstacle({1}).source_id, '#');
+    EXPECT_EQ(map.obstacle({1}).cells, 2U);
+    EXPECT_EQ(map.obstacle({2}).source_id, 'A') << "whether its cells lie together or not";
+    EXPECT_EQ(map.obstacle({2}).cells, 3U);
+    EXPECT_TRUE(map.obstacle({2}).destructible);
+    EXPECT_EQ(Map::from_rows({"\xff \n"}).obstacle({1}).source_id, 255);
+    EXPECT_EQ(Map::from_rows({"\xff \n"}).obstacles().size(), 3U) << "any character but the point is blocked";
+    EXPECT_TRUE(Map::from_rows({"...", "..."}).obstacles().empty());
+}
+
+TEST(Map, RefusesRowsThatMakeNoMap) {
+    EXPECT_THROW(static_cast<void>(Map::from_rows({})), InputError);
+    EXPECT_THROW(static_cast<void>(Map::from_rows({""})), InputError);
+    EXPECT_EQ(input_error([] {
+                  static_cast<void>(Map::from_rows({"...", "...."}));
+              }),
+              "row 1 of the map has 4 cells, and row 0 has 3");
+    EXPECT_THROW(static_cast<void>(Map::from_rows({std::string(max_side + 1, '.')})), InputError);
 }
 
 TEST(Map, RefusesWeightsAndTimesOutOfRange) {
@@ -121,7 +147,7 @@ TEST(Map, CanWeighObstaclesAnew) {
     EXPECT_EQ(heavy.identity(), map.identity()) << "the same cells";
     for (const std::vector<double>& wrong :
          {std::vector<double>{}, {0}, {0, 1, 1}, {0, 1, 1, 0}, {0, 1, 1, 1e13}, {0, 1, std::nan(""), 1}}) {
-        EXPECT_THROW(map.with_weights(wrong), InputError);
+        EXPECT_THROW(static_cast<void>(map.with_weights(wrong)), InputError);
     }
 }
 

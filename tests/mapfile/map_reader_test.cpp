@@ -162,7 +162,7 @@ TEST_F(MapFiles, WithNeighboursThatGisRead) {
     put("floor.png", png_bytes(2, 1, {9, 200}));
     put("floor.pgw", "0.5\n0\n0\n-0.5\n0\n0\n");
     EXPECT_EQ(read_map_file(path("floor.png")).notes.back(),
-              "the world file beside it, floor.pgw, is not read: --cell-size METRES says how large a cell is");
+              "the world file beside it, floor.pgw, is not read: give the size of a cell in metres");
     put("city.tif.msk", "anything");
     EXPECT_NE(input_error([&] { read_map_file(city); }).find("has a mask in a file beside it, city.tif.msk"),
               std::string::npos);

@@ -84,14 +84,14 @@ TEST_F(WrittenMaps, KeepATask) {
     io::MapFile map = labelled_yard();
     map.task = io::MapTask{.start = Cell{0, 0},
                            .goal = Cell{4, 0},
-                           .search = {.planner = Planner::jps, .heuristic = Heuristic::octile, .weight = 1.25}};
+                           .search = {.planner = Algorithm::jps, .heuristic = Heuristic::octile, .weight = 1.25}};
     map.task->search.body.corners = Corners::cut;
     map.task->search.tie_break = TieBreak::g_min;
     write(map, "y.xml");
     const io::MapTask task = *read_map_file(path("y.xml")).task;
     EXPECT_EQ(task.start, (Cell{0, 0}));
     EXPECT_EQ(task.goal, (Cell{4, 0}));
-    EXPECT_EQ(task.search.planner, Planner::jps);
+    EXPECT_EQ(task.search.planner, Algorithm::jps);
     EXPECT_EQ(task.search.heuristic, Heuristic::octile);
     EXPECT_EQ(task.search.weight, 1.25);
     EXPECT_EQ(task.search.tie_break, TieBreak::g_min);
@@ -161,7 +161,7 @@ TEST_F(WrittenMaps, OfRosAreTheSameToTheByte) {
     std::filesystem::create_directory(path("out"));
     put("floor.pgm", image);
     const io::MapFile map = read_map_file(put("floor.yaml", yaml));
-    const Plan plan = MissionPlanner().plan(map.map, ground_and_air({1, 0}, {3, 2}));
+    const Plan plan = Planner().plan(map.map, ground_and_air({1, 0}, {3, 2}));
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(write(map, "out/floor.yaml").losses.empty());
     EXPECT_EQ(bytes_of("out/floor.pgm"), image);

@@ -43,8 +43,8 @@ RC_GTEST_PROP(IdleAircraft, ChangeNothing, ()) {
         team.agents.insert(team.agents.begin() + *number(0, int(team.agents.size())), bird);
     }
     const Method method{.explain = *rc::gen::arbitrary<bool>()};
-    const Plan alone = MissionPlanner().plan(map, pair, method);
-    const Plan plan = MissionPlanner().plan(map, team, method);
+    const Plan alone = Planner().plan(map, pair, method);
+    const Plan plan = Planner().plan(map, team, method);
     RC_ASSERT(plan.status == alone.status);
     RC_ASSERT(plan_faults(map, team, plan) == "");
     if (plan.status != PlanStatus::solved) return;
@@ -65,8 +65,8 @@ RC_GTEST_PROP(IdleAircraft, TheCurveIsTheSame, ()) {
     Mission team = pair;
     team.agents.push_back(aircraft("bird", any_cell(plain), any_cell(plain)));
     team.agents.back().breaches = 0;
-    const std::vector<Plan> alone = MissionPlanner().front(map, pair);
-    const std::vector<Plan> plans = MissionPlanner().front(map, team);
+    const std::vector<Plan> alone = Planner().front(map, pair);
+    const std::vector<Plan> plans = Planner().front(map, team);
     RC_ASSERT(plans.size() == alone.size());
     for (std::size_t i = 0; i < plans.size(); ++i) {
         RC_ASSERT(plans[i].after.ground_makespan == alone[i].after.ground_makespan);
@@ -83,8 +83,8 @@ RC_GTEST_PROP(Capacity, OfTheOnlyAircraftIsANumberOfRemovals, ()) {
     Mission able = few;
     able.rules.removals = few.rules.removals + 1;
     able.agents[1].breaches = few.rules.removals;
-    const Plan plan = MissionPlanner().plan(map, able, {.explain = true});
-    const Plan other = MissionPlanner().plan(map, few);
+    const Plan plan = Planner().plan(map, able, {.explain = true});
+    const Plan other = Planner().plan(map, few);
     RC_ASSERT(plan_faults(map, able, plan) == "");
     RC_ASSERT(plan.next.empty());
     RC_ASSERT(plan.agents.size() == other.agents.size());
@@ -98,7 +98,7 @@ TEST(IdleAircraft, AreHomeWhenTheyAre) {
                       aircraft("heli", {0, 1}, {4, 1})};
     mission.agents[0].breaches = 0;
     mission.rules.removals = 1;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_TRUE(is_valid(map, mission, plan));
     ASSERT_EQ(plan.breaches.size(), 1U);
     EXPECT_EQ(plan.breaches[0].by, "heli");

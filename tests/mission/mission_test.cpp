@@ -9,7 +9,7 @@
 #include "paper_plan.hpp"
 #include "random_map.hpp"
 #include "select/hits.hpp"
-#include "waybreaker/flight.hpp"
+#include "waybreaker/advanced/flight.hpp"
 #include "waybreaker/planner.hpp"
 
 namespace waybreaker {
@@ -59,8 +59,8 @@ RC_GTEST_PROP(Mission, PlansWhatItsStepsSay, ()) {
     mission.rules.removals = *number(0, 4);
     mission.rules.timing = Timing::ignore;
     method.flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest);
-    method.planner = *rc::gen::element(Planner::theta, Planner::lazy_theta, Planner::astar, Planner::jps);
-    const Plan plan = MissionPlanner().plan(map, mission, method);
+    method.planner = *rc::gen::element(Algorithm::theta, Algorithm::lazy_theta, Algorithm::astar, Algorithm::jps);
+    const Plan plan = Planner().plan(map, mission, method);
 
     // The paper's steps, one by one.
     const SearchOptions search = search_options(method, driver.body);
@@ -203,11 +203,11 @@ TEST(Mission, TakesStartAsGoal) {
 TEST(Mission, SaysThatASearchEndedEarly) {
     const Map map(Grid(30, 30));
     const Mission mission = ground_and_air({0, 0}, {29, 29});
-    const Method method{.select = Selection::hits, .planner = Planner::dijkstra};
-    EXPECT_EQ(MissionPlanner().plan(map, mission, method, {.expansions = 3}).status, PlanStatus::limit_reached);
+    const Method method{.select = Selection::hits, .planner = Algorithm::dijkstra};
+    EXPECT_EQ(Planner().plan(map, mission, method, {.expansions = 3}).status, PlanStatus::limit_reached);
     StopSource source;
     source.request_stop();
-    EXPECT_EQ(MissionPlanner().plan(map, mission, method, {.stop = source.get_token()}).status, PlanStatus::stopped);
+    EXPECT_EQ(Planner().plan(map, mission, method, {.stop = source.get_token()}).status, PlanStatus::stopped);
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ std::string picture(const World& world) {
 }
 
 void expect_between_bound_and_plan(const World& world) {
-    const Plan plan = MissionPlanner().plan(world.map, world.mission);
+    const Plan plan = Planner().plan(world.map, world.mission);
     RC_LOG() << picture(world);
     RC_ASSERT(plan_faults(world.map, world.mission, plan) == "");
     const double best = AllPlans(world.map, world.mission).best();
@@ -176,7 +176,7 @@ TEST(Oracle, NoneBeatsThePlan) {
 
     for (const World& world : {gate_where_an_obstacle_stood, wait_on_the_way_to_a_gate, entered_in_time_elsewhere,
                                disc_later_than_its_square}) {
-        const Plan plan = MissionPlanner().plan(world.map, world.mission);
+        const Plan plan = Planner().plan(world.map, world.mission);
         const double best = AllPlans(world.map, world.mission).best();
         EXPECT_NEAR(*value(plan.after, world.mission.rules.objective), best, 1e-9) << picture(world);
     }
@@ -195,7 +195,7 @@ TEST(Oracle, HardlyAnyPlanIsBeaten) {
         } catch (const rc::detail::CaseResult&) {
             continue;  // no free cell
         }
-        const Plan plan = MissionPlanner().plan(world->map, world->mission);
+        const Plan plan = Planner().plan(world->map, world->mission);
         if (plan.status != PlanStatus::solved) continue;
         ++plans;
         const double reached = *value(plan.after, world->mission.rules.objective);
@@ -207,8 +207,8 @@ TEST(Oracle, HardlyAnyPlanIsBeaten) {
 RC_GTEST_PROP(Oracle, APlanLosesNoMoreThanTheGapAskedFor, ()) {
     const World world = any_world();
     const double gap = *rc::gen::element(0.01, 0.1, 0.5);
-    const Plan best = MissionPlanner().plan(world.map, world.mission);
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, {}, {.gap = gap});
+    const Plan best = Planner().plan(world.map, world.mission);
+    const Plan plan = Planner().plan(world.map, world.mission, {}, {.gap = gap});
     RC_LOG() << picture(world) << "gap " << gap << "\n";
     RC_ASSERT(plan_faults(world.map, world.mission, plan) == "");
     RC_ASSERT(plan.status == best.status);
@@ -229,7 +229,7 @@ TEST(Oracle, WhatGainsLessThanTheGapStays) {
     std::vector<std::string> rows(3, std::string(50, '.'));
     rows[1][25] = 'a';
     World world = world_of(rows, {0, 1}, {49, 1});
-    const auto plan = [&](double gap) { return MissionPlanner().plan(world.map, world.mission, {}, {.gap = gap}); };
+    const auto plan = [&](double gap) { return Planner().plan(world.map, world.mission, {}, {.gap = gap}); };
     EXPECT_EQ(plan(0).breaches.size(), 1U);
     EXPECT_EQ(plan(1e-4).breaches.size(), 1U);
     const Plan near = plan(0.01);
@@ -240,11 +240,11 @@ TEST(Oracle, WhatGainsLessThanTheGapStays) {
 
 // How much more the plan costs than one that must remove the same.
 double loss_to_forced(World world) {
-    const Plan plan = MissionPlanner().plan(world.map, world.mission);
+    const Plan plan = Planner().plan(world.map, world.mission);
     if (plan.status != PlanStatus::solved || plan.breaches.empty()) return 0;
     for (const Breach& breach : plan.breaches) world.mission.rules.force.push_back(breach.obstacle);
     world.mission.rules.removals = int(plan.breaches.size());
-    const Plan forced = MissionPlanner().plan(world.map, world.mission);
+    const Plan forced = Planner().plan(world.map, world.mission);
     const Objective objective = world.mission.rules.objective;
     return *value(plan.after, objective) / *value(forced.after, objective) - 1;
 }

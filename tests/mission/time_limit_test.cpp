@@ -42,7 +42,7 @@ TEST_P(WholeCall, EndsInTimeWithAPlanAndWhatIsProven) {
     const Map map = scattered(300, 30);
     const Mission mission = across(map, 5, GetParam());
     const Stopwatch watch;
-    const Plan plan = MissionPlanner().plan(map, mission, everything, {.seconds = limit});
+    const Plan plan = Planner().plan(map, mission, everything, {.seconds = limit});
     EXPECT_LT(watch.seconds(), far_too_long);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(plan.limit_reached);
@@ -53,8 +53,8 @@ TEST_P(WholeCall, EndsInTimeWithAPlanAndWhatIsProven) {
 TEST_P(WholeCall, InHasteIsTrueToo) {
     const Map map = scattered(100, 20);
     const Mission mission = across(map, 4, GetParam());
-    const Plan best = MissionPlanner().plan(map, mission, {.bound = true}, {.seconds = far_too_long});
-    const Plan plan = MissionPlanner().plan(map, mission, {.bound = true}, {.seconds = limit / 2});
+    const Plan best = Planner().plan(map, mission, {.bound = true}, {.seconds = far_too_long});
+    const Plan plan = Planner().plan(map, mission, {.bound = true}, {.seconds = limit / 2});
     if (plan.status == PlanStatus::limit_reached) GTEST_SKIP() << "the machine was too busy to find any plan";
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(check(map, mission, plan).empty());
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Objectives, WholeCall,
 TEST(TimeLimit, HoldsForTheFront) {
     const Map map = scattered(300, 30);
     const Stopwatch watch;
-    const std::vector<Plan> front = MissionPlanner().front(map, across(map, 5), everything, {.seconds = limit});
+    const std::vector<Plan> front = Planner().front(map, across(map, 5), everything, {.seconds = limit});
     EXPECT_LT(watch.seconds(), far_too_long);
     ASSERT_FALSE(front.empty());
     EXPECT_TRUE(front.back().limit_reached);
@@ -88,7 +88,7 @@ TEST(TimeLimit, HoldsForSchedulesOfManyRemovals) {
     Mission mission = across(map, 50);
     mission.rules.breach_time.per_obstacle = 1;
     const Stopwatch watch;
-    MissionPlanner().plan(map, mission, everything, {.seconds = limit});
+    Planner().plan(map, mission, everything, {.seconds = limit});
     EXPECT_LT(watch.seconds(), far_too_long);
 }
 
@@ -102,13 +102,13 @@ TEST(TimeLimit, HoldsForAPointThatPassesBetweenCorners) {
     mission.rules.removals = 5;
     mission.agents[0].body = point_body;
     const Stopwatch watch;
-    MissionPlanner().plan(checkerboard, mission, everything, {.seconds = limit});
+    Planner().plan(checkerboard, mission, everything, {.seconds = limit});
     EXPECT_LT(watch.seconds(), far_too_long);
 }
 
 TEST(TimeLimit, IsNotReachedWhereThereIsTime) {
     const Map map = scattered(30, 10);
-    EXPECT_FALSE(MissionPlanner().plan(map, across(map, 1)).limit_reached);
+    EXPECT_FALSE(Planner().plan(map, across(map, 1)).limit_reached);
 }
 
 }  // namespace

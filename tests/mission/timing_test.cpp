@@ -19,7 +19,7 @@ struct TimedMission {
     Limits limits;
 
     Plan plan() const {
-        const Plan plan = MissionPlanner().plan(map, mission, method, limits);
+        const Plan plan = Planner().plan(map, mission, method, limits);
         RC_ASSERT(plan_faults(map, mission, plan) == "");
         return plan;
     }
@@ -56,7 +56,7 @@ RC_GTEST_PROP(Timing, APlannerPlansTheSameAgain, ()) {
     TimedMission world = any_timed_mission();
     world.method.select = *rc::gen::element(Selection::hits, Selection::exact, Selection::exact);
     world.limits.expansions = *rc::gen::element<std::uint64_t>(20, 200, UINT64_MAX, UINT64_MAX);
-    MissionPlanner planner;
+    Planner planner;
     const Plan first = planner.plan(world.map, world.mission, world.method, world.limits);
     const Plan again = planner.plan(world.map, world.mission, world.method, world.limits);
     RC_ASSERT(again.bound == first.bound);
@@ -151,7 +151,7 @@ Plan plan_past_the_wall(double air_speed, double breach_time) {
     Mission mission = ground_and_air({0, 3}, {12, 3});
     mission.agents[1].speed = air_speed;
     mission.rules.breach_time.per_obstacle = breach_time;
-    const Plan plan = MissionPlanner().plan(map, mission, {.select = Selection::hits});
+    const Plan plan = Planner().plan(map, mission, {.select = Selection::hits});
     EXPECT_TRUE(is_valid(map, mission, plan));
     return plan;
 }
@@ -185,7 +185,7 @@ TEST(Timing, AWallAcrossTheMapIsWaitedForHoweverLong) {
         ..a..)");
     Mission mission = ground_and_air({0, 1}, {4, 1});
     mission.rules.breach_time.per_cell = 30;
-    const Plan plan = MissionPlanner().plan(map, mission, {.select = Selection::hits});
+    const Plan plan = Planner().plan(map, mission, {.select = Selection::hits});
     EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_DOUBLE_EQ(plan.after.makespan.value(), 1 + 90 + 3);
 }

@@ -179,7 +179,7 @@ RC_GTEST_PROP(Waits, HaveTheirReasons, ()) {
     const PlainMap plain = *random_map(12, 12);
     const Map map(plain.grid());
     const Mission mission = crowd(plain, map);
-    const Plan plan = MissionPlanner().plan(map, mission, {.explain = true});
+    const Plan plan = Planner().plan(map, mission, {.explain = true});
     RC_PRE(plan.status == PlanStatus::solved);
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     RC_ASSERT(*plan.after.makespan <= latest_without_standstill(mission, plan) * (1 + 1e-9));
@@ -202,7 +202,7 @@ TEST(Waits, NameTheObstacleAndItsAircraft) {
     mission.rules.breach_time.per_obstacle = 10;
     mission.rules.protect = {{2}, {3}};
     const Map map = gate();
-    const Plan plan = MissionPlanner().plan(map, mission, {.explain = true});
+    const Plan plan = Planner().plan(map, mission, {.explain = true});
     ASSERT_EQ(plan.status, PlanStatus::solved);
     ASSERT_EQ(plan.breaches.size(), 1U);
     ASSERT_EQ(plan.agents[0].waits.size(), 1U);
@@ -223,11 +223,11 @@ TEST(Waits, NameTheObstacleAndItsAircraft) {
 TEST(Waits, OfOneVehicleAndOneAircraftToo) {
     Mission mission = ground_and_air({0, 0}, {6, 0});
     mission.rules.breach_time.per_obstacle = 10;
-    const Plan plan = MissionPlanner().plan(gate(), mission);
+    const Plan plan = Planner().plan(gate(), mission);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     ASSERT_EQ(plan.agents[0].waits.size(), 1U);
     EXPECT_EQ(plan.agents[0].waits[0].agent, "air");
-    EXPECT_EQ(MissionPlanner().front(gate(), mission).back().agents[0].waits.size(), 1U);
+    EXPECT_EQ(Planner().front(gate(), mission).back().agents[0].waits.size(), 1U);
 }
 
 TEST(Explain, SaysWhatTheTeamIsWithoutEachRemoval) {
@@ -244,13 +244,13 @@ TEST(Explain, SaysWhatTheTeamIsWithoutEachRemoval) {
     mission.rules.objective = Objective::ground_makespan;
     mission.agents = {vehicle("a", {0, 0}, {10, 0}), vehicle("b", {0, 6}, {10, 6}), flyer("x", {3, 2}, 5)};
     mission.rules.removals = 2;
-    const Plan plan = MissionPlanner().plan(map, mission, {.explain = true});
+    const Plan plan = Planner().plan(map, mission, {.explain = true});
     ASSERT_EQ(plan.status, PlanStatus::solved);
     ASSERT_EQ(plan.breaches.size(), 2U);
     for (const Breach& breach : plan.breaches) {
         Mission without = mission;
         without.rules.protect = {breach.obstacle};
-        const Plan other = MissionPlanner().plan(map, without);
+        const Plan other = Planner().plan(map, without);
         ASSERT_TRUE(breach.saves.has_value());
         EXPECT_DOUBLE_EQ(*breach.saves, *other.after.ground_makespan - *plan.after.ground_makespan);
         EXPECT_GT(*breach.saves, 0);
@@ -260,7 +260,7 @@ TEST(Explain, SaysWhatTheTeamIsWithoutEachRemoval) {
         EXPECT_NEAR(plan.agents[i].gain.value(), *plan.before.routes[i].length - 10, 1e-9);
     }
     mission.rules.removals = 1;
-    const Plan one = MissionPlanner().plan(map, mission, {.explain = true});
+    const Plan one = Planner().plan(map, mission, {.explain = true});
     ASSERT_EQ(one.next.size(), 1U);
     EXPECT_NEAR(one.next[0].saves, *one.after.ground_makespan - *plan.after.ground_makespan, 1e-9);
 }

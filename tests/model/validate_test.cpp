@@ -21,7 +21,7 @@ const Map& small_map() {
 
 std::string refusal(const Mission& mission, const Method& method = {}, const Map& map = small_map()) {
     const std::string said = input_error([&] { validate(map, mission, method); });
-    EXPECT_EQ(said, input_error([&] { MissionPlanner().plan(map, mission, method); })) << "a plan validates first";
+    EXPECT_EQ(said, input_error([&] { Planner().plan(map, mission, method); })) << "a plan validates first";
     return said;
 }
 
@@ -99,9 +99,9 @@ TEST(ValidateMission, RefusesWordsThatThereAreNot) {
     expect_words(refusal(mission), {"corners"});
     expect_words(refusal(good, {.select = Selection(4)}), {"select"});
     expect_words(refusal(good, {.flight = FlightRule(2)}), {"fly"});
-    expect_words(refusal(good, {.planner = Planner(99)}), {"planner"});
-    expect_words(refusal(good, {.planner = Planner::astar, .heuristic = Heuristic(5)}), {"heuristic"});
-    expect_words(refusal(good, {.planner = Planner::astar, .tie_break = TieBreak(2)}), {"tie"});
+    expect_words(refusal(good, {.planner = Algorithm(99)}), {"planner"});
+    expect_words(refusal(good, {.planner = Algorithm::astar, .heuristic = Heuristic(5)}), {"heuristic"});
+    expect_words(refusal(good, {.planner = Algorithm::astar, .tie_break = TieBreak(2)}), {"tie"});
 }
 
 TEST(ValidateMission, LetsTheAirAgentStartOverAWall) {
@@ -115,11 +115,11 @@ TEST(ValidateMission, RefusesAMethodThatCannotPlanIt) {
     for (const double weight : {0.5, 1e7, HUGE_VAL, std::nan("")}) {
         expect_words(refusal(mission, {.weight = weight}), {"weight", "from 1 to 1e+06"});
     }
-    expect_words(refusal(mission, {.planner = Planner::jps, .diagonal = false}), {"jps", "astar"});
+    expect_words(refusal(mission, {.planner = Algorithm::jps, .diagonal = false}), {"jps", "astar"});
     mission.agents[0].body.radius = 1;
-    expect_words(refusal(mission, {.planner = Planner::jps}), {"jps", "radius of at most 0.5"});
+    expect_words(refusal(mission, {.planner = Algorithm::jps}), {"jps", "radius of at most 0.5"});
     const std::string no_time = input_error([&] {
-        MissionPlanner().plan(small_map(), ground_and_air({0, 0}, {3, 2}), {}, {.seconds = 0});
+        Planner().plan(small_map(), ground_and_air({0, 0}, {3, 2}), {}, {.seconds = 0});
     });
     expect_words(no_time, {"time limit"});
 }

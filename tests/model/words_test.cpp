@@ -5,10 +5,11 @@
 #include <set>
 #include <string_view>
 
+#include "waybreaker/advanced/search.hpp"
+#include "waybreaker/error.hpp"
 #include "waybreaker/method.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 namespace {
@@ -39,17 +40,18 @@ TEST(Words, NameEachValueOfEachEnum) {
     expect_words(AtGoal::leave);
     expect_words(Selection::none);
     expect_words(FlightRule::nearest);
-    expect_words(Planner::optimal);
+    expect_words(Algorithm::optimal);
     expect_words(Heuristic::zero);
     expect_words(TieBreak::g_min);
     expect_words(WaitReason::agent);
     expect_words(PlanStatus::stopped);
     expect_words(SearchStatus::stopped);
+    expect_words(ErrorCode::option);
 }
 
 TEST(Words, AreTheOnesOfDocuments) {
     EXPECT_EQ(to_string(PlanStatus::limit_reached), "limit_reached");
-    EXPECT_EQ(to_string(Planner::lazy_theta), "lazy-theta");
+    EXPECT_EQ(to_string(Algorithm::lazy_theta), "lazy-theta");
     EXPECT_EQ(from_string<Objective>("ground-makespan"), Objective::ground_makespan);
     static_assert(to_string(Timing::enforce) == "enforce");
 }

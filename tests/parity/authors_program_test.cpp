@@ -14,9 +14,9 @@
 #include "select/hits.hpp"
 #include "share.hpp"
 #include "shared_data.hpp"
-#include "waybreaker/flight.hpp"
+#include "waybreaker/advanced/flight.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/movingai.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "shared_data.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/movingai.hpp"
 
 namespace waybreaker {

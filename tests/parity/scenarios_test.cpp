@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "shared_data.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/movingai.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 namespace {
@@ -26,8 +26,8 @@ int run_sample(const fs::path& folder, std::size_t every) {
         const Map map(read_movingai_map(map_in, map_file.string()));
         for (std::size_t i = every - 1; i < scenarios.size(); i += every) {
             const Scenario& scenario = scenarios[i];
-            for (const Planner planner : {Planner::jps, Planner::astar, Planner::dijkstra}) {
-                if (planner == Planner::dijkstra && i / every % 5 != 0) continue;
+            for (const Algorithm planner : {Algorithm::jps, Algorithm::astar, Algorithm::dijkstra}) {
+                if (planner == Algorithm::dijkstra && i / every % 5 != 0) continue;
                 const SearchResult result =
                     searcher.find(OpenedMap(map), scenario.start, scenario.goal, {.planner = planner});
                 EXPECT_EQ(result.status, SearchStatus::found) << file << " entry " << i + 1;

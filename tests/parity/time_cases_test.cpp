@@ -26,7 +26,7 @@ class TimeCases : public testing::Test {
     }
     static std::string folder() { return (*shared_folder() / "reference/time_cases/").string(); }
     static double makespan(const Map& map, const Mission& mission, const Method& method = {}) {
-        const Plan plan = MissionPlanner().plan(map, mission, method);
+        const Plan plan = Planner().plan(map, mission, method);
         EXPECT_EQ(plan_faults(map, mission, plan), "");
         return value(plan.after, mission.rules.objective).value_or(std::numeric_limits<double>::infinity());
     }
@@ -48,7 +48,7 @@ TEST_F(TimeCases, OtherPlannersFindAPlanWhereTheOptimalOneDoes) {
     const Map planners = map(folder() + "planners_1219.map");
     Mission mission = ground_and_air({1, 1}, {4, 4});
     mission.rules.removals = 1;
-    for (const Planner planner : {Planner::theta, Planner::astar, Planner::jps}) {
+    for (const Algorithm planner : {Algorithm::theta, Algorithm::astar, Algorithm::jps}) {
         EXPECT_LE(makespan(planners, mission, {.planner = planner}), 5);
     }
 }

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "random_map.hpp"
-#include "waybreaker/search.hpp"
+#include "waybreaker/advanced/search.hpp"
 
 namespace waybreaker {
 namespace {

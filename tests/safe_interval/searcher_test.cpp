@@ -7,8 +7,8 @@
 
 #include "ascii_map.hpp"
 #include "random_map.hpp"
+#include "waybreaker/advanced/safe_interval.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/safe_interval.hpp"
 
 namespace waybreaker {
 namespace {

@@ -10,7 +10,7 @@
 #include "ascii_map.hpp"
 #include "model/timeline.hpp"
 #include "random_map.hpp"
-#include "waybreaker/schedule.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 #include "world.hpp"
 
 namespace waybreaker {

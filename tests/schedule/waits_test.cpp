@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ascii_map.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
 namespace {

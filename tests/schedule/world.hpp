@@ -9,7 +9,7 @@
 
 #include "model/timeline.hpp"
 #include "random_map.hpp"
-#include "waybreaker/schedule.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 
 namespace waybreaker {
 

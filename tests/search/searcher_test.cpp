@@ -9,16 +9,16 @@
 #include "ascii_map.hpp"
 #include "legal_path.hpp"
 #include "random_map.hpp"
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/error.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 namespace {
 
-constexpr std::array planners{Planner::theta, Planner::lazy_theta, Planner::astar,
-                              Planner::jps,   Planner::dijkstra,   Planner::bfs};
+constexpr std::array planners{Algorithm::theta, Algorithm::lazy_theta, Algorithm::astar,
+                              Algorithm::jps,   Algorithm::dijkstra,   Algorithm::bfs};
 
-Planner any_planner() {
+Algorithm any_planner() {
     return planners[std::size_t(*number(0, int(planners.size()) - 1))];
 }
 
@@ -121,7 +121,7 @@ TEST(Searcher, StopsWhenAsked) {
             if (++count == 100) source.request_stop();
         }
     } listener(source);
-    for (const Planner planner : {Planner::dijkstra, Planner::bfs}) {
+    for (const Algorithm planner : {Algorithm::dijkstra, Algorithm::bfs}) {
         const SearchResult result =
             Searcher().find(OpenedMap(map), {0, 0}, {199, 199},
                             {.planner = planner, .limits = {.stop = source.get_token()}, .listener = &listener});
@@ -137,7 +137,7 @@ TEST(Searcher, SaysThatThereIsNoPath) {
         ..#..
         ..#.G)";
     const Map map = map_from_ascii(picture);
-    for (const Planner planner : planners) {
+    for (const Algorithm planner : planners) {
         const SearchResult result =
             Searcher().find(OpenedMap(map), mark_in_ascii(picture, 'S'), mark_in_ascii(picture, 'G'),
                             {.planner = planner, .count_hits = true});
@@ -147,7 +147,7 @@ TEST(Searcher, SaysThatThereIsNoPath) {
         EXPECT_EQ(result.generated, result.expanded);
         ASSERT_EQ(result.hits.size(), 2U);
         // JPS tests neighbours at jump points only, and there is none on the way to a straight wall.
-        EXPECT_EQ(result.hits[1] > 0, planner != Planner::jps);
+        EXPECT_EQ(result.hits[1] > 0, planner != Algorithm::jps);
         const SearchResult opened = Searcher().find(OpenedMap(map, std::vector<ObstacleId>{{1}}), {0, 0}, {4, 2},
                                                     {.planner = planner, .count_hits = true});
         EXPECT_EQ(opened.status, SearchStatus::found);
@@ -159,7 +159,7 @@ TEST(Searcher, TakesStartAndGoalAsTheyCome) {
     const Map map = map_from_ascii(R"(
         ..#
         ...)");
-    for (const Planner planner : planners) {
+    for (const Algorithm planner : planners) {
         const SearchOptions options{.planner = planner, .count_hits = true};
         const SearchResult stay = Searcher().find(OpenedMap(map), {1, 1}, {1, 1}, options);
         EXPECT_EQ(stay.status, SearchStatus::found);
@@ -182,7 +182,7 @@ TEST(Searcher, TakesStartAndGoalAsTheyCome) {
 TEST(Searcher, WalksTheThinnestMaps) {
     const Map row(Grid(300, 1));
     const Map column(Grid(1, 300));
-    for (const Planner planner : planners) {
+    for (const Algorithm planner : planners) {
         const SearchResult along = Searcher().find(OpenedMap(row), {299, 0}, {0, 0}, {.planner = planner});
         EXPECT_EQ(along.path, (std::vector<Cell>{{299, 0}, {0, 0}}));
         const SearchResult down = Searcher().find(OpenedMap(column), {0, 0}, {0, 299}, {.planner = planner});
@@ -193,10 +193,10 @@ TEST(Searcher, WalksTheThinnestMaps) {
 TEST(Searcher, RefusesOptionsThatContradictEachOther) {
     EXPECT_THROW(validate(SearchOptions{.weight = 0.99}), InputError);
     EXPECT_THROW(validate(SearchOptions{.weight = std::nan("")}), InputError);
-    EXPECT_THROW(validate(SearchOptions{.planner = Planner::jps, .diagonal = false}), InputError);
-    EXPECT_THROW(validate(SearchOptions{.planner = Planner::jps, .body = {.radius = 1}}), InputError);
+    EXPECT_THROW(validate(SearchOptions{.planner = Algorithm::jps, .diagonal = false}), InputError);
+    EXPECT_THROW(validate(SearchOptions{.planner = Algorithm::jps, .body = {.radius = 1}}), InputError);
     EXPECT_THROW(validate(SearchOptions{.body = {.radius = 0.0001}}), InputError);
-    EXPECT_THROW(validate(SearchOptions{.planner = Planner(99)}), InputError);
+    EXPECT_THROW(validate(SearchOptions{.planner = Algorithm(99)}), InputError);
     const Map map(Grid(2, 2));
     EXPECT_THROW(Searcher().find(OpenedMap(map), {0, 0}, {1, 1}, {.weight = 0}), InputError);
 }

@@ -54,14 +54,15 @@ RC_GTEST_PROP(SlowSearch, AgreesWithThetaOfAnyMotion, ()) {
 }
 
 RC_GTEST_PROP(SlowSearch, AgreesWithWideAgents, ()) {
-    const Planner planner = *rc::gen::element(Planner::theta, Planner::astar, Planner::dijkstra, Planner::bfs);
+    const Algorithm planner =
+        *rc::gen::element(Algorithm::theta, Algorithm::astar, Algorithm::dijkstra, Algorithm::bfs);
     check_same(*random_map(24, 18), 3,
                {.planner = planner, .body = {.radius = *rc::gen::element(0.501, 0.8, 1.3, 2.0)}});
 }
 
 RC_GTEST_PROP(SlowSearch, AgreesWithLazyTheta, ()) {
     check_same(*random_map(30, 24), 3,
-               {.planner = Planner::lazy_theta,
+               {.planner = Algorithm::lazy_theta,
                 .weight = *rc::gen::element(1.0, 1.5),
                 .diagonal = mostly(),
                 .body = any_body()});
@@ -69,7 +70,7 @@ RC_GTEST_PROP(SlowSearch, AgreesWithLazyTheta, ()) {
 
 RC_GTEST_PROP(SlowSearch, AgreesWithGridPlanners, ()) {
     check_same(*random_map(24, 18), 3,
-               {.planner = *rc::gen::element(Planner::astar, Planner::dijkstra, Planner::bfs),
+               {.planner = *rc::gen::element(Algorithm::astar, Algorithm::dijkstra, Algorithm::bfs),
                 .heuristic = *rc::gen::element<std::optional<Heuristic>>(std::nullopt, Heuristic::euclidean,
                                                                          Heuristic::chebyshev, Heuristic::zero),
                 .weight = *rc::gen::element(1.0, 1.5),

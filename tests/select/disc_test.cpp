@@ -39,7 +39,7 @@ TEST(Disc, PassesBetweenRowsOfCells) {
     for (const int removals : {0, 3}) {
         Mission mission = mission_of_disc(0.8, {1, 1}, {2, 7}, removals);
         mission.rules.breach_time.per_obstacle = 30;
-        const Plan plan = MissionPlanner().plan(door, mission);
+        const Plan plan = Planner().plan(door, mission);
         ASSERT_TRUE(is_valid(door, mission, plan));
         EXPECT_TRUE(plan.breaches.empty());
         EXPECT_DOUBLE_EQ(*plan.after.makespan, distance(Cell{1, 1}, Cell{2, 7}));
@@ -57,7 +57,7 @@ TEST(Disc, BendsWhereItsSquareDoesNotFit) {
     for (const int removals : {0, 2}) {
         Mission mission = mission_of_disc(1, {1, 3}, {3, 1}, removals);
         mission.rules.breach_time.per_obstacle = 50;
-        const Plan plan = MissionPlanner().plan(map, mission);
+        const Plan plan = Planner().plan(map, mission);
         ASSERT_TRUE(is_valid(map, mission, plan));
         EXPECT_TRUE(plan.breaches.empty());
         EXPECT_DOUBLE_EQ(*plan.after.makespan, 1 + distance(Cell{2, 3}, Cell{3, 1}));
@@ -74,7 +74,7 @@ TEST(Disc, TakesNoDetourBecauseItsSquareDoes) {
         .......
         ....b..)");
     const Mission mission = mission_of_disc(0.7, {5, 3}, {3, 5}, 0);
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_TRUE(is_valid(map, mission, plan));
     EXPECT_DOUBLE_EQ(*plan.after.makespan, distance(Cell{5, 3}, Cell{3, 5}));
 }
@@ -93,9 +93,9 @@ TEST(Disc, TakesAnotherWayThanThePointSlipsThrough) {
         ...................
         ................###)");
     const Mission mission = mission_of_disc(0.7, {6, 1}, {2, 6}, 0);
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_TRUE(is_valid(map, mission, plan));
-    const Plan theta = MissionPlanner().plan(map, mission, {.planner = Planner::theta});
+    const Plan theta = Planner().plan(map, mission, {.planner = Algorithm::theta});
     EXPECT_LE(*plan.after.makespan, *theta.after.makespan * (1 + 1e-9));
 }
 
@@ -108,10 +108,10 @@ TEST(Disc, GoesWhereForcingASetShowsAWay) {
         b..d....
         ....dc..)");
     Mission mission = mission_of_disc(0.7, {4, 1}, {1, 2}, 1);
-    const Plan chosen = MissionPlanner().plan(map, mission);
+    const Plan chosen = Planner().plan(map, mission);
     ASSERT_TRUE(is_valid(map, mission, chosen));
     mission.rules.force = {map.obstacle_at({3, 2})};
-    EXPECT_LE(*chosen.after.makespan, *MissionPlanner().plan(map, mission).after.makespan * (1 + 1e-9));
+    EXPECT_LE(*chosen.after.makespan, *Planner().plan(map, mission).after.makespan * (1 + 1e-9));
 }
 
 // Theta* drives to a wall that is opened too late, and past it.
@@ -121,7 +121,7 @@ TEST(Disc, LeavesWhatItDoesNotEnter) {
     mission.agents[1].goal = {1, 1};
     mission.rules.breach_time.per_obstacle = 8;
     mission.rules.objective = Objective::ground_makespan;
-    const Plan plan = MissionPlanner().plan(map, mission, {.planner = Planner::theta});
+    const Plan plan = Planner().plan(map, mission, {.planner = Algorithm::theta});
     ASSERT_TRUE(is_valid(map, mission, plan));
     ASSERT_EQ(plan.breaches.size(), 1U);
     EXPECT_EQ(plan.breaches[0].obstacle, map.obstacle_at({3, 1}));
@@ -134,8 +134,8 @@ RC_GTEST_PROP(Disc, EntersAllThatGoes, ()) {
     Mission mission = mission_of_disc(radius, any_free_cell(plain), any_free_cell(plain), *number(0, 3));
     mission.rules.breach_time.per_obstacle = *rc::gen::element(0.0, 2.0, 20.0);
     RC_PRE(fits_there(map, mission));
-    const Planner planner = *rc::gen::element(Planner::optimal, Planner::theta);
-    const Plan plan = MissionPlanner().plan(map, mission, {.planner = planner});
+    const Algorithm planner = *rc::gen::element(Algorithm::optimal, Algorithm::theta);
+    const Plan plan = Planner().plan(map, mission, {.planner = planner});
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     if (plan.status != PlanStatus::solved) return;
     RC_ASSERT(std::ranges::all_of(plan.breaches, [](const Breach& breach) { return breach.entered_at.has_value(); }));
@@ -164,7 +164,7 @@ RC_GTEST_PROP(Disc, IsNoWorseThanWhatSimplerWaysToSelectFind, ()) {
     const auto makespan = [](const Plan& plan) {
         return plan.after.makespan.value_or(std::numeric_limits<double>::infinity());
     };
-    MissionPlanner planner;
+    Planner planner;
     const Plan closed = planner.plan(map, mission);
     mission.rules.removals = *number(1, 2);
     const Plan plan = planner.plan(map, mission);
@@ -172,7 +172,7 @@ RC_GTEST_PROP(Disc, IsNoWorseThanWhatSimplerWaysToSelectFind, ()) {
     if (!plan.breaches.empty()) RC_ASSERT(plan.before.makespan == closed.after.makespan);
     RC_ASSERT(makespan(plan) <= makespan(closed) * (1 + 1e-9));
     for (const Method& method :
-         {Method{.select = Selection::greedy}, Method{.select = Selection::hits, .planner = Planner::theta}}) {
+         {Method{.select = Selection::greedy}, Method{.select = Selection::hits, .planner = Algorithm::theta}}) {
         const double other = makespan(planner.plan(map, mission, method));
         RC_LOG() << "reached " << makespan(plan) << ", another way " << other << '\n';
         RC_ASSERT(makespan(plan) <= other * 1.01);
@@ -190,10 +190,10 @@ RC_GTEST_PROP(Disc, AUsedPlannerPlansAReweightedMapAsAFreshOneDoes, ()) {
     Mission mission = mission_of_disc(radius, any_free_cell(plain), any_free_cell(plain), 3);
     RC_PRE(fits_there(map, mission));
     mission.rules.budget = *rc::gen::element(1.0, 2.0, 4.0);
-    MissionPlanner used;
+    Planner used;
     for (const Map* weighed : {&map, &heavy, &map}) {
         const Plan plan = used.plan(*weighed, mission);
-        const Plan fresh = MissionPlanner().plan(*weighed, mission);
+        const Plan fresh = Planner().plan(*weighed, mission);
         RC_ASSERT(plan_faults(*weighed, mission, plan) == "");
         RC_ASSERT(plan.status == fresh.status);
         RC_ASSERT(plan.bound == fresh.bound);
@@ -207,7 +207,7 @@ TEST(Disc, KeepsToTheBudgetOfTheMapAtHand) {
     const Map heavy = map.with_weights(std::vector<double>{0, 5});
     Mission mission = mission_of_disc(0.7, {1, 2}, {7, 2}, 1);
     mission.rules.budget = 2;
-    MissionPlanner planner;
+    Planner planner;
     EXPECT_EQ(planner.plan(map, mission).status, PlanStatus::solved);
     EXPECT_EQ(planner.plan(heavy, mission).status, PlanStatus::no_plan);
     EXPECT_EQ(planner.plan(map, mission).status, PlanStatus::solved);
@@ -220,9 +220,9 @@ RC_GTEST_PROP(Disc, DrivesNoLongerThanThetaByMoreThanAHundredth, ()) {
     const double radius = *rc::gen::element(0.2, 0.6, 0.7, 1.0, 1.5);
     const Mission mission = mission_of_disc(radius, any_free_cell(plain), any_free_cell(plain), 0);
     RC_PRE(fits_there(map, mission));
-    const Plan theta = MissionPlanner().plan(map, mission, {.planner = Planner::theta});
+    const Plan theta = Planner().plan(map, mission, {.planner = Algorithm::theta});
     if (theta.status != PlanStatus::solved) return;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     RC_ASSERT(plan.status == PlanStatus::solved);
     RC_CLASSIFY(*plan.after.makespan < *theta.after.makespan * (1 - 1e-9), "shorter");
     RC_ASSERT(*plan.after.makespan <= *theta.after.makespan * 1.01);

@@ -8,9 +8,9 @@
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "random_map.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
+#include "waybreaker/advanced/schedule.hpp"
 #include "waybreaker/planner.hpp"
-#include "waybreaker/schedule.hpp"
 
 namespace waybreaker {
 namespace {
@@ -86,7 +86,7 @@ double least_cost(const World& world) {
 
 RC_GTEST_PROP(ExactChoice, IsAsGoodAsEverySetAndItsBoundHoldsForAll, ()) {
     const World world = any_world();
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    const Plan plan = Planner().plan(world.map, world.mission, world.method, world.limits);
     RC_ASSERT(plan_faults(world.map, world.mission, plan) == "");
     const double least = least_cost(world);
     RC_ASSERT((plan.status == PlanStatus::solved) == (least < infinity));
@@ -105,7 +105,7 @@ RC_GTEST_PROP(ExactChoice, EndsWithTheShortestCrossingPath, ()) {
     world.mission.rules.breach_time = {};
     world.mission.rules.objective = Objective::makespan;
     world.mission.rules.force = {};
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    const Plan plan = Planner().plan(world.map, world.mission, world.method, world.limits);
     const Agent& driver = world.mission.agents[0];
     const CrossingResult path =
         CrossingSearcher().find(world.map, driver.start, driver.goal, {.crossings = world.mission.rules.removals});
@@ -117,14 +117,14 @@ RC_GTEST_PROP(ExactChoice, EndsWithTheShortestCrossingPath, ()) {
 
 RC_GTEST_PROP(ExactChoice, MoreRemovalsNeverCostMoreAndTheFrontSaysSo, ()) {
     World world = any_world();
-    const std::vector<Plan> front = MissionPlanner().front(world.map, world.mission, world.method, world.limits);
+    const std::vector<Plan> front = Planner().front(world.map, world.mission, world.method, world.limits);
     RC_ASSERT(!front.empty());
     for (std::size_t n = 1; n < front.size(); ++n) {
         RC_ASSERT(objective(world, front[n]) <= objective(world, front[n - 1]) * (1 + 1e-9));
     }
     const double reached = objective(world, front.back());
     world.mission.rules.removals = int(front.size() + world.mission.rules.force.size()) - 1;
-    RC_ASSERT(objective(world, MissionPlanner().plan(world.map, world.mission, world.method, world.limits)) == reached);
+    RC_ASSERT(objective(world, Planner().plan(world.map, world.mission, world.method, world.limits)) == reached);
 }
 
 TEST(ExactChoice, FrontGoesOnWhereOnlyManyRemovalsGainTogether) {
@@ -134,27 +134,27 @@ TEST(ExactChoice, FrontGoesOnWhereOnlyManyRemovalsGainTogether) {
         ...............)");
     Mission mission = ground_and_air({0, 0}, {14, 0});
     mission.rules = {.removals = 32, .protect = {map.obstacle_at({1, 1})}};
-    const std::vector<Plan> front = MissionPlanner().front(map, mission);
+    const std::vector<Plan> front = Planner().front(map, mission);
     ASSERT_EQ(front.size(), 5U);
     EXPECT_GT(*front[3].after.makespan, 16);
     EXPECT_NEAR(*front[4].after.makespan, 14, 1e-9);
     mission.rules.removals = 3;
-    EXPECT_EQ(MissionPlanner().front(map, mission).size(), 1U) << "three gain nothing";
+    EXPECT_EQ(Planner().front(map, mission).size(), 1U) << "three gain nothing";
     mission.rules.removals = 4;
-    EXPECT_EQ(MissionPlanner().front(map, mission).size(), 5U);
+    EXPECT_EQ(Planner().front(map, mission).size(), 5U);
 }
 
 RC_GTEST_PROP(ExactChoice, ExplainsWhatEachRemovalSaves, ()) {
     World world = any_world();
     world.method.explain = true;
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    const Plan plan = Planner().plan(world.map, world.mission, world.method, world.limits);
     if (plan.status != PlanStatus::solved) return;
     for (const Breach& breach : plan.breaches) {
         World without = world;
         without.method.explain = false;
         without.mission.rules.protect.push_back(breach.obstacle);
         std::erase(without.mission.rules.force, breach.obstacle);
-        const Plan other = MissionPlanner().plan(world.map, without.mission, without.method);
+        const Plan other = Planner().plan(world.map, without.mission, without.method);
         const double cost = objective(without, other);
         RC_LOG() << "objective " << objective(world, plan) << ", bound " << *plan.bound << ", removed" << removed(plan)
                  << "; without " << breach.obstacle.value << " " << cost << ", removed" << removed(other) << "\n";
@@ -171,7 +171,7 @@ RC_GTEST_PROP(ExactChoice, ReportsProgressAsItIsMade, ()) {
     world.method.explain = *rc::gen::arbitrary<bool>();  // which plans more, and says nothing of it
     std::vector<Progress> reported;
     world.limits.progress = [&reported](const Progress& progress) { reported.push_back(progress); };
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    const Plan plan = Planner().plan(world.map, world.mission, world.method, world.limits);
     RC_ASSERT(!reported.empty());
     for (std::size_t i = 1; i < reported.size(); ++i) {
         RC_ASSERT(reported[i].best <= reported[i - 1].best);
@@ -190,22 +190,22 @@ RC_GTEST_PROP(ExactChoice, HoldsWhatItProvedWhenStopped, ()) {
     } else {
         world.limits.expansions = std::uint64_t(*number(1, 30));
     }
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    const Plan plan = Planner().plan(world.map, world.mission, world.method, world.limits);
     if (plan.status != PlanStatus::solved) return;
     RC_ASSERT(plan_faults(world.map, world.mission, plan) == "");
     RC_ASSERT(plan.bound.has_value());
     RC_ASSERT(*plan.bound <= least_cost(world) * (1 + 1e-9));
     RC_ASSERT(*plan.bound <= objective(world, plan) * (1 + 1e-9));
-    const Plan again = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    const Plan again = Planner().plan(world.map, world.mission, world.method, world.limits);
     RC_ASSERT(again.bound == plan.bound);
     for (std::size_t i = 0; i < plan.agents.size(); ++i) RC_ASSERT(again.agents[i].path == plan.agents[i].path);
 }
 
 RC_GTEST_PROP(ExactChoice, SaysSoWhenALimitCostsTime, ()) {
     World world = any_world();
-    const Plan whole = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    const Plan whole = Planner().plan(world.map, world.mission, world.method, world.limits);
     world.limits.expansions = std::uint64_t(*number(1, 30));
-    const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+    const Plan plan = Planner().plan(world.map, world.mission, world.method, world.limits);
     if (plan.status != whole.status) RC_ASSERT(plan.limit_reached);
     if (plan.status != PlanStatus::solved) return;
     RC_TAG(plan.limit_reached);
@@ -220,7 +220,7 @@ RC_GTEST_PROP(ExactChoice, ProvesNoLessWhenItMayExpandMore, ()) {
     double before = 0;
     for (world.limits.expansions = 1; world.limits.expansions < 60;
          world.limits.expansions += std::uint64_t(*number(1, 9))) {
-        const Plan plan = MissionPlanner().plan(world.map, world.mission, world.method, world.limits);
+        const Plan plan = Planner().plan(world.map, world.mission, world.method, world.limits);
         if (!plan.before.makespan || plan.status != PlanStatus::solved) continue;
         RC_ASSERT(*plan.bound >= before * (1 - 1e-9));
         before = *plan.bound;
@@ -234,7 +234,7 @@ TEST(ExactChoice, OpensWhatIsMostInTheWayWhenOutOfTime) {
         ..a....)");
     Mission mission = ground_and_air({0, 1}, {6, 1});
     mission.rules.removals = 1;
-    const Plan plan = MissionPlanner().plan(map, mission, {}, {.seconds = 1e-9});
+    const Plan plan = Planner().plan(map, mission, {}, {.seconds = 1e-9});
     EXPECT_TRUE(is_valid(map, mission, plan));
     ASSERT_EQ(plan.breaches.size(), 1U);
     EXPECT_EQ(plan.breaches[0].obstacle, map.obstacle_at({2, 0}));
@@ -253,7 +253,7 @@ TEST(ExactSelection, BoundsTheDiscWhereAPointSlipsThrough) {
         ..........)");
     Mission mission = ground_and_air({0, 0}, {8, 6});
     mission.rules.removals = 0;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_GT(*plan.gap, 0.05);
     EXPECT_LT(*plan.gap, 0.0824);
@@ -268,9 +268,9 @@ TEST(ExactChoice, DrivesThroughWhatIsForcedWhenItOpens) {
     Mission mission = ground_and_air({1, 0}, {0, 2});
     mission.agents[1].goal = {2, 0};
     mission.rules = {.removals = 2, .breach_time = {1, 0}};
-    const double chosen = *MissionPlanner().plan(both, mission).after.makespan;
+    const double chosen = *Planner().plan(both, mission).after.makespan;
     mission.rules.force = {both.obstacle_at({1, 1}), both.obstacle_at({0, 0})};
-    EXPECT_DOUBLE_EQ(*MissionPlanner().plan(both, mission).after.makespan, chosen);
+    EXPECT_DOUBLE_EQ(*Planner().plan(both, mission).after.makespan, chosen);
 
     const Map beside = map_from_ascii(R"(
         a.bb
@@ -280,7 +280,7 @@ TEST(ExactChoice, DrivesThroughWhatIsForcedWhenItOpens) {
     mission.rules = {.removals = 2, .breach_time = {2.5, 0.3}};
     mission.rules.protect = {beside.obstacle_at({0, 0})};
     mission.rules.force = {beside.obstacle_at({2, 1})};
-    const Plan plan = MissionPlanner().plan(beside, mission);
+    const Plan plan = Planner().plan(beside, mission);
     ASSERT_TRUE(is_valid(beside, mission, plan));
     EXPECT_LT(*plan.after.makespan, 6.4);  // through b while c is still to go
 }

@@ -8,6 +8,7 @@
 #include "checked_plan.hpp"
 #include "input_error.hpp"
 #include "random_map.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker {
 namespace {
@@ -21,7 +22,7 @@ RC_GTEST_PROP(Greedy, IsValidAndNeverBetterThanExact, ()) {
     mission.rules.removals = *number(0, 3);
     mission.rules.protect = some_obstacles(map, 1);
     mission.rules.budget = *rc::gen::element(1.0, 2.0, 9.0);
-    const Plan plan = MissionPlanner().plan(map, mission, greedy);
+    const Plan plan = Planner().plan(map, mission, greedy);
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     RC_ASSERT(!plan.bound);
     if (!plan.after.ground().length) return;
@@ -39,8 +40,8 @@ TEST(Greedy, SeesNoPairsThatGainTogether) {
         ...........)");
     Mission mission = ground_and_air({0, 0}, {10, 0});
     mission.rules = {.removals = 2, .protect = {map.obstacle_at({1, 1})}};
-    EXPECT_TRUE(MissionPlanner().plan(map, mission, greedy).breaches.empty());
-    EXPECT_EQ(MissionPlanner().plan(map, mission).breaches.size(), 2U);
+    EXPECT_TRUE(Planner().plan(map, mission, greedy).breaches.empty());
+    EXPECT_EQ(Planner().plan(map, mission).breaches.size(), 2U);
 }
 
 TEST(Greedy, DrivesByTheOptimalPlanner) {
@@ -54,9 +55,9 @@ TEST(NoSelection, RemovesWhatMustBeAndNothingElse) {
     const Map map = map_from_ascii("..a..b..\n..a..b..");
     Mission mission = ground_and_air({0, 0}, {4, 0});
     const Method none{.select = Selection::none};
-    EXPECT_EQ(MissionPlanner().plan(map, mission, none).status, PlanStatus::no_plan);
+    EXPECT_EQ(Planner().plan(map, mission, none).status, PlanStatus::no_plan);
     mission.rules.force = {{1}};
-    const Plan plan = MissionPlanner().plan(map, mission, none);
+    const Plan plan = Planner().plan(map, mission, none);
     EXPECT_TRUE(is_valid(map, mission, plan));
     ASSERT_EQ(plan.breaches.size(), 1U);
     EXPECT_EQ(plan.breaches[0].obstacle, ObstacleId{1});

@@ -55,7 +55,7 @@ void for_each_set(const Map& map, Mission mission, int most, Visit visit) {
     for (const Obstacle& o : map.obstacles()) {
         if (o.destructible && std::ranges::count(mission.rules.protect, o.id) == 0) can_go.push_back(o.id);
     }
-    MissionPlanner planner;
+    Planner planner;
     mission.rules.minimise_demolition.reset();
     for (std::size_t set = 0; set < std::size_t{1} << can_go.size(); ++set) {
         mission.rules.force.clear();
@@ -100,7 +100,7 @@ Mission some_team(const Map& map) {
 }
 
 void expect_frugal(const Map& map, Mission mission) {
-    MissionPlanner planner;
+    Planner planner;
     const Plan best = planner.plan(map, mission);
     const double tolerance = *rc::gen::element(0.0, 0.02, 0.1);
     mission.rules.minimise_demolition = tolerance;
@@ -143,7 +143,7 @@ Plan planned(const Map& map, std::optional<double> tolerance, int removals = 1) 
     Mission mission = ground_and_air(mark_in_ascii(two_ways, 'S'), mark_in_ascii(two_ways, 'G'));
     mission.rules.removals = removals;
     mission.rules.minimise_demolition = tolerance;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     EXPECT_TRUE(is_valid(map, mission, plan));
     return plan;
 }
@@ -164,7 +164,7 @@ TEST(LeastDemolition, EndsForAWideDisc) {
     Mission mission = ground_and_air({1, 1}, {5, 1});
     mission.agents[0].body.radius = 0.6;
     mission.rules.minimise_demolition = 0;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_EQ(cells_of(plan), 3U);
     EXPECT_EQ(plan.least_demolition, 3U);
@@ -177,7 +177,7 @@ TEST(LeastDemolition, SparesAStoneOfTwoForAWideDisc) {
     mission.agents[0].body.radius = 1.2;
     mission.agents[1].start = {2, 3};
     mission.rules.removals = 3;
-    MissionPlanner planner;
+    Planner planner;
     const double best = reached(planner.plan(map, mission), mission);
     mission.rules.minimise_demolition = 0.08;
     const Plan plan = planner.plan(map, mission);
@@ -190,7 +190,7 @@ TEST(LeastDemolition, IsForExactSelectionAndBudgetsOfCells) {
     const Map map = map_from_ascii(two_ways);
     Mission mission = ground_and_air(mark_in_ascii(two_ways, 'S'), mark_in_ascii(two_ways, 'G'));
     const auto refusal = [&](const Map& on, const Method& method) {
-        return input_error([&] { MissionPlanner().plan(on, mission, method); });
+        return input_error([&] { Planner().plan(on, mission, method); });
     };
     mission.rules.minimise_demolition = 0.1;
     EXPECT_EQ(refusal(map, {.select = Selection::hits}), "demolition is minimised by exact selection only");

@@ -8,7 +8,7 @@
 
 #include "ascii_map.hpp"
 #include "random_map.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker {
 namespace {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "city/city_import.hpp"
+#include "http/problem.hpp"
 #include "live_server.hpp"
 #include "osm_yard.hpp"
 #include "service/extract_json.hpp"
@@ -131,12 +132,20 @@ TEST_F(ImportsTest, SaysWhatIsWrongWithARequest) {
     EXPECT_NE(detail_of({{"source", id}, {"obstacles", "=x"}}).find("obstacles"), std::string::npos);
     EXPECT_NE(detail_of({{"source", id}, {"section", -1}}).find("section"), std::string::npos);
     EXPECT_NE(detail_of({{"source", id}, {"size", 0}}).find("size"), std::string::npos);
-    // Not the paths of the server, nor the dashes of the command.
+    // Not the paths of the server, nor options of the command.
     const std::string far = detail_of({{"source", id}, {"center", {0, 0}}}, 422);
     EXPECT_EQ(far.find("yard.osm: has no building in the window"), 0U) << far;
     EXPECT_EQ(detail_of({{"source", id}, {"cell", 0.001}}, 422).find("cell 0.001: expected"), 0U);
     EXPECT_EQ(type_of({{"source", id}, {"protected", "amenity=zoo"}}, 422), "/problems/import-unfit");
     EXPECT_EQ(post(sources + "?name=../secret", osm_yard(), octets).status, 400);
+}
+
+TEST_F(ImportsTest, NamesFilesAndOptionsAsTheClientDoes) {
+    begin();
+    const std::string id = sent("a--b.osm");
+    EXPECT_EQ(detail_of({{"source", id}, {"center", {0, 0}}}, 422).find("a--b.osm: has no building"), 0U);
+    const std::string weight = detail_of({{"source", id}, {"obstacle_weight", "levels"}}, 422);
+    EXPECT_EQ(weight.find("obstacle_weight 'levels': no obstacle of a--b.osm says"), 0U) << weight;
 }
 
 TEST_F(ImportsTest, MapsStayWithinTheLimits) {

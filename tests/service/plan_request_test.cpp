@@ -20,7 +20,7 @@ std::string refusal(const std::string& text) {
 TEST(PlanRequest, WhatIsLeftOutHasTheDefaultsOfTheCommand) {
     const PlanRequest request = parse_plan_request("{}");
     EXPECT_EQ(request.options.asked.mission.rules.removals, Rules().removals);
-    EXPECT_EQ(request.options.asked.method.planner, Planner::optimal);
+    EXPECT_EQ(request.options.asked.method.planner, Algorithm::optimal);
     EXPECT_TRUE(request.timing_fields);
 }
 
@@ -52,7 +52,7 @@ TEST(PlanRequest, ThePaperIsItsMethodUnlessOneSaysOtherwise) {
     const Method& method = request.options.asked.method;
     EXPECT_EQ(method.select, Selection::hits);
     EXPECT_EQ(method.flight, FlightRule::nearest);
-    EXPECT_EQ(method.planner, Planner::theta);
+    EXPECT_EQ(method.planner, Algorithm::theta);
     EXPECT_EQ(request.options.asked.mission.rules.timing, Timing::enforce);
 }
 
@@ -141,9 +141,9 @@ TEST(PlanRequest, KeepsThePlannerAndTheRemovalsOfAMissionFile) {
             method, options));
         return on_map(request.mission, request.options, three_cells()).asked;
     };
-    EXPECT_EQ(asked(R"({"weight": 1.5})", "{}").method.planner, Planner::optimal);
-    EXPECT_EQ(asked("{}", R"({"weight": 1.5})").method.planner, Planner::theta);
-    EXPECT_EQ(asked(R"({"planner": "astar"})", "{}").method.planner, Planner::astar);
+    EXPECT_EQ(asked(R"({"weight": 1.5})", "{}").method.planner, Algorithm::optimal);
+    EXPECT_EQ(asked("{}", R"({"weight": 1.5})").method.planner, Algorithm::theta);
+    EXPECT_EQ(asked(R"({"planner": "astar"})", "{}").method.planner, Algorithm::astar);
     EXPECT_EQ(asked("{}", R"({"budget": 1})").mission.rules.removals, Rules().removals);
 }
 

@@ -84,7 +84,7 @@ TEST(TwoAgents, AreNoWorseThanSteppingTogether) {
         mission.agents[1].id = "b";
         mission.agents[1].start = start.second;
         mission.agents[1].goal = goal.second;
-        const Plan plan = MissionPlanner().plan(map, mission, {}, {});
+        const Plan plan = Planner().plan(map, mission, {}, {});
         EXPECT_TRUE(is_valid(map, mission, plan));
         if (plan.status != PlanStatus::solved) continue;
         ++solved;

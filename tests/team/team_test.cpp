@@ -51,7 +51,7 @@ RC_GTEST_PROP(Team, PlansAreValid, ()) {
     const Map map(plain.grid());
     const Mission mission = any_team(plain, map);
     RC_PRE(std::ranges::any_of(mission.agents, [](const Agent& a) { return a.kind == AgentKind::ground; }));
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     RC_TAG(plan.status == PlanStatus::solved ? "solved" : "not solved");
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     if (plan.status != PlanStatus::solved) return;
@@ -81,8 +81,8 @@ RC_GTEST_PROP(Team, IsPlannedTheSameInAnyOrder, ()) {
         shuffled.agents[i] = mission.agents[order[i]];
         shuffled.agents[i].id = "agent " + std::to_string(i);
     }
-    const Plan plan = MissionPlanner().plan(map, mission);
-    const Plan other = MissionPlanner().plan(map, shuffled);
+    const Plan plan = Planner().plan(map, mission);
+    const Plan other = Planner().plan(map, shuffled);
     RC_ASSERT(other.status == plan.status);
     RC_ASSERT(other.bound == plan.bound);
     RC_ASSERT(other.agents.size() == plan.agents.size());
@@ -118,7 +118,7 @@ RC_GTEST_PROP(Team, CrowdsKeepClear, ()) {
         agent.ready_at = ready_at;
         mission.agents.push_back(agent);
     }
-    const Plan plan = MissionPlanner().plan(map, mission, {}, {.seconds = 0.2});
+    const Plan plan = Planner().plan(map, mission, {}, {.seconds = 0.2});
     RC_TAG(plan.status == PlanStatus::solved ? "solved" : "not solved");
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     if (plan.status == PlanStatus::solved) RC_ASSERT(simulate(map, mission, plan, 0.05) == "");
@@ -135,7 +135,7 @@ TEST(Team, OfACrowdFindsAPlan) {
         const Cell start{i % side, i / side};
         mission.agents.push_back(vehicle(std::to_string(i), start, {side - 1 - start.x, side - 1 - start.y}, 0.354));
     }
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     EXPECT_EQ(plan.status, PlanStatus::solved);
     EXPECT_EQ(plan_faults(map, mission, plan), "");
 }
@@ -153,13 +153,13 @@ TEST(Team, IsPlannedTheSameEachTime) {
         mission.agents.push_back(vehicle("r" + std::to_string(i), {0, i}, {9, 4 - i}));
         mission.agents.push_back(vehicle("l" + std::to_string(i), {9, i}, {0, 4 - i}));
     }
-    MissionPlanner used;
+    Planner used;
     const Plan first = used.plan(map, mission);
     ASSERT_EQ(first.status, PlanStatus::solved);
     EXPECT_FALSE(first.limit_reached);
     EXPECT_TRUE(is_valid(map, mission, first));
     EXPECT_TRUE(same(first, used.plan(map, mission)));
-    EXPECT_TRUE(same(first, MissionPlanner().plan(map, mission)));
+    EXPECT_TRUE(same(first, Planner().plan(map, mission)));
 }
 
 TEST(Team, OfOneIsItsShortestPath) {
@@ -169,7 +169,7 @@ TEST(Team, OfOneIsItsShortestPath) {
         .....)");
     Mission mission;
     mission.agents = {vehicle("only", {0, 0}, {4, 2})};
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_DOUBLE_EQ(*plan.after.makespan, 6);
@@ -186,7 +186,7 @@ TEST(Team, LetsOneWaitAtACrossing) {
     mission.rules.objective = Objective::flowtime;
     mission.agents = {vehicle("across", {0, 2}, {8, 2}), vehicle("down", {4, 0}, {4, 4})};
     mission.agents[1].ready_at = 2;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(map, mission, plan));
     // Both would be in the middle at 4. Who lets the other one pass loses sqrt(2): at right angles, as fast, and a
@@ -204,7 +204,7 @@ TEST(Team, StandsWhereItIsUntilItIsReady) {
     mission.agents[1].speed = 4;
     for (const AtGoal at_goal : {AtGoal::leave, AtGoal::stay}) {
         mission.rules.at_goal = at_goal;
-        const Plan plan = MissionPlanner().plan(map, mission);
+        const Plan plan = Planner().plan(map, mission);
         ASSERT_EQ(plan.status, PlanStatus::solved);
         EXPECT_TRUE(is_valid(map, mission, plan));
         EXPECT_EQ(simulate(map, mission, plan, 0.01), "");
@@ -234,7 +234,7 @@ TEST(Team, WaitsForNobodyWhoHasLeft) {
     mission.agents[0].ready_at = 2.5;
     mission.agents[1].speed = mission.agents[3].speed = 3;
     mission.agents[5].speed = 0.5;
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     ASSERT_EQ(plan.status, PlanStatus::solved);
     EXPECT_TRUE(is_valid(map, mission, plan));
     EXPECT_LT(*plan.after.makespan, 20);
@@ -244,7 +244,7 @@ TEST(Team, HasNoPlanWhereOneHasNoWay) {
     const Map map = map_from_ascii("..#..\n..#..");
     Mission mission;
     mission.agents = {vehicle("a", {0, 0}, {1, 1}), vehicle("b", {1, 0}, {4, 0})};
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     EXPECT_EQ(plan.status, PlanStatus::no_plan);
     EXPECT_TRUE(is_valid(map, mission, plan));
 }
@@ -253,19 +253,19 @@ TEST(Team, GivesUpWhereTwoCannotPass) {
     const Map map = map_from_ascii(".....");
     Mission mission;
     mission.agents = {vehicle("a", {0, 0}, {4, 0}), vehicle("b", {4, 0}, {0, 0})};
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     EXPECT_EQ(plan.status, PlanStatus::not_found);
     EXPECT_FALSE(plan.limit_reached);
     EXPECT_TRUE(is_valid(map, mission, plan));
     StopSource source;
     source.request_stop();
-    EXPECT_EQ(MissionPlanner().plan(map, mission, {}, {.stop = source.get_token()}).status, PlanStatus::stopped);
+    EXPECT_EQ(Planner().plan(map, mission, {}, {.stop = source.get_token()}).status, PlanStatus::stopped);
 }
 
 // The message with which a mission is refused.
 std::string refusal(const Map& map, const Mission& mission, const Method& method = {}) {
     try {
-        MissionPlanner().plan(map, mission, method);
+        Planner().plan(map, mission, method);
     } catch (const InputError& error) {
         return error.what();
     }

@@ -20,7 +20,7 @@ std::optional<double> driven_alone(const Map& map, const Agent& vehicle) {
     Mission mission = ground_and_air(vehicle.start, vehicle.goal);
     mission.agents[0].body = vehicle.body;
     mission.rules.removals = 0;
-    return MissionPlanner().plan(map, mission).after.ground().length;
+    return Planner().plan(map, mission).after.ground().length;
 }
 
 Cell any_place(const PlainMap& plain, const Map& map, const Body& body) {
@@ -36,7 +36,7 @@ RC_GTEST_PROP(WideTeam, OfOneDrivesNoFartherThanItsMission, ()) {
     const Body body{.radius = any_wide_radius()};
     Mission mission;
     mission.agents = {vehicle("only", any_place(plain, map, body), any_place(plain, map, body), body.radius)};
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     const std::optional<double> alone = driven_alone(map, mission.agents[0]);
     RC_ASSERT(alone.has_value() == (plan.status == PlanStatus::solved));
@@ -66,7 +66,7 @@ RC_GTEST_PROP(WideTeam, InRoomsOfTheirOwnDriveNoFartherThanTheirMissions, ()) {
         const Cell start = any_place(others, map, body);
         mission.agents.push_back(vehicle(std::to_string(room), start, any_place(others, map, body), body.radius));
     }
-    const Plan plan = MissionPlanner().plan(map, mission);
+    const Plan plan = Planner().plan(map, mission);
     RC_ASSERT(plan_faults(map, mission, plan) == "");
     for (std::size_t i = 0; i < mission.agents.size(); ++i) {
         const std::optional<double> alone = driven_alone(map, mission.agents[i]);

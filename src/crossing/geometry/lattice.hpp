@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/cell.hpp"
-#include "waybreaker/crossing.hpp"
 
 namespace waybreaker::crossing {
 

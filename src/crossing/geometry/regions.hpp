@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/interrupt.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker::crossing {
 

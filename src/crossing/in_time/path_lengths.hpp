@@ -9,7 +9,7 @@
 
 #include "crossing/geometry/lattice.hpp"
 #include "crossing/tuning.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker::crossing {
 

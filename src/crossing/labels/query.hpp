@@ -12,7 +12,7 @@
 #include "core/interrupt.hpp"
 #include "crossing/geometry/lattice.hpp"
 #include "crossing/geometry/regions.hpp"
-#include "waybreaker/crossing.hpp"
+#include "waybreaker/advanced/crossing.hpp"
 
 namespace waybreaker::crossing {
 

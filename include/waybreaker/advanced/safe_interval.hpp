@@ -19,11 +19,11 @@
 #include <span>
 #include <vector>
 
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/body.hpp"
 #include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/plan.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 

@@ -1,7 +1,7 @@
 // Search: a shortest ground path by best-first search, with the paper's hit counting inside.
 //
 //     Searcher searcher;                                        // keeps its memory between queries
-//     SearchResult r = searcher.find(OpenedMap(map), {1, 1}, {60, 40}, {.planner = Planner::theta});
+//     SearchResult r = searcher.find(OpenedMap(map), {1, 1}, {60, 40}, {.planner = Algorithm::theta});
 //     if (r.status == SearchStatus::found) drive(r.path);
 //
 // Theta*: Nash, Daniel, Koenig, Felner 2007. Lazy Theta*: Nash, Koenig, Tovey 2010. JPS: Harabor, Grastien 2011.

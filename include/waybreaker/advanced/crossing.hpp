@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "waybreaker/advanced/search.hpp"
 #include "waybreaker/map.hpp"
-#include "waybreaker/search.hpp"
 
 namespace waybreaker {
 

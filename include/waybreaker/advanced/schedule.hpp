@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "waybreaker/flight.hpp"
+#include "waybreaker/advanced/flight.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/plan.hpp"
 
