@@ -12,6 +12,7 @@ const wasm = process.argv[2] ?? "../build/wasm/src/wasm/waybreaker.wasm";
 rmSync("dist", { recursive: true, force: true });
 execFileSync(process.execPath, [join("node_modules", "typescript", "bin", "tsc")], { stdio: "inherit" });
 copyFileSync(wasm, join("dist", "waybreaker.wasm"));
+copyFileSync("../LICENSE", "LICENSE");
 
 const common = { bundle: true, minify: true, target: "es2022", legalComments: "none" };
 const worker = buildSync({ ...common, entryPoints: ["dist/worker_thread.js"], format: "iife", write: false });

@@ -106,6 +106,11 @@ export class Library {
 const decoder = new TextDecoder();
 const encoder = new TextEncoder();
 
+/** Of a document, which may be its text. */
+export function textOf(document: unknown): string {
+  return typeof document === "string" ? document : `${JSON.stringify(document)}`;
+}
+
 export function utf8(text: string | Uint8Array): Uint8Array {
   return typeof text === "string" ? encoder.encode(text) : text;
 }

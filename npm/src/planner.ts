@@ -11,7 +11,7 @@ import type {
   Report,
 } from "./documents.js";
 import { InputError } from "./errors.js";
-import { Library, type Pointer, utf8 } from "./library.js";
+import { Library, type Pointer, textOf, utf8 } from "./library.js";
 
 interface Held {
   library: Library;
@@ -108,7 +108,7 @@ function readObstacle(view: DataView, at: Pointer): Obstacle {
 }
 
 function text(document: unknown): Uint8Array {
-  return utf8(typeof document === "string" ? document : JSON.stringify(document));
+  return utf8(textOf(document));
 }
 
 /** Wholly on the thread that calls. Documents that are passed in may be objects or JSON texts. */

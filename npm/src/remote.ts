@@ -10,6 +10,7 @@ import type {
   Report,
 } from "./documents.js";
 import { errorNamed, InputError, InternalError } from "./errors.js";
+import { textOf } from "./library.js";
 import type { Call, FromWorker, MapFacts, MapMaker, ToWorker } from "./worker_messages.js";
 
 export interface Cancellable {
@@ -121,10 +122,10 @@ export class WorkerPlanner {
     return this.#planning("frontText", map, mission, options);
   }
   check(map: WorkerMap, plan: Plan | string, options: Cancellable = {}): Promise<Report> {
-    return this.#ask(map.id, "check", [plan], options.signal) as Promise<Report>;
+    return this.#ask(map.id, "check", [textOf(plan)], options.signal) as Promise<Report>;
   }
   svg(map: WorkerMap, plan: Plan | string, options: Cancellable = {}): Promise<string> {
-    return this.#ask(map.id, "svg", [plan], options.signal) as Promise<string>;
+    return this.#ask(map.id, "svg", [textOf(plan)], options.signal) as Promise<string>;
   }
 
   /** Ends the worker; calls that have no answer yet reject. */
@@ -140,7 +141,7 @@ export class WorkerPlanner {
     mission: Mission | string,
     { signal, ...options }: PlanOptions & Cancellable = {},
   ): Promise<string> {
-    return this.#ask(map.id, method, [mission, options], signal) as Promise<string>;
+    return this.#ask(map.id, method, [textOf(mission), options], signal) as Promise<string>;
   }
 
   async #map(maker: MapMaker, ...parameters: unknown[]): Promise<WorkerMap> {
