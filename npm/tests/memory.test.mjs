@@ -1,6 +1,8 @@
 // What is no longer needed is given back.
 import assert from "node:assert/strict";
 import { before, it } from "node:test";
+import { setFlagsFromString } from "node:v8";
+import { runInNewContext } from "node:vm";
 import { createPlanner, InputError } from "waybreaker";
 import { drawnGrid, drawnMission, random } from "./missions.mjs";
 
@@ -8,6 +10,9 @@ let wb;
 before(async () => {
   wb = await createPlanner();
 });
+
+setFlagsFromString("--expose-gc");
+const collectGarbage = runInNewContext("gc");
 
 const side = 60;
 
@@ -46,7 +51,7 @@ it("maps that are garbage are freed", async () => {
   };
   const collect = async () => {
     for (let i = 0; i < 5; ++i) {
-      globalThis.gc();
+      collectGarbage();
       await new Promise((resolve) => setTimeout(resolve));
     }
   };
