@@ -251,7 +251,7 @@ Planned plan(const KnownMap& map, const std::string& mission, unsigned threads) 
         Asked asked = asked_of(map, mission, threads);
         asked.document.limits.stop = stop;
         const io::MissionDocument& document = asked.document;
-        Plan found = MissionPlanner().plan(asked.map.file->map, document.mission, document.method, document.limits);
+        Plan found = Planner().plan(asked.map.file->map, document.mission, document.method, document.limits);
         return Planned{std::move(asked.map), std::move(asked.document), std::move(found)};
     });
 }
@@ -263,7 +263,7 @@ std::vector<Planned> front(const KnownMap& map, const std::string& mission, unsi
         io::MissionDocument& document = asked.document;
         document.limits.stop = stop;
         std::vector<Plan> plans =
-            MissionPlanner().front(asked.map.file->map, document.mission, document.method, document.limits);
+            Planner().front(asked.map.file->map, document.mission, document.method, document.limits);
         std::vector<Planned> planned;
         document.mission.rules.removals = int(document.mission.rules.force.size());
         for (const Plan& step : plans) {
