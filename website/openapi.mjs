@@ -66,6 +66,18 @@ export function httpReference() {
   const operations = Object.entries(description.paths).flatMap(([path, item]) =>
     methods.filter((method) => item[method]).map((method) => ({ path, method, shared: item.parameters ?? [], ...item[method] })),
   );
+  // Those that are described alike share a row.
+  const answers = (responses) => {
+    const rows = new Map();
+    for (const [status, response] of Object.entries(responses)) {
+      const answer = resolve(response);
+      const said = [cell(answer.description), bodyOf(answer.content)];
+      const row = rows.get(said.join()) ?? [[], ...said];
+      row[0].push(status);
+      rows.set(said.join(), row);
+    }
+    return [...rows.values()].map(([statuses, ...said]) => [statuses.join(", "), ...said]);
+  };
   const request = (operation) => {
     const parameters = [...operation.shared, ...(operation.parameters ?? [])].map(resolve);
     const body = operation.requestBody && resolve(operation.requestBody);
@@ -85,13 +97,7 @@ export function httpReference() {
         ]),
       ),
       ...(body ? [`Body: ${bodyOf(body.content)}. ${cell(body.description)}`, ""] : []),
-      ...table(
-        ["answer", "", "body"],
-        Object.entries(operation.responses).map(([status, response]) => {
-          const answer = resolve(response);
-          return [status, cell(answer.description), bodyOf(answer.content)];
-        }),
-      ),
+      ...table(["answer", "", "body"], answers(operation.responses)),
     ];
   };
   const schema = ([name, item]) => [
