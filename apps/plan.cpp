@@ -144,7 +144,11 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
     const io::MapFile& file = context.map;
     const render::PictureOptions picture = render::picture_options(file, asked, plan);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
-    if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, asked.mission, plan, picture));
+    if (!options.svg.empty()) {
+        render::PictureOptions moving = picture;
+        moving.animate = options.animate;
+        outputs.emplace_back(options.svg, render::svg(file.map, asked.mission, plan, moving));
+    }
     if (!options.png.empty())
         outputs.emplace_back(options.png, raster::png_of(render::svg(file.map, asked.mission, plan, picture)));
     if (!options.html.empty()) outputs.emplace_back(options.html, html(context, explained, limits, deadline));
@@ -287,6 +291,7 @@ void setup_plan(CLI::App& root, Run& run_chosen) {
                  {"waybreaker plan data/berlin-adlershof.tif --start 130,104 --goal 466,105",
                   "waybreaker plan data/berlin-adlershof.tif --start 130,104 --goal 466,105 --removals auto --explain",
                   "waybreaker plan data/berlin-adlershof.tif --start 130,104 --goal 466,105 --html plan.html",
+                  "waybreaker plan data/berlin-adlershof.tif --start 130,104 --goal 466,105 --svg plan.svg --animate",
                   "waybreaker plan Berlin_0_512.map --start 12,20 --goal 400,380 --paper -n 1 --json plan.json",
                   "waybreaker plan task.xml --planner jps --svg - | rsvg-convert > plan.png"});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });

@@ -271,6 +271,8 @@ void add_output_options(CLI::App& command, PlanOptions& options) {
     add_file(command, "--save-mission", options.save_mission,
              "Write the mission, options included, as a mission file for --mission");
     add_file(command, "--svg", options.svg, "Write a picture");
+    command.add_flag("--animate", options.animate,
+                     "The picture of --svg plays the plan over and over, except for readers who ask for less motion");
     add_file(command, "--png", options.png, "Write a picture");
     add_file(command, "--html", options.html,
              "Write a page for a browser that plays the plan: one file, no network needed");
@@ -346,6 +348,9 @@ void validate(const PlanOptions& options) {
     }
     if (options.paper && rules.minimise_demolition) {
         throw InputError("--minimise-demolition needs --select exact, which --paper contradicts; drop one of them");
+    }
+    if (options.animate && options.svg.empty()) {
+        throw InputError("--animate moves the picture that --svg writes; add --svg FILE");
     }
     if (said.limits.gap > 0 && (options.explain || rules.minimise_demolition)) {
         throw InputError(fmt::format("{} compares plans that are best, which --gap contradicts; drop one of them",

@@ -66,6 +66,7 @@ struct PlanOptions {
     PlanExports exports;
     bool paper = false;
     bool removals_auto = false;  // as many removals as gain anything
+    bool animate = false;        // the picture plays the plan
     bool area_budget = false;    // the budget is one of square metres
     bool bound = false;
     bool explain = false;

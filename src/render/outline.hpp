@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "site/rings.hpp"
 
@@ -35,5 +36,8 @@ inline constexpr std::array<std::string_view, style_count> style_words{
 // cell (0, 0). Touching cells of one label share their rings; different labels have rings of their own. Only true
 // corners are written. Time O(cells).
 std::array<std::string, style_count> outlines(const site::LabelRaster& raster, std::span<const Style> styles);
+
+// The same for each label by itself: entry 0 is the rings of label 1. REQUIRES: no label is above `labels`.
+std::vector<std::string> outlines(const site::LabelRaster& raster, std::size_t labels);
 
 }  // namespace waybreaker::render

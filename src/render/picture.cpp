@@ -12,6 +12,7 @@
 #include "render/caption.hpp"
 #include "render/ground.hpp"
 #include "render/layout.hpp"
+#include "render/motion.hpp"
 #include "render/name_places.hpp"
 #include "render/note_lines.hpp"
 #include "render/palette.hpp"
@@ -386,8 +387,11 @@ std::string svg(const Map& map, const Mission& mission, const Plan& plan, const 
         "\n<title>{2}</title>\n<desc>{3}</desc>\n<defs>\n{4}</defs>\n",
         layout.width, layout.height, xml_text(options.annotations.title, 200), headline(map, mission, plan, options),
         patterns(layout.unit, scene.raster_scale()));
-    return head + rectangle({0, 0, layout.width, layout.height}, fmt::format(R"(fill="{}")", colour::paper)) +
-           draw_obstacles(scene) + draw_paths(scene) + draw_marks(scene) + draw_words(scene, entries) + "</svg>\n";
+    const Motion moving = options.animate ? motion(map, mission, plan, layout, options.annotations) : Motion{};
+    return head + moving.style +
+           rectangle({0, 0, layout.width, layout.height}, fmt::format(R"(fill="{}")", colour::paper)) +
+           draw_obstacles(scene) + moving.standing + draw_paths(scene) + draw_marks(scene) + moving.agents +
+           draw_words(scene, entries) + "</svg>\n";
 }
 
 }  // namespace waybreaker::render

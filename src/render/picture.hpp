@@ -20,6 +20,7 @@ struct PictureOptions {
     double cell_size = 1;                       // metres a cell, > 0: lengths are multiplied by it
     bool metres = false;                        // what lengths are then called: metres, or cells
     bool seconds = false;                       // a unit of the mission's time is a second
+    bool animate = false;                       // the plan plays, over and over (render/motion.hpp)
     Objective objective = Objective::makespan;  // what the plan's bound is one of
     // The title is the first line, the notes stand below the legend, the attribution in small print; the background is
     // drawn beneath the obstacles, water as such, unknown ground too; what is removed is called by its sections.

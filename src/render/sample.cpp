@@ -31,13 +31,7 @@ Style style_of(bool destructible, site::ObstacleKind kind) {
 }
 
 std::vector<Style> styles_of(const Map& map, std::span<const Breach> removed, const site::Annotations& known) {
-    const std::vector<bool> unknown = site::unknown_obstacles(map, known.tags);
-    std::vector<Style> styles(map.obstacles().size() + 1, Style::obstacle);
-    for (const Obstacle& obstacle : map.obstacles()) {
-        styles[obstacle.id.value] = unknown[obstacle.id.value]
-                                        ? Style::unknown
-                                        : style_of(obstacle.destructible, site::kind_of(known.kinds, obstacle.id));
-    }
+    std::vector<Style> styles = standing_styles(map, known);
     for (const Breach& breach : removed) styles[breach.obstacle.value] = Style::removed;
     return styles;
 }
@@ -72,6 +66,17 @@ std::vector<std::uint32_t> coarse_labels(const Map& map, std::span<const Style> 
 }
 
 }  // namespace
+
+std::vector<Style> standing_styles(const Map& map, const site::Annotations& known) {
+    const std::vector<bool> unknown = site::unknown_obstacles(map, known.tags);
+    std::vector<Style> styles(map.obstacles().size() + 1, Style::obstacle);
+    for (const Obstacle& obstacle : map.obstacles()) {
+        styles[obstacle.id.value] = unknown[obstacle.id.value]
+                                        ? Style::unknown
+                                        : style_of(obstacle.destructible, site::kind_of(known.kinds, obstacle.id));
+    }
+    return styles;
+}
 
 Sample::Sample(const Map& map, std::span<const Breach> removed, int step, const site::Annotations& known)
     : map_(&map), step_(step), styles_(styles_of(map, removed, known)) {

@@ -12,6 +12,9 @@
 
 namespace waybreaker::render {
 
+// What each obstacle looks like while it stands, by id; entry 0 is not used.
+std::vector<Style> standing_styles(const Map& map, const site::Annotations& known);
+
 // Owns what its raster points to; a sample of step 1 also points into the map, which must outlive it.
 class Sample {
   public:

@@ -1,0 +1,3 @@
+import { httpReference } from "../openapi.mjs";
+
+export default { paths: () => [{ params: { api: "http" }, content: httpReference() }] };
