@@ -1,3 +1,4 @@
+// Makers of agents with one figure more than the library's.
 #pragma once
 
 #include <string>
@@ -6,18 +7,14 @@
 
 namespace waybreaker {
 
-inline Agent vehicle(const std::string& id, Cell start, Cell goal, double radius = 0.5) {
-    Agent agent;
-    agent.id = id;
-    agent.start = start;
-    agent.goal = goal;
+inline Agent vehicle(const std::string& id, Cell start, Cell goal, double radius) {
+    Agent agent = vehicle(id, start, goal);
     agent.body.radius = radius;
     return agent;
 }
 
-inline Agent aircraft(const std::string& id, Cell start, Cell goal, double speed = 1) {
-    Agent agent = vehicle(id, start, goal);
-    agent.kind = AgentKind::air;
+inline Agent aircraft(const std::string& id, Cell start, Cell goal, double speed) {
+    Agent agent = aircraft(id, start, goal);
     agent.speed = speed;
     return agent;
 }
