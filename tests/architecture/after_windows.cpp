@@ -1,9 +1,12 @@
 // The public headers, after the macros that windows.h makes unless it is asked not to. The standard headers come first:
 // those of the compilers for Windows know these macros, those of the others do not.
+#include <array>
 #include <atomic>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <compare>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,6 +19,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #define min(a, b) (((a) < (b)) ? (a) : (b))
