@@ -1,16 +1,16 @@
-// usage: node look.mjs FOLDER [BASE [PICTURES]]: opens every page of the built site in Chromium, wide and narrow, light and
-// dark. Nothing may be wider than the window, no error may be on the console, axe may find nothing serious. With PICTURES,
-// pictures of all pages go there.
+// usage: node look.mjs FOLDER [BASE [PICTURES [PAGE...]]]: opens every page of the built site, or those named, in Chromium, wide
+// and narrow, light and dark. Nothing may be wider than the window, no error may be on the console, axe may find nothing
+// serious. Pictures of all pages go to the folder PICTURES.
 import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 import { serve } from "./serve.mjs";
 
-const [folder, base = "/", pictures] = process.argv.slice(2);
+const [folder, base = "/", pictures, ...named] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const pages = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".html") && !file.startsWith("cpp/"));
-pages.push("cpp/index.html");
+const all = readdirSync(folder, { recursive: true }).filter((file) => file.endsWith(".html") && !file.startsWith("cpp/"));
+const pages = named.length > 0 ? named : [...all, "cpp/index.html"];
 
 const server = await serve(folder, base);
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
@@ -29,7 +29,7 @@ for (const [width, colorScheme] of [
   for (const file of pages) {
     const fault = (text) => faults.push(`${file}, ${width} ${colorScheme}: ${text}`);
     errors = [];
-    await page.goto(`${server.url}/${file}`, { waitUntil: "networkidle" });
+    await page.goto(`${server.url}/${file}`, { waitUntil: "load" });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
     if (wide > 0) fault(`${wide} pixels wider than the window`);
     if (!file.startsWith("cpp/")) {

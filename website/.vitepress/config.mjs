@@ -50,7 +50,6 @@ const sidebar = [
   },
   {
     text: "Inside",
-    collapsed: true,
     items: [
       { text: "Architecture", link: "/architecture" },
       { text: "The aircraft's tour", link: "/flight" },
@@ -94,6 +93,7 @@ export default defineConfig({
   markdown: {
     config: (md) => md.use(repository),
     anchor: { slugify: slug }, // the anchors of code hosts
+    theme: { light: "github-light-high-contrast", dark: "github-dark-high-contrast" },
     image: { lazyLoading: true },
     languageAlias: { console: "shellscript", mapfile: "text" },
   },
@@ -118,6 +118,7 @@ export default defineConfig({
     footer: {
       message: "MIT licence. Maps © OpenStreetMap contributors, ODbL 1.0.",
     },
+    notFound: { linkText: "Home", linkLabel: "Home" },
     docFooter: { prev: "Before", next: "Next" },
   },
 });
