@@ -23,7 +23,7 @@ class PlannerPoolTest : public testing::Test {
   protected:
     static Plan plan(PlannerPool& pool, const SharedMap& map) {
         Method method;
-        method.planner = Pooled::theta;
+        method.planner = Algorithm::theta;
         Mission mission = ground_and_air({0, 0}, {map_side - 1, map_side - 1});
         mission.rules.removals = 0;
         return pool.borrow(map).plan(map->file.map, mission, method, {.expansions = 1000});
