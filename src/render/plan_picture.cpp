@@ -6,10 +6,10 @@ namespace waybreaker::render {
 
 PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked) {
     PictureOptions options{.cell_size = map.cell_size,
-                                   .metres = map.has_metres(),
-                                   .seconds = asked.in_seconds,
-                                   .objective = asked.mission.rules.objective,
-                                   .annotations = map.annotations};
+                           .metres = map.has_metres(),
+                           .seconds = asked.in_seconds,
+                           .objective = asked.mission.rules.objective,
+                           .annotations = map.annotations};
     options.annotations.title = map.name();
     return options;
 }
