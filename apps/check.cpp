@@ -15,6 +15,7 @@
 #include "mission/waits.hpp"
 #include "named_files.hpp"
 #include "option.hpp"
+#include "overlay_options.hpp"
 #include "progress.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/planner.hpp"
@@ -30,6 +31,7 @@ struct CheckOptions {
     std::string json;
     std::string weights;
     double tolerance = io::JudgeOptions().tolerance;
+    OverlayOptions overlays;
     bool ignore_digest = false;
     bool replan = false;
 };
@@ -103,13 +105,15 @@ void judge_by_planning(const io::PlanFile& file, const Map& map, double toleranc
 }
 
 void run(const CheckOptions& options) {
-    const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}, {"--weights", options.weights}};
+    const std::vector<site::OverlaySource> overlays = overlays_of(options.overlays);
+    NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}, {"--weights", options.weights}};
+    for (const site::OverlaySource& overlay : overlays) inputs.emplace_back("--also", overlay.file);
     validate_inputs(inputs);
     validate_outputs({{"--json", options.json}}, inputs);
     const io::PlanFile plan = io::read_plan_file(options.plan);
     const io::MapFile map = [&] {
         const Progress progress("reading " + io::input_name(options.map));
-        return mapfile::read_map_file(options.map, plan.connectivity, plan.image);
+        return to_plan_on(overlays, mapfile::read_map_file(options.map, plan.connectivity, plan.image));
     }();
     io::JudgeOptions judging{.tolerance = options.tolerance, .ignore_digest = options.ignore_digest};
     if (plan.asked.area_budget && !options.weights.empty()) {
@@ -149,6 +153,7 @@ void setup_check(CLI::App& root, Run& run_chosen) {
         "nothing else in the file proves; and find again what agents wait for");
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
+    add_overlay_options(*command, options->overlays);
     add_file(*command, "--weights", options->weights,
              "Weights that the mission gave obstacles, as for waybreaker plan (default: as the map says)");
     add_number(

@@ -33,15 +33,6 @@ io::MapFile read_map(const std::string& path) {
     return mapfile::read_map_file(path);
 }
 
-const site::Georeference& place_of(const io::MapFile& file) {
-    if (file.georeference) return *file.georeference;
-    throw InputError(
-        fmt::format("{}: does not say where on Earth it lies, so that nothing can be laid over it; if its "
-                    "metres are those of a coordinate system, 'waybreaker map convert' it to placed.tif, "
-                    "and name the system with 'gdal_edit.py -a_srs EPSG:25833 placed.tif'",
-                    file.source));
-}
-
 void run(const MapOverlayOptions& options) {
     OverlayOptions given = options.overlays;
     given.files.insert(given.files.begin(), options.file);
@@ -52,15 +43,7 @@ void run(const MapOverlayOptions& options) {
     NamedFiles inputs{{"MAP", options.in}};
     for (const city::OverlaySource& overlay : overlays) inputs.emplace_back("--also", overlay.file);
     keep_inputs({{"--output", options.out}}, inputs);
-    io::MapFile file = read_map(options.in);
-    const site::Georeference place = place_of(file);
-    site::DescribedMap map{std::move(file.map), std::move(file.annotations)};
-    std::vector<city::OverlayReport> reports;
-    for (const city::OverlaySource& overlay : overlays) {
-        reports.push_back(city::lay_over(overlay, place, options.costs, map));
-    }
-    file.map = std::move(map.map);
-    file.annotations = std::move(map.annotations);
+    const auto [file, reports] = lay_over(overlays, read_map(options.in), options.costs);
     const mapfile::WrittenMap written = mapfile::write_map(file, options.out);
     for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
     report_losses(options.out, written.losses);

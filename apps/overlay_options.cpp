@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "io/map_file.hpp"
+#include "mapfile/map_reader.hpp"
+#include "mapfile/map_writer.hpp"
+#include "mapfile/relabelled_map.hpp"
 #include "note.hpp"
 #include "option.hpp"
 #include "site/demolition.hpp"
@@ -14,6 +16,15 @@ namespace {
 
 std::string_view word_of(site::OverlayUse use) {
     return site::overlay_use_words[std::size_t(use)];
+}
+
+const site::Georeference& place_of(const io::MapFile& file) {
+    if (file.georeference) return *file.georeference;
+    throw InputError(
+        fmt::format("{}: does not say where on Earth it lies, so that nothing can be laid over it; if its "
+                    "metres are those of a coordinate system, 'waybreaker map convert' it to placed.tif, "
+                    "and name the system with 'gdal_edit.py -a_srs EPSG:25833 placed.tif'",
+                    file.source));
 }
 
 }  // namespace
@@ -69,6 +80,35 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, city::Quan
         }
     };
     return command.add_option_function<std::string>(name, read, text)->type_name("WHAT");
+}
+
+OverlaidMap lay_over(const std::vector<city::OverlaySource>& overlays, io::MapFile file,
+                     const city::OverlayCosts& costs) {
+    OverlaidMap result{std::move(file), {}};
+    for (const city::OverlaySource& source : overlays) {
+        const Map& map = result.file.map;
+        city::ReadOverlay read = city::read_overlay(source, place_of(result.file), map.width(), map.height(), costs);
+        if (std::string doubt = site::doubt(result.file.annotations, read.overlay); !doubt.empty()) {
+            read.report.notes.push_back(std::move(doubt));
+        }
+        result.reports.push_back(std::move(read.report));
+        result.file = mapfile::with_overlay(std::move(result.file), read.overlay);
+    }
+    return result;
+}
+
+io::MapFile to_plan_on(const std::vector<city::OverlaySource>& overlays, io::MapFile file) {
+    if (overlays.empty()) return file;
+    OverlaidMap overlaid = lay_over(overlays, std::move(file));
+    note_overlays(overlaid.reports);
+    io::MapFile& laid = overlaid.file;
+    io::MapFile read = mapfile::parse_map(mapfile::write_map(laid, "overlaid.tif").files.front().bytes, laid.source);
+    read.source = std::move(laid.source);
+    read.cell_size = laid.cell_size;
+    read.cell_size_given = laid.cell_size_given;
+    read.notes = std::move(laid.notes);
+    read.overlays = overlays;
+    return read;
 }
 
 std::string overlay_summary(const std::vector<city::OverlayReport>& reports, double cell_size) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <span>
 #include <utility>
@@ -140,7 +141,7 @@ void write_outputs(std::vector<std::pair<std::string, std::string>> outputs, con
         for (Itinerary& agent : plan.agents) agent.gain.reset();
     }
     const io::MapFile& file = context.map;
-    const render::PictureOptions picture = render::picture_options(file, asked);
+    const render::PictureOptions picture = render::picture_options(file, asked, plan);
     if (!options.json.empty()) outputs.emplace_back(options.json, io::plan_json(plan, context));
     if (!options.svg.empty()) outputs.emplace_back(options.svg, render::svg(file.map, asked.mission, plan, picture));
     if (!options.png.empty())
@@ -204,6 +205,17 @@ io::MapFile read_map(const PlanOptions& options) {
     return file;
 }
 
+// The mission, its files as seen from where it is saved.
+std::string saved_mission(io::MissionDocument asked, const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    for (site::OverlaySource& overlay : asked.overlays) {
+        if (std::filesystem::path(overlay.file).is_relative()) {
+            overlay.file = std::filesystem::absolute(overlay.file).lexically_relative(folder).string();
+        }
+    }
+    return io::mission_text(asked);
+}
+
 // One plan; or, with --removals auto, those for 0, 1, 2, ... removals as long as they gain.
 std::vector<Plan> plan_mission(const io::MapFile& file, const io::MissionDocument& asked, bool front) {
     Progress progress("planning");
@@ -225,11 +237,13 @@ std::vector<Plan> plan_mission(const io::MapFile& file, const io::MissionDocumen
 void run(const PlanOptions& options) {
     validate(options);
     const Stopwatch since_start;
-    io::MapFile file = read_map(options);
-    io::MissionDocument asked = mission_of(options, file);
+    io::MissionDocument given = given_mission(options);
+    io::MapFile file = to_plan_on(given.overlays, read_map(options));
+    io::MissionDocument asked = mission_of(options, std::move(given), file);
     if (auto weighed = io::settle(asked, file, weights_of(options, asked, file.map))) file.map = std::move(*weighed);
     std::vector<std::pair<std::string, std::string>> outputs;
-    if (!options.save_mission.empty()) outputs.emplace_back(options.save_mission, io::mission_text(asked));
+    if (!options.save_mission.empty())
+        outputs.emplace_back(options.save_mission, saved_mission(asked, options.save_mission));
     const Deadline deadline(asked.limits.seconds - since_start.seconds());
     validate(search_options(asked.method, asked.mission.ground_body()));
     const std::string file_at_fault = io::input_name(options.mission.empty() ? options.map : options.mission);

@@ -191,11 +191,17 @@ void set_method(const PlanOptions& options, Method& method) {
 
 }  // namespace
 
-io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map) {
+io::MissionDocument given_mission(const PlanOptions& options) {
     const Limits limits{.seconds = default_seconds};
     io::MissionDocument result{.mission = {}, .limits = limits};
     if (!options.mission.empty()) result = io::read_mission_file(options.mission, limits);
     result.map.clear();  // it is for the map given
+    if (!options.overlays.files.empty()) result.overlays = overlays_of(options.overlays);
+    return result;
+}
+
+io::MissionDocument mission_of(const PlanOptions& options, io::MissionDocument given, const io::MapFile& map) {
+    io::MissionDocument result = std::move(given);
     Mission& mission = result.mission;
     Method& method = result.method;
     const bool from_map = map.task && options.mission.empty() && !lists_agents(options, map);

@@ -112,6 +112,7 @@ void add_mission_options(CLI::App& command, PlanOptions& options) {
                 "How much longer for each cell of the obstacle (default: 0)");
     add_protect(command, options);
     add_obstacles(command, "--force", options.force, "Obstacles that must go; they count among the removals");
+    add_overlay_options(command, options.overlays);
     add_connectivity(command, options.connectivity);
     add_image_reading(command, options.image);
     add_number(
@@ -357,10 +358,11 @@ void validate(const PlanOptions& options) {
                                      {"--html", options.html},
                                      {"--trace", options.trace},
                                      {"--save-mission", options.save_mission}});
-    const NamedFiles inputs{{"MAP", options.map},
-                            {"--weights", options.weights},
-                            {"--mission", options.mission},
-                            {"--agents", options.agents}};
+    NamedFiles inputs{{"MAP", options.map},
+                      {"--weights", options.weights},
+                      {"--mission", options.mission},
+                      {"--agents", options.agents}};
+    for (const site::OverlaySource& overlay : overlays_of(options.overlays)) inputs.emplace_back("--also", overlay.file);
     validate_inputs(inputs);
     validate_outputs(outputs, inputs);
 }

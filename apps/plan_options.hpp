@@ -10,6 +10,7 @@
 #include "io/map_file.hpp"
 #include "io/mission_json.hpp"
 #include "measure.hpp"
+#include "overlay_options.hpp"
 #include "plan_exports.hpp"
 #include "waybreaker/method.hpp"
 
@@ -44,6 +45,7 @@ struct PlanOptions {
     std::optional<Measure> separation;
     Connectivity connectivity = Connectivity::four;
     io::ImageReading image;
+    OverlayOptions overlays;
 
     std::optional<Planner> planner;
     std::optional<Heuristic> heuristic;
@@ -96,7 +98,10 @@ bool needs_search(const PlanOptions& options);
 std::optional<std::vector<double>> weights_of(const PlanOptions& options, const io::MissionDocument& mission,
                                               const Map& map);
 
+// What the mission file says, if there is one, with the overlays of the options.
+io::MissionDocument given_mission(const PlanOptions& options);
+
 // The options, else what the mission file says or --paper stands for, else what the map file says, else the defaults.
-io::MissionDocument mission_of(const PlanOptions& options, const io::MapFile& map);
+io::MissionDocument mission_of(const PlanOptions& options, io::MissionDocument given, const io::MapFile& map);
 
 }  // namespace waybreaker::apps

@@ -12,7 +12,6 @@
 #include "io/plan_surfaces.hpp"
 #include "render/caption.hpp"
 #include "site/demolition.hpp"
-#include "site/surface.hpp"
 #include "table.hpp"
 #include "team_table.hpp"
 
@@ -158,17 +157,9 @@ std::string least_demolition(const Plan& plan, const io::PlanContext& context) {
     return fmt::format("no plan {} demolishes less{}\n", as_good, least == cells ? "" : " than " + extent);
 }
 
-// "1180 m on ways, 64 m off ways", of all vehicles together; empty where the map does not know.
 std::string surface(const Plan& plan, const io::PlanContext& context) {
-    std::optional<site::Surface> all;
-    for (const std::optional<site::Surface>& one : io::plan_surfaces(plan, context.map)) {
-        if (!one) continue;
-        if (!all) all.emplace();
-        *all += *one;
-    }
-    if (!all) return "";
-    const std::string who = context.asked.mission.is_team() ? "all vehicles" : "ground agent";
-    return fmt::format("\n{}: {}\n", who, site::surface_text(*all, context.map.cell_size));
+    const std::string line = io::surface_line(plan, context.asked.mission, context.map);
+    return line.empty() ? "" : fmt::format("\n{}\n", line);
 }
 
 // Whether the bound proves that no plan is better.

@@ -15,6 +15,7 @@
 #include "city/cut_areas.hpp"
 #include "city/obstacle_choice.hpp"
 #include "city/tag_set.hpp"
+#include "osm/features.hpp"
 #include "site/background.hpp"
 
 namespace waybreaker::city {
@@ -49,8 +50,8 @@ struct FeatureReport {
     OGREnvelope extent = {};
     // Of an OpenStreetMap file: beyond that it has nothing. What it states, or else a box around its nodes.
     std::unique_ptr<OGRGeometry> data = {};
-    std::vector<CutArea> cut = {};                 // their lines in the query's system
-    std::vector<std::int64_t> lacking_nodes = {};  // ways of which nodes are not in the file, and so what they bound
+    std::vector<CutArea> cut = {};  // their lines in the query's system
+    osm::Defects defects = {};
 };
 
 // Visits, in the source's order, areas of relations before those of ways. Throws InputError if it cannot be read.

@@ -194,7 +194,7 @@ Footprints read_footprints(const std::string& source, const Window& window, cons
     for (CutArea& area : report.cut) {
         if (is_obstacle({.tags = area.tags}, choice)) result.cut.push_back(std::move(area));
     }
-    result.lacking_nodes = std::move(report.lacking_nodes);
+    result.defects = std::move(report.defects);
     return result;
 }
 

@@ -35,8 +35,8 @@ struct Footprints {
     // Obstacles anywhere in the source that are left out because they have no coordinates, or such as are no numbers;
     // not counted in sources with an index of places.
     std::size_t shapeless = 0;
-    std::vector<CutArea> cut = {};                 // that would be obstacles if the source had their outlines whole
-    std::vector<std::int64_t> lacking_nodes = {};  // ways, as features.hpp has them
+    std::vector<CutArea> cut = {};  // that would be obstacles if the source had their outlines whole
+    osm::Defects defects = {};
 };
 
 // `cell` is the least width of lines. Throws InputError if the source cannot be read or can hold nothing of that kind,

@@ -35,11 +35,19 @@ void note_what_is_cut(const Footprints& footprints, const Survey& survey, std::v
         notes.push_back(fmt::format("{}: left out, for the source has no more than a part of {} outline{}",
                                     names_of(cut), cut.size() == 1 ? "its" : "their", cut.size() == 1 ? "" : "s"));
     }
-    std::set<std::int64_t> ways(survey.lacking_nodes.begin(), survey.lacking_nodes.end());
-    ways.insert(footprints.lacking_nodes.begin(), footprints.lacking_nodes.end());
-    if (!ways.empty()) {
+    const auto count_of = [&](std::vector<std::int64_t> osm::Defects::*kind) {
+        std::set<std::int64_t> ids((survey.defects.*kind).begin(), (survey.defects.*kind).end());
+        ids.insert((footprints.defects.*kind).begin(), (footprints.defects.*kind).end());
+        return ids.size();
+    };
+    if (const std::size_t ways = count_of(&osm::Defects::lacking_nodes); ways > 0) {
         notes.push_back(fmt::format("{} nodes that the source does not have: drawn without them",
-                                    ways.size() == 1 ? "1 way lacks" : fmt::format("{} ways lack", ways.size())));
+                                    ways == 1 ? "1 way lacks" : fmt::format("{} ways lack", ways)));
+    }
+    if (const std::size_t areas = count_of(&osm::Defects::crossing); areas > 0) {
+        notes.push_back(fmt::format("outlines of {} cross themselves or each other: what lies within an odd number of "
+                                    "them is taken for inside",
+                                    areas == 1 ? "1 relation" : fmt::format("{} relations", areas)));
     }
 }
 

@@ -184,7 +184,7 @@ FeatureReport visit_osm(const OsmSource& source, const FeatureQuery& query, cons
         }};
     try {
         osm::Report read = osm::visit(source.file, wanted, visitor);
-        report.lacking_nodes = std::move(read.lacking_nodes);
+        report.defects = std::move(read.defects);
         if (read.stated) {
             const OGREnvelope box = envelope_of(*read.stated);
             if (const auto extent = transformed(box, placing.degrees(), query.system)) report.extent = *extent;

@@ -11,12 +11,7 @@
 
 namespace waybreaker::city {
 
-// What is laid over a map: the things of a file, and what they are.
-struct OverlaySource {
-    std::string file;
-    site::OverlayUse use = site::OverlayUse::water;
-    double width = 0;  // of lines, and of points as discs, in metres, where they do not say a `width` of their own
-};
+using site::OverlaySource;
 
 // What removing each thing takes, if it can be removed; as of the obstacles of an import.
 struct OverlayCosts {

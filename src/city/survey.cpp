@@ -58,7 +58,7 @@ class Surveyor {
 
     Survey read(const std::string& source) {
         FeatureReport report = visit_features(source, query_, [this](const Feature& feature) { see(feature); });
-        survey_.lacking_nodes = std::move(report.lacking_nodes);
+        survey_.defects = std::move(report.defects);
         if (options_.profile == Profile::paper) return std::move(survey_);
         close(report.cut);
         // Of a line and an area that both bar a cell, the area is the later one, and has it.

@@ -25,9 +25,9 @@ struct SurveyOptions {
 struct Survey {
     std::vector<Sight> scenery;  // in the source's order; nothing in tunnels
     Ground ground;
-    std::vector<Premises> premises;                // by premises_filters(), in the source's order
-    std::vector<std::int64_t> lacking_nodes = {};  // ways, as features.hpp has them
-    std::size_t streets = 0;                       // ways for anybody, in the window
+    std::vector<Premises> premises;  // by premises_filters(), in the source's order
+    osm::Defects defects = {};
+    std::size_t streets = 0;  // ways for anybody, in the window
 };
 
 // One scan of the source; none if nothing in it can have such tags. Throws InputError if the source cannot be read.

@@ -96,6 +96,9 @@ class MissionReader {
             if (line.empty()) continue;
             io::MissionDocument document = io::parse_mission(line, fmt::format("{}, line {}", path, number));
             if (document.map.empty()) refuse("does not say its map");
+            if (!document.overlays.empty()) {
+                refuse("has overlays; name a map that has them already, as 'waybreaker map overlay' writes it");
+            }
             if (document.area_budget)
                 refuse("budget_m2 is not for experiments; weigh the map's obstacles and give budget");
             if (std::ranges::count(document.mission.agents, AgentKind::ground, &Agent::kind) == 0) {

@@ -27,6 +27,10 @@ Violations judge_size(const PlanFile& plan, const Map& map) {
 
 Violations judge_digest(const PlanFile& plan, const MapFile& map) {
     if (plan.digest == map.digest) return {};
+    if (map.overlays.empty() && !plan.asked.overlays.empty()) {
+        return {{Rule::map, fmt::format("the plan was made with {} laid over the map; lay it over this one, too",
+                                        plan.asked.overlays.front().file)}};
+    }
     return {{Rule::map, "the plan was made for another map file: the digests differ (see --ignore-digest)"}};
 }
 

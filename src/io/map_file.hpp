@@ -11,6 +11,7 @@
 #include "io/ros_yaml.hpp"
 #include "site/annotations.hpp"
 #include "site/georeference.hpp"
+#include "site/overlay.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/search_options.hpp"
@@ -62,6 +63,7 @@ struct MapFile {
     site::Annotations annotations = {};
     std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};
+    std::vector<site::OverlaySource> overlays = {};  // laid over it since it was read
     std::uint64_t unknown = 0;            // cells of unknown occupancy
     std::vector<std::string> notes = {};  // of reading, for the user, a line each; the file's own are annotations
 

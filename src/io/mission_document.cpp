@@ -5,6 +5,7 @@
 #include "io/place_reason.hpp"
 #include "io/tagged_obstacles.hpp"
 #include "io/weights.hpp"
+#include "waybreaker/error.hpp"
 #include "waybreaker/place_error.hpp"
 
 namespace waybreaker::io {
@@ -27,6 +28,12 @@ bool size_agents(MissionDocument& document, const MapFile& file) {
 
 std::optional<Map> resolve(MissionDocument& document, const MapFile& file,
                            const std::optional<std::vector<double>>& weights) {
+    if (document.overlays != file.overlays) {
+        throw InputError(document.overlays.empty()
+                             ? file.source + " has overlays laid over it, which the mission is not for"
+                             : "the mission is for a map with " + document.overlays.front().file +
+                                   " laid over it: lay it over the map first, and leave out 'overlays'");
+    }
     protect_tagged(file, std::exchange(document.protect_tags, {}), document.mission.rules);
     if (document.area_budget) return file.map.with_weights(area_weights(file));
     if (weights) return file.map.with_weights(*weights);

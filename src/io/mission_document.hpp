@@ -28,6 +28,8 @@ struct MissionDocument {
     std::vector<std::size_t> unsized = {};
     // Which map it is for, as seen from the document's file; empty where that is said elsewhere.
     std::string map = {};
+    // What has to be laid over that map before anything is planned, the first one first.
+    std::vector<site::OverlaySource> overlays = {};
 };
 
 // The radius, in cells, of a ground agent of which nobody says how large it is: by the profile of the map, else 0.5.
@@ -39,7 +41,8 @@ bool size_agents(MissionDocument& document, const MapFile& file);
 
 // Makes the mission one of this map: what has the tags is protected by its id, and the tags are gone. Gives the map to
 // plan on where it differs: its obstacles weigh their area where the budget is one, else `weights` by id, if any.
-// Throws InputError if nothing has a tag, or the map does not say how large a cell is.
+// Throws InputError if nothing has a tag, the map does not say how large a cell is, or other overlays are laid over it
+// than the mission is for.
 std::optional<Map> resolve(MissionDocument& document, const MapFile& file,
                            const std::optional<std::vector<double>>& weights = {});
 

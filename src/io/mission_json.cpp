@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 
@@ -19,6 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr auto format = "waybreaker-mission/1";
 constexpr double most_radius = 32;       // cells
 constexpr std::size_t longest_id = 100;  // characters
+constexpr double widest_overlay = 10000;  // metres
 
 template <class Value>
 void read_word(const JsonField& object, const char* key, const Words<Value>& words, Value& target) {
@@ -71,6 +73,19 @@ void read_protected(const JsonField& object, MissionDocument& document) {
     }
 }
 
+site::OverlaySource read_overlay(const JsonField& field) {
+    Words<site::OverlayUse> words;
+    for (const std::string_view word : site::overlay_use_words) {
+        words.emplace_back(word, site::OverlayUse(words.size()));
+    }
+    field.allow({"file", "as", "width"});
+    site::OverlaySource overlay{.file = field["file"].text()};
+    if (overlay.file.empty()) field["file"].fail("is empty");
+    overlay.use = field["as"].one_of(words);
+    if (const auto width = field.find("width")) overlay.width = read_between(*width, 0, widest_overlay);
+    return overlay;
+}
+
 Agent read_agent(const JsonField& field) {
     field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "breaches"});
     Agent agent;
@@ -100,6 +115,12 @@ Json agent_json(const Agent& agent) {
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
     json["corners"] = to_string(agent.body.corners);
+    return json;
+}
+
+Json overlay_json(const site::OverlaySource& overlay) {
+    Json json{{"file", overlay.file}, {"as", site::overlay_use_words[std::size_t(overlay.use)]}};
+    if (overlay.width > 0) json["width"] = overlay.width;
     return json;
 }
 
@@ -259,9 +280,12 @@ void read_method(const JsonField& field, Method& method) {
 
 MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     if (document["format"].text() != format) document["format"].fail(std::string("is not ") + format);
-    document.allow({"format", "map", "time_unit", "agents", "rules", "method", "limits", "page"});
+    document.allow({"format", "map", "overlays", "time_unit", "agents", "rules", "method", "limits", "page"});
     MissionDocument result;
     if (const auto map = document.find("map")) result.map = map->text();
+    if (const auto overlays = document.find("overlays")) {
+        for (const JsonField& overlay : overlays->items()) result.overlays.push_back(read_overlay(overlay));
+    }
     if (const auto unit = document.find("time_unit")) result.in_seconds = unit->one_of<bool>({{"s", true}});
     result.limits = limits;
     std::vector<Agent>& agents = result.mission.agents;
@@ -290,7 +314,10 @@ MissionDocument parse_mission(std::string_view bytes, const std::string& name, c
 }
 
 MissionDocument read_mission_file(const std::string& path, const Limits& limits) {
-    return parse_mission(read_whole(path, max_mission_bytes), path, limits);
+    MissionDocument document = parse_mission(read_whole(path, max_mission_bytes), path, limits);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    for (site::OverlaySource& overlay : document.overlays) overlay.file = (folder / overlay.file).string();
+    return document;
 }
 
 Json mission_json(const MissionDocument& document) {
@@ -298,6 +325,7 @@ Json mission_json(const MissionDocument& document) {
     for (const Agent& agent : document.mission.agents) agents.push_back(agent_json(agent));
     Json json{{"format", format}};
     if (!document.map.empty()) json["map"] = document.map;
+    for (const site::OverlaySource& overlay : document.overlays) json["overlays"].push_back(overlay_json(overlay));
     if (document.in_seconds) json["time_unit"] = "s";
     json["agents"] = std::move(agents);
     json["rules"] = rules_json(document);

@@ -16,4 +16,16 @@ std::vector<std::optional<site::Surface>> plan_surfaces(const Plan& plan, const 
     return surfaces;
 }
 
+std::string surface_line(const Plan& plan, const Mission& mission, const MapFile& map) {
+    std::optional<site::Surface> all;
+    for (const std::optional<site::Surface>& one : plan_surfaces(plan, map)) {
+        if (!one) continue;
+        if (!all) all.emplace();
+        *all += *one;
+    }
+    if (!all) return "";
+    return std::string(mission.is_team() ? "all vehicles" : "ground agent") + ": " +
+           site::surface_text(*all, map.cell_size);
+}
+
 }  // namespace waybreaker::io

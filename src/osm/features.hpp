@@ -66,10 +66,16 @@ struct Visitor {
     std::function<void(CutArea)> cut = [](const CutArea&) {};
 };
 
-struct Report {
-    std::optional<Box> stated = {};                // what the file says it has the data of
-    std::optional<Box> nodes = {};                 // around all of them, if ways were wanted
+// What was visited and is not as it should be.
+struct Defects {
     std::vector<std::int64_t> lacking_nodes = {};  // ways without some of their nodes; visited as what is left of them
+    std::vector<std::int64_t> crossing = {};       // relations whose rings cross; their areas are filled by turns
+};
+
+struct Report {
+    std::optional<Box> stated = {};  // what the file says it has the data of
+    std::optional<Box> nodes = {};   // around all of them, if ways were wanted
+    Defects defects = {};
 };
 
 // How a file is written: "osm" (XML), "osc" (changes in XML), "pbf" or "o5m"; ".gz" behind it if it is packed.

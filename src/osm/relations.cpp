@@ -164,12 +164,12 @@ Relations::Members Relations::members_of(const osmium::Relation& relation) const
     return members;
 }
 
-void Relations::visit(const NodePlaces& places, const Visitor& visitor) {
+void Relations::visit(const NodePlaces& places, const Visitor& visitor, Defects& defects) {
     place_ways(places);
-    for (const std::size_t offset : offsets_) visit(relations_.get<osmium::Relation>(offset), visitor);
+    for (const std::size_t offset : offsets_) visit(relations_.get<osmium::Relation>(offset), visitor, defects);
 }
 
-void Relations::visit(const osmium::Relation& relation, const Visitor& visitor) {
+void Relations::visit(const osmium::Relation& relation, const Visitor& visitor, Defects& defects) {
     const Members members = members_of(relation);
     const osmium::TagList& tags = speaking_tags(relation, members.outer);
     if (!wants(query_.areas, tags)) return;
@@ -198,7 +198,10 @@ void Relations::visit(const osmium::Relation& relation, const Visitor& visitor) 
             std::vector<Line> all = outer;
             all.insert(all.end(), inner.begin(), inner.end());
             Polygon rings = rings_of(std::move(all));
-            if (!rings.empty()) feature.polygons.push_back(std::move(rings));
+            if (!rings.empty()) {
+                feature.polygons.push_back(std::move(rings));
+                defects.crossing.push_back(feature.source_id);
+            }
         }
     }
     if (feature.polygons.empty()) {

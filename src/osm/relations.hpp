@@ -26,7 +26,7 @@ class Relations {
     void add_member(const osmium::Way& way);
 
     // All areas, in the source's order.
-    void visit(const NodePlaces& places, const Visitor& visitor);
+    void visit(const NodePlaces& places, const Visitor& visitor, Defects& defects);
 
     // Whether the way is nothing but the outer ring of an area that was visited: it says nothing else.
     bool is_part(const osmium::Way& way) const;
@@ -36,7 +36,7 @@ class Relations {
 
     void place_ways(const NodePlaces& places);
     Members members_of(const osmium::Relation& relation) const;
-    void visit(const osmium::Relation& relation, const Visitor& visitor);
+    void visit(const osmium::Relation& relation, const Visitor& visitor, Defects& defects);
 
     const Query& query_;
     osmium::memory::Buffer relations_{std::size_t{1} << 16, osmium::memory::Buffer::auto_grow::yes};

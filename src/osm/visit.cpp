@@ -16,6 +16,7 @@
 
 #include "core/one_line.hpp"
 #include "osm/features.hpp"
+#include "osm/josm.hpp"
 #include "osm/node_places.hpp"
 #include "osm/objects.hpp"
 #include "osm/relations.hpp"
@@ -63,6 +64,8 @@ class Reading {
         return all.box();
     }
 
+    bool is_by_josm() const { return header_.get("generator").starts_with("JOSM"); }
+
     // Calls see(object) for nodes, ways and relations, whichever are read.
     template <typename See>
     void each(See see) {
@@ -101,7 +104,7 @@ class Visit {
         if (!wants_ways()) return report_;
         places_.finish();
         report_.nodes = all_.box();
-        relations_.visit(places_, visitor_);
+        relations_.visit(places_, visitor_, report_.defects);
         const auto see_way = [this](const osmium::Way& way) { see(way); };
         if (file_.format != "pbf") {
             std::ranges::for_each(ways_.select<osmium::Way>(), see_way);
@@ -121,7 +124,9 @@ class Visit {
         osmium::memory::Buffer relations(std::size_t{1} << 16, osmium::memory::Buffer::auto_grow::yes);
         Reading reading(file_, wants_ways() ? bits::node | bits::way | bits::relation : bits::node);
         report_.stated = reading.stated();
+        const Deleted deleted = reading.is_by_josm() ? marked_as_deleted(file_.path) : Deleted();
         reading.each([&](const osmium::OSMObject& object) {
+            if (deleted.contains({object.type(), object.id()})) return;
             if (object.type() == osmium::item_type::node) return see(static_cast<const osmium::Node&>(object));
             if (object.type() == osmium::item_type::relation && !query_.areas) return;
             osmium::memory::Buffer& buffer = object.type() == osmium::item_type::way ? ways_ : relations;
@@ -179,7 +184,7 @@ class Visit {
             around.add(line.back());
         }
         if (line.empty() || !around.meets(query_.box) || !seen_.insert(way.id()).second) return;
-        if (line.size() < way.nodes().size()) report_.lacking_nodes.push_back(way.id());
+        if (line.size() < way.nodes().size()) report_.defects.lacking_nodes.push_back(way.id());
         visit(way, uses, std::move(line));
     }
 

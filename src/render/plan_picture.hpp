@@ -9,8 +9,8 @@
 
 namespace waybreaker::render {
 
-// How a plan on this map is drawn.
-PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked);
+// How a plan on this map is drawn. What its vehicles drive over is the first of the notes.
+PictureOptions picture_options(const io::MapFile& map, const io::MissionDocument& asked, const Plan& plan);
 
 // An SVG document.
 std::string plan_svg(const io::MapFile& map, const io::PlanFile& plan);

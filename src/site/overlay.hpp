@@ -22,6 +22,14 @@ enum class OverlayUse : std::uint8_t {
 // What people call them, in their order.
 inline constexpr std::array<std::string_view, 5> overlay_use_words{"water", "debris", "closed", "wall", "free"};
 
+// What is laid over a map: the things of a file, and what they are.
+struct OverlaySource {
+    std::string file;
+    OverlayUse use = OverlayUse::water;
+    double width = 0;  // of lines, and of points as discs, in metres, where they do not say a `width` of their own
+    friend bool operator==(const OverlaySource&, const OverlaySource&) = default;
+};
+
 struct Overlay {
     std::string name = {};  // what titles call it
     OverlayUse use = OverlayUse::water;

@@ -21,6 +21,10 @@ std::vector<ObstacleId> any_ids() {
     return ids;
 }
 
+site::OverlayUse any_use() {
+    return site::OverlayUse(*number(0, int(site::overlay_use_words.size()) - 1));
+}
+
 MissionDocument any_document() {
     MissionDocument document;
     for (int i = *number(1, 3); i > 0; --i) {
@@ -57,6 +61,9 @@ MissionDocument any_document() {
     if (*rc::gen::arbitrary<bool>()) document.protect_tags = {{"amenity", {"school", "a \"b*"}}, {"historic"}};
     document.area_budget = std::isfinite(document.mission.rules.budget) && *rc::gen::arbitrary<bool>();
     document.map = *rc::gen::element<std::string>("", "maps/city \"7\".tif");
+    if (*rc::gen::arbitrary<bool>()) {
+        document.overlays = {{"flood.geojson", site::OverlayUse::water}, {"a \"b\".shp", any_use(), 2.5}};
+    }
     document.limits.gap = *rc::gen::element(0.0, 0.01);
     document.limits.expansions = *rc::gen::element<std::uint64_t>(1, 1000, UINT64_MAX);
     return document;
@@ -78,6 +85,7 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
     RC_ASSERT(rules.removals == written.mission.rules.removals);
     RC_ASSERT(rules.budget == written.mission.rules.budget);
     RC_ASSERT(read.area_budget == written.area_budget);
+    RC_ASSERT(read.overlays == written.overlays);
     RC_ASSERT(rules.protect == written.mission.rules.protect);
     RC_ASSERT(read.in_seconds == written.in_seconds);
     RC_ASSERT(rules.minimise_demolition == written.mission.rules.minimise_demolition);
@@ -152,7 +160,8 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(refusal(named(hundred + "x")), "m.json:1:54: agents[0].id has more than 100 characters");
     EXPECT_EQ(refusal(named("a\u202eb")), "m.json:1:54: agents[0].id holds control characters");
     EXPECT_EQ(says(R"("removals": 2)"),
-              "the document has a member that is none of format, map, time_unit, agents, rules, method, limits, page");
+              "the document has a member that is none of format, map, overlays, time_unit, agents, rules, method, limits, "
+              "page");
     EXPECT_EQ(says(R"("rules": {"removals": -1})"), "rules.removals is not between 0 and 2147483647");
     EXPECT_EQ(says(R"("rules": {"protect": [0]})"), "rules.protect[0] is not between 1 and 4294967295");
     EXPECT_EQ(says(R"("rules": {"protect": [1, "=b"]})"),
@@ -165,6 +174,10 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(says(R"("rules": {"separation": 33})"), "rules.separation is not between 0 and 32");
     EXPECT_EQ(says(R"("method": {"weight": 0})"), "method.weight is not between 1 and 1e+06");
     EXPECT_EQ(says(agents), "the member 'agents' is there twice");
+    EXPECT_EQ(says(R"("overlays": [{"file": "a.shp"}])"), "overlays[0] has no member as");
+    EXPECT_EQ(says(R"("overlays": [{"file": "a.shp", "as": "lava"}])"),
+              "overlays[0].as is none of water, debris, closed, wall, free");
+    EXPECT_EQ(says(R"("overlays": [{"file": "", "as": "water"}])"), "overlays[0].file is empty");
     EXPECT_EQ(says(R"("time_unit": "h")"), "time_unit is none of s");
     EXPECT_EQ(says(R"("rules": {"timing": "never"})"), "rules.timing is none of enforce, ignore");
     EXPECT_EQ(says(R"("rules": {"budget": 1, "budget_m2": 1})"),

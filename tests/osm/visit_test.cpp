@@ -221,6 +221,8 @@ TEST_F(Visits, RingsThatCrossAreFilledByTurns) {
     ASSERT_EQ(words_of(found).size(), 1U);
     EXPECT_EQ(found.features.at(0).polygons.at(0).size(), 1U);
     EXPECT_TRUE(found.cut.empty());
+    EXPECT_EQ(found.report.defects.crossing, std::vector<std::int64_t>{-7});
+    EXPECT_TRUE(found_in(town, {.areas = Keys{{"building"}}}).report.defects.crossing.empty());
 }
 
 TEST_F(Visits, RelationsSpeakForTheirOuterWays) {
@@ -262,7 +264,7 @@ TEST_F(Visits, RelationsThatAreCutGiveTheirLines) {
 TEST_F(Visits, WaysThatLackNodesAreWhatIsLeftAndReported) {
     const Found found = found_in(Town().without(404).way(7, square, "building=yes").way(8, {701, 702}, "highway=path"));
     EXPECT_EQ(words_of(found), (Words{"area 7 4", "line 8"}));  // 4.5
-    EXPECT_EQ(found.report.lacking_nodes, std::vector<std::int64_t>{7});
+    EXPECT_EQ(found.report.defects.lacking_nodes, std::vector<std::int64_t>{7});
     // Where the first one is missing the ring closes all the same.
     const Found first = found_in(Town().without(101).way(7, square, "building=yes"));
     EXPECT_EQ(words_of(first), Words{"area 7 4"});
@@ -279,6 +281,23 @@ TEST_F(Visits, OnlyWhatIsAskedFor) {
     Query near = everything();
     near.box = Box{2, 2, 3, 3};  // within the square, and without a node of what crosses it
     EXPECT_EQ(words_of(found_in(town, near)), (Words{"area 1 9", "line 3"}));
+}
+
+TEST_F(Visits, WhatIsDeletedInJosmIsLeftOut) {
+    const auto found_by = [this](const std::string& generator) {
+        std::string text = Town().way(1, square, "building=yes").way(2, square, "natural=water").text();
+        const auto replace = [&](const std::string& was, const std::string& is) {
+            text.replace(text.find(was), was.size(), is);
+        };
+        replace("<way id='2'", "<way id='2' action='delete' visible='true'");
+        replace("<way id='1'", "<way id='1' action='modify' visible='true'");
+        replace("<node id='404'", "<node id='404' action='delete'");
+        replace("<osm ", "<osm generator='" + generator + "' ");
+        put("edited.osm", text);
+        return words_of(found_in(File{path("edited.osm"), "osm"}));
+    };
+    EXPECT_EQ(found_by("JOSM"), Words{"area 1 4"});  // without its deleted node
+    EXPECT_EQ(found_by("another"), (Words{"area 1 9", "area 2 9"}));
 }
 
 TEST_F(Visits, DamagedFilesAreErrors) {
