@@ -234,11 +234,14 @@ Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& 
         }
     }
     const auto limited = [](const Candidate& candidate) { return candidate.opening.limited; };
-    plan.limit_reached = selected.limited || (least && least->limited) || limited(baseline) || limited(start) ||
-                         std::ranges::any_of(selected.candidates, limited) || task.deadline.passed();
+    const bool stopped = limits.stop.stop_requested();
+    plan.limit_reached = stopped || selected.limited || (least && least->limited) || limited(baseline) ||
+                         limited(start) || std::ranges::any_of(selected.candidates, limited) || task.deadline.passed();
     // Whether there is no way was not found out.
     if (plan.status == PlanStatus::no_plan && selected.may_miss) plan.status = PlanStatus::not_found;
-    if (plan.status == PlanStatus::no_plan && plan.limit_reached) plan.status = PlanStatus::limit_reached;
+    if (plan.status == PlanStatus::no_plan && plan.limit_reached) {
+        plan.status = stopped ? PlanStatus::stopped : PlanStatus::limit_reached;
+    }
     plan.seconds.search = baseline.opening.ground.seconds;
     for (const Candidate& candidate : selected.candidates) {
         plan.seconds.search += candidate.opening.ground.seconds;

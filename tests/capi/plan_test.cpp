@@ -108,7 +108,7 @@ TEST_F(CPlan, WithABudgetOfSquareMetresWeighsAreas) {
     bool valid = false;
     EXPECT_EQ(check(in_metres, enough.text, &valid).status, WAYBREAKER_OK);
     EXPECT_TRUE(valid);
-    EXPECT_NE(capi::plan(planner, map, cheap).error.find("how large a cell is"), std::string::npos)
+    EXPECT_NE(capi::plan(planner, map, cheap).error.find("needs the size of a cell"), std::string::npos)
         << capi::plan(planner, map, cheap).error;
 }
 
