@@ -11,7 +11,7 @@
 #include "city/vector_source.hpp"
 #include "geotiff/feature_parts.hpp"
 #include "geotiff/gdal_scope.hpp"
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -20,7 +20,7 @@ using Shape = site::Background::Shape;
 
 std::string name_of(const CutArea& area) {
     const std::string* const said = area.tags.find("name");
-    return geotiff::clean_name(said ? *said : "");
+    return labels::clean_name(said ? *said : "");
 }
 
 bool is_water(const std::vector<GroundUse>& uses) {

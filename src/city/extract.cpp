@@ -10,7 +10,7 @@
 #include "city/features.hpp"
 #include "city/footprints.hpp"
 #include "city/vector_source.hpp"
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -46,7 +46,7 @@ std::vector<NamedPlace> find_places(const std::string& source) {
         const std::string* const name = feature.tags.find("name");
         if (!kind || !name || !feature.geometry || feature.shape != site::Background::Shape::point) return;
         const auto* const rank = std::ranges::find(place_kinds, *kind);
-        const std::string clean = geotiff::clean_name(*name);
+        const std::string clean = labels::clean_name(*name);
         if (rank == place_kinds.end() || clean.empty()) return;
         const OGRPoint* const point = feature.geometry->toPoint();
         found[std::size_t(rank - place_kinds.begin())].push_back({clean, {point->getX(), point->getY()}});

@@ -5,7 +5,7 @@
 #include "city/ground_rules.hpp"
 #include "city/layer_features.hpp"
 #include "city/osm_features.hpp"
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
 namespace waybreaker::city {
 
@@ -19,7 +19,7 @@ std::vector<std::string> kept_tags(const TagSet& tags) {
     std::vector<std::string> kept;
     for (const std::string_view key : kept_keys) {
         const std::string* const said = tags.find(key);
-        const std::string text = geotiff::clean_name(said ? *said : "no");
+        const std::string text = labels::clean_name(said ? *said : "no");
         if (!text.empty() && !site::says_no(text)) kept.push_back(fmt::format("{}={}", key, text));
     }
     return kept;

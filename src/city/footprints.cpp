@@ -13,7 +13,7 @@
 #include "city/tag_set.hpp"
 #include "city/vector_source.hpp"
 #include "geotiff/gdal_scope.hpp"
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::city {
@@ -77,13 +77,13 @@ ObstacleAttributes attributes_of(const Feature& feature, const ObstacleChoice& c
 std::string name_of(const TagSet& tags) {
     for (const char* key : {"name", "addr:housename"}) {
         if (const std::string* const text = tags.find(key)) {
-            std::string name = geotiff::clean_name(*text);
+            std::string name = labels::clean_name(*text);
             if (!name.empty()) return name;
         }
     }
     const std::string* const street = tags.find("addr:street");
     const std::string* const number = tags.find("addr:housenumber");
-    return street && number ? geotiff::clean_name(*street + " " + *number) : "";
+    return street && number ? labels::clean_name(*street + " " + *number) : "";
 }
 
 // Not measured yet.

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -19,7 +19,7 @@ std::string names_of(const std::vector<CutArea>& areas) {
     std::vector<std::string> names;
     for (const CutArea& area : areas) {
         const std::string* const said = area.tags.find("name");
-        std::string name = geotiff::clean_name(said ? *said : "");
+        std::string name = labels::clean_name(said ? *said : "");
         if (name.empty()) name = fmt::format("relation {}", -area.source_id);
         if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
     }

@@ -15,7 +15,7 @@
 #include "city/label_raster.hpp"
 #include "city/vector_source.hpp"
 #include "geotiff/gdal_scope.hpp"
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -49,7 +49,7 @@ class OverlayReader {
         const double said = feature.tags.number("width").value_or(0);
         take(*feature.geometry, said > 0 && said <= widest_line ? said : source_.width, thing);
         if (thing.areas.empty()) return;
-        if (const std::string* const name = feature.tags.find("name")) thing.name = geotiff::clean_name(*name);
+        if (const std::string* const name = feature.tags.find("name")) thing.name = labels::clean_name(*name);
         thing.attributes = {
             .source_id = feature.source_id,
             .weight = quantity_of(costs_.weight, feature, thing, least_weight, most_weight).value_or(1),
@@ -149,7 +149,7 @@ void note(const LeftOut& left_out, std::size_t things, std::vector<std::string>&
 
 // What captions call the overlay of a file: its name up to the first dot.
 std::string name_of(const std::string& file) {
-    std::string name = geotiff::clean_name(std::filesystem::path(file).filename().string());
+    std::string name = labels::clean_name(std::filesystem::path(file).filename().string());
     name.resize(std::min(name.find('.'), name.size()));
     return name;
 }

@@ -12,7 +12,7 @@
 #include "city/label_raster.hpp"
 #include "city/vector_source.hpp"
 #include "geotiff/gdal_scope.hpp"
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -164,11 +164,11 @@ std::optional<Premises> premises_of(const TagSet& tags, Shape shape, const std::
     for (std::size_t i = 0; i < filters.size(); ++i) {
         const std::string& key = filters[i].key;
         if (!tags.matches(filters[i]) || (shape == Shape::point && !holds_around_point(key, tags))) continue;
-        premises.tags.push_back({i, key, geotiff::clean_name(*tags.find(key))});
+        premises.tags.push_back({i, key, labels::clean_name(*tags.find(key))});
     }
     if (premises.tags.empty()) return std::nullopt;
     const std::string* name = tags.find("name");
-    premises.name = geotiff::clean_name(name ? *name : "");
+    premises.name = labels::clean_name(name ? *name : "");
     return premises;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -91,7 +91,7 @@ std::optional<Sight> sight_of(const TagSet& tags, Shape shape) {
     });
     if (rule == rules().end()) return std::nullopt;
     const std::string* said = tags.find("name");
-    std::string name = geotiff::clean_name(said ? *said : "");
+    std::string name = labels::clean_name(said ? *said : "");
     const bool siding = rule->kind == FeatureKind::rail && tags.says("service");
     if ((rule->only_named && name.empty()) || siding) return std::nullopt;
     return Sight{rule->kind, rule->rank, *tags.find(rule->filter.key), std::move(name), nullptr};

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "city/cut_ground.hpp"
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
 namespace waybreaker::city {
 namespace {
@@ -103,7 +103,7 @@ class Surveyor {
         for (const GroundUse& use : ground_uses(feature.tags, feature.shape, options_.profile)) {
             if (!short_enough(use, *feature.geometry)) continue;
             GroundPiece piece{use, std::unique_ptr<OGRGeometry>(feature.geometry->clone()), feature.source_id,
-                              geotiff::clean_name(name ? *name : "")};
+                              labels::clean_name(name ? *name : "")};
             if (use.layer == GroundLayer::barrier) describe_barrier(feature.tags, piece);
             survey_.ground.pieces.push_back(std::move(piece));
         }

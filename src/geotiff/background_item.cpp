@@ -10,8 +10,8 @@
 
 #include "geotiff/feature_parts.hpp"
 #include "geotiff/gdal_scope.hpp"
-#include "geotiff/obstacle_names.hpp"
-#include "geotiff/take_until.hpp"
+#include "labels/obstacle_names.hpp"
+#include "labels/take_until.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::geotiff {
@@ -58,7 +58,7 @@ std::string wkt(const site::Background::Feature& feature, const ToLonLat& to_lon
 
 // As a field of the table.
 std::string field(std::string_view text) {
-    std::string result = clean_name(text);
+    std::string result = labels::clean_name(text);
     std::replace(result.begin(), result.end(), '"', '\'');
     std::replace(result.begin(), result.end(), ';', ',');
     return result;
@@ -87,15 +87,15 @@ std::optional<FeatureParts> parse_wkt(std::string_view text) {
 }
 
 std::optional<site::Background::Feature> parse_feature(std::string_view line) {
-    std::optional<FeatureParts> shape = parse_wkt(take_until(';', line));
-    const std::string_view kind_name = take_until(';', line);
+    std::optional<FeatureParts> shape = parse_wkt(labels::take_until(';', line));
+    const std::string_view kind_name = labels::take_until(';', line);
     const auto kind = std::find(site::background_kinds.begin(), site::background_kinds.end(), kind_name) -
                       site::background_kinds.begin();
     if (!shape || std::size_t(kind) == site::background_kinds.size()) return std::nullopt;
-    const std::string type = clean_name(take_until(';', line));
+    const std::string type = labels::clean_name(labels::take_until(';', line));
     return site::Background::Feature{.kind = site::Background::Kind(kind),
                                      .type = type,
-                                     .name = clean_name(line),
+                                     .name = labels::clean_name(line),
                                      .shape = shape->shape,
                                      .parts = std::move(shape->parts)};
 }
@@ -124,13 +124,13 @@ site::Background parse_background(std::string_view text, const site::Georeferenc
         throw refusal(
             fmt::format("its metadata item {} has more than {} bytes", background_item, max_background_bytes));
     }
-    if (take_until('\n', text) != heading) {
+    if (labels::take_until('\n', text) != heading) {
         throw refusal(fmt::format("its metadata item {} does not begin with {}", background_item, heading));
     }
     const FromLonLat to_cells(place);
     site::Background background;
     for (std::size_t line = 2; !text.empty(); ++line) {
-        std::optional<site::Background::Feature> feature = parse_feature(take_until('\n', text));
+        std::optional<site::Background::Feature> feature = parse_feature(labels::take_until('\n', text));
         if (!feature)
             throw refusal(fmt::format("line {} of its metadata item {} is no feature", line, background_item));
         for (Part& part : feature->parts) part = to_cells(std::move(part));

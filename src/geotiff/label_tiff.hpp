@@ -3,7 +3,7 @@
 // What GDAL's tools keep is kept in its own places: coordinate system and cell size, the title as TIFF image
 // description, the attribution as TIFF copyright. What they have no place for, whom the map was made for
 // (WAYBREAKER_PROFILE, a word of site/profile.hpp; one that this version does not know is passed over), who each
-// obstacle is (obstacle_metadata.hpp, obstacle_names.hpp, kinds_item.hpp, tags_item.hpp), of what it is a part
+// obstacle is (labels/obstacle_metadata.hpp, obstacle_names.hpp, kinds_item.hpp, tags_item.hpp), of what it is a part
 // (sections_item.hpp), what lies around them (background_item.hpp, bridges_item.hpp) and what was noticed of the ground
 // (notes_item.hpp), stands in metadata items, which gdal_translate copies too: see docs/data.md.
 #pragma once
@@ -14,7 +14,6 @@
 #include <string_view>
 
 #include "geotiff/georeference.hpp"
-#include "geotiff/obstacle_names.hpp"
 #include "map/map_size.hpp"
 #include "site/annotations.hpp"
 #include "waybreaker/map.hpp"

@@ -1,8 +1,10 @@
 #include "render/xml_text.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
+#include <optional>
+
+#include "core/utf8.hpp"
 
 namespace waybreaker::render {
 namespace {
@@ -13,22 +15,13 @@ constexpr std::string_view ellipsis = "\xE2\x80\xA6";     // U+2026
 // XML 1.0, section 2.2, without the discouraged control characters; tabs and line ends are none of a caption's.
 bool is_shown(std::uint32_t code) {
     if (code < 0x20 || (code >= 0x7F && code < 0xA0)) return false;
-    return code < 0xD800 || (code > 0xDFFF && code < 0xFFFE) || (code > 0xFFFF && code <= 0x10FFFF);
+    return code < 0xFFFE || code > 0xFFFF;
 }
 
 // Length of the UTF-8 sequence that `bytes` begins with, or 0 if there is none that may be shown.
 std::size_t character_length(std::string_view bytes) {
-    const auto byte = [&](std::size_t i) { return std::uint8_t(bytes[i]); };
-    if (byte(0) < 0x80) return is_shown(byte(0)) ? 1 : 0;
-    const std::size_t length = std::size_t(std::countl_one(byte(0)));
-    if (length < 2 || length > 4 || length > bytes.size()) return 0;
-    std::uint32_t code = byte(0) & (0x7FU >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) return 0;
-        code = code << 6U | (byte(i) & 0x3FU);
-    }
-    constexpr std::uint32_t least_code[] = {0, 0, 0x80, 0x800, 0x10000};  // below: an overlong form
-    return code >= least_code[length] && is_shown(code) ? length : 0;
+    const std::optional<Utf8Character> character = first_character(bytes);
+    return character && is_shown(character->code) ? character->length : 0;
 }
 
 std::string escaped(std::string_view character) {

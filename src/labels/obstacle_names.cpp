@@ -1,17 +1,16 @@
-#include "geotiff/obstacle_names.hpp"
+#include "labels/obstacle_names.hpp"
 
-#include <cpl_string.h>
 #include <fmt/format.h>
-#include <gdal_priv.h>
 
 #include <algorithm>
 #include <charconv>
 #include <utility>
 
 #include "core/control_character.hpp"
+#include "core/utf8.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 namespace {
 
 constexpr std::size_t longest_name = 250;  // bytes; OpenStreetMap's values have up to 255 characters
@@ -35,7 +34,7 @@ std::string clean_name(std::string_view text) {
         if (control <= 1) name += control == 0 ? text.front() : ' ';
         text.remove_prefix(std::max<std::size_t>(control, 1));
     }
-    if (!CPLIsUTF8(name.c_str(), int(name.size()))) {
+    if (!is_utf8(name)) {
         std::replace_if(
             name.begin(), name.end(), [](unsigned char c) { return c >= 0x80U; }, '?');
     }
@@ -54,9 +53,7 @@ std::string names_text(const site::ObstacleNames& names) {
     return text;
 }
 
-site::LabelNames read_names(GDALDataset& file, const std::string& name) {
-    const char* const item = file.GetMetadataItem(names_item);
-    std::string_view text = item ? item : "";
+site::LabelNames read_names(std::string_view text, const std::string& name) {
     site::LabelNames names;
     for (std::size_t line = 1; !text.empty(); ++line) {
         const std::size_t end = std::min(text.find('\n'), text.size());
@@ -75,4 +72,4 @@ site::LabelNames read_names(GDALDataset& file, const std::string& name) {
     return names;
 }
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

@@ -8,9 +8,7 @@
 
 #include "site/obstacle_names.hpp"
 
-class GDALDataset;
-
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 inline constexpr const char* names_item = "WAYBREAKER_NAMES";
 
@@ -19,7 +17,8 @@ std::string clean_name(std::string_view text);
 
 std::string names_text(const site::ObstacleNames& names);
 
-// What a file says. Throws InputError if it cannot be understood; `name` is how the file is called in errors.
-site::LabelNames read_names(GDALDataset& file, const std::string& name);
+// What the item of a file says. Throws InputError if it cannot be understood; `name` is how the file is called in
+// errors.
+site::LabelNames read_names(std::string_view text, const std::string& name);
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

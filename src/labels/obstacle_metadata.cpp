@@ -1,7 +1,6 @@
-#include "geotiff/obstacle_metadata.hpp"
+#include "labels/obstacle_metadata.hpp"
 
 #include <fmt/format.h>
-#include <gdal_priv.h>
 
 #include <charconv>
 #include <cmath>
@@ -10,7 +9,7 @@
 
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 namespace {
 
 constexpr const char* obstacles_item = "WAYBREAKER_OBSTACLES";
@@ -88,11 +87,6 @@ void parse_numbers(std::string_view text, double ObstacleAttributes::*number, do
     }
 }
 
-std::string text_of(GDALDataset& file, const char* item) {
-    const char* text = file.GetMetadataItem(item);
-    return text ? text : "";
-}
-
 }  // namespace
 
 std::vector<std::pair<const char*, std::string>> obstacle_metadata(const Map& map) {
@@ -104,13 +98,12 @@ std::vector<std::pair<const char*, std::string>> obstacle_metadata(const Map& ma
     return items;
 }
 
-std::vector<ObstacleAttributes> read_obstacle_metadata(GDALDataset& file, const std::string& name) {
-    std::vector<ObstacleAttributes> attributes = parse_obstacles(text_of(file, obstacles_item), name);
-    parse_numbers(text_of(file, weights_item), &ObstacleAttributes::weight, std::numeric_limits<double>::min(),
-                  weights_item, name, attributes);
-    parse_numbers(text_of(file, breach_times_item), &ObstacleAttributes::breach_time, 0, breach_times_item, name,
-                  attributes);
+std::vector<ObstacleAttributes> read_obstacle_metadata(const MetadataItems& items, const std::string& name) {
+    std::vector<ObstacleAttributes> attributes = parse_obstacles(items(obstacles_item), name);
+    parse_numbers(items(weights_item), &ObstacleAttributes::weight, std::numeric_limits<double>::min(), weights_item,
+                  name, attributes);
+    parse_numbers(items(breach_times_item), &ObstacleAttributes::breach_time, 0, breach_times_item, name, attributes);
     return attributes;
 }
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 // Up to the next of these characters, which goes as well.
 inline std::string_view take_until(char end, std::string_view& text) {
@@ -14,4 +14,4 @@ inline std::string_view take_until(char end, std::string_view& text) {
     return taken;
 }
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

@@ -1,14 +1,13 @@
-#include "geotiff/kinds_item.hpp"
+#include "labels/kinds_item.hpp"
 
 #include <fmt/format.h>
-#include <gdal_priv.h>
 
 #include <charconv>
 
-#include "geotiff/take_until.hpp"
+#include "labels/take_until.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 std::string kinds_text(const site::ObstacleKinds& kinds) {
     std::string text;
@@ -23,9 +22,7 @@ std::string kinds_text(const site::ObstacleKinds& kinds) {
     return text;
 }
 
-site::LabelKinds read_kinds(GDALDataset& file, const std::string& name) {
-    const char* const item = file.GetMetadataItem(kinds_item);
-    std::string_view text = item ? item : "";
+site::LabelKinds read_kinds(std::string_view text, const std::string& name) {
     site::LabelKinds kinds;
     for (std::size_t line = 1; !text.empty(); ++line) {
         std::string_view rest = take_until('\n', text);
@@ -46,4 +43,4 @@ site::LabelKinds read_kinds(GDALDataset& file, const std::string& name) {
     return kinds;
 }
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

@@ -1,16 +1,15 @@
-#include "geotiff/tags_item.hpp"
+#include "labels/tags_item.hpp"
 
 #include <fmt/format.h>
-#include <gdal_priv.h>
 
 #include <charconv>
 #include <string_view>
 
-#include "geotiff/obstacle_names.hpp"
-#include "geotiff/take_until.hpp"
+#include "labels/obstacle_names.hpp"
+#include "labels/take_until.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 namespace {
 
 // One line; whether it could be understood.
@@ -43,9 +42,7 @@ std::string tags_text(const site::ObstacleTags& tags) {
     return text;
 }
 
-site::LabelTags read_tags(GDALDataset& file, const std::string& name) {
-    const char* const item = file.GetMetadataItem(tags_item);
-    std::string_view text = item ? item : "";
+site::LabelTags read_tags(std::string_view text, const std::string& name) {
     site::LabelTags tags;
     for (std::size_t line = 1; !text.empty(); ++line) {
         if (read_tag(take_until('\n', text), tags)) continue;
@@ -57,4 +54,4 @@ site::LabelTags read_tags(GDALDataset& file, const std::string& name) {
     return tags;
 }
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

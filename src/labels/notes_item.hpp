@@ -3,18 +3,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-class GDALDataset;
-
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 inline constexpr const char* notes_item = "WAYBREAKER_NOTES";
 
 // Empty if there are none.
 std::string notes_text(const std::vector<std::string>& notes);
 
-// What a file says, as printable lines.
-std::vector<std::string> read_notes(GDALDataset& file);
+// What the item of a file says, as printable lines.
+std::vector<std::string> read_notes(std::string_view text);
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

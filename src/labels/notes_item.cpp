@@ -1,14 +1,12 @@
-#include "geotiff/notes_item.hpp"
-
-#include <gdal_priv.h>
+#include "labels/notes_item.hpp"
 
 #include <string_view>
 #include <utility>
 
-#include "geotiff/obstacle_names.hpp"
-#include "geotiff/take_until.hpp"
+#include "labels/obstacle_names.hpp"
+#include "labels/take_until.hpp"
 
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 std::string notes_text(const std::vector<std::string>& notes) {
     std::string text;
@@ -19,9 +17,7 @@ std::string notes_text(const std::vector<std::string>& notes) {
     return text;
 }
 
-std::vector<std::string> read_notes(GDALDataset& file) {
-    const char* const item = file.GetMetadataItem(notes_item);
-    std::string_view text = item ? item : "";
+std::vector<std::string> read_notes(std::string_view text) {
     std::vector<std::string> notes;
     while (!text.empty()) {
         std::string note = clean_name(take_until('\n', text));
@@ -30,4 +26,4 @@ std::vector<std::string> read_notes(GDALDataset& file) {
     return notes;
 }
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

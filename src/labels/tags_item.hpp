@@ -6,19 +6,19 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "site/obstacle_tags.hpp"
 
-class GDALDataset;
-
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 inline constexpr const char* tags_item = "WAYBREAKER_TAGS";
 
 // Empty if nothing is known.
 std::string tags_text(const site::ObstacleTags& tags);
 
-// What a file says. Throws InputError if it cannot be understood; `name` is how the file is called in errors.
-site::LabelTags read_tags(GDALDataset& file, const std::string& name);
+// What the item of a file says. Throws InputError if it cannot be understood; `name` is how the file is called in
+// errors.
+site::LabelTags read_tags(std::string_view text, const std::string& name);
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

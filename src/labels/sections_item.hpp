@@ -7,20 +7,19 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "site/described_map.hpp"
 
-class GDALDataset;
-
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 inline constexpr const char* sections_item = "WAYBREAKER_SECTIONS";
 
 // Empty if there are none.
 std::string sections_text(const site::Sections& sections);
 
-// Reads what a file says into the structures and parts of a layer. Kinds that this version does not know count as
-// unknown. Throws InputError if it cannot be understood; `name` is how the file is called in errors.
-void read_sections(GDALDataset& file, const std::string& name, site::LabelLayer& layer);
+// Reads what the item of a file says into the structures and parts of a layer. Kinds that this version does not know
+// count as unknown. Throws InputError if it cannot be understood; `name` is how the file is called in errors.
+void read_sections(std::string_view text, const std::string& name, site::LabelLayer& layer);
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

@@ -11,16 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "labels/metadata_items.hpp"
 #include "waybreaker/map.hpp"
 
-class GDALDataset;
-
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 // Items and their texts.
 std::vector<std::pair<const char*, std::string>> obstacle_metadata(const Map& map);
 
 // What a file says, by label; only entry 0 if it says nothing. `name` is what errors call the file.
-std::vector<ObstacleAttributes> read_obstacle_metadata(GDALDataset& file, const std::string& name);
+std::vector<ObstacleAttributes> read_obstacle_metadata(const MetadataItems& items, const std::string& name);
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

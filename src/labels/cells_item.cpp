@@ -1,26 +1,21 @@
-#include "geotiff/cells_item.hpp"
+#include "labels/cells_item.hpp"
 
-#include <cpl_conv.h>
-#include <cpl_string.h>
 #include <fmt/format.h>
-#include <gdal_priv.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <memory>
-#include <new>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "geotiff/take_until.hpp"
+#include "labels/take_until.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/grid.hpp"
 
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 namespace {
 
 // Three numbers with blanks between.
@@ -51,12 +46,6 @@ std::optional<site::CellRun> within(std::int64_t x, std::int64_t y, std::int64_t
     return site::CellRun{{int(first), int(y)}, int(end - first)};
 }
 
-struct FreeMemory {
-    void operator()(void* memory) const { VSIFree(memory); }
-};
-template <class T>
-using GdalMemory = std::unique_ptr<T, FreeMemory>;
-
 void append(std::uint32_t number, std::vector<std::uint8_t>& bytes) {
     constexpr std::uint32_t more = 0x80;
     for (; number >= more; number /= more) bytes.push_back(std::uint8_t(number % more | more));
@@ -75,36 +64,12 @@ std::optional<std::uint32_t> take_number(std::span<const std::uint8_t>& bytes) {
     return std::nullopt;
 }
 
-std::string deflated(const std::vector<std::uint8_t>& bytes) {
-    constexpr int smallest = 9;
-    std::size_t size = 0;
-    const GdalMemory<void> packed(CPLZLibDeflate(bytes.data(), bytes.size(), smallest, nullptr, 0, &size));
-    if (!packed) throw std::bad_alloc();
-    const GdalMemory<char> digits(CPLBinaryToHex(int(size), static_cast<const GByte*>(packed.get())));
-    return digits.get();
-}
-
-// What was deflated; empty if it is no such text, or more than that many bytes.
-std::vector<std::uint8_t> inflated(const std::string& digits, std::size_t most) {
-    int size = 0;
-    const GdalMemory<GByte> packed(CPLHexToBinary(digits.c_str(), &size));
-    std::vector<std::uint8_t> bytes;
-    for (std::size_t room = std::min(4 * digits.size() + 1, most); room < 2 * most; room *= 2) {
-        bytes.resize(std::min(room, most));
-        std::size_t filled = 0;
-        if (!CPLZLibInflate(packed.get(), std::size_t(size), bytes.data(), bytes.size(), &filled)) continue;
-        bytes.resize(filled);
-        return bytes;
-    }
-    return {};
-}
-
 using Run = std::array<std::int32_t, 3>;  // column, row, length
 
 // Nothing if that is no list of runs.
-std::vector<Run> packed_runs(std::string_view text) {
+std::vector<Run> packed_runs(std::string_view digits, const Inflate& inflate) {
     constexpr std::size_t most = std::size_t{1} << 26;
-    const std::vector<std::uint8_t> bytes = inflated(std::string(text), most);
+    const std::vector<std::uint8_t> bytes = inflate(digits, most);
     std::vector<Run> runs;
     std::int32_t end = 0;
     std::int32_t row = 0;
@@ -138,7 +103,8 @@ std::vector<Run> listed_runs(std::string_view text) {
 
 }  // namespace
 
-std::string cells_text(const std::vector<site::CellRun>& runs, const std::array<double, 6>& transform) {
+std::string cells_text(const std::vector<site::CellRun>& runs, const std::array<double, 6>& transform,
+                       const Deflate& deflate) {
     if (runs.empty()) return "";
     std::vector<std::uint8_t> bytes;
     Cell after;  // the end of the run before
@@ -148,13 +114,11 @@ std::string cells_text(const std::vector<site::CellRun>& runs, const std::array<
         append(std::uint32_t(length), bytes);
         after = {first.x + length, first.y};
     }
-    return fmt::format("{} {} {}\n{}", transform[0], transform[3], transform[1], deflated(bytes));
+    return fmt::format("{} {} {}\n{}", transform[0], transform[3], transform[1], deflate(bytes));
 }
 
-std::vector<site::CellRun> read_cells(GDALDataset& file, const char* item, const std::array<double, 6>& transform,
-                                      int width, int height, const std::string& name) {
-    const char* const said = file.GetMetadataItem(item);
-    std::string_view text = said ? said : "";
+std::vector<site::CellRun> read_cells(std::string_view text, const char* item, const std::array<double, 6>& transform,
+                                      int width, int height, const Inflate& inflate, const std::string& name) {
     std::vector<site::CellRun> cells;
     if (text.empty()) return cells;
     const auto refusal = [&](const char* what) {
@@ -168,7 +132,8 @@ std::vector<site::CellRun> read_cells(GDALDataset& file, const char* item, const
     const auto [west, north, cell] = *place;
     const auto right = whole_cells(west - transform[0], cell);
     const auto down = whole_cells(transform[3] - north, cell);
-    const std::vector<Run> runs = text.find(' ') == std::string_view::npos ? packed_runs(text) : listed_runs(text);
+    const std::vector<Run> runs =
+        text.find(' ') == std::string_view::npos ? packed_runs(text, inflate) : listed_runs(text);
     if (runs.empty() || std::ranges::any_of(runs, [](const Run& run) { return run[2] < 1; })) {
         throw refusal("lists no runs of cells");
     }
@@ -179,4 +144,4 @@ std::vector<site::CellRun> read_cells(GDALDataset& file, const char* item, const
     return cells;
 }
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

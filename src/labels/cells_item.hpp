@@ -12,26 +12,35 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "site/cell_run.hpp"
 
-class GDALDataset;
-
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 inline constexpr const char* bridges_item = "WAYBREAKER_BRIDGES";
 inline constexpr const char* ways_item = "WAYBREAKER_WAYS";
 inline constexpr const char* unknown_item = "WAYBREAKER_UNKNOWN";
 
+// zlib, in hexadecimal digits: whoever reads rasters has it. What was deflated is empty if it is no such text, or more
+// than that many bytes.
+using Deflate = std::function<std::string(const std::vector<std::uint8_t>& bytes)>;
+using Inflate = std::function<std::vector<std::uint8_t>(std::string_view digits, std::size_t most)>;
+
 // Empty if there are none. `transform` is that of the map (site/georeference.hpp). REQUIRES: runs row by row that do
 // not overlap.
-std::string cells_text(const std::vector<site::CellRun>& runs, const std::array<double, 6>& transform);
+std::string cells_text(const std::vector<site::CellRun>& runs, const std::array<double, 6>& transform,
+                       const Deflate& deflate);
 
-// What a file says, in cells of a map of width x height that lies there, row by row; none if its cells are no longer
-// those that the item counts. Throws InputError if it cannot be understood; `name` is how the file is called in errors.
-std::vector<site::CellRun> read_cells(GDALDataset& file, const char* item, const std::array<double, 6>& transform,
-                                      int width, int height, const std::string& name);
+// What that item of a file says, in cells of a map of width x height that lies there, row by row; none if its cells are
+// no longer those that the item counts. Throws InputError if it cannot be understood; `name` is how the file is called
+// in errors.
+std::vector<site::CellRun> read_cells(std::string_view text, const char* item, const std::array<double, 6>& transform,
+                                      int width, int height, const Inflate& inflate, const std::string& name);
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

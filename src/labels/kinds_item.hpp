@@ -7,20 +7,19 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "site/obstacle_kinds.hpp"
 
-class GDALDataset;
-
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 
 inline constexpr const char* kinds_item = "WAYBREAKER_KINDS";
 
 // Empty if nothing is known.
 std::string kinds_text(const site::ObstacleKinds& kinds);
 
-// What a file says. Kinds that this version does not know count as unknown. Throws InputError if it cannot be
-// understood; `name` is how the file is called in errors.
-site::LabelKinds read_kinds(GDALDataset& file, const std::string& name);
+// What the item of a file says. Kinds that this version does not know count as unknown. Throws InputError if it cannot
+// be understood; `name` is how the file is called in errors.
+site::LabelKinds read_kinds(std::string_view text, const std::string& name);
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels

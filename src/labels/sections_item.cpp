@@ -1,17 +1,16 @@
-#include "geotiff/sections_item.hpp"
+#include "labels/sections_item.hpp"
 
 #include <fmt/format.h>
-#include <gdal_priv.h>
 
 #include <charconv>
 #include <optional>
 #include <string_view>
 
-#include "geotiff/obstacle_names.hpp"
-#include "geotiff/take_until.hpp"
+#include "labels/obstacle_names.hpp"
+#include "labels/take_until.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::geotiff {
+namespace waybreaker::labels {
 namespace {
 
 template <class Number>
@@ -57,9 +56,7 @@ std::string sections_text(const site::Sections& sections) {
     return text;
 }
 
-void read_sections(GDALDataset& file, const std::string& name, site::LabelLayer& layer) {
-    const char* const item = file.GetMetadataItem(sections_item);
-    std::string_view text = item ? item : "";
+void read_sections(std::string_view text, const std::string& name, site::LabelLayer& layer) {
     for (std::size_t line = 1; !text.empty(); ++line) {
         if (read_structure(take_until('\n', text), layer)) continue;
         throw InputError(
@@ -69,4 +66,4 @@ void read_sections(GDALDataset& file, const std::string& name, site::LabelLayer&
     }
 }
 
-}  // namespace waybreaker::geotiff
+}  // namespace waybreaker::labels
