@@ -1,0 +1,280 @@
+// waybreaker._core: maps, missions and plans for Python, as documents. The package around it gives them their names.
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interruptible.hpp"
+#include "io/check_report.hpp"
+#include "io/mission_json.hpp"
+#include "io/plan_geojson.hpp"
+#include "io/plan_json.hpp"
+#include "labels/label_map.hpp"
+#include "labels_bytes.hpp"
+#include "render/picture.hpp"
+#include "site/unknown_ground.hpp"
+#include "waybreaker/error.hpp"
+#include "waybreaker/movingai.hpp"
+#include "waybreaker/planner.hpp"
+
+namespace py = pybind11;
+
+namespace waybreaker::python {
+namespace {
+
+constexpr double usual_seconds = 10;  // as the command has it
+
+struct KnownMap {
+    std::shared_ptr<const io::MapFile> file;
+    Connectivity connectivity = Connectivity::four;
+};
+
+// What every map is called, whatever it is made of.
+struct Identity {
+    std::string source;
+    std::string digest;
+    std::optional<double> cell_size;
+};
+
+Identity identity(std::string source, std::string digest, std::optional<double> cell_size) {
+    if (cell_size && !(*cell_size >= io::least_cell_size && *cell_size <= io::most_cell_size)) {
+        throw InputError("cell_size must be a number of metres from 1e-6 to 1e6");
+    }
+    return {std::move(source), std::move(digest), cell_size};
+}
+
+Connectivity connectivity_of(int neighbours) {
+    if (neighbours != 4 && neighbours != 8) throw InputError("connectivity must be 4 or 8");
+    return neighbours == 4 ? Connectivity::four : Connectivity::eight;
+}
+
+KnownMap known(io::MapFile file, Identity identity, Connectivity connectivity = Connectivity::four) {
+    file.source = std::move(identity.source);
+    file.digest = std::move(identity.digest);
+    file.cell_size = identity.cell_size.value_or(file.cell_size);
+    file.cell_size_given = identity.cell_size.has_value();
+    return {std::make_shared<const io::MapFile>(std::move(file)), connectivity};
+}
+
+KnownMap map_of_movingai(const std::string& bytes, const std::string& name, const std::string& digest,
+                         std::optional<double> cell_size, int connectivity) {
+    Identity called = identity(name, digest, cell_size);
+    const Connectivity neighbours = connectivity_of(connectivity);
+    const py::gil_scoped_release release;
+    return known({.map = Map(read_movingai_map(bytes, name), neighbours), .format = "MovingAI map"}, std::move(called),
+                 neighbours);
+}
+
+using Labels = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
+
+std::vector<std::uint32_t> cells_of(const Labels& labels) {
+    return {labels.data(), labels.data() + labels.size()};
+}
+
+// Rows and columns of an array; the package hands in none of other dimensions.
+std::pair<int, int> size_of(const Labels& labels) {
+    constexpr auto most = py::ssize_t(max_side);
+    if (labels.ndim() != 2 || labels.shape(0) > most || labels.shape(1) > most) {
+        throw InputError("labels must be an array of height x width, of at most 32768 each");
+    }
+    return {int(labels.shape(1)), int(labels.shape(0))};
+}
+
+// Of a label: whether it can be destroyed, source id, weight, breach time, name.
+using LabelAttributes = std::tuple<bool, std::int64_t, double, double, std::string>;
+
+KnownMap map_of_labels(const Labels& labels, const std::vector<std::pair<std::uint32_t, LabelAttributes>>& attributes,
+                       const std::string& name, const std::function<std::string(const py::bytes&)>& digest_of,
+                       std::optional<double> cell_size) {
+    const auto [width, height] = size_of(labels);
+    site::LabelLayer layer{.width = width, .height = height, .labels = cells_of(labels)};
+    for (const auto& [label, described] : attributes) {
+        const auto& [destructible, source_id, weight, breach_time, called] = described;
+        if (layer.attributes.size() <= label) layer.attributes.resize(std::size_t(label) + 1);
+        layer.attributes[label] = {destructible, source_id, weight, breach_time};
+        if (!called.empty()) layer.names.emplace(label, called);
+    }
+    Identity own = identity(name, "", cell_size);
+    site::DescribedMap described = site::described(std::move(layer));
+    own.digest = digest_of(labels_bytes(described.map));
+    return known({.map = std::move(described.map), .annotations = std::move(described.annotations)}, std::move(own));
+}
+
+using Inflate = std::function<py::bytes(const std::string& digits, std::size_t most)>;
+
+KnownMap map_of_raster(const Labels& labels, const std::map<std::string, std::string>& items, double cell_size,
+                       const std::string& crs, const std::optional<std::array<double, 6>>& transform,
+                       const Inflate& inflate, const std::string& name, const std::string& digest, int connectivity) {
+    const auto [width, height] = size_of(labels);
+    const auto item = [&](const char* called) {
+        const auto found = items.find(called);
+        return found == items.end() ? std::string() : found->second;
+    };
+    const auto inflated = [&](std::string_view digits, std::size_t most) {
+        const std::string bytes = inflate(std::string(digits), most);
+        return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+    };
+    labels::LabelRaster raster = labels::read_items(item, width, height, transform, inflated, name);
+    raster.layer.labels = cells_of(labels);
+    Identity own = identity(name, digest, cell_size);
+    own.cell_size.reset();  // the file says it, not the user
+    const Connectivity neighbours = connectivity_of(connectivity);
+    const py::gil_scoped_release release;
+    labels::LabelMap read = labels::label_map(std::move(raster), neighbours);
+    io::MapFile file{.map = std::move(read.described.map),
+                     .format = read.mask ? "GeoTIFF occupancy map" : "GeoTIFF label map",
+                     .cell_size = cell_size,
+                     .annotations = std::move(read.described.annotations)};
+    if (transform) file.georeference = site::Georeference{crs, *transform};
+    file.unknown = site::unknown_cells(file.map, file.annotations.tags);
+    return known(std::move(file), std::move(own), neighbours);
+}
+
+py::array labels_of(const KnownMap& map) {
+    const Map& grid = map.file->map;
+    // The array keeps the map alive, and looks at its labels.
+    auto* owner = new std::shared_ptr<const io::MapFile>(map.file);
+    const py::capsule keeper(owner, [](void* kept) { delete static_cast<std::shared_ptr<const io::MapFile>*>(kept); });
+    py::array_t<std::uint32_t> labels({grid.height(), grid.width()}, grid.labels().data(), keeper);
+    labels.attr("setflags")(py::arg("write") = false);
+    return labels;
+}
+
+// Id, cells, bounds (left, top, right, bottom), whether it can be destroyed, source id, weight, breach time, name.
+py::list obstacles_of(const KnownMap& map) {
+    py::list obstacles;
+    for (const Obstacle& o : map.file->map.obstacles()) {
+        obstacles.append(py::make_tuple(
+            o.id.value, o.cells, py::make_tuple(o.bounds.min.x, o.bounds.min.y, o.bounds.max.x, o.bounds.max.y),
+            o.destructible, o.source_id, o.weight, o.breach_time, std::string(map.file->annotations.name_of(o.id))));
+    }
+    return obstacles;
+}
+
+struct Planned {
+    KnownMap map;
+    io::MissionDocument asked;
+    Plan plan;
+    std::vector<Plan> front = {};
+
+    std::string json(bool timing) const {
+        return io::plan_json(plan, {.map = *map.file,
+                                    .asked = asked,
+                                    .connectivity = map.connectivity,
+                                    .timing_fields = timing,
+                                    .front = front});
+    }
+    std::string svg() const {
+        render::PictureOptions options{.cell_size = map.file->cell_size,
+                                       .metres = map.file->has_metres(),
+                                       .seconds = asked.in_seconds,
+                                       .objective = asked.mission.rules.objective,
+                                       .annotations = map.file->annotations};
+        options.annotations.title = map.file->name();
+        return render::svg(map.file->map, asked.mission, plan, options);
+    }
+    std::string geojson(const std::function<std::array<double, 2>(double, double)>& to_lon_lat) const {
+        return io::plan_geojson(plan, *map.file, [&](Point p) { return to_lon_lat(p.x, p.y); },
+                                {.in_seconds = asked.in_seconds});
+    }
+};
+
+// The mission as it is planned, on the map that it gives: both as the command makes them.
+struct Asked {
+    KnownMap map;
+    io::MissionDocument document;
+};
+
+Asked asked_of(const KnownMap& map, const std::string& mission, unsigned threads) {
+    Asked asked{map, io::parse_mission(mission, "mission", Limits{.seconds = usual_seconds})};
+    io::MissionDocument& document = asked.document;
+    document.map.clear();
+    document.limits.threads = threads;
+    io::size_agents(document, *map.file);
+    document.method.planner = planner_of(document.method, document.mission.ground_body());
+    if (std::optional<Map> weighed = io::resolve(document, *map.file)) {
+        io::MapFile file = *map.file;
+        file.map = std::move(*weighed);
+        asked.map.file = std::make_shared<const io::MapFile>(std::move(file));
+    }
+    return asked;
+}
+
+Planned plan(const KnownMap& map, const std::string& mission, unsigned threads) {
+    return interruptible([&](const StopToken& stop) {
+        Asked asked = asked_of(map, mission, threads);
+        asked.document.limits.stop = stop;
+        const io::MissionDocument& document = asked.document;
+        Plan found = MissionPlanner().plan(asked.map.file->map, document.mission, document.method, document.limits);
+        return Planned{std::move(asked.map), std::move(asked.document), std::move(found)};
+    });
+}
+
+// One for each number of removals; the last one knows all of them.
+std::vector<Planned> front(const KnownMap& map, const std::string& mission, unsigned threads) {
+    return interruptible([&](const StopToken& stop) {
+        Asked asked = asked_of(map, mission, threads);
+        io::MissionDocument& document = asked.document;
+        document.limits.stop = stop;
+        std::vector<Plan> plans =
+            MissionPlanner().front(asked.map.file->map, document.mission, document.method, document.limits);
+        std::vector<Planned> planned;
+        document.mission.rules.removals = int(document.mission.rules.force.size());
+        for (const Plan& step : plans) {
+            planned.push_back({asked.map, document, step});
+            ++document.mission.rules.removals;
+        }
+        planned.back().front = std::move(plans);
+        return planned;
+    });
+}
+
+// The document of a check, of the document of a plan.
+std::string check(const KnownMap& map, const std::string& plan, double tolerance, bool ignore_digest) {
+    return interruptible([&](const StopToken&) {
+        const io::PlanFile file = io::parse_plan(plan, "plan");
+        return io::check_json(io::judge(file, *map.file, {.tolerance = tolerance, .ignore_digest = ignore_digest}));
+    });
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module) {
+    module.attr("__version__") = WAYBREAKER_PYTHON_VERSION;
+    py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+
+    py::class_<KnownMap>(module, "Map")
+        .def_static("from_movingai", &map_of_movingai)
+        .def_static("from_labels", &map_of_labels)
+        .def_static("from_raster", &map_of_raster)
+        .def_property_readonly("width", [](const KnownMap& map) { return map.file->map.width(); })
+        .def_property_readonly("height", [](const KnownMap& map) { return map.file->map.height(); })
+        .def_property_readonly("source", [](const KnownMap& map) { return map.file->source; })
+        .def_property_readonly("title", [](const KnownMap& map) { return map.file->annotations.title; })
+        .def_property_readonly("attribution", [](const KnownMap& map) { return map.file->annotations.attribution; })
+        .def_property_readonly("digest", [](const KnownMap& map) { return map.file->digest; })
+        .def_property_readonly("cell_size",
+                               [](const KnownMap& map) {
+                                   return map.file->has_metres() ? std::optional(map.file->cell_size) : std::nullopt;
+                               })
+        .def_property_readonly("labels", &labels_of)
+        .def_property_readonly("obstacles", &obstacles_of);
+
+    py::class_<Planned>(module, "Plan")
+        .def("json", [](const Planned& planned, bool timing) { return py::bytes(planned.json(timing)); })
+        .def("svg", &Planned::svg)
+        .def("geojson", &Planned::geojson);
+
+    module.def("plan", &plan);
+    module.def("front", &front);
+    module.def("check", &check);
+}
+
+}  // namespace waybreaker::python

@@ -1,0 +1,223 @@
+"""Missions as data: each class here is a part of the mission document ``waybreaker-mission/1``."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from dataclasses import dataclass, field
+from typing import Any, Literal, Mapping, Optional, Sequence, Tuple, Union
+
+Cell = Tuple[int, int]
+"""Column and row of a cell, counted from the upper-left one: x to the right, y down."""
+
+Document = Mapping[str, Any]
+"""A JSON object as :mod:`json` gives it."""
+
+FORMAT = "waybreaker-mission/1"
+
+
+@dataclass(frozen=True)
+class Vehicle:
+    """A ground agent: a disc that drives straight from bend to bend.
+
+    ``start`` and ``goal`` are cells. ``speed`` is in cells per unit of time, ``radius`` in cells (by default half a
+    cell, or what the map was made for). ``corners`` is ``"none"``, or ``"cut"`` or ``"squeeze"`` for a point that passes
+    one or two blocked corners. It stands at its start until ``ready_at``, in units of time.
+    """
+
+    start: Cell
+    goal: Cell
+    id: str = "ground"
+    speed: float = 1.0
+    radius: Optional[float] = None
+    corners: Optional[Literal["none", "cut", "squeeze"]] = None
+    ready_at: Optional[float] = None
+
+    @property
+    def kind(self) -> Literal["ground"]:
+        return "ground"
+
+
+@dataclass(frozen=True)
+class Aircraft:
+    """An air agent: flies straight over everything and breaches at most ``breaches`` obstacles (None: no limit).
+
+    ``start`` and ``goal`` are cells, ``speed`` is in cells per unit of time.
+    """
+
+    start: Cell
+    goal: Cell
+    id: str = "air"
+    speed: float = 1.0
+    breaches: Optional[int] = None
+
+    @property
+    def kind(self) -> Literal["air"]:
+        return "air"
+
+
+Agent = Union[Vehicle, Aircraft]
+
+
+@dataclass(frozen=True)
+class Rules:
+    """What every plan keeps to. None stands for the default of docs/contract.md, section 6.
+
+    ``removals``: how many obstacles may go. ``budget``: what they may weigh together, ``budget_m2``: or cover, in square
+    metres. ``protect``: numbers of obstacles that stay, tags (``"amenity=school"``) or names (``"name=St. Mary*"``);
+    ``force``: numbers of those that must go. ``breach_time`` and ``breach_time_per_cell`` are in units of time,
+    ``separation`` of vehicles in cells, ``minimise_demolition`` a share of the objective, 0 to 1.
+    """
+
+    removals: Optional[int] = None
+    budget: Optional[float] = None
+    budget_m2: Optional[float] = None
+    protect: Optional[Sequence[Union[int, str]]] = None
+    force: Optional[Sequence[int]] = None
+    breach_time: Optional[float] = None
+    breach_time_per_cell: Optional[float] = None
+    timing: Optional[Literal["enforce", "ignore"]] = None
+    objective: Optional[Literal["makespan", "flowtime", "ground-makespan"]] = None
+    minimise_demolition: Optional[float] = None
+    separation: Optional[float] = None
+    at_goal: Optional[Literal["stay", "leave"]] = None
+
+
+@dataclass(frozen=True)
+class Method:
+    """How the mission is planned. None stands for the default: the exact choice, with a proven bound."""
+
+    select: Optional[Literal["exact", "hits", "greedy", "none"]] = None
+    flight: Optional[Literal["optimal", "nearest"]] = None
+    planner: Optional[Literal["optimal", "theta", "lazy-theta", "astar", "jps", "dijkstra", "bfs"]] = None
+    heuristic: Optional[Literal["euclidean", "octile", "chebyshev", "manhattan", "zero"]] = None
+    weight: Optional[float] = None
+    tie_break: Optional[Literal["g-max", "g-min"]] = None
+    moves: Optional[Literal[4, 8]] = None
+    bound: Optional[bool] = None
+    explain: Optional[bool] = None
+
+    @staticmethod
+    def paper(removals: int = 1) -> Method:
+        """What the paper fixes of the method; with it go ``Rules(timing="ignore")``.
+
+        The flight is exact past one obstacle, and by the paper's rule past more.
+        """
+        return Method(select="hits", flight="optimal" if removals == 1 else "nearest", planner="theta")
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What ends planning early.
+
+    ``seconds`` for the whole call (None: the command's 10 s; ``math.inf``: no limit), ``expansions`` of each search,
+    ``gap``, a share from 0 to 1: the plan is good enough if it is proven to be no more than that above the best one.
+    """
+
+    seconds: Optional[float] = None
+    expansions: Optional[int] = None
+    gap: Optional[float] = None
+
+
+@dataclass(frozen=True)
+class Mission:
+    """Who must go where, and what a plan has to keep to.
+
+    One vehicle and one aircraft, or a team: any number of vehicles and aircraft, each with an ``id`` of its own.
+    ``time_unit="s"``: a unit of time is a second.
+
+    >>> Mission.ground_and_air((4, 4), (36, 4), removals=1).rules.removals
+    1
+    """
+
+    agents: Sequence[Agent]
+    rules: Rules = field(default_factory=Rules)
+    method: Method = field(default_factory=Method)
+    limits: Limits = field(default_factory=Limits)
+    time_unit: Optional[Literal["s"]] = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "agents", tuple(self.agents))
+
+    @staticmethod
+    def ground_and_air(start: Cell, goal: Cell, **rules: Any) -> Mission:
+        """The paper's mission: a vehicle and an aircraft that start and end together; `rules` are those of Rules."""
+        return Mission([Vehicle(start, goal), Aircraft(start, goal)], Rules(**rules))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The mission document; what is None is left out."""
+        document: dict[str, Any] = {"format": FORMAT}
+        document["agents"] = [{"id": agent.id, "kind": agent.kind, **_members(agent)} for agent in self.agents]
+        for name in ("rules", "method", "limits"):
+            members = _members(getattr(self, name))
+            if members:
+                document[name] = members
+        if self.time_unit is not None:
+            document["time_unit"] = self.time_unit
+        return document
+
+    @staticmethod
+    def from_dict(document: Document) -> Mission:
+        """The mission of a document, such as the copy that each plan holds.
+
+        Raises ValueError if a member has no place in these classes.
+        """
+        agents: list[Agent] = []
+        for agent in document.get("agents", ()):
+            cells = {"start": tuple(agent.get("start", ())), "goal": tuple(agent.get("goal", ()))}
+            flies = agent.get("kind") == "air"
+            members = {name: value for name, value in agent.items() if name != "kind"}
+            agents.append(_made(Aircraft, {**members, **cells}) if flies else _made(Vehicle, {**members, **cells}))
+        limits = dict(document.get("limits", {}))
+        if "seconds" in limits and limits["seconds"] is None:
+            limits["seconds"] = float("inf")
+        return Mission(
+            agents,
+            _made(Rules, document.get("rules", {})),
+            _made(Method, document.get("method", {})),
+            _made(Limits, limits),
+            document.get("time_unit"),
+        )
+
+
+AnyMission = Union[Mission, Document]
+"""A mission, or the mission document as a dict."""
+
+
+def _made(part: Any, members: Document) -> Any:
+    known = {member.name for member in dataclasses.fields(part)}
+    unknown = sorted(set(members) - known)
+    if unknown:
+        raise ValueError(f"{part.__name__} has no member '{unknown[0]}'; it has {', '.join(sorted(known))}")
+    return part(**members)
+
+
+def _members(part: Any) -> dict[str, Any]:
+    members = {member.name: getattr(part, member.name) for member in dataclasses.fields(part)}
+    return {name: _plain(value) for name, value in members.items() if value is not None}
+
+
+def _plain(value: Any) -> Any:
+    """As JSON has it: also of numpy's numbers."""
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if hasattr(value, "item"):
+        return value.item()
+    return value
+
+
+def document_of(mission: AnyMission, limits: Limits) -> str:
+    """The text of a mission document, its limits replaced where others are given."""
+    document = mission.to_dict() if isinstance(mission, Mission) else dict(mission)
+    given = _members(limits)
+    if given:
+        document["limits"] = {**document.get("limits", {}), **given}
+    if document.get("limits", {}).get("seconds") == float("inf"):
+        document["limits"] = {**document["limits"], "seconds": None}
+    return json.dumps(document, allow_nan=False, default=_plain_or_error)
+
+
+def _plain_or_error(value: Any) -> Any:
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"a mission document holds no {type(value).__name__}")
