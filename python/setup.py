@@ -32,6 +32,7 @@ class SourceDistribution(sdist):
         for folder in core + BESIDE_THE_CORE:
             self.add(root, f"src/{folder}")
         self.add(root, "LICENSE")
+        (root / "LICENSE").unlink(missing_ok=True)  # a link in the repository
         shutil.copy(LIBRARY / "LICENSE", root / "LICENSE")
 
     @staticmethod

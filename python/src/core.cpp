@@ -4,10 +4,16 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,6 +23,7 @@
 #include "io/plan_geojson.hpp"
 #include "io/plan_json.hpp"
 #include "labels/label_map.hpp"
+#include "labels/obstacle_names.hpp"
 #include "labels_bytes.hpp"
 #include "render/picture.hpp"
 #include "site/unknown_ground.hpp"
@@ -107,11 +114,42 @@ KnownMap map_of_labels(const Labels& labels, const std::vector<std::pair<std::ui
     return known({.map = std::move(described.map), .annotations = std::move(described.annotations)}, std::move(own));
 }
 
+// Kind, type, name, shape, and parts as arrays of points.
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Feature = std::tuple<std::string, std::string, std::string, std::string, std::vector<Points>>;
+
+template <class Words>
+std::size_t place_of(const std::string& word, const Words& words) {
+    return std::size_t(std::ranges::find(words, word) - words.begin());
+}
+
+site::Background background_of(const std::vector<Feature>& features) {
+    constexpr std::array<std::string_view, 3> shapes{"line", "area", "point"};
+    site::Background background;
+    for (const auto& [kind, type, name, shape, parts] : features) {
+        const std::size_t number = place_of(kind, site::background_kinds);
+        if (number == site::background_kinds.size()) throw InputError("the map's background has no kind " + kind);
+        site::Background::Feature feature{.kind = site::Background::Kind(number),
+                                          .type = labels::clean_name(type),
+                                          .name = labels::clean_name(name),
+                                          .shape = site::Background::Shape(place_of(shape, shapes))};
+        for (const Points& part : parts) {
+            const auto points = part.unchecked<2>();
+            std::vector<Point> line;
+            for (py::ssize_t i = 0; i < points.shape(0); ++i) line.emplace_back(points(i, 0), points(i, 1));
+            feature.parts.push_back(std::move(line));
+        }
+        background.features.push_back(std::move(feature));
+    }
+    return background;
+}
+
 using Inflate = std::function<py::bytes(const std::string& digits, std::size_t most)>;
 
 KnownMap map_of_raster(const Labels& labels, const std::map<std::string, std::string>& items, double cell_size,
                        const std::string& crs, const std::optional<std::array<double, 6>>& transform,
-                       const Inflate& inflate, const std::string& name, const std::string& digest, int connectivity) {
+                       const Inflate& inflate, const std::vector<Feature>& background, const std::string& name,
+                       const std::string& digest, int connectivity) {
     const auto [width, height] = size_of(labels);
     const auto item = [&](const char* called) {
         const auto found = items.find(called);
@@ -123,6 +161,7 @@ KnownMap map_of_raster(const Labels& labels, const std::map<std::string, std::st
     };
     labels::LabelRaster raster = labels::read_items(item, width, height, transform, inflated, name);
     raster.layer.labels = cells_of(labels);
+    raster.annotations.background = background_of(background);
     Identity own = identity(name, digest, cell_size);
     own.cell_size.reset();  // the file says it, not the user
     const Connectivity neighbours = connectivity_of(connectivity);

@@ -48,7 +48,7 @@ def test_one_vehicle(name: str, plan_file: PlanFile) -> None:
 TEAM = [
     wb.Vehicle((130, 104), (466, 105), id="a"),
     wb.Vehicle((466, 105), (130, 104), id="b", ready_at=20),
-    wb.Vehicle((317, 125), (175, 102), id="c", speed=0.5),
+    wb.Vehicle((317, 124), (175, 102), id="c", speed=0.5),
 ]
 
 
@@ -112,13 +112,15 @@ def test_front(mission: Any, plan_file: PlanFile) -> None:
     assert reached == sorted(reached, reverse=True)
 
 
-def test_geojson_and_picture(command: Path, tmp_path: Path) -> None:
-    path, start, goal = ADLERSHOF
-    plan = wb.plan(wb.Map.open(path), wb.Mission.ground_and_air(start, goal))
-    options = ["--start", "130,104", "--goal", "466,105", "--geojson", str(tmp_path / "plan.geojson")]
-    subprocess.run([str(command), "plan", str(path), *options], check=True)
-    expected = json.loads((tmp_path / "plan.geojson").read_text())
-    assert plan.to_geojson() == expected
+@pytest.mark.parametrize("mission", [ADLERSHOF, MONACO, KREMS])
+def test_geojson_and_picture(mission: Any, plan_file: PlanFile, tmp_path: Path) -> None:
+    path, start, goal = mission
+    asked = wb.Mission.ground_and_air(start, goal)
+    geojson, svg = tmp_path / "plan.geojson", tmp_path / "plan.svg"
+    plan_file(path, asked.to_dict(), "--geojson", str(geojson), "--svg", str(svg))
+    plan = wb.plan(wb.Map.open(path), asked)
+    assert plan.to_geojson() == json.loads(geojson.read_text())
+    assert plan.to_svg() == svg.read_text()
 
 
 def test_checked_by_the_command(command: Path, tmp_path: Path) -> None:

@@ -28,6 +28,7 @@ class Map:
         crs: str,
         transform: Optional[Sequence[float]],
         inflate: Callable[[str, int], bytes],
+        background: Sequence[Tuple[str, str, str, str, Sequence[NDArray[np.float64]]]],
         name: str,
         digest: str,
         connectivity: int,

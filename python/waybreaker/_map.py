@@ -158,6 +158,7 @@ class Map:
                 raster.crs,
                 raster.transform,
                 raster.inflate,
+                raster.background,
                 Path(path).name,
                 _digest(data),
                 connectivity,

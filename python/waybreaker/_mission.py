@@ -21,8 +21,8 @@ class Vehicle:
     """A ground agent: a disc that drives straight from bend to bend.
 
     ``start`` and ``goal`` are cells. ``speed`` is in cells per unit of time, ``radius`` in cells (by default half a
-    cell, or what the map was made for). ``corners`` is ``"none"``, or ``"cut"`` or ``"squeeze"`` for a point that passes
-    one or two blocked corners. It stands at its start until ``ready_at``, in units of time.
+    cell, or what the map was made for). ``corners`` is ``"none"``, or ``"cut"`` or ``"squeeze"`` for a point that
+    passes one or two blocked corners. It stands at its start until ``ready_at``, in units of time.
     """
 
     start: Cell
@@ -63,10 +63,10 @@ Agent = Union[Vehicle, Aircraft]
 class Rules:
     """What every plan keeps to. None stands for the default of docs/contract.md, section 6.
 
-    ``removals``: how many obstacles may go. ``budget``: what they may weigh together, ``budget_m2``: or cover, in square
-    metres. ``protect``: numbers of obstacles that stay, tags (``"amenity=school"``) or names (``"name=St. Mary*"``);
-    ``force``: numbers of those that must go. ``breach_time`` and ``breach_time_per_cell`` are in units of time,
-    ``separation`` of vehicles in cells, ``minimise_demolition`` a share of the objective, 0 to 1.
+    ``removals``: how many obstacles may go. ``budget``: what they may weigh together, ``budget_m2``: or cover, in
+    square metres. ``protect``: numbers of obstacles that stay, tags (``"amenity=school"``) or names (``"name=St.
+    Mary*"``); ``force``: numbers of those that must go. ``breach_time`` and ``breach_time_per_cell`` are in units
+    of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share of the objective, 0 to 1.
     """
 
     removals: Optional[int] = None

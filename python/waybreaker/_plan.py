@@ -23,8 +23,9 @@ Status = Literal["solved", "no_plan", "not_found", "limit_reached", "stopped"]
 class Outcome:
     """The mission at one stage: without removal, or as planned. None where there is no path.
 
-    ``makespan`` is when the last agent reaches its goal, ``flowtime`` the sum of when each does, ``ground_makespan`` when
-    the last vehicle does, in units of time. ``lengths`` of the agents' paths, in cells, by their ids.
+    ``makespan`` is when the last agent reaches its goal, ``flowtime`` the sum of when each does,
+    ``ground_makespan`` when the last vehicle does, in units of time. ``lengths`` of the agents' paths, in cells, by
+    their ids.
     """
 
     makespan: Optional[float]
@@ -37,9 +38,9 @@ class Outcome:
 class Breach:
     """An obstacle that an aircraft removes.
 
-    ``obstacle`` is its id, ``at`` the cell from which ``by`` breaches it. It is gone at ``cleared_at``; a vehicle first
-    touches it at ``entered_at`` (None: never). ``area_m2`` is known where the map knows how large a cell is, ``saves``,
-    what the objective would lose if it had to stay, with ``explain``.
+    ``obstacle`` is its id, ``at`` the cell from which ``by`` breaches it. It is gone at ``cleared_at``; a vehicle
+    first touches it at ``entered_at`` (None: never). ``area_m2`` is known where the map knows how large a cell is,
+    ``saves``, what the objective would lose if it had to stay, with ``explain``.
     """
 
     obstacle: int
@@ -57,8 +58,8 @@ class Breach:
 class Itinerary:
     """An agent's path in time.
 
-    ``path`` has shape (n, 2): x and y, in cells, of each point at which it turns, waits or breaches; ``times``, of shape
-    (n,), is when it is there, in units of time. Both are read-only. The same point twice is a wait.
+    ``path`` has shape (n, 2): x and y, in cells, of each point at which it turns, waits or breaches; ``times``, of
+    shape (n,), is when it is there, in units of time. Both are read-only. The same point twice is a wait.
     """
 
     id: str

@@ -23,12 +23,12 @@ def plan(
 ) -> Plan:
     """Plans a mission, as ``waybreaker plan`` does.
 
-    ``mission`` is a :class:`Mission`, or the mission document as a dict. ``seconds``, ``expansions`` and ``gap`` replace
-    its limits (:class:`Limits`); without any it takes at most 10 s. ``threads`` (0: one a core) plan the vehicles of a
-    team with aircraft side by side. No plan is no error: see :attr:`Plan.status`.
+    ``mission`` is a :class:`Mission`, or the mission document as a dict. ``seconds``, ``expansions`` and ``gap``
+    replace its limits (:class:`Limits`); without any it takes at most 10 s. ``threads`` (0: one a core) plan the
+    vehicles of a team with aircraft side by side. No plan is no error: see :attr:`Plan.status`.
 
-    Other Python threads run meanwhile, and KeyboardInterrupt ends it. Raises InputError if the document is none, or the
-    mission cannot be put on the map.
+    Other Python threads run meanwhile, and KeyboardInterrupt ends it. Raises InputError if the document is none, or
+    the mission cannot be put on the map.
     """
     text = document_of(mission, Limits(seconds, expansions, gap))
     return Plan(map, _core.plan(map._core, text, _threads(threads)))
@@ -45,9 +45,9 @@ def front(
 ) -> list[Plan]:
     """What each further removal gains: the plans for 0, 1, 2, ... removals, up to the last that gains.
 
-    At most as many as the mission allows; the first has what it forces. ``seconds`` are those of all plans together. The
-    document of the last one is that of ``waybreaker plan --removals auto``, and lists all of them as ``front``. The rest
-    as for :func:`plan`.
+    At most as many as the mission allows; the first has what it forces. ``seconds`` are those of all plans
+    together. The document of the last one is that of ``waybreaker plan --removals auto``, and lists all of them as
+    ``front``. The rest as for :func:`plan`.
     """
     text = document_of(mission, Limits(seconds, expansions, gap))
     return [Plan(map, step) for step in _core.front(map._core, text, _threads(threads))]
@@ -57,8 +57,8 @@ def front(
 class Violation:
     """What is wrong with a plan.
 
-    ``rule`` is the word of ``waybreaker check --json``. ``agent`` and ``obstacle`` say whose it is, ``place`` where, in
-    cells, ``time`` when, in units of time; None where that is not known.
+    ``rule`` is the word of ``waybreaker check --json``. ``agent`` and ``obstacle`` say whose it is, ``place``
+    where, in cells, ``time`` when, in units of time; None where that is not known.
     """
 
     rule: str

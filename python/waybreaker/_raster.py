@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 import zlib
 from dataclasses import dataclass, field
-from typing import Any, Callable, Optional, Tuple
+from typing import Any, Callable, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,11 @@ from ._core import InputError
 SQUARE_TOLERANCE = 1e-3
 MOST_STRETCH = 0.01
 
+Transform = Tuple[float, float, float, float, float, float]
+Part = NDArray[np.float64]
+Feature = Tuple[str, str, str, str, List[Part]]
+"""What surrounds the obstacles: kind, type, name, shape ("line", "area", "point"), parts of shape (n, 2) in cells."""
+
 
 @dataclass(frozen=True)
 class Raster:
@@ -23,7 +29,8 @@ class Raster:
     items: dict[str, str] = field(default_factory=dict)
     cell_size: float = 1.0
     crs: str = ""
-    transform: Optional[Tuple[float, float, float, float, float, float]] = None
+    transform: Optional[Transform] = None
+    background: List[Feature] = field(default_factory=list)
 
     @staticmethod
     def inflate(digits: str, most: int) -> bytes:
@@ -53,8 +60,13 @@ def read_raster(data: bytes, name: str) -> Raster:
     rasterio = _rasterio()
     try:
         with rasterio.MemoryFile(data) as memory, memory.open(driver="GTiff") as file:
-            place = _place(file, name)
-            return Raster(_labels(file, name), file.tags(), *place)
+            cell_size, crs, transform = _place(file, name)
+            items = file.tags()
+            background: List[Feature] = []
+            if transform:
+                size = file.width, file.height
+                background = _background(items.get("WAYBREAKER_BACKGROUND", ""), crs, transform, size, name)
+            return Raster(_labels(file, name), items, cell_size, crs, transform, background)
     except (rasterio.errors.RasterioError, rasterio.errors.RasterioIOError) as error:
         raise InputError(f"{name}: is no GeoTIFF map, or damaged: {error}") from error
 
@@ -82,7 +94,7 @@ def _labels(file: Any, name: str) -> NDArray[np.uint32]:
     return np.ascontiguousarray(cells, dtype=np.uint32)
 
 
-def _place(file: Any, name: str) -> Tuple[float, str, Optional[Tuple[float, float, float, float, float, float]]]:
+def _place(file: Any, name: str) -> Tuple[float, str, Optional[Transform]]:
     """The side of a cell in metres, the coordinate system as well-known text, and GDAL's transform."""
     if file.transform.is_identity:
         return 1.0, "", None
@@ -136,7 +148,7 @@ def _metres(a: Tuple[float, float], b: Tuple[float, float]) -> float:
 
 
 def lon_lat_of(
-    crs: str, transform: Tuple[float, float, float, float, float, float]
+    crs: str, transform: Transform
 ) -> Callable[[float, float], Tuple[float, float]]:
     """The function that gives longitude and latitude of a point in cell units, in which centres are integers."""
     rasterio = _rasterio()
@@ -152,3 +164,59 @@ def lon_lat_of(
         return longitudes[0], latitudes[0]
 
     return lon_lat
+
+
+SHAPES = {"MULTILINESTRING": "line", "MULTIPOLYGON": "area", "MULTIPOINT": "point"}
+
+
+def _background(
+    text: str, crs: str, transform: Transform, size: Tuple[int, int], name: str
+) -> List[Feature]:
+    """Streets, water and others, of a table of them in longitude and latitude (src/geotiff/background_item.hpp)."""
+    lines = text.split("\n") if text else []
+    if lines and lines[0] != "WKT;kind;class;name":
+        raise InputError(f"{name}: its metadata item WAYBREAKER_BACKGROUND does not begin with WKT;kind;class;name")
+    shapes: List[Tuple[str, str, str, str]] = []
+    parts: List[List[Part]] = []
+    for number, line in enumerate(lines[1:], start=2):
+        try:
+            wkt, kind, type, called = line.split(";", 3)
+            shape = SHAPES[wkt[: wkt.index("(")].strip()]
+            parts.append([_points(part) for part in re.findall(r"[^()]*\d[^()]*", wkt[wkt.index("(") :])])
+        except (KeyError, ValueError):
+            raise InputError(
+                f"{name}: line {number} of its metadata item WAYBREAKER_BACKGROUND is no feature; import the map anew"
+            ) from None
+        shapes.append((kind, type, called, shape))
+    if not shapes:
+        return []
+    flat = np.concatenate([part for feature in parts for part in feature])
+    cells = iter(np.split(_cells(flat, crs, transform), np.cumsum([len(p) for f in parts for p in f])[:-1]))
+    placed = [[next(cells) for _ in feature] for feature in parts]
+    features = [(*shape, _on_map(shape[3], feature, size)) for shape, feature in zip(shapes, placed)]
+    return [feature for feature in features if feature[-1]]
+
+
+def _points(text: str) -> Part:
+    return np.array([[float(number) for number in point.split()] for point in text.strip(" ,").split(",")])
+
+
+def _on_map(shape: str, parts: List[Part], size: Tuple[int, int]) -> List[Part]:
+    """Parts that have something to show; rings close by themselves."""
+    def seen(part: Part) -> bool:
+        return bool(np.isfinite(part).all() and (part.max(0) >= -1).all() and (part.min(0) <= size).all())
+
+    return [part[:-1] if shape == "area" else part for part in parts if seen(part)]
+
+
+def _cells(lon_lats: Part, crs: str, transform: Transform) -> Part:
+    """Points in cell units of points in degrees, of a map that is north-up."""
+    rasterio = _rasterio()
+    system = rasterio.crs.CRS.from_wkt(crs)
+    degrees = rasterio.crs.CRS.from_epsg(4326)
+    east, up = rasterio.warp.transform(degrees, system, lon_lats[:, 0], lon_lats[:, 1])
+    west, across, _, north, _, down = transform
+    cells: Part = np.column_stack(
+        (-west / across + np.array(east) / across - 0.5, -north / down + np.array(up) / down - 0.5)
+    )
+    return cells
