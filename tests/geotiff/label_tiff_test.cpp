@@ -214,17 +214,5 @@ TEST(LabelTiff, has_notes_of_strangers_as_printable_lines) {
               (std::vector<std::string>{"a [2J", "??", std::string(250, 'x')}));
 }
 
-TEST(CleanName, is_one_line_of_whole_characters) {
-    EXPECT_EQ(clean_name(" a\r\nb\x1b[31m\x7f"), "a  b [31m");
-    EXPECT_EQ(clean_name("Stra\xdf"
-                         "e"),
-              "Stra?e");
-    EXPECT_EQ(clean_name("Caf\u202e\u00e9\u2066 \u05d0\u2028\u0085"), "Café א")
-        << "what turns the direction of writing";
-    EXPECT_EQ(clean_name("\u05d0\u200f 5, ‘é’ \u2027\u202f\u2065"), "\u05d0\u200f 5, ‘é’ \u2027\u202f\u2065");
-    EXPECT_EQ(clean_name(std::string(249, 'x') + "ß"), std::string(249, 'x'));
-    EXPECT_EQ(clean_name(std::string(248, 'x') + "ß"), std::string(248, 'x') + "ß");
-}
-
 }  // namespace
 }  // namespace waybreaker::geotiff
