@@ -243,7 +243,8 @@ void run(const PlanOptions& options) {
     io::MissionDocument asked = mission_of(options, std::move(given), file);
     if (auto weighed = io::resolve(asked, file, weights_of(options, asked, file.map))) file.map = std::move(*weighed);
     std::vector<std::pair<std::string, std::string>> outputs;
-    if (!options.save_mission.empty()) outputs.emplace_back(options.save_mission, saved_mission(asked, options.save_mission));
+    if (!options.save_mission.empty())
+        outputs.emplace_back(options.save_mission, saved_mission(asked, options.save_mission));
     const Deadline deadline(asked.limits.seconds - since_start.seconds());
     validate(search_options(asked.method, asked.mission.ground_body()));
     const std::string file_at_fault = io::input_name(options.mission.empty() ? options.map : options.mission);

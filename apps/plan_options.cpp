@@ -362,7 +362,8 @@ void validate(const PlanOptions& options) {
                       {"--weights", options.weights},
                       {"--mission", options.mission},
                       {"--agents", options.agents}};
-    for (const site::OverlaySource& overlay : overlays_of(options.overlays)) inputs.emplace_back("--also", overlay.file);
+    for (const site::OverlaySource& overlay : overlays_of(options.overlays))
+        inputs.emplace_back("--also", overlay.file);
     validate_inputs(inputs);
     validate_outputs(outputs, inputs);
 }

@@ -27,6 +27,7 @@
 #include "labels_bytes.hpp"
 #include "render/picture.hpp"
 #include "site/unknown_ground.hpp"
+#include "studio/plan_picture.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 #include "waybreaker/planner.hpp"
@@ -211,13 +212,7 @@ struct Planned {
                                     .front = front});
     }
     std::string svg() const {
-        render::PictureOptions options{.cell_size = map.file->cell_size,
-                                       .metres = map.file->has_metres(),
-                                       .seconds = asked.in_seconds,
-                                       .objective = asked.mission.rules.objective,
-                                       .annotations = map.file->annotations};
-        options.annotations.title = map.file->name();
-        return render::svg(map.file->map, asked.mission, plan, options);
+        return render::svg(map.file->map, asked.mission, plan, studio::picture_options(*map.file, asked, plan));
     }
     std::string geojson(const std::function<std::array<double, 2>(double, double)>& to_lon_lat) const {
         return io::plan_geojson(plan, *map.file, [&](Point p) { return to_lon_lat(p.x, p.y); },
@@ -234,6 +229,9 @@ struct Asked {
 Asked asked_of(const KnownMap& map, const std::string& mission, unsigned threads) {
     Asked asked{map, io::parse_mission(mission, "mission", Limits{.seconds = usual_seconds})};
     io::MissionDocument& document = asked.document;
+    if (!document.overlays.empty()) {
+        throw InputError("overlays are laid over a map by the command: 'waybreaker map overlay' makes a map of them");
+    }
     document.map.clear();
     document.limits.threads = threads;
     io::size_agents(document, *map.file);

@@ -45,9 +45,10 @@ void note_what_is_cut(const Footprints& footprints, const Survey& survey, std::v
                                     ways == 1 ? "1 way lacks" : fmt::format("{} ways lack", ways)));
     }
     if (const std::size_t areas = count_of(&osm::Defects::crossing); areas > 0) {
-        notes.push_back(fmt::format("outlines of {} cross themselves or each other: what lies within an odd number of "
-                                    "them is taken for inside",
-                                    areas == 1 ? "1 relation" : fmt::format("{} relations", areas)));
+        notes.push_back(
+            fmt::format("outlines of {} cross themselves or each other: what lies within an odd number of "
+                        "them is taken for inside",
+                        areas == 1 ? "1 relation" : fmt::format("{} relations", areas)));
     }
 }
 

@@ -64,7 +64,7 @@ struct MapFile {
     std::optional<MapTask> task = {};
     std::optional<RosFiles> ros = {};
     std::vector<site::OverlaySource> overlays = {};  // laid over it since it was read
-    std::uint64_t unknown = 0;            // cells of unknown occupancy
+    std::uint64_t unknown = 0;                       // cells of unknown occupancy
     std::vector<std::string> notes = {};  // of reading, for the user, a line each; the file's own are annotations
 
     // Whether lengths can be given in metres.

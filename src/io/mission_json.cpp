@@ -18,8 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto format = "waybreaker-mission/1";
-constexpr double most_radius = 32;       // cells
-constexpr std::size_t longest_id = 100;  // characters
+constexpr double most_radius = 32;        // cells
+constexpr std::size_t longest_id = 100;   // characters
 constexpr double widest_overlay = 10000;  // metres
 
 template <class Value>
