@@ -9,7 +9,7 @@ function(waybreaker_flags target)
                          -Wnon-virtual-dtor -Woverloaded-virtual $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>)
   # The last bit of a time is the same on processors with and without fused multiply-add.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
-  if(PROJECT_IS_TOP_LEVEL)
+  if(WAYBREAKER_WARNINGS_ARE_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(WAYBREAKER_SANITIZE)
