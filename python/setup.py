@@ -11,11 +11,8 @@ HERE = Path(__file__).resolve().parent
 # In a source distribution the library's sources lie within it, in the repository beside it.
 LIBRARY = HERE / "cpp" if (HERE / "cpp").exists() else HERE.parent
 BESIDE_THE_CORE = ["site", "labels", "io", "render"]
-<<<<<<< HEAD
-=======
 SINGLE_SOURCES = [f"src/{name}" for name in ("CMakeLists.txt", "core_folders.txt", "studio/plan_picture.cpp")]
 SINGLE_SOURCES.append("src/studio/plan_picture.hpp")
->>>>>>> python
 
 
 def version() -> str:
@@ -31,11 +28,7 @@ class SourceDistribution(sdist):
     def make_release_tree(self, base_dir: str, files: "list[str]") -> None:
         super().make_release_tree(base_dir, files)
         root = Path(base_dir)
-<<<<<<< HEAD
-        for name in ["CMakeLists.txt", "cmake", "include", "src/CMakeLists.txt", "src/core_folders.txt"]:
-=======
         for name in ["CMakeLists.txt", "cmake", "include", *SINGLE_SOURCES]:
->>>>>>> python
             self.add(root, name)
         core = (LIBRARY / "src/core_folders.txt").read_text().split()
         for folder in core + BESIDE_THE_CORE:

@@ -27,10 +27,7 @@
 #include "labels_bytes.hpp"
 #include "render/picture.hpp"
 #include "site/unknown_ground.hpp"
-<<<<<<< HEAD
-=======
 #include "studio/plan_picture.hpp"
->>>>>>> python
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 #include "waybreaker/planner.hpp"
@@ -215,17 +212,7 @@ struct Planned {
                                     .front = front});
     }
     std::string svg() const {
-<<<<<<< HEAD
-        render::PictureOptions options{.cell_size = map.file->cell_size,
-                                       .metres = map.file->has_metres(),
-                                       .seconds = asked.in_seconds,
-                                       .objective = asked.mission.rules.objective,
-                                       .annotations = map.file->annotations};
-        options.annotations.title = map.file->name();
-        return render::svg(map.file->map, asked.mission, plan, options);
-=======
         return render::svg(map.file->map, asked.mission, plan, studio::picture_options(*map.file, asked, plan));
->>>>>>> python
     }
     std::string geojson(const std::function<std::array<double, 2>(double, double)>& to_lon_lat) const {
         return io::plan_geojson(plan, *map.file, [&](Point p) { return to_lon_lat(p.x, p.y); },
@@ -242,12 +229,9 @@ struct Asked {
 Asked asked_of(const KnownMap& map, const std::string& mission, unsigned threads) {
     Asked asked{map, io::parse_mission(mission, "mission", Limits{.seconds = usual_seconds})};
     io::MissionDocument& document = asked.document;
-<<<<<<< HEAD
-=======
     if (!document.overlays.empty()) {
         throw InputError("overlays are laid over a map by the command: 'waybreaker map overlay' makes a map of them");
     }
->>>>>>> python
     document.map.clear();
     document.limits.threads = threads;
     io::size_agents(document, *map.file);
@@ -265,11 +249,7 @@ Planned plan(const KnownMap& map, const std::string& mission, unsigned threads) 
         Asked asked = asked_of(map, mission, threads);
         asked.document.limits.stop = stop;
         const io::MissionDocument& document = asked.document;
-<<<<<<< HEAD
         Plan found = Planner().plan(asked.map.file->map, document.mission, document.method, document.limits);
-=======
-        Plan found = Planner().plan(asked.map.file->map, document.mission, document.method, document.limits);
->>>>>>> python
         return Planned{std::move(asked.map), std::move(asked.document), std::move(found)};
     });
 }
@@ -281,11 +261,7 @@ std::vector<Planned> front(const KnownMap& map, const std::string& mission, unsi
         io::MissionDocument& document = asked.document;
         document.limits.stop = stop;
         std::vector<Plan> plans =
-<<<<<<< HEAD
             Planner().front(asked.map.file->map, document.mission, document.method, document.limits);
-=======
-            Planner().front(asked.map.file->map, document.mission, document.method, document.limits);
->>>>>>> python
         std::vector<Planned> planned;
         document.mission.rules.removals = int(document.mission.rules.force.size());
         for (const Plan& step : plans) {

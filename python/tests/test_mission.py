@@ -104,10 +104,7 @@ def test_unknown_member() -> None:
         ({"rules": {"protect": ["amenity=school"]}}, "amenity=school"),
         ({"limits": {"seconds": 0}}, "seconds"),
         ({"method": {"select": "best"}}, "select"),
-<<<<<<< HEAD
-=======
         ({"overlays": [{"file": "flood.geojson", "as": "water"}]}, "waybreaker map overlay"),
->>>>>>> python
     ],
 )
 def test_bad_documents(change: dict[str, Any], error: str, wall_map: wb.Map, through_the_wall: wb.Mission) -> None:

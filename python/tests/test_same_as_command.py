@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import json
-<<<<<<< HEAD
-=======
 import math
->>>>>>> python
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -18,10 +15,7 @@ from numpy.typing import NDArray
 
 import waybreaker as wb
 
-<<<<<<< HEAD
-=======
 ENDLESS = math.inf
->>>>>>> python
 ADLERSHOF = DATA / "berlin-adlershof.tif", (130, 104), (466, 105)
 MONACO = DATA / "monaco.tif", (301, 63), (375, 345)
 ANDORRA = DATA / "andorra.tif", (251, 185), (395, 395)
@@ -33,11 +27,7 @@ MISSIONS: dict[str, tuple[Any, dict[str, Any], dict[str, Any]]] = {
     "explained": (ADLERSHOF, {"removals": 2}, {"explain": True}),
     "sections": (MONACO, {"removals": 2}, {}),
     "flood": (KREMS, {}, {}),
-<<<<<<< HEAD
-    "flowtime": (MANHATTAN, {"removals": 2, "objective": "flowtime", "breach_time": 20}, {}),
-=======
     "flowtime": (MANHATTAN, {"removals": 1, "objective": "flowtime", "breach_time": 5}, {}),
->>>>>>> python
     "least demolition": (ANDORRA, {"removals": 2, "minimise_demolition": 0.005}, {}),
     "square metres": (ANDORRA, {"removals": 3, "budget_m2": 400}, {}),
     "protected": (ADLERSHOF, {"protect": [607, "name=Atelier*"]}, {}),
@@ -52,11 +42,7 @@ def test_one_vehicle(name: str, plan_file: PlanFile) -> None:
     mission = wb.Mission(
         [wb.Vehicle(start, goal), wb.Aircraft(start, goal, speed=2)], wb.Rules(**rules), wb.Method(**method)
     )
-<<<<<<< HEAD
-    plan = wb.plan(wb.Map.open(path), mission)
-=======
     plan = wb.plan(wb.Map.open(path), mission, seconds=ENDLESS)
->>>>>>> python
     assert plan.to_json() == plan_file(path, mission.to_dict())
     assert plan.to_dict() == json.loads(plan.to_json())
 
@@ -73,11 +59,7 @@ def test_team(aircraft: int, plan_file: PlanFile) -> None:
     path = ADLERSHOF[0]
     flying = [wb.Aircraft((130, 104), (130, 104), id=f"air {i}", speed=3, breaches=2) for i in range(aircraft)]
     mission = wb.Mission([*TEAM, *flying], wb.Rules(removals=2, separation=0.5, at_goal="leave"))
-<<<<<<< HEAD
-    plan = wb.plan(wb.Map.open(path), mission)
-=======
     plan = wb.plan(wb.Map.open(path), mission, seconds=ENDLESS)
->>>>>>> python
     assert plan.to_json() == plan_file(path, mission.to_dict())
     assert [agent.id for agent in plan.agents] == [agent.id for agent in mission.agents]
 
@@ -92,11 +74,7 @@ def test_movingai_map_and_array(wall: NDArray[np.bool_], tmp_path: Path, plan_fi
         wb.Map.from_movingai(path.read_text(), "wall.map"),
         wb.Map.from_array(wall, "wall.map"),
     ):
-<<<<<<< HEAD
-        assert wb.plan(map, mission).to_json() == expected
-=======
         assert wb.plan(map, mission, seconds=ENDLESS).to_json() == expected
->>>>>>> python
 
 
 def test_diagonal_neighbours_are_one_obstacle(tmp_path: Path, plan_file: PlanFile) -> None:
@@ -106,35 +84,6 @@ def test_diagonal_neighbours_are_one_obstacle(tmp_path: Path, plan_file: PlanFil
     path.write_bytes(wb.Map.from_array(cells).to_movingai())
     mission = wb.Mission.ground_and_air((2, 27), (20, 5), removals=1)
     for connectivity in (4, 8):
-<<<<<<< HEAD
-        plan = wb.plan(wb.Map.open(path, connectivity=connectivity), mission)
-        assert plan.to_json() == plan_file(path, mission.to_dict(), "--connectivity", str(connectivity))
-
-
-def test_paper_map_is_a_label_map_of_its_own_profile(plan_file: PlanFile) -> None:
-    path = DATA / "paper-maps/andorra-01.tif"
-    map = wb.Map.open(path)
-    free = np.argwhere(~map.blocked)
-    starts = [place for place in free if place.min() > 2][:: len(free) // 3]
-    (y, x), (goal_y, goal_x) = starts[0], starts[2]
-    mission = wb.Mission.ground_and_air((int(x), int(y)), (int(goal_x), int(goal_y))).to_dict()
-    del mission["rules"]
-    try:
-        plan = wb.plan(map, mission, seconds=60)
-    except wb.InputError:
-        pytest.skip("no room at the places chosen")
-    assert plan.to_json() == plan_file(path, mission, "--time-limit", "60")
-
-
-@pytest.mark.parametrize("mission", [ADLERSHOF, MONACO])
-def test_front(mission: Any, plan_file: PlanFile) -> None:
-    path, start, goal = mission
-    asked = wb.Mission.ground_and_air(start, goal, removals=3)
-    plans = wb.front(wb.Map.open(path), asked)
-    assert plans[-1].to_json() == plan_file(path, asked.to_dict(), "--removals", "auto")
-    assert [len(plan.removed) for plan in plans] == list(range(len(plans)))
-    reached = [plan.makespan or np.inf for plan in plans]
-=======
         plan = wb.plan(wb.Map.open(path, connectivity=connectivity), mission, seconds=ENDLESS)
         assert plan.to_json() == plan_file(path, mission.to_dict(), "--connectivity", str(connectivity))
 
@@ -156,7 +105,6 @@ def test_front(tmp_path: Path, plan_file: PlanFile) -> None:
     assert plans[-1].to_json() == plan_file(path, asked.to_dict(), "--removals", "auto")
     assert [len(plan.removed) for plan in plans] == [0, 1, 2, 3]
     reached = [plan.makespan or math.inf for plan in plans]
->>>>>>> python
     assert reached == sorted(reached, reverse=True)
 
 
@@ -166,11 +114,7 @@ def test_geojson_and_picture(mission: Any, plan_file: PlanFile, tmp_path: Path) 
     asked = wb.Mission.ground_and_air(start, goal)
     geojson, svg = tmp_path / "plan.geojson", tmp_path / "plan.svg"
     plan_file(path, asked.to_dict(), "--geojson", str(geojson), "--svg", str(svg))
-<<<<<<< HEAD
-    plan = wb.plan(wb.Map.open(path), asked)
-=======
     plan = wb.plan(wb.Map.open(path), asked, seconds=ENDLESS)
->>>>>>> python
     assert plan.to_geojson() == json.loads(geojson.read_text())
     assert plan.to_svg() == svg.read_text()
 

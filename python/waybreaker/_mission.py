@@ -162,11 +162,8 @@ class Mission:
 
         Raises ValueError if a member has no place in these classes.
         """
-<<<<<<< HEAD
-=======
         if document.get("overlays"):
             raise ValueError("overlays are for the command: 'waybreaker map overlay' makes a map of them")
->>>>>>> python
         agents: list[Agent] = []
         for agent in document.get("agents", ()):
             cells = {"start": tuple(agent.get("start", ())), "goal": tuple(agent.get("goal", ()))}
