@@ -54,7 +54,7 @@ TEST_F(OverlaysTest, SayWhatWasLeftOutAndWhatIsNotKnown) {
     const Json refusal = Json::parse(lay(map, "as=debris", point).body);
     EXPECT_EQ(refusal["status"], 422);
     EXPECT_EQ(refusal["detail"],
-              "overlay: 1 point is left out; width METRES makes a disc of it; nothing of it lies on the map");
+              "overlay: 1 point is left out; a width makes a disc of it; nothing of it lies on the map");
     EXPECT_GT(Json::parse(lay(map, "as=debris&width=4", point).body)["obstacles"]["tags"]["barrier=debris"], 0);
     const Json doubt = Json::parse(lay(map, "as=water").body)["notes"];
     ASSERT_EQ(doubt.size(), 1U);
