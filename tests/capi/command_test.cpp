@@ -112,8 +112,8 @@ TEST_F(CommandAndC, PlanTheSameOnAMapOfTheBenchmarks) {
     std::ostringstream bytes;
     bytes << std::ifstream(*shared / "data/benchmarks/den312d.map", std::ios::binary).rdbuf();
     expect_equal(bytes.str(), R"({"format": "waybreaker-mission/1", "agents": [
-        {"id": "ground", "kind": "ground", "start": [30, 9], "goal": [40, 70]},
-        {"id": "air", "kind": "air", "start": [30, 9], "goal": [40, 70], "speed": 2}],
+        {"id": "ground", "kind": "ground", "start": [29, 10], "goal": [40, 70]},
+        {"id": "air", "kind": "air", "start": [29, 10], "goal": [40, 70], "speed": 2}],
         "rules": {"removals": 2, "breach_time": 5}})");
 }
 
