@@ -7,15 +7,18 @@ const side = 128;
 const room = 16; // with its walls
 const frames = 10;
 
-// The level: each piece of wall between two pillars has a number of its own, by which the game knows it for good.
+// The level: each piece of wall between two pillars has a number of its own, by which the game knows it for good. Many
+// pieces have a door.
 const walls = new Uint32Array(side * side);
 let pieces = 0;
+function build(cellAt) {
+  const hasDoor = (++pieces * 37) % 10 < 6;
+  for (let i = 1; i < room; ++i) if (!hasDoor || i < 7 || i > 9) walls[cellAt(i)] = pieces;
+}
 for (let at = room; at < side; at += room) {
   for (let from = 0; from < side; from += room) {
-    ++pieces;
-    for (let i = 1; i < room; ++i) walls[at * side + from + i] = pieces; // across
-    ++pieces;
-    for (let i = 1; i < room; ++i) walls[(from + i) * side + at] = pieces; // down
+    build((i) => at * side + from + i); // across
+    build((i) => (from + i) * side + at); // down
   }
 }
 

@@ -49,11 +49,6 @@ export function nativePlan(scratch, { name, map, mission, front = false, options
   return stdout.toString();
 }
 
-export function nativeSvg(scratch, { name, map, mission }) {
-  const paths = [scratch.file(name, map), "--mission", scratch.file("mission.json", JSON.stringify(mission))];
-  return execFileSync(command, ["plan", ...paths, "--svg", "-"], { maxBuffer: 2 ** 28 }).toString();
-}
-
 /** A map of data/ as a MovingAI map. */
 export function cityMap(scratch, tiff) {
   const path = join(scratch.folder, "city.map");
