@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <limits>
 
@@ -315,8 +314,10 @@ MissionDocument parse_mission(std::string_view bytes, const std::string& name, c
 
 MissionDocument read_mission_file(const std::string& path, const Limits& limits) {
     MissionDocument document = parse_mission(read_whole(path, max_mission_bytes), path, limits);
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    for (site::OverlaySource& overlay : document.overlays) overlay.file = (folder / overlay.file).string();
+    const std::string folder = path.substr(0, path.rfind('/') + 1);  // empty where the path is a name
+    for (site::OverlaySource& overlay : document.overlays) {
+        if (!overlay.file.starts_with('/')) overlay.file.insert(0, folder);
+    }
     return document;
 }
 
