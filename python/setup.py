@@ -10,9 +10,8 @@ from skbuild.command.sdist import sdist
 HERE = Path(__file__).resolve().parent
 # In a source distribution the library's sources lie within it, in the repository beside it.
 LIBRARY = HERE / "cpp" if (HERE / "cpp").exists() else HERE.parent
-BESIDE_THE_CORE = ["site", "labels", "io", "render"]
-SINGLE_SOURCES = [f"src/{name}" for name in ("CMakeLists.txt", "core_folders.txt", "studio/plan_picture.cpp")]
-SINGLE_SOURCES.append("src/studio/plan_picture.hpp")
+BESIDE_THE_CORE = ["site", "labels", "io", "render", "capi"]
+SINGLE_SOURCES = ["src/CMakeLists.txt", "src/core_folders.txt"]
 
 
 def version() -> str:

@@ -27,7 +27,7 @@
 #include "labels_bytes.hpp"
 #include "render/picture.hpp"
 #include "site/unknown_ground.hpp"
-#include "studio/plan_picture.hpp"
+#include "render/plan_picture.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/movingai.hpp"
 #include "waybreaker/planner.hpp"
@@ -212,7 +212,7 @@ struct Planned {
                                     .front = front});
     }
     std::string svg() const {
-        return render::svg(map.file->map, asked.mission, plan, studio::picture_options(*map.file, asked, plan));
+        return render::svg(map.file->map, asked.mission, plan, render::picture_options(*map.file, asked, plan));
     }
     std::string geojson(const std::function<std::array<double, 2>(double, double)>& to_lon_lat) const {
         return io::plan_geojson(plan, *map.file, [&](Point p) { return to_lon_lat(p.x, p.y); },
