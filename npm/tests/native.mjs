@@ -9,7 +9,11 @@ export const project = resolve(fileURLToPath(import.meta.url), "../../..");
 const command = process.env.WAYBREAKER_COMMAND ?? join(project, "build/release/apps/waybreaker");
 if (!existsSync(command)) throw new Error(`there is no ${command}: build the command, or set WAYBREAKER_COMMAND`);
 
-const noPlan = [1, 4]; // exit statuses that come with a plan file nevertheless
+// Exit statuses: bad input; those that come with a plan file nevertheless.
+const refused = 2;
+const noPlan = [1, 4];
+
+export class Refused extends Error {}
 
 export class Scratch {
   folder = mkdtempSync(join(tmpdir(), "waybreaker-npm-"));
@@ -45,7 +49,8 @@ export function nativePlan(scratch, { name, map, mission, front = false, options
     ],
     { maxBuffer: 2 ** 28 },
   );
-  if (status !== 0 && !noPlan.includes(status)) throw new Error(`${JSON.stringify(mission)}: ${stderr}`);
+  if (status === refused) throw new Refused(stderr.toString());
+  if (status !== 0 && !noPlan.includes(status)) throw new Error(`${command}: status ${status}, ${stderr}`);
   return stdout.toString();
 }
 
