@@ -1,4 +1,5 @@
 // The site is made of the Markdown of the repository: docs/, what pages.mjs lists, and the home page beside this.
+import { readdirSync, readFileSync } from "node:fs";
 import { slug } from "github-slugger";
 import { defineConfig } from "vitepress";
 import { repository } from "./markdown.mjs";
@@ -10,6 +11,11 @@ const guides = [
   { text: "A city after a disaster", link: "/guides/disaster" },
   { text: "Research", link: "/guides/research" },
 ];
+
+const decisions = readdirSync(`${root}docs/adr`).map((file) => ({
+  text: /^# (?:\d+\. *)?(.*)/.exec(readFileSync(`${root}docs/adr/${file}`, "utf8"))[1],
+  link: `/adr/${file.replace(/\.md$/, "")}`,
+}));
 
 const sidebar = [
   {
@@ -59,10 +65,7 @@ const sidebar = [
       { text: "The aircraft's tour", link: "/flight" },
       { text: "The code of the page", link: "/studio-code" },
       { text: "What was tried", link: "/notes/tried" },
-      { text: "Core without dependencies", link: "/adr/001-core-without-dependencies" },
-      { text: "PNG by librsvg", link: "/adr/002-png-by-librsvg" },
-      { text: "Requests by Beast", link: "/adr/003-requests-by-beast" },
-      { text: "One budget of memory", link: "/adr/004-one-budget-of-memory" },
+      ...decisions,
       { text: "City maps", link: "/maps" },
       { text: "Maps of the experiment", link: "/paper-maps" },
       { text: "Pictures", link: "/pictures" },
