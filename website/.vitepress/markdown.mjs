@@ -18,6 +18,9 @@ function fileOf({ realPath, path }) {
 
 export function repository(md) {
   md.core.ruler.before("normalize", "snippets_that_exist", (state) => requireSnippets(state.src, fileOf(state.env)));
+  // What scrolls must be reached by the keyboard.
+  md.renderer.rules.code_block = (tokens, index) =>
+    `<pre v-pre tabindex="0"><code>${md.utils.escapeHtml(tokens[index].content)}</code></pre>\n`;
   md.core.ruler.push("links_of_the_site", (state) => {
     const file = fileOf(state.env);
     if (!file) return;
