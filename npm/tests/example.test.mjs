@@ -18,6 +18,11 @@ it("walls fall as the example says", () => {
   assert.equal(run(script), readFileSync(join(project, "examples/walls_fall.mjs.txt"), "utf8"));
 });
 
+it("the ten lines of the site print what they do in C++", () => {
+  const script = readFileSync(join(project, "examples/embed.mjs"), "utf8");
+  assert.equal(run(script), readFileSync(join(project, "examples/embed.txt"), "utf8"));
+});
+
 it("the README's first mission breaks the wall", () => {
   const [, script] = /```js\n(import \{ createPlanner \}.*?)```/s.exec(readFileSync(join(here, "README.md"), "utf8"));
   assert.match(run(script), /^solved 1 \[ \[ 0, 1, 0 \], \[ 8, 1, 8 \] \]/);

@@ -1,4 +1,5 @@
 // The site is made of the Markdown of the repository: docs/, what pages.mjs lists, and the home page beside this.
+import { readdirSync, readFileSync } from "node:fs";
 import { slug } from "github-slugger";
 import { defineConfig } from "vitepress";
 import { repository } from "./markdown.mjs";
@@ -11,6 +12,11 @@ const guides = [
   { text: "Research", link: "/guides/research" },
 ];
 
+const decisions = readdirSync(`${root}docs/adr`).map((file) => ({
+  text: /^# (?:\d+\. *)?(.*)/.exec(readFileSync(`${root}docs/adr/${file}`, "utf8"))[1],
+  link: `/adr/${file.replace(/\.md$/, "")}`,
+}));
+
 const sidebar = [
   {
     text: "Use it",
@@ -18,6 +24,7 @@ const sidebar = [
       { text: "Start", link: "/start" },
       { text: "The page", link: "/studio" },
       { text: "Commands", link: "/commands" },
+      { text: "Debian packages", link: "/debian" },
       { text: "Several vehicles", link: "/coalition" },
       { text: "Maps and data", link: "/data" },
       { text: "Gallery", link: "/gallery" },
@@ -30,6 +37,9 @@ const sidebar = [
       { text: "Ten lines in each language", link: "/build" },
       { text: "C++", link: "/embedding" },
       { text: "C++ reference", link: `${base}cpp/index.html`, target: "_self" },
+      { text: "Python", link: "/python" },
+      { text: "JavaScript", link: "/javascript" },
+      { text: "C", link: "/c" },
       { text: "HTTP", link: "/server" },
       { text: "HTTP reference", link: "/reference/http" },
       { text: "ROS 2", link: "/ros" },
@@ -55,10 +65,7 @@ const sidebar = [
       { text: "The aircraft's tour", link: "/flight" },
       { text: "The code of the page", link: "/studio-code" },
       { text: "What was tried", link: "/notes/tried" },
-      { text: "Core without dependencies", link: "/adr/001-core-without-dependencies" },
-      { text: "PNG by librsvg", link: "/adr/002-png-by-librsvg" },
-      { text: "Requests by Beast", link: "/adr/003-requests-by-beast" },
-      { text: "One budget of memory", link: "/adr/004-one-budget-of-memory" },
+      ...decisions,
       { text: "City maps", link: "/maps" },
       { text: "Maps of the experiment", link: "/paper-maps" },
       { text: "Pictures", link: "/pictures" },

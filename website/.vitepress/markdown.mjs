@@ -3,14 +3,11 @@ import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { base, inRepository, isBeside, root, siteLink } from "./pages.mjs";
 
-// Examples in languages whose packages are not part of this checkout.
-const optional = new Set(["examples/embed.py", "examples/embed.mjs", "examples/embed.c"]);
-
-function hasSnippet(line, file) {
-  const path = /^<<< @\/([^\s{#]+)/.exec(line)?.[1];
-  if (!path || existsSync(join(root, path))) return true;
-  if (optional.has(path)) return false;
-  throw new Error(`${file}: ${path} is not there to be shown`);
+// VitePress writes a remark into the page where a snippet is missing.
+function requireSnippets(text, file) {
+  for (const [, path] of text.matchAll(/^<<< @\/([^\s{#]+)/gm)) {
+    if (!existsSync(join(root, path))) throw new Error(`${file}: ${path} is not there to be shown`);
+  }
 }
 
 // `path` is where a page comes to lie, `realPath` where it is, if that differs.
@@ -20,13 +17,10 @@ function fileOf({ realPath, path }) {
 }
 
 export function repository(md) {
-  md.core.ruler.before("normalize", "snippets_that_exist", (state) => {
-    const file = fileOf(state.env) ?? "";
-    state.src = state.src
-      .split("\n")
-      .filter((line) => hasSnippet(line, file))
-      .join("\n");
-  });
+  md.core.ruler.before("normalize", "snippets_that_exist", (state) => requireSnippets(state.src, fileOf(state.env)));
+  // What scrolls must be reached by the keyboard.
+  md.renderer.rules.code_block = (tokens, index) =>
+    `<pre v-pre tabindex="0"><code>${md.utils.escapeHtml(tokens[index].content)}</code></pre>\n`;
   md.core.ruler.push("links_of_the_site", (state) => {
     const file = fileOf(state.env);
     if (!file) return;

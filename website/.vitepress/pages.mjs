@@ -10,9 +10,10 @@ export const base = process.env.SITE_BASE ?? "/";
 
 // What has no page.
 export const excluded = [
-  "!(website|docs|data|studio)/**/*",
+  "!(website|docs|data|studio|npm|python)/**/*",
   "data/!(paper-maps)/**/*",
-  "studio/*/**",
+  "{studio,npm,python}/!(README.md)",
+  "{studio,npm,python}/*/**",
   "website/parts/**",
 ];
 
@@ -22,6 +23,8 @@ const elsewhere = {
   "CONTRIBUTING.md": "contributing.md",
   "data/README.md": "maps.md",
   "data/paper-maps/README.md": "paper-maps.md",
+  "npm/README.md": "javascript.md",
+  "python/README.md": "python.md",
   "studio/README.md": "studio-code.md",
   "docs/pictures/README.md": "pictures.md",
 };
@@ -50,7 +53,6 @@ export function siteLink(href, file, sources = new Set()) {
   const target = posix.normalize(posix.join(dirname(file), path)).replace(/\/$/, "");
   if (target.startsWith("..") || !existsSync(join(root, target))) throw new Error(`${file}: ${href} leads nowhere`);
   if (folders[target]) return folders[target];
-  if (statSync(join(root, target)).isDirectory()) throw new Error(`${file}: ${href} is a folder without a page`);
   if (target.endsWith(".md")) return `/${placeOf(target).replace(/(^|\/)index\.md$/, "$1").replace(/\.md$/, "")}${hash ?? ""}`;
   if (target.startsWith("docs/pictures/")) return target.replace("docs/pictures/", "/picture/");
   sources.add(target);
