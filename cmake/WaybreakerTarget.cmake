@@ -86,7 +86,10 @@ function(waybreaker_library name)
   set(target waybreaker_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(waybreaker::${name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  if(NOT CMAKE_SYSTEM_PROCESSOR STREQUAL wasm32)  # which has no shared libraries
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>

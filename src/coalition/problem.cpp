@@ -72,7 +72,7 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
 }
 
 const Problem::Earliest& Problem::earliest(ObstacleId id) const {
-    std::call_once(asked_[id.value], [&] { earliest_[id.value] = find_earliest(id); });
+    asked_[id.value].call([&] { earliest_[id.value] = find_earliest(id); });
     return earliest_[id.value];
 }
 

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <limits>
-#include <mutex>
 #include <span>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "team/vehicle.hpp"
 #include "waybreaker/mission.hpp"
 
@@ -89,7 +89,7 @@ class Problem {
     std::vector<double> short_detours_;   // by id
     // By id, of those that were asked for.
     mutable std::vector<Earliest> earliest_;
-    mutable std::vector<std::once_flag> asked_;
+    mutable std::vector<Once> asked_;
 };
 
 }  // namespace waybreaker::coalition

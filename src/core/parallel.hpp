@@ -5,13 +5,42 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#ifndef WAYBREAKER_NO_THREADS
 #include <mutex>
 #include <system_error>
 #include <thread>
+#endif
 #include <utility>
 #include <vector>
 
 namespace waybreaker {
+
+#ifdef WAYBREAKER_NO_THREADS
+
+// For a system without threads: the thread that calls does all the work.
+inline unsigned thread_count(unsigned /*wanted*/) {
+    return 1;
+}
+
+template <class Work>
+void for_each_index(std::size_t count, unsigned /*threads*/, const Work& work) {
+    for (std::size_t i = 0; i < count; ++i) work(i, 0);
+}
+
+// Calls `work` the first time that it is called.
+class Once {
+  public:
+    template <class Work>
+    void call(const Work& work) {
+        if (!done_) work();
+        done_ = true;
+    }
+
+  private:
+    bool done_ = false;
+};
+
+#else
 
 // 0 stands for all cores.
 inline unsigned thread_count(unsigned wanted) {
@@ -66,5 +95,19 @@ void for_each_index(std::size_t count, unsigned threads, const Work& work) {
     }
     if (error) std::rethrow_exception(error);
 }
+
+// Calls `work` the first time that it is called, on whichever thread; all others wait.
+class Once {
+  public:
+    template <class Work>
+    void call(const Work& work) {
+        std::call_once(flag_, work);
+    }
+
+  private:
+    std::once_flag flag_;
+};
+
+#endif
 
 }  // namespace waybreaker

@@ -19,8 +19,8 @@ void require_one_word(const std::string& map) {
 
 std::string decimals(double value) {
     std::array<char, 400> text;  // the largest double has 309 digits before the point
-    char* const end = std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed, 8).ptr;
-    return {text.begin(), end};
+    char* const end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 8).ptr;
+    return {text.data(), end};
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ std::vector<Part> parts_of(const Map& map, const Squares& squares, const std::ve
     });
     std::vector<Part> parts;
     parts.reserve(cells.size());
-    for (const auto& [key, count] : cells) parts.push_back({key / ids, {std::uint32_t(key % ids)}, count});
+    for (const auto& [key, count] : cells) parts.push_back({std::size_t(key / ids), {std::uint32_t(key % ids)}, count});
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
         return std::tuple(a.square, b.cells, a.of.value) < std::tuple(b.square, a.cells, b.of.value);
     });

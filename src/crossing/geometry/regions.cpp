@@ -182,8 +182,7 @@ Regions::Regions(const Map& map, const CrossingOptions& options, Interrupt& inte
 }
 
 const Permanent& Regions::permanent() const {
-    std::call_once(shape_->permanent_made,
-                   [this] { shape_->permanent = std::make_unique<const Permanent>(find_permanent()); });
+    shape_->permanent_made.call([this] { shape_->permanent = std::make_unique<const Permanent>(find_permanent()); });
     return *shape_->permanent;
 }
 

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
 #include "core/interrupt.hpp"
+#include "core/parallel.hpp"
 #include "waybreaker/crossing.hpp"
 
 namespace waybreaker::crossing {
@@ -64,7 +64,7 @@ struct Shape {
     Lists<ObstacleId> members;                           // by region
     Lists<RegionId> regions;                             // by obstacle
     mutable std::unique_ptr<const Permanent> permanent;  // when first asked for
-    mutable std::once_flag permanent_made;
+    mutable Once permanent_made;
 };
 
 class Regions {

@@ -112,7 +112,7 @@ class StepSearch {
         }
         if (nodes > tuning::most_step_nodes) return false;
         // Fresh pages are zero and cost nothing until used.
-        nodes_.reset(static_cast<Node*>(std::calloc(nodes, sizeof(Node))));
+        nodes_.reset(static_cast<Node*>(std::calloc(std::size_t(nodes), sizeof(Node))));
         return nodes_ != nullptr;
     }
 
