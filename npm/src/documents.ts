@@ -1,0 +1,232 @@
+// The documents of docs/contract.md: missions (section 6), plans (section 4), reports of the check.
+
+/** x to the right, y down; the upper left cell is [0, 0]. */
+export type Cell = [x: number, y: number];
+
+/** Whether a vehicle passes corners of blocked cells. */
+export type Corners = "none" | "cut" | "squeeze";
+export type Objective = "makespan" | "flowtime" | "ground-makespan";
+
+export interface GroundAgent {
+  id: string;
+  kind: "ground";
+  start: Cell;
+  goal: Cell;
+  /** Cells a unit of time; 1. */
+  speed?: number;
+  /** In cells; 0.5. */
+  radius?: number;
+  corners?: Corners;
+  /** Until then it stands at its start; 0. */
+  ready_at?: number;
+}
+
+export interface AirAgent {
+  id: string;
+  kind: "air";
+  start: Cell;
+  goal: Cell;
+  speed?: number;
+  /** How many obstacles it removes at most; no limit. */
+  breaches?: number;
+}
+
+export interface Rules {
+  /** How many obstacles may be removed; 3. */
+  removals?: number;
+  /** What they may weigh together. */
+  budget?: number;
+  /** The same in square metres; each obstacle weighs its area. */
+  budget_m2?: number;
+  /** Obstacles, by id, that must stay. */
+  protect?: (number | string)[];
+  /** Obstacles that must be removed. */
+  force?: number[];
+  breach_time?: number;
+  breach_time_per_cell?: number;
+  timing?: "enforce" | "ignore";
+  objective?: Objective;
+  /** In cells, between vehicles; 0. */
+  separation?: number;
+  at_goal?: "stay" | "leave";
+}
+
+export interface Method {
+  select?: "exact" | "hits" | "greedy" | "none";
+  flight?: "optimal" | "nearest";
+  planner?: "optimal" | "theta" | "lazy-theta" | "astar" | "jps" | "dijkstra" | "bfs";
+  heuristic?: string;
+  weight?: number;
+  tie_break?: "g-max" | "g-min";
+  moves?: 4 | 8;
+  bound?: boolean;
+  explain?: boolean;
+  minimise_demolition?: number;
+}
+
+export interface Limits {
+  /** How long planning may take; 10. null: no limit. */
+  seconds?: number | null;
+  /** Of each single search. Unlike a limit in seconds, it ends at the same plan every time. */
+  expansions?: number;
+  /** A share, 0 to 1: a plan is good enough that is proven to be no more than that above the best possible. */
+  gap?: number;
+}
+
+export interface Mission {
+  format: "waybreaker-mission/1";
+  agents: (GroundAgent | AirAgent)[];
+  rules?: Rules;
+  method?: Method;
+  limits?: Limits;
+  time_unit?: "s";
+  [other: string]: unknown;
+}
+
+export type Status = "solved" | "no_plan" | "not_found" | "limit_reached" | "stopped";
+
+/** x, y in cells, and the time. Two in a row at one place are a wait. */
+export type Waypoint = [x: number, y: number, t: number];
+
+export interface Removal {
+  obstacle: number;
+  cells: number;
+  hits: number;
+  source_id?: number;
+  name?: string;
+  weight?: number;
+  area_m2?: number;
+  /** Where the air agent is when it breaches. */
+  at: Cell;
+  /** Which air agent, in the plan of a team. */
+  by?: string;
+  begun_at?: number;
+  cleared_at: number;
+  /** When a vehicle first touches it; null: never. */
+  entered_at: number | null;
+  saves?: number | null;
+}
+
+export interface Wait {
+  at: [x: number, y: number];
+  from: number;
+  until: number;
+  reason: "opening" | "agent" | "readiness" | "nothing";
+  obstacle?: number;
+  agent?: string;
+}
+
+export interface Itinerary {
+  id: string;
+  kind: "ground" | "air";
+  speed: number;
+  start: Cell;
+  goal: Cell;
+  gain?: number;
+  waits?: Wait[];
+  path: Waypoint[];
+}
+
+export interface Route {
+  id: string;
+  length: number | null;
+  expanded?: number;
+  generated?: number;
+  seconds?: number;
+}
+
+export interface Outcome {
+  ground?: { length: number | null; expanded: number; generated: number; seconds?: number };
+  air?: { length: number | null };
+  /** In the plan of a team, in place of `ground` and `air`. */
+  routes?: Route[];
+  makespan: number | null;
+  flowtime: number | null;
+  ground_makespan: number | null;
+}
+
+/** The bound under the name of the objective, and the gap to it. */
+export type Bound = { [objective in "makespan" | "flowtime" | "ground_makespan"]?: number } & { gap: number | null };
+
+export interface Step {
+  makespan: number | null;
+  flowtime: number | null;
+  ground_makespan: number | null;
+  bound: Bound | null;
+  removed: number[];
+  status?: Status;
+  area_m2?: number;
+}
+
+export interface Plan {
+  format: "waybreaker-plan/1";
+  status: Status;
+  limit_reached?: true;
+  map: { source: string; width: number; height: number; cell_size: number; digest: string };
+  options: Record<string, unknown>;
+  mission: Mission;
+  before: Outcome;
+  after: Outcome;
+  bound: Bound | null;
+  removed: Removal[];
+  demolition?: { removals: number; cells: number; area_m2?: number; structures?: number };
+  next?: { obstacle: number; source_id?: number; name?: string; saves: number }[];
+  agents: Itinerary[];
+  /** What 0, 1, 2, ... removals reach, of `front`. */
+  front?: Step[];
+  seconds?: { label: number; search: number; select: number; flight: number; total: number };
+}
+
+export interface Violation {
+  rule: string;
+  message: string;
+  [other: string]: unknown;
+}
+
+export interface Report {
+  format: "waybreaker-check/1";
+  valid: boolean;
+  violations: Violation[];
+}
+
+/** What is known of an obstacle beside its cells. */
+export interface Attributes {
+  /** Who it is in your world, a whole number; 0: unknown. In plans it is a number, exact to 2^53. */
+  sourceId?: number | bigint;
+  /** What its removal counts for against a budget; 1. */
+  weight?: number;
+  /** How long its breach takes, beside what the mission says; 0. */
+  breachTime?: number;
+  /** Whether it can be removed; true. */
+  destructible?: boolean;
+}
+
+export interface Obstacle extends Required<Attributes> {
+  id: number;
+  cells: number;
+  /** The outermost of its cells. */
+  min: Cell;
+  max: Cell;
+}
+
+export interface MapOptions {
+  /** What plans call the map's source; "map". */
+  name?: string;
+  /** Metres a cell measures; plans speak of cells alone without. */
+  cellSize?: number;
+}
+
+export interface GridOptions extends MapOptions {
+  /** Blocked cells are one obstacle if they share sides (4), or corners as well (8); 4. */
+  connectivity?: 4 | 8;
+}
+
+export interface LabelOptions extends MapOptions {
+  /** By label; entry 0 is not used. */
+  attributes?: readonly (Attributes | undefined)[];
+}
+
+export interface PlanOptions {
+  /** With measured seconds in the plan, as the command writes it. Without, equal input gives equal plans. */
+  timing?: boolean;
+}

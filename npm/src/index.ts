@@ -1,0 +1,10 @@
+// In browsers.
+import { compile, type PlannerOptions } from "./load.js";
+import { Planner } from "./planner.js";
+
+export * from "./api.js";
+export { Planner, PlannerMap } from "./planner.js";
+
+export async function createPlanner(options: PlannerOptions = {}): Promise<Planner> {
+  return new Planner(await compile(options.wasm ?? new URL("./waybreaker.wasm", import.meta.url), (url) => fetch(url)));
+}
