@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <limits>
 
 #include "core/range.hpp"
 #include "io/option_words.hpp"
-#include "io/output_file.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
@@ -18,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto format = "waybreaker-mission/1";
-constexpr double most_radius = 32;       // cells
-constexpr std::size_t longest_id = 100;  // characters
+constexpr double most_radius = 32;        // cells
+constexpr std::size_t longest_id = 100;   // characters
 constexpr double widest_overlay = 10000;  // metres
 
 template <class Value>
@@ -311,13 +309,6 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
 MissionDocument parse_mission(std::string_view bytes, const std::string& name, const Limits& limits) {
     const auto document = parse_json(bytes, name, max_mission_depth);
     return read_mission(JsonField(document), limits);
-}
-
-MissionDocument read_mission_file(const std::string& path, const Limits& limits) {
-    MissionDocument document = parse_mission(read_whole(path, max_mission_bytes), path, limits);
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    for (site::OverlaySource& overlay : document.overlays) overlay.file = (folder / overlay.file).string();
-    return document;
 }
 
 Json mission_json(const MissionDocument& document) {
