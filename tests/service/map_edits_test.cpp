@@ -1,4 +1,4 @@
-#include "service/map_edits.hpp"
+#include "service/edited_map.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -13,6 +13,9 @@
 
 namespace waybreaker::service {
 namespace {
+
+using request::MapEdits;
+using request::parse_map_edits;
 
 StoredMap stored(std::string bytes, Connectivity connectivity = Connectivity::four) {
     io::MapFile file = mapfile::parse_map(bytes, "the map", connectivity);
