@@ -25,6 +25,7 @@ void setup_map_generate(CLI::App& map, Run& run);
 void setup_missions_generate(CLI::App& root, Run& run);
 void setup_experiment(CLI::App& root, Run& run);
 void setup_serve(CLI::App& root, Run& run);
+void setup_site(CLI::App& root, Run& run);
 void setup_help(CLI::App& root, Run& run);
 void setup_completion(CLI::App& root, Run& run);
 void setup_manual(CLI::App& root, Run& run);

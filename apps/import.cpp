@@ -12,8 +12,8 @@
 #include "city/ground_rules.hpp"
 #include "commands.hpp"
 #include "help.hpp"
+#include "io/map_info.hpp"
 #include "io/output_file.hpp"
-#include "mapfile/map_info.hpp"
 #include "measure.hpp"
 #include "named_files.hpp"
 #include "note.hpp"
@@ -101,7 +101,7 @@ std::string summary_line(const std::string& file, const city::ImportReport& repo
         "{}: {} x {} cells of {:.6g} m, {} {}{}, {} obstacles, {:.1f} % blocked{}{}\n", file, map.width(), map.height(),
         report.tiff.cell_size, report.buildings, things,
         report.tiff.annotations.sections.empty() ? "" : ", " + site::sections_summary(report.tiff.annotations.sections),
-        map.obstacles().size(), 100 * mapfile::summarise(map).density, ground_of(report), kept(report.tiff));
+        map.obstacles().size(), 100 * io::summarise(map).density, ground_of(report), kept(report.tiff));
 }
 
 const char* things_of(const ImportOptions& options) {

@@ -50,6 +50,7 @@ void setup(CLI::App& root, Run& run) {
     setup_missions_generate(root, run);
     setup_experiment(root, run);
     setup_serve(root, run);
+    setup_site(root, run);
     setup_help(root, run);
     setup_completion(root, run);
     setup_manual(root, run);

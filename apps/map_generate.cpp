@@ -5,8 +5,8 @@
 #include "experiment/terrain.hpp"
 #include "format_losses.hpp"
 #include "help.hpp"
+#include "io/map_info.hpp"
 #include "io/output_file.hpp"
-#include "mapfile/map_info.hpp"
 #include "mapfile/map_writer.hpp"
 #include "option.hpp"
 
@@ -33,9 +33,9 @@ void run(const MapGenerateOptions& options) {
     for (const mapfile::OutputFile& output : written.files) io::write_whole(output.path, output.bytes);
     report_losses(options.output, written.losses);
     if (options.output == "-") return;
-    io::write_whole(
-        "-", fmt::format("{}: {} x {} cells, {} obstacles, {:.1f} % blocked\n", options.output, file.map.width(),
-                         file.map.height(), file.map.obstacles().size(), 100 * mapfile::summarise(file.map).density));
+    io::write_whole("-",
+                    fmt::format("{}: {} x {} cells, {} obstacles, {:.1f} % blocked\n", options.output, file.map.width(),
+                                file.map.height(), file.map.obstacles().size(), 100 * io::summarise(file.map).density));
 }
 
 }  // namespace

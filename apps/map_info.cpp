@@ -13,6 +13,7 @@
 #include "geotiff/georeference.hpp"
 #include "help.hpp"
 #include "io/map_file.hpp"
+#include "io/map_info.hpp"
 #include "io/mission_document.hpp"
 #include "io/output_file.hpp"
 #include "mapfile/map_reader.hpp"
@@ -38,7 +39,7 @@ std::string identity(const io::MapFile& file, const Obstacle& obstacle) {
 }
 
 // "61.2 % open, 25.5 % destructible, 3.1 % water": what there is of, in cells of the map.
-std::string ground_text(const mapfile::GroundSummary& ground) {
+std::string ground_text(const io::GroundSummary& ground) {
     const std::array<std::pair<const char*, std::uint64_t>, 8> parts{{{"open", ground.open},
                                                                       {"destructible", ground.destructible},
                                                                       {"protected", ground.protected_},
@@ -69,7 +70,7 @@ std::string unknown_text(const io::MapFile& file) {
 std::string protected_text(const io::MapFile& file) {
     constexpr std::size_t most = 8;
     std::vector<std::pair<std::size_t, std::string>> counts;
-    for (const auto& [tag, count] : mapfile::protected_tags(file)) {
+    for (const auto& [tag, count] : io::protected_tags(file)) {
         if (tag != "building=yes") counts.emplace_back(count, tag);
     }
     std::ranges::stable_sort(counts, std::ranges::greater(), &std::pair<std::size_t, std::string>::first);
@@ -90,7 +91,7 @@ std::string profile_text(const io::MapFile& file) {
                    : "";
 }
 
-std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary) {
+std::string as_text(const io::MapFile& file, const io::MapSummary& summary) {
     const Map& map = file.map;
     const auto line = [](const std::string& name, const std::string& value) {
         return value.empty() ? std::string() : fmt::format("{:<13}{}\n", name, value);
@@ -103,7 +104,7 @@ std::string as_text(const io::MapFile& file, const mapfile::MapSummary& summary)
                                               map.width() * file.cell_size, map.height() * file.cell_size));
     }
     text += line("blocked", fmt::format("{} cells, {:.1f} %", summary.blocked, 100 * summary.density));
-    if (const auto ground = mapfile::summarise_ground(file)) text += line("ground", ground_text(*ground));
+    if (const auto ground = io::summarise_ground(file)) text += line("ground", ground_text(*ground));
     text += line("unknown", unknown_text(file));
     text += line("protected", protected_text(file));
     text += line("obstacles", std::to_string(map.obstacles().size()));
@@ -151,7 +152,7 @@ io::MapFile read_map(const MapInfoOptions& options) {
 
 void run(const MapInfoOptions& options) {
     const io::MapFile file = read_map(options);
-    const mapfile::MapSummary summary = mapfile::summarise(file.map);
+    const io::MapSummary summary = io::summarise(file.map);
     io::write_whole("-", options.json ? mapfile::map_info_json(file) : as_text(file, summary));
 }
 

@@ -7,8 +7,8 @@
 #include "commands.hpp"
 #include "format_losses.hpp"
 #include "help.hpp"
+#include "io/map_info.hpp"
 #include "io/output_file.hpp"
-#include "mapfile/map_info.hpp"
 #include "mapfile/map_reader.hpp"
 #include "mapfile/map_writer.hpp"
 #include "named_files.hpp"
@@ -50,7 +50,7 @@ void run(const MapOverlayOptions& options) {
     note_overlays(reports);
     io::write_whole("-", overlay_summary(reports, file.cell_size) +
                              fmt::format("{}: {} obstacles, {:.1f} % blocked\n", options.out,
-                                         file.map.obstacles().size(), 100 * mapfile::summarise(file.map).density));
+                                         file.map.obstacles().size(), 100 * io::summarise(file.map).density));
 }
 
 }  // namespace

@@ -3,6 +3,6 @@ set(source "// Made by the build.\n#include <string_view>\n\nnamespace ${NAMESPA
 foreach(symbol file IN ZIP_LISTS SYMBOLS FILES)
   file(READ ${file} bytes HEX)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
-  string(APPEND source "std::string_view ${symbol}();\nstd::string_view ${symbol}() {\n    static constexpr char bytes[] = {${bytes}};\n    return {bytes, sizeof bytes};\n}\n")
+  string(APPEND source "std::string_view ${symbol}();\nstd::string_view ${symbol}() {\n    static constexpr char bytes[] = {${bytes}'\\0'};\n    return {bytes, sizeof bytes - 1};\n}\n")
 endforeach()
 file(WRITE ${OUTPUT} "${source}}  // namespace ${NAMESPACE}\n")

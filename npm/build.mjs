@@ -1,6 +1,6 @@
 // Makes dist/ of src/ and of the WebAssembly module: node build.mjs [WASM]. scripts/build-npm makes both.
 import { execFileSync } from "node:child_process";
-import { copyFileSync, readFileSync, rmSync } from "node:fs";
+import { copyFileSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { buildSync } from "esbuild";
@@ -11,7 +11,7 @@ const wasm = process.argv[2] ?? "../build/wasm/src/wasm/waybreaker.wasm";
 
 rmSync("dist", { recursive: true, force: true });
 execFileSync(process.execPath, [join("node_modules", "typescript", "bin", "tsc")], { stdio: "inherit" });
-copyFileSync(wasm, join("dist", "waybreaker.wasm"));
+writeFileSync(join("dist", "waybreaker.wasm"), readFileSync(wasm)); // without its mode
 copyFileSync("../LICENSE", "LICENSE");
 
 const common = { bundle: true, minify: true, target: "es2022", legalComments: "none" };

@@ -1,10 +1,11 @@
 import { defineConfig } from "vitest/config";
 
-// Three files with fixed names, which CMake builds into the command. `npm run dev` asks a running `waybreaker serve`, as
+// Files with fixed names, which CMake builds into the command. `npm run dev` asks a running `waybreaker serve`, as
 // though the page came from there: other sites' pages are refused. Addresses, for a bare machine has no name `localhost`.
 const service = { target: "http://127.0.0.1:8080", changeOrigin: false };
 
 export default defineConfig({
+  base: "./", // a site may lie in any folder
   esbuild: { jsx: "automatic", jsxImportSource: "preact" },
   build: {
     target: "es2022",
@@ -13,6 +14,10 @@ export default defineConfig({
     rollupOptions: {
       output: { entryFileNames: "studio.js", assetFileNames: "studio.[ext]", inlineDynamicImports: true },
     },
+  },
+  worker: {
+    format: "es",
+    rollupOptions: { output: { entryFileNames: "worker.js", inlineDynamicImports: true } },
   },
   server: { host: "127.0.0.1", proxy: { "/api": service } },
   test: {

@@ -8,7 +8,6 @@
 
 #include "core/range.hpp"
 #include "io/option_words.hpp"
-#include "io/output_file.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
@@ -310,15 +309,6 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
 MissionDocument parse_mission(std::string_view bytes, const std::string& name, const Limits& limits) {
     const auto document = parse_json(bytes, name, max_mission_depth);
     return read_mission(JsonField(document), limits);
-}
-
-MissionDocument read_mission_file(const std::string& path, const Limits& limits) {
-    MissionDocument document = parse_mission(read_whole(path, max_mission_bytes), path, limits);
-    const std::string folder = path.substr(0, path.rfind('/') + 1);  // empty where the path is a name
-    for (site::OverlaySource& overlay : document.overlays) {
-        if (!overlay.file.starts_with('/')) overlay.file.insert(0, folder);
-    }
-    return document;
 }
 
 Json mission_json(const MissionDocument& document) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "io/relabel.hpp"
 #include "mapfile/grey_image.hpp"
 #include "mapfile/occupancy.hpp"
 #include "mapfile/ros_map.hpp"
@@ -62,12 +63,6 @@ void describe(io::MapFile& file, site::DescribedMap&& described) {
 
 }  // namespace
 
-void relabel(io::MapFile& file, std::vector<std::uint32_t> labels) {
-    site::LabelLayer layer = site::label_layer(file.map, file.annotations);
-    layer.labels = std::move(labels);
-    describe(file, site::described(std::move(layer), std::move(file.annotations)));
-}
-
 io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleId> removed) {
     const std::vector<bool> goes = removal_table(file.map, removed);
     io::MapFile result = file;
@@ -78,7 +73,7 @@ io::MapFile without_obstacles(const io::MapFile& file, std::span<const ObstacleI
     for (std::uint32_t& label : labels) {
         if (goes[label]) label = 0;
     }
-    relabel(result, std::move(labels));
+    io::relabel(result, std::move(labels));
     return result;
 }
 

@@ -16,6 +16,7 @@
 #include "geotiff/georeference.hpp"
 #include "http/problem.hpp"
 #include "io/check_report.hpp"
+#include "io/map_document.hpp"
 #include "io/option_words.hpp"
 #include "io/plan_csv.hpp"
 #include "io/plan_file.hpp"
@@ -65,10 +66,10 @@ const io::MapFile& map_of(const Task& task, const PreparedMission& prepared) {
     return prepared.reweighted ? *prepared.reweighted : task.map->file;
 }
 
-PreparedMission prepare(const Task& task, const OptionsRequest& wanted, const http::Worker& worker,
+PreparedMission prepare(const Task& task, const request::OptionsRequest& wanted, const http::Worker& worker,
                         double seconds) try {
     const io::MapFile& file = task.map->file;
-    MissionOnMap made = on_map(task.request.mission, wanted, file);
+    request::MissionOnMap made = request::on_map(task.request.mission, wanted, file);
     PreparedMission prepared{std::move(made.asked), {}};
     if (made.reweighted) {
         prepared.reweighted = file;
@@ -92,7 +93,7 @@ io::PlanContext context_of(const Task& task, const PreparedMission& prepared, st
             .front = front};
 }
 
-std::string plan_text(const Task& task, const OptionsRequest& wanted, const http::Worker& worker,
+std::string plan_text(const Task& task, const request::OptionsRequest& wanted, const http::Worker& worker,
                       PlannerPool::Loan& planner, double seconds) {
     const PreparedMission prepared = prepare(task, wanted, worker, seconds);
     const io::MissionDocument& asked = prepared.asked;
@@ -101,14 +102,14 @@ std::string plan_text(const Task& task, const OptionsRequest& wanted, const http
 }
 
 // The default comparison: no removals, the paper's method, the exact method.
-std::vector<Variant> usual_variants(const OptionsRequest& common) {
-    Variant none{"none", common};
+std::vector<request::Variant> usual_variants(const request::OptionsRequest& common) {
+    request::Variant none{"none", common};
     none.options.asked.mission.rules.removals = 0;
     none.options.asked.mission.rules.force.clear();
-    Variant paper{"paper", common};
+    request::Variant paper{"paper", common};
     follow_paper(paper.options.asked.mission.rules, paper.options.asked.method);
     paper.options.planner_given = true;
-    return {std::move(none), std::move(paper), Variant{"exact", common}};
+    return {std::move(none), std::move(paper), request::Variant{"exact", common}};
 }
 
 // The options of the command that read a map as the plan does and the server does not.
@@ -181,9 +182,9 @@ std::string maps_json(const std::vector<MapStore::Entry>& entries) {
 }
 
 std::string map_json(const std::string& id, const StoredMap& map) {
-    Json json{{"id", id}, {"connectivity", map.connectivity == Connectivity::four ? 4 : 8}};
-    json.update(Json::parse(mapfile::map_info_json(map.file)));
-    return json.dump() + "\n";
+    return io::map_description(id, map.file, map.connectivity, mapfile::georeference_json(map.file))
+               .dump(-1, ' ', false, Json::error_handler_t::replace) +
+           "\n";
 }
 
 std::string file_name(const std::string& id, const StoredMap& map) {
@@ -211,13 +212,13 @@ std::string front_answer(const Task& task, const http::Worker& worker) {
 }
 
 std::string compare_answer(const Task& task, const http::Worker& worker) {
-    const std::vector<Variant> variants =
+    const std::vector<request::Variant> variants =
         task.request.variants.empty() ? usual_variants(task.request.options) : task.request.variants;
     const TimeBudget budget(task, worker);
     PlannerPool::Loan planner = task.planners.borrow(task.map);
     std::size_t left = variants.size();
     std::string text;
-    for (const Variant& variant : variants) {
+    for (const request::Variant& variant : variants) {
         if (!text.empty()) text += ",\n";
         text += "{\"name\": " + Json(variant.name).dump() +
                 ", \"plan\": " + plan_text(task, variant.options, worker, planner, budget.share(left--)) + "}";

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "http/job_queue.hpp"
+#include "request/plan_request.hpp"
 #include "service/map_store.hpp"
-#include "service/plan_request.hpp"
 #include "service/planner_pool.hpp"
 #include "waybreaker/limits.hpp"
 
@@ -28,7 +28,7 @@ std::string file_name(const std::string& id, const StoredMap& map);
 // What a worker plans.
 struct Task {
     SharedMap map;
-    PlanRequest request;
+    request::PlanRequest request;
     PlannerPool& planners;
     double seconds = 30;  // upper limit, whatever the request says
     std::function<void(const Progress&)> report = {};

@@ -9,7 +9,7 @@
 
 #include "http/problem.hpp"
 #include "io/json_field.hpp"
-#include "service/plan_request.hpp"
+#include "request/plan_request.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::service {

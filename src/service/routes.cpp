@@ -15,7 +15,7 @@
 #include "io/obstacles_json.hpp"
 #include "mapfile/digest.hpp"
 #include "service/answers.hpp"
-#include "service/map_edits.hpp"
+#include "service/edited_map.hpp"
 #include "service/plan_events.hpp"
 #include "service/problem_kind.hpp"
 #include "service/responses.hpp"
@@ -102,7 +102,8 @@ using PlanAnswer = std::string (*)(const Task&, const http::Worker&);
 Route plan_route(const std::string& name, PlanAnswer answer, MapStore& store, PlannerPool& planners, double seconds) {
     const auto handle = [answer, &store, &planners, seconds](const Call& call) -> Answer {
         const NeededMap map(store, call.id);
-        const PlanRequest request = read_request([&call] { return parse_plan_request(call.request.body); });
+        const request::PlanRequest request =
+            read_request([&call] { return request::parse_plan_request(call.request.body); });
         const auto last = std::make_shared<LastReport>();
         const http::Work work = [answer, map, request, &planners, seconds, last](const http::Worker& worker) {
             const auto report = [last](const Progress& progress) { last->set(progress); };
@@ -130,7 +131,7 @@ Route upload_route(MapStore& store) {
 Route edits_route(MapStore& store) {
     const auto handle = [&store](const Call& call) -> Answer {
         const NeededMap needed(store, call.id);
-        const MapEdits edits = read_request([&call] { return parse_map_edits(call.request.body); });
+        const request::MapEdits edits = read_request([&call] { return request::parse_map_edits(call.request.body); });
         http::Work work = [&store, needed, edits](const http::Worker&) {
             const SharedMap map = needed.load();
             return upload_response(store.add([&](const MapLimits& limits) { return edited_map(*map, edits, limits); }));

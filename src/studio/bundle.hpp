@@ -1,4 +1,4 @@
-// What Vite made of studio/, as bytes (defined by the build).
+// What Vite made of studio/, as bytes, and the planner of pages without a server (defined by the build).
 #pragma once
 
 #include <string_view>
@@ -8,5 +8,8 @@ namespace waybreaker::studio {
 std::string_view index_html();
 std::string_view studio_js();
 std::string_view studio_css();
+std::string_view worker_js();
+std::string_view service_worker_js();
+std::string_view planner_wasm();
 
 }  // namespace waybreaker::studio

@@ -12,6 +12,16 @@ struct File {
     std::string_view bytes;
 };
 
+// Those that the service serves.
 std::span<const File> files();
+
+// Of a page that plans by itself: the same, and its Worker.
+std::span<const File> site_page();
+
+// The script that keeps such a page for when there is no network. It needs `version` and `files` before it.
+std::string_view service_worker();
+
+// The WebAssembly that plans in such a page; empty in a program that was built without it.
+std::string_view planner();
 
 }  // namespace waybreaker::studio

@@ -1,7 +1,9 @@
 // Opens the page: a studio that asks the server, or the viewer of the plan that the document holds.
 import { effect } from "@preact/signals";
 import { render } from "preact";
-import { Client } from "./api/client";
+import { HttpClient } from "./api/http_client";
+import { LocalClient } from "./api/local_client";
+import { keepForOffline } from "./api/offline";
 import { TabToken } from "./api/token";
 import { fragmentOf, missionAt, type Place, TooLarge } from "./mission/address";
 import { openMission } from "./mission/opening";
@@ -16,8 +18,9 @@ const held = document.getElementById("waybreaker")?.textContent;
 if (held) {
   render(<App page={viewerOf(JSON.parse(held) as PlanDocument)} />, root);
 } else {
-  const token = new TabToken();
-  const studio = new Studio(new Client(token));
+  const isSite = document.querySelector('meta[name="waybreaker-site"]') !== null; // `waybreaker site` wrote it
+  const token = isSite ? null : new TabToken();
+  const studio = new Studio(token ? new HttpClient(token) : localClient());
   render(<App page={studio.page} studio={studio} token={token} />, root);
   void missionIn(location, studio)
     .then((query) => studio.maps.start(query))
@@ -27,6 +30,20 @@ if (held) {
     const query = await missionIn(new URL(newURL), studio);
     if (query) await openMission(studio, query);
   });
+}
+
+// The page plans by itself.
+function localClient(): LocalClient {
+  keepForOffline();
+  const start = () => new Worker(new URL("./worker/worker.ts", import.meta.url), { type: "module" });
+  return new LocalClient(start, plannerModule());
+}
+
+// Browsers compile while it comes, if it comes under its own type; not every host knows that.
+async function plannerModule(): Promise<WebAssembly.Module> {
+  const answer = await fetch("studio.wasm");
+  const isTyped = answer.headers.get("Content-Type")?.startsWith("application/wasm");
+  return isTyped ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
 
 async function missionIn(address: Place, studio: Studio): Promise<string> {

@@ -1,5 +1,3 @@
-#include "service/map_edits.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -10,9 +8,13 @@
 #include "live_server.hpp"
 #include "mapfile/map_reader.hpp"
 #include "service/built_in_maps.hpp"
+#include "service/edited_map.hpp"
 
 namespace waybreaker::service {
 namespace {
+
+using request::MapEdits;
+using request::parse_map_edits;
 
 StoredMap stored(std::string bytes, Connectivity connectivity = Connectivity::four) {
     io::MapFile file = mapfile::parse_map(bytes, "the map", connectivity);

@@ -1,4 +1,4 @@
-#include "service/plan_request.hpp"
+#include "request/plan_request.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "input_error.hpp"
 #include "mapfile/map_reader.hpp"
 
-namespace waybreaker::service {
+namespace waybreaker::request {
 namespace {
 
 io::MapFile three_cells() {
@@ -173,4 +173,4 @@ TEST(PlanRequest, AVariantMayCountWhereTheOthersHaveABudget) {
 }
 
 }  // namespace
-}  // namespace waybreaker::service
+}  // namespace waybreaker::request

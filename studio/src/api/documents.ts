@@ -1,7 +1,7 @@
 // The documents of the service besides maps and plans, as docs/server.md and its OpenAPI description have them.
 import type { AgentDocument } from "../domain/agent_document";
 import type { AtGoal } from "../domain/mission";
-import type { Plan, RequestOptions } from "../domain/plan";
+import type { RequestOptions } from "../domain/plan";
 
 export interface MapEntry {
   id: string;
@@ -12,7 +12,6 @@ export interface MapEntry {
 export interface PlanRequest {
   mission: MissionDocument;
   options?: RequestOptions;
-  methods?: { name: string; options: RequestOptions }[]; // for compare
 }
 
 // A mission file; what options say is not in its rules.
@@ -21,11 +20,6 @@ export interface MissionDocument {
   time_unit?: "s"; // on maps with metres
   agents: AgentDocument[];
   rules: { separation: number; at_goal: AtGoal };
-}
-
-export interface Comparison {
-  format: "waybreaker-compare/1";
-  plans: { name: string; plan: Plan }[];
 }
 
 // An error, as RFC 9457 has it.

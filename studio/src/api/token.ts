@@ -1,6 +1,6 @@
 // The server's token: from the address's #token=..., which never leaves the browser, then kept for this tab.
 import { signal } from "@preact/signals";
-import type { TokenSource } from "./client";
+import type { TokenSource } from "./http_client";
 
 const key = "waybreaker-token";
 

@@ -11,12 +11,17 @@ import type { Studio } from "./studio";
 export function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
   return take(studio, files, async (given) => {
     if (given.kind === "map") await studio.maps.upload(given.file);
+    else if (!studio.client.imports && (given.kind === "map data" || given.kind === "shapes")) throw needsService(given.file);
     else if (given.kind === "map data") await studio.importer.begin(given.file);
     else if (given.kind === "shapes") await openShapes(studio, given.file);
     else if (given.kind === "plan") await openPlan(studio, given.plan);
     else if (given.kind === "mission") await openMission(studio, given.query);
     else await openMissionFile(studio, given.value);
   });
+}
+
+function needsService({ name }: KeptFile): NotUnderstood {
+  return new NotUnderstood(`“${name}” is map data, which “waybreaker serve” takes: this page has no server.`);
 }
 
 // What the day brings to the map shown, if that lies somewhere; else the map data of a city.

@@ -29,7 +29,11 @@ export function DropTarget({ studio }: { studio: Studio }) {
   }, [studio]);
   return over ? (
     <div class="drop-target">
-      <p>Drop it anywhere: a map, map data of a city (.osm.pbf), a flood (.geojson), both files of a ROS map, a plan, a mission or a link</p>
+      <p>
+        {studio.client.imports
+          ? "Drop it anywhere: a map, map data of a city (.osm.pbf), a flood (.geojson), both files of a ROS map, a plan, a mission or a link"
+          : "Drop it anywhere: a map of MovingAI's format, a plan, a mission or a link"}
+      </p>
     </div>
   ) : null;
 }

@@ -31,7 +31,7 @@ export function MapChoice({ studio }: { studio: Studio }) {
         ))}
       </select>
       <FileButton
-        title="A map, map data of a city (.osm.pbf, .osm, .geojson), both files of a ROS map, a plan or a mission"
+        title={`${filesTaken(studio)}, a plan or a mission`}
         label="File to open"
         onFiles={(files) => void openFiles(studio, files)}
       >
@@ -39,6 +39,12 @@ export function MapChoice({ studio }: { studio: Studio }) {
       </FileButton>
     </div>
   );
+}
+
+// What can be opened beside plans and missions.
+export function filesTaken({ client }: Studio): string {
+  if (client.imports) return "A map, map data of a city (.osm.pbf, .osm, .geojson), both files of a ROS map";
+  return "A map of MovingAI's format (other maps, and map data of a city, need waybreaker serve)";
 }
 
 export function nameOfMap(studio: Studio, id: string): string {

@@ -26,7 +26,7 @@ export function TakeAlong({ studio }: { studio: Studio }) {
         <button type="button" class="button" onClick={() => void copyLink(studio)}>
           <Icon name="link" /> Copy link
         </button>
-        {formats.map(({ format, label, hint }) => (
+        {formats.filter(({ format }) => studio.client.imports || format !== "html").map(({ format, label, hint }) => (
           <button
             key={format}
             type="button"
@@ -41,10 +41,18 @@ export function TakeAlong({ studio }: { studio: Studio }) {
         <button type="button" class="button" onClick={() => downloadMission(studio)}>
           <Icon name="download" /> Mission
         </button>
-        <button type="button" class="button" onClick={() => void downloadMap(studio)}>
-          <Icon name="download" /> Map file
-        </button>
+        {studio.client.hasFile(shown.map.description.id) && (
+          <button type="button" class="button" onClick={() => void downloadMap(studio)}>
+            <Icon name="download" /> Map file
+          </button>
+        )}
       </div>
+      {!studio.client.imports && (
+        <p class="hint">
+          This page plans by itself, without a server. To write maps as files after drawing on them, and pages of plans, start{" "}
+          <code>waybreaker serve</code>.
+        </p>
+      )}
     </Section>
   );
 }

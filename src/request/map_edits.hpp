@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "service/map_store.hpp"
+#include "io/map_file.hpp"
 #include "site/cell_run.hpp"
 
-namespace waybreaker::service {
+namespace waybreaker::request {
 
 using site::CellRun;
 
@@ -24,9 +24,14 @@ struct MapEdits {
 // Throws InputError that says where and what is wrong; `name` is what errors call the input.
 MapEdits parse_map_edits(std::string_view bytes, const std::string& name = "edits");
 
+struct EditedMap {
+    io::MapFile file;    // without a digest
+    bool plain = false;  // its obstacles are just the connected sets of blocked cells
+};
+
 // Keeps the obstacles and their names, the georeference, the cell size and the background. Free cells that are drawn on
 // become new obstacles, one for each 4-connected set; but if the map's obstacles are just its connected sets of blocked
 // cells, so are those of the edited map. Throws InputError if the edits do not fit the map.
-StoredMap edited_map(const StoredMap& map, const MapEdits& edits, const MapLimits& limits = {});
+EditedMap edited_map(const io::MapFile& file, Connectivity connectivity, const MapEdits& edits);
 
-}  // namespace waybreaker::service
+}  // namespace waybreaker::request

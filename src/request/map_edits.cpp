@@ -1,18 +1,15 @@
-#include "service/map_edits.hpp"
+#include "request/map_edits.hpp"
 
 #include <algorithm>
 #include <climits>
 #include <utility>
 
 #include "io/json_field.hpp"
-#include "mapfile/map_reader.hpp"
-#include "mapfile/map_writer.hpp"
-#include "mapfile/relabelled_map.hpp"
-#include "service/memory_account.hpp"
-#include "service/plan_request.hpp"
+#include "io/relabel.hpp"
+#include "request/plan_request.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::service {
+namespace waybreaker::request {
 namespace {
 
 using io::JsonField;
@@ -88,21 +85,6 @@ std::vector<std::uint32_t> edited_labels(const Map& map, const MapEdits& edits, 
     return labels;
 }
 
-std::string drawn_file(const StoredMap& map, const MapEdits& edits) {
-    const Map& before = map.file.map;
-    const bool plain = are_connected_sets(map.file, map.connectivity);
-    io::MapFile drawn = map.file;
-    if (plain) {
-        drawn.map = Map(edited_grid(before, edits), map.connectivity);
-    } else {
-        mapfile::relabel(drawn, edited_labels(before, edits, std::uint32_t(before.obstacles().size()) + 1));
-    }
-    // MovingAI's format holds cells and nothing else.
-    const bool cells_alone =
-        plain && !drawn.georeference && !drawn.origin && drawn.cell_size == 1 && drawn.annotations.notes.empty();
-    return mapfile::write_map(drawn, cells_alone ? "edited.map" : "edited.tif").files.front().bytes;
-}
-
 }  // namespace
 
 MapEdits parse_map_edits(std::string_view bytes, const std::string& name) {
@@ -113,19 +95,18 @@ MapEdits parse_map_edits(std::string_view bytes, const std::string& name) {
     return {.block = runs(root.find("block")), .free = runs(root.find("free"))};
 }
 
-StoredMap edited_map(const StoredMap& map, const MapEdits& edits, const MapLimits& limits) {
-    const Map& before = map.file.map;
+EditedMap edited_map(const io::MapFile& file, Connectivity connectivity, const MapEdits& edits) {
+    const Map& before = file.map;
     require_fit(edits.block, before, "block");
     require_fit(edits.free, before, "free");
-    std::string bytes = drawn_file(map, edits);
-    // Read back, so that it equals an upload of the file; then add what the file does not hold.
-    const MemoryAccount::Scope none(nullptr);  // the limits count the map
-    io::MapFile file = mapfile::parse_map(bytes, "the map", map.connectivity, {}, limits);
-    file.task = map.file.task;
-    file.origin = map.file.origin;
-    file.annotations.title = map.file.annotations.title;
-    file.annotations.attribution = map.file.annotations.attribution;
-    return {.file = std::move(file), .connectivity = map.connectivity, .bytes = std::move(bytes)};
+    EditedMap result{.file = file, .plain = are_connected_sets(file, connectivity)};
+    result.file.digest.clear();
+    if (result.plain) {
+        result.file.map = Map(edited_grid(before, edits), connectivity);
+    } else {
+        io::relabel(result.file, edited_labels(before, edits, std::uint32_t(before.obstacles().size()) + 1));
+    }
+    return result;
 }
 
-}  // namespace waybreaker::service
+}  // namespace waybreaker::request

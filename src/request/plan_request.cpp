@@ -1,4 +1,4 @@
-#include "service/plan_request.hpp"
+#include "request/plan_request.hpp"
 
 #include <algorithm>
 #include <climits>
@@ -10,7 +10,7 @@
 #include "io/weights.hpp"
 #include "waybreaker/error.hpp"
 
-namespace waybreaker::service {
+namespace waybreaker::request {
 namespace {
 
 using io::JsonField;
@@ -245,4 +245,4 @@ MissionOnMap on_map(const ShortMission& mission, const OptionsRequest& options, 
     return result;
 }
 
-}  // namespace waybreaker::service
+}  // namespace waybreaker::request

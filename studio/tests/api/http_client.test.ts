@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { Client, ServiceError } from "../../src/api/client";
+import { ServiceError } from "../../src/api/client";
 import { parseEvent } from "../../src/api/events";
+import { HttpClient } from "../../src/api/http_client";
 import { missionFrom } from "../planning/fake_service";
 
 const asked: { url: string; init: RequestInit }[] = [];
@@ -58,7 +59,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-const client = new Client(token);
+const client = new HttpClient(token);
 
 it("joins the parts of a large map, and says when there are too many", async () => {
   const part = (ids: number[], next: number | null) =>

@@ -15,7 +15,7 @@
 #include "io/map_file.hpp"
 #include "io/mission_document.hpp"
 
-namespace waybreaker::service {
+namespace waybreaker::request {
 
 // Largest request that is parsed.
 inline constexpr std::size_t max_request_bytes = std::size_t{1} << 20;
@@ -70,4 +70,4 @@ struct MissionOnMap {
 // Throws InputError if the mission, or what obstacles weigh, does not fit the map, or each other.
 MissionOnMap on_map(const ShortMission& mission, const OptionsRequest& options, const io::MapFile& map);
 
-}  // namespace waybreaker::service
+}  // namespace waybreaker::request
