@@ -99,7 +99,7 @@ void set_vehicle(const JsonField& root, city::ImportOptions& options) {
 }  // namespace
 
 ImportRequest parse_import_request(std::string_view bytes, const std::string& name) {
-    if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
+    if (bytes.size() > request::max_request_bytes) throw InputError(name, 0, "is too large");
     const auto document = io::parse_json(bytes, name, max_depth);
     const JsonField root(document);
     root.allow({"source", "center", "size", "bbox", "cell", "profile", "section", "obstacles", "destructible",

@@ -13,6 +13,7 @@
 namespace waybreaker::service {
 namespace {
 
+using request::CellRun;
 using request::MapEdits;
 using request::parse_map_edits;
 
