@@ -207,7 +207,12 @@ void read_description(const JsonField& field, DocumentedMap& map) {
     for (const JsonField& note : field["notes"].items()) annotations.notes.push_back(any_text(note));
     if (const auto profile = field.find("profile")) annotations.profile = site::profile_called(any_text(*profile));
     if (const auto georeference = field.find("georeference")) {
-        map.place.georeference = Json::parse(georeference->json().dump());
+        map.place.georeference = Json::object();
+        for (const char* const key : {"crs", "crs_code", "center", "bbox", "to_lon_lat"}) {  // in the order written
+            if (const auto member = georeference->find(key)) {
+                map.place.georeference[key] = Json::parse(member->json().dump());
+            }
+        }
     }
 }
 
