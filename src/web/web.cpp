@@ -133,9 +133,9 @@ EXPORTED(read_map) bool waybreaker_web_read_map(const char* file, std::size_t si
     return answered([&] {
         const std::string_view bytes(file, size);
         io::DocumentedMap map{.file = {.map = Map(read_movingai_map(bytes, "the map"))}};
-        map.file.source = "the map";
         map.file.format = "MovingAI map";
         map.file.digest = io::sha256_digest(bytes);
+        map.file.source = web::named(map);  // as the service calls what is sent to it
         return web::new_map(std::move(map));
     });
 }
