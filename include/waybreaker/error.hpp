@@ -52,7 +52,7 @@ class InputError : public std::runtime_error {
 
   protected:
     // what() is the subject, and the detail after it.
-    InputError(ErrorCode code, std::string subject, const char* between, const std::string& detail)
+    InputError(ErrorCode code, const std::string& subject, const char* between, const std::string& detail)
         : InputError(Error{code, subject, detail}, subject + between + detail) {}
 
   private:
@@ -65,8 +65,8 @@ class InputError : public std::runtime_error {
 // begins the detail: "0.5: cells have 1 m".
 class OptionError : public InputError {
   public:
-    OptionError(std::string option, const std::string& detail)
-        : InputError(ErrorCode::option, std::move(option), " ", detail) {}
+    OptionError(const std::string& option, const std::string& detail)
+        : InputError(ErrorCode::option, option, " ", detail) {}
 };
 
 // It is larger than it may be.

@@ -48,7 +48,7 @@ class PlanningJob::Work {
 
     Plan take() {
         step(Clock::time_point::max());
-        if (error_) std::rethrow_exception(error_);
+        if (!plan_) std::rethrow_exception(error_);
         return std::move(*plan_);
     }
 
