@@ -19,12 +19,12 @@
 
 #include "interruptible.hpp"
 #include "io/check_report.hpp"
+#include "io/labels_digest.hpp"
 #include "io/mission_json.hpp"
 #include "io/plan_geojson.hpp"
 #include "io/plan_json.hpp"
 #include "labels/label_map.hpp"
 #include "labels/obstacle_names.hpp"
-#include "labels_bytes.hpp"
 #include "render/picture.hpp"
 #include "render/plan_picture.hpp"
 #include "site/unknown_ground.hpp"
@@ -99,8 +99,7 @@ std::pair<int, int> size_of(const Labels& labels) {
 using LabelAttributes = std::tuple<bool, std::int64_t, double, double, std::string>;
 
 KnownMap map_of_labels(const Labels& labels, const std::vector<std::pair<std::uint32_t, LabelAttributes>>& attributes,
-                       const std::string& name, const std::function<std::string(const py::bytes&)>& digest_of,
-                       std::optional<double> cell_size) {
+                       const std::string& name, std::optional<double> cell_size) {
     const auto [width, height] = size_of(labels);
     site::LabelLayer layer{.width = width, .height = height, .labels = cells_of(labels)};
     for (const auto& [label, described] : attributes) {
@@ -111,7 +110,7 @@ KnownMap map_of_labels(const Labels& labels, const std::vector<std::pair<std::ui
     }
     Identity own = identity(name, "", cell_size);
     site::DescribedMap described = site::described(std::move(layer));
-    own.digest = digest_of(labels_bytes(described.map));
+    own.digest = io::labels_digest(described.map);
     return known({.map = std::move(described.map), .annotations = std::move(described.annotations)}, std::move(own));
 }
 
@@ -125,7 +124,6 @@ std::size_t place_of(const std::string& word, const Words& words) {
 }
 
 site::Background background_of(const std::vector<Feature>& features) {
-    constexpr std::array<std::string_view, 3> shapes{"line", "area", "point"};
     site::Background background;
     for (const auto& [kind, type, name, shape, parts] : features) {
         const std::size_t number = place_of(kind, site::background_kinds);
@@ -133,7 +131,7 @@ site::Background background_of(const std::vector<Feature>& features) {
         site::Background::Feature feature{.kind = site::Background::Kind(number),
                                           .type = labels::clean_name(type),
                                           .name = labels::clean_name(name),
-                                          .shape = site::Background::Shape(place_of(shape, shapes))};
+                                          .shape = site::Background::Shape(place_of(shape, site::background_shapes))};
         for (const Points& part : parts) {
             const auto points = part.unchecked<2>();
             std::vector<Point> line;
@@ -234,9 +232,7 @@ Asked asked_of(const KnownMap& map, const std::string& mission, unsigned threads
     }
     document.map.clear();
     document.limits.threads = threads;
-    io::size_agents(document, *map.file);
-    document.method.planner = planner_of(document.method, document.mission.ground_body());
-    if (std::optional<Map> weighed = io::resolve(document, *map.file)) {
+    if (std::optional<Map> weighed = io::settle(document, *map.file)) {
         io::MapFile file = *map.file;
         file.map = std::move(*weighed);
         asked.map.file = std::make_shared<const io::MapFile>(std::move(file));

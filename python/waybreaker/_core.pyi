@@ -17,7 +17,6 @@ class Map:
         labels: NDArray[np.uint32],
         attributes: Sequence[Tuple[int, Tuple[bool, int, float, float, str]]],
         name: str,
-        digest_of: Callable[[bytes], str],
         cell_size: Optional[float],
     ) -> Map: ...
     @staticmethod

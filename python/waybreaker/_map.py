@@ -135,7 +135,7 @@ class Map:
         listed = [
             (ranks[label], (a.destructible, a.source_id, a.weight, a.breach_time, a.name)) for label, a in known.items()
         ]
-        return Map(_core.Map.from_labels(dense, listed, name, _digest, cell_size))
+        return Map(_core.Map.from_labels(dense, listed, name, cell_size))
 
     @staticmethod
     def open(path: Union[str, os.PathLike[str]], *, connectivity: int = 4) -> Map:

@@ -2,9 +2,9 @@
 #include <utility>
 #include <vector>
 
-#include "capi/digest.hpp"
 #include "capi/handles.hpp"
 #include "core/range.hpp"
+#include "io/labels_digest.hpp"
 #include "io/sha256.hpp"
 #include "map/map_size.hpp"
 #include "waybreaker/movingai.hpp"
@@ -81,7 +81,7 @@ MapHandle from_labels(const char* name, const std::uint32_t* labels, int width, 
     const std::uint32_t* first = &required(labels, "the array of labels");
     Map map = Map::from_labels(width, height, {first, first + std::size_t(width) * std::size_t(height)},
                                attributes_of(attributes, attribute_count));
-    std::string digest = labels_digest(map);
+    std::string digest = io::labels_digest(map);
     return handle(std::move(map), Connectivity::four, name, std::move(digest), cell_size);
 }
 

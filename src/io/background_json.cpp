@@ -1,6 +1,5 @@
 #include "io/background_json.hpp"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -8,8 +7,6 @@ namespace waybreaker::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::array<const char*, 3> shapes{"line", "area", "point"};
 
 Json points_json(const std::vector<Point>& part) {
     const auto rounded = [](double value) { return std::round(value * 100) / 100 + 0.0; };  // no -0
@@ -24,7 +21,7 @@ Json feature_json(const site::Background::Feature& feature) {
     return {{"kind", site::background_kinds[std::size_t(feature.kind)]},
             {"class", feature.type},
             {"name", feature.name},
-            {"shape", shapes[std::size_t(feature.shape)]},
+            {"shape", site::background_shapes[std::size_t(feature.shape)]},
             {"points", std::move(points)}};
 }
 

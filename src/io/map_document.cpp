@@ -163,13 +163,12 @@ std::size_t position_of(const JsonField& field, const Words& words) {
 
 site::Background read_background(const JsonField& field) {
     using Background = site::Background;
-    constexpr std::array<std::string_view, 3> shape_words{"line", "area", "point"};
     Background background;
     for (const JsonField& item : field["features"].items()) {
         Background::Feature feature{.kind = Background::Kind(position_of(item["kind"], site::background_kinds)),
                                     .type = any_text(item["class"]),
                                     .name = any_text(item["name"]),
-                                    .shape = Background::Shape(position_of(item["shape"], shape_words))};
+                                    .shape = Background::Shape(position_of(item["shape"], site::background_shapes))};
         for (const JsonField& points : item["points"].items()) {
             std::vector<Point>& part = feature.parts.emplace_back();
             for (const JsonField& point : points.items()) {

@@ -32,5 +32,7 @@ struct Background {
 
 // What files call the kinds, in their order.
 inline constexpr std::array<std::string_view, 5> background_kinds{"street", "rail", "water", "green", "place"};
+// And the shapes.
+inline constexpr std::array<std::string_view, 3> background_shapes{"line", "area", "point"};
 
 }  // namespace waybreaker::site

@@ -1,24 +1,22 @@
-// What the digest of a map from labels is taken of: equal maps have equal bytes, in every language (docs/c.md).
-#pragma once
+#include "io/labels_digest.hpp"
 
 #include <bit>
 #include <concepts>
-#include <cstdint>
 #include <span>
-#include <string>
 
-#include "waybreaker/map.hpp"
+#include "io/sha256.hpp"
 
-namespace waybreaker::python {
+namespace waybreaker::io {
+namespace {
 
-// Little endian.
 template <std::unsigned_integral Number>
 void append(std::string& bytes, Number number) {
     for (std::size_t i = 0; i < sizeof number; ++i) bytes += char(number >> (8 * i) & 0xFF);
 }
 
-// Size, runs of labels, and what is known of each obstacle.
-inline std::string labels_bytes(const Map& map) {
+}  // namespace
+
+std::string labels_digest(const Map& map) {
     std::string bytes = "waybreaker-labels/1\n";
     append(bytes, std::uint32_t(map.width()));
     append(bytes, std::uint32_t(map.height()));
@@ -34,7 +32,7 @@ inline std::string labels_bytes(const Map& map) {
         append(bytes, std::bit_cast<std::uint64_t>(obstacle.breach_time));
         bytes += obstacle.destructible ? '\1' : '\0';
     }
-    return bytes;
+    return sha256_digest(bytes);
 }
 
-}  // namespace waybreaker::python
+}  // namespace waybreaker::io

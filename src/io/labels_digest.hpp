@@ -5,9 +5,9 @@
 
 #include "waybreaker/map.hpp"
 
-namespace waybreaker::capi {
+namespace waybreaker::io {
 
 // Of a map from labels (docs/c.md): cells, obstacles, and what is known of them.
 std::string labels_digest(const Map& map);
 
-}  // namespace waybreaker::capi
+}  // namespace waybreaker::io
