@@ -10,8 +10,7 @@ from skbuild.command.sdist import sdist
 HERE = Path(__file__).resolve().parent
 # In a source distribution the library's sources lie within it, in the repository beside it.
 LIBRARY = HERE / "cpp" if (HERE / "cpp").exists() else HERE.parent
-BESIDE_THE_CORE = ["site", "labels", "io", "render", "capi"]
-SINGLE_SOURCES = ["src/CMakeLists.txt", "src/core_folders.txt"]
+FOLDER_LISTS = ["src/core_folders.txt", "src/format_folders.txt"]
 
 
 def version() -> str:
@@ -27,11 +26,11 @@ class SourceDistribution(sdist):
     def make_release_tree(self, base_dir: str, files: "list[str]") -> None:
         super().make_release_tree(base_dir, files)
         root = Path(base_dir)
-        for name in ["CMakeLists.txt", "cmake", "include", *SINGLE_SOURCES]:
+        for name in ["CMakeLists.txt", "cmake", "include", "src/CMakeLists.txt", *FOLDER_LISTS]:
             self.add(root, name)
-        core = (LIBRARY / "src/core_folders.txt").read_text().split()
-        for folder in core + BESIDE_THE_CORE:
-            self.add(root, f"src/{folder}")
+        for listed in FOLDER_LISTS:
+            for folder in (LIBRARY / listed).read_text().split():
+                self.add(root, f"src/{folder}")
         self.add(root, "LICENSE")
         (root / "LICENSE").unlink(missing_ok=True)  # a link in the repository
         shutil.copy(LIBRARY / "LICENSE", root / "LICENSE")
