@@ -45,6 +45,21 @@ inline constexpr double most_speed = 1e6;
 // Of obstacles that an air agent may breach: as many as the rules allow to all of them.
 inline constexpr int any_number = (std::numeric_limits<int>::max)();  // windows.h has a macro max
 
+// A point of an agent's path: cell units and the time it is there. Two in a row at one place are a wait.
+struct Waypoint {
+    double x = 0;
+    double y = 0;
+    double t = 0;  // in cells / speed
+    friend bool operator==(const Waypoint&, const Waypoint&) = default;
+};
+
+// An obstacle of the map that is gone from that time on.
+struct TimedOpening {
+    ObstacleId obstacle;
+    double at = 0;  // units of time
+    friend bool operator==(const TimedOpening&, const TimedOpening&) = default;
+};
+
 struct Agent {
     std::string id = {};  // as plans name it
     AgentKind kind = AgentKind::ground;
@@ -52,9 +67,13 @@ struct Agent {
     Cell goal = {};
     double speed = 1;  // cells per unit of time, least_speed to most_speed
     Body body = {};    // of a ground agent; an air agent has none
-    // A ground agent stands at its start until then, 0 to most_breach_time; it arrives no earlier, wherever its goal
-    // is.
+    // It stands at its start until then, 0 to most_breach_time, and arrives no earlier, wherever its goal is.
     double ready_at = 0;
+    // Where an air agent takes off, if not at the centre of `start`: less than a cell from it, in x and in y.
+    std::optional<Point> from = {};
+    // How it gets to its start, of an agent that is on its way already: timed points, the last one at the start at
+    // `ready_at`. Where and when they begin, the agent begins; others keep clear of a ground agent on it.
+    std::vector<Waypoint> approach = {};
     int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
 };
 
@@ -80,6 +99,8 @@ struct Rules {
     double budget = std::numeric_limits<double>::infinity();
     std::vector<ObstacleId> protect = {};  // never removed; may be gone
     std::vector<ObstacleId> force = {};    // must be removed; they count among the removals, and in the budget
+    // Obstacles that open at these times, whoever opens them: no agent has to, nor may; they count for nothing.
+    std::vector<TimedOpening> opened = {};
     BreachTime breach_time = {};
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;

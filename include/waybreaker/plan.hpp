@@ -14,14 +14,6 @@
 
 namespace waybreaker {
 
-// A point of an agent's path: cell units and the time it is there. Two in a row at one place are a wait.
-struct Waypoint {
-    double x = 0;
-    double y = 0;
-    double t = 0;  // in cells / speed
-    friend bool operator==(const Waypoint&, const Waypoint&) = default;
-};
-
 // What a ground agent waits for. `readiness`: its own Agent::ready_at; `opening`: an obstacle that stands; `agent`: one
 // that it would touch; `nothing`: it could go on, and only the planner did not see it.
 enum class WaitReason { nothing, readiness, opening, agent };
@@ -52,12 +44,6 @@ struct Itinerary {
     // removed, in units of time (below 0: later); empty where it has no way then.
     std::optional<double> gain = {};
     std::vector<Wait> waits = {};  // of a ground agent, in order
-};
-
-// An obstacle of the map that is gone from that time on. The opened map must have it removed.
-struct TimedOpening {
-    ObstacleId obstacle;
-    double at = 0;
 };
 
 // One obstacle an air agent removes.
