@@ -32,6 +32,8 @@ struct CheckOptions {
     std::string weights;
     double tolerance = io::JudgeOptions().tolerance;
     OverlayOptions overlays;
+    std::string after;
+    std::string state;
     bool ignore_digest = false;
     bool replan = false;
 };
@@ -106,14 +108,21 @@ void judge_by_planning(const io::PlanFile& file, const Map& map, double toleranc
 
 void run(const CheckOptions& options) {
     const std::vector<site::OverlaySource> overlays = overlays_of(options.overlays);
-    NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}, {"--weights", options.weights}};
+    NamedFiles inputs{{"MAP", options.map},
+                      {"PLAN", options.plan},
+                      {"--weights", options.weights},
+                      {"--after", options.after},
+                      {"--state", options.state}};
     for (const site::OverlaySource& overlay : overlays) inputs.emplace_back("--also", overlay.file);
     validate_inputs(inputs);
     validate_outputs({{"--json", options.json}}, inputs);
+    if (options.after.empty() != options.state.empty())
+        throw InputError("--after and --state belong together: the plan before, and what had happened to it");
     const io::PlanFile plan = io::read_plan_file(options.plan);
     const io::MapFile map = [&] {
         const Progress progress("reading " + io::input_name(options.map));
-        return to_plan_on(overlays, mapfile::read_map_file(options.map, plan.connectivity, plan.image));
+        return io::known_map(to_plan_on(overlays, mapfile::read_map_file(options.map, plan.connectivity, plan.image)),
+                             plan.plan);
     }();
     io::JudgeOptions judging{.tolerance = options.tolerance, .ignore_digest = options.ignore_digest};
     if (plan.asked.area_budget && !options.weights.empty()) {
@@ -121,6 +130,13 @@ void run(const CheckOptions& options) {
     }
     if (!options.weights.empty()) judging.weights = io::read_weights(options.weights, map.map);
     std::vector<Violation> violations = io::judge(plan, map, judging);
+    if (!options.after.empty()) {
+        const io::PlanFile before = io::read_plan_file(options.after);
+        const std::vector<Violation> broken =
+            check_continuity(before.asked.mission, before.plan, io::read_state_file(options.state), plan.asked.mission,
+                             plan.plan, options.tolerance);
+        violations.insert(violations.end(), broken.begin(), broken.end());
+    }
     if (options.replan && violations.empty()) {
         const std::optional<Map> other = io::reweighed(plan, map, judging);
         judge_causes(plan, map.map, options.tolerance, violations);
@@ -151,6 +167,9 @@ void setup_check(CLI::App& root, Run& run_chosen) {
         "--replan", options->replan,
         "Plan the mission again, for at most 10 s, and compare the figures without removals and the bound, which "
         "nothing else in the file proves; and find again what agents wait for");
+    add_file(*command, "--after", options->after,
+             "The plan before: judge whether PLAN, which revises it, goes on from there; with --state");
+    add_file(*command, "--state", options->state, "What had happened to it, as waybreaker revise was told");
     command->add_flag("--ignore-digest", options->ignore_digest,
                       "Accept another map file, if only the plan holds on it");
     add_overlay_options(*command, options->overlays);

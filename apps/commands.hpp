@@ -14,6 +14,7 @@ using Run = std::function<void()>;
 
 void setup_plan(CLI::App& root, Run& run);
 void setup_check(CLI::App& root, Run& run);
+void setup_revise(CLI::App& root, Run& run);
 void setup_export(CLI::App& root, Run& run);
 void setup_import(CLI::App& root, Run& run);
 void setup_map(CLI::App& root, Run& run);

@@ -44,6 +44,7 @@ void setup(CLI::App& root, Run& run) {
     root.require_subcommand(1);
     setup_plan(root, run);
     setup_check(root, run);
+    setup_revise(root, run);
     setup_export(root, run);
     setup_import(root, run);
     setup_map(root, run);

@@ -16,6 +16,7 @@
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
 #include "waybreaker/plan.hpp"
+#include "waybreaker/state.hpp"
 #include "waybreaker/words.hpp"
 
 namespace waybreaker {
@@ -53,14 +54,16 @@ enum class Rule {
     gain,        // an agent's gain follows from its path and its way without removals
     waits,       // who is said to wait stands there, for what can be in its way then
     surface,     // what a ground agent drives over is what the plan file says it is
+    continuity,  // a revision goes on from where everybody is
 };
 
 template <>
-inline constexpr std::array<std::string_view, 32> words_of<Rule>{
+inline constexpr std::array<std::string_view, 33> words_of<Rule>{
     "map",       "status",   "agents",     "start",    "goal",     "time",     "speed",           "vertex",
     "collision", "obstacle", "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
     "order",     "next",     "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
-    "bound",     "gap",      "separation", "capacity", "saves",    "gain",     "waits",           "surface"};
+    "bound",     "gap",      "separation", "capacity", "saves",    "gain",     "waits",           "surface",
+    "continuity"};
 
 struct Violation {
     Rule rule = Rule::map;
@@ -81,5 +84,12 @@ struct Violation {
 // pair of agents whose ways come near each other; any plan can be judged, however broken.
 [[nodiscard]] std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan,
                                            double tolerance = 1e-6);
+
+// Whether a plan that revises another, from a state, goes on from there: everybody where the state or the old plan has
+// them, on their bases until they decide; what is open, failed or used up is known; nobody new, and nobody missing.
+// Whether the plan is valid in itself, on the map as it is known then, is for check().
+[[nodiscard]] std::vector<Violation> check_continuity(const Mission& old_mission, const Plan& old_plan,
+                                                      const State& state, const Mission& mission, const Plan& plan,
+                                                      double tolerance = 1e-6);
 
 }  // namespace waybreaker

@@ -101,6 +101,10 @@ struct Rules {
     std::vector<ObstacleId> force = {};    // must be removed; they count among the removals, and in the budget
     // Obstacles that open at these times, whoever opens them: no agent has to, nor may; they count for nothing.
     std::vector<TimedOpening> opened = {};
+    // Breaches that have failed, in a mission under way: each once for each time; and how often that of one obstacle
+    // may be tried again. Planning passes both by (revise.hpp).
+    std::vector<ObstacleId> failed = {};
+    int retries = 0;
     BreachTime breach_time = {};
     Timing timing = Timing::enforce;
     Objective objective = Objective::makespan;

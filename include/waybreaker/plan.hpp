@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -106,6 +107,33 @@ template <>
 inline constexpr std::array<std::string_view, 5> words_of<PlanStatus>{"solved", "no_plan", "not_found", "limit_reached",
                                                                       "stopped"};
 
+// Where the base of an agent ends, in a plan that revises another: up to that point of its path it keeps to the other.
+struct Decision {
+    std::string agent = {};
+    std::size_t point = 0;  // in Itinerary::path
+    double time = 0;        // when it is there
+};
+
+// Cells that turned out to be other than the map says. Blocked ones are one new obstacle, with the next id.
+struct Found {
+    std::vector<Cell> cells = {};
+    bool blocked = true;
+    bool destructible = false;
+    friend bool operator==(const Found&, const Found&) = default;
+};
+
+// The map with what was found laid over it, one after the other.
+[[nodiscard]] Map laid_over(const Map& map, std::span<const Found> found);
+
+// What a plan says of itself that was made while the mission was under way (revise.hpp).
+struct Revised {
+    int number = 1;              // 1 for the first revision, and so on
+    std::uint64_t sequence = 0;  // of the last report that it knows
+    double now = 0;              // when that was, in units of time; paths begin then
+    std::vector<Decision> decisions = {};
+    std::vector<Found> found = {};  // since the mission began, in order: laid over the map, it is the one planned on
+};
+
 struct Plan {
     PlanStatus status = PlanStatus::no_plan;
     Outcome before = {};
@@ -116,9 +144,10 @@ struct Plan {
     std::optional<double> gap = {};    // objective / bound - 1; empty without a bound or a plan
     // With Rules::minimise_demolition: no plan as good as asked for demolishes fewer cells, proven.
     std::optional<std::uint64_t> least_demolition = {};
-    std::vector<Breach> breaches = {};   // in the order of the flight; of several flights, of cleared_at
-    std::vector<NextBreach> next = {};   // if asked for: at most one
-    std::vector<Itinerary> agents = {};  // one for each agent of the mission, in its order; empty unless solved
+    std::vector<Breach> breaches = {};    // in the order of the flight; of several flights, of cleared_at
+    std::vector<NextBreach> next = {};    // if asked for: at most one
+    std::vector<Itinerary> agents = {};   // one for each agent of the mission, in its order; empty unless solved
+    std::optional<Revised> revised = {};  // of a mission that was under way
     struct Seconds {
         double label = 0;   // filled in by whoever labelled the map
         double search = 0;  // both ground searches

@@ -11,6 +11,7 @@
 
 #include "waybreaker/cell.hpp"
 #include "waybreaker/mission.hpp"
+#include "waybreaker/plan.hpp"
 #include "waybreaker/words.hpp"
 
 namespace waybreaker {
@@ -24,27 +25,20 @@ inline constexpr std::array<std::string_view, 5> words_of<Doing>{"driving", "wai
 
 struct AgentState {
     std::string id = {};
-    std::size_t passed = 0;         // the last point of its planned path, counted from 0, that it has left behind
-    std::optional<Point> at = {};   // where it is, in cells; empty: where the plan has it by now
+    std::size_t passed = 0;        // the last point of its planned path, counted from 0, that it has left behind
+    std::optional<Point> at = {};  // where it is, in cells; empty: where the plan has it by now
     Doing doing = Doing::moving;
     std::optional<Cell> goal = {};  // it is to go there from now on
 };
 
-// Cells that turned out to be other than the map says. Blocked ones are one new obstacle.
-struct Found {
-    std::vector<Cell> cells = {};
-    bool blocked = true;
-    bool destructible = false;
-};
-
 struct State {
-    std::uint64_t sequence = 0;  // of reports, rising: one that the plan knows already changes nothing
-    double now = 0;              // units of time, on the clock of the plan
-    std::vector<AgentState> agents = {};         // those not named are where the plan has them
-    std::vector<TimedOpening> opened = {};       // since the plan, or as it says
-    std::vector<TimedOpening> failed = {};       // breaches that left the obstacle standing, and when that was known
+    std::uint64_t sequence = 0;             // of reports, rising: one that the plan knows already changes nothing
+    double now = 0;                         // units of time, on the clock of the plan
+    std::vector<AgentState> agents = {};    // those not named are where the plan has them
+    std::vector<TimedOpening> opened = {};  // since the plan, or as it says; or known to open later
+    std::vector<TimedOpening> failed = {};  // breaches that left the obstacle standing, and when that was known
     std::vector<Found> found = {};
-    std::vector<Agent> joined = {};              // new agents, ready no earlier than now
+    std::vector<Agent> joined = {};  // new agents
 };
 
 }  // namespace waybreaker

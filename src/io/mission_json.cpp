@@ -84,36 +84,8 @@ site::OverlaySource read_overlay(const JsonField& field) {
     return overlay;
 }
 
-Agent read_agent(const JsonField& field) {
-    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "breaches"});
-    Agent agent;
-    agent.id = read_agent_id(field["id"]);
-    agent.kind = field["kind"].one_of(agent_words);
-    agent.start = read_cell(field["start"]);
-    agent.goal = read_cell(field["goal"]);
-    if (const auto speed = field.find("speed")) agent.speed = read_between(*speed, least_speed, most_speed);
-    if (const auto time = field.find("ready_at")) agent.ready_at = read_between(*time, 0, most_breach_time);
-    if (const auto count = field.find("breaches")) agent.breaches = int(count->whole_number(0, INT_MAX));
-    read_body(field, agent.body);
-    return agent;
-}
-
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json agent_json(const Agent& agent) {
-    Json json{{"id", agent.id},
-              {"kind", to_string(agent.kind)},
-              {"start", cell_json(agent.start)},
-              {"goal", cell_json(agent.goal)},
-              {"speed", number(agent.speed)}};
-    if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
-    if (agent.breaches != any_number) json["breaches"] = agent.breaches;
-    if (agent.kind == AgentKind::air) return json;
-    json["radius"] = number(agent.body.radius);
-    json["corners"] = to_string(agent.body.corners);
-    return json;
 }
 
 Json overlay_json(const site::OverlaySource& overlay) {
@@ -135,6 +107,8 @@ Json rules_json(const MissionDocument& document) {
     json["protect"] = ids_json(rules.protect);
     for (const site::TagFilter& tag : document.protect_tags) json["protect"].push_back(tag.text());
     json["force"] = ids_json(rules.force);
+    if (!rules.failed.empty()) json["failed"] = ids_json(rules.failed);
+    if (rules.retries != 0) json["retries"] = rules.retries;
     json["breach_time"] = number(rules.breach_time.per_obstacle);
     json["breach_time_per_cell"] = number(rules.breach_time.per_cell);
     json["timing"] = to_string(rules.timing);
@@ -239,12 +213,42 @@ void read_body(const JsonField& field, Body& body) {
     if (const auto radius = field.find("radius")) body.radius = read_between(*radius, 0, most_radius);
 }
 
+Agent read_agent_of_mission(const JsonField& field) {
+    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "breaches"});
+    Agent agent;
+    agent.id = read_agent_id(field["id"]);
+    agent.kind = field["kind"].one_of(agent_words);
+    agent.start = read_cell(field["start"]);
+    agent.goal = read_cell(field["goal"]);
+    if (const auto speed = field.find("speed")) agent.speed = read_between(*speed, least_speed, most_speed);
+    if (const auto time = field.find("ready_at")) agent.ready_at = read_between(*time, 0, most_breach_time);
+    if (const auto count = field.find("breaches")) agent.breaches = int(count->whole_number(0, INT_MAX));
+    read_body(field, agent.body);
+    return agent;
+}
+
+Json mission_agent_json(const Agent& agent) {
+    Json json{{"id", agent.id},
+              {"kind", to_string(agent.kind)},
+              {"start", cell_json(agent.start)},
+              {"goal", cell_json(agent.goal)},
+              {"speed", number(agent.speed)}};
+    if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
+    if (agent.breaches != any_number) json["breaches"] = agent.breaches;
+    if (agent.kind == AgentKind::air) return json;
+    json["radius"] = number(agent.body.radius);
+    json["corners"] = to_string(agent.body.corners);
+    return json;
+}
+
 void read_rules(const JsonField& field, MissionDocument& document) {
     Rules& rules = document.mission.rules;
     if (const auto count = field.find("removals")) rules.removals = int(count->whole_number(0, INT_MAX));
     read_budget(field, document);
     read_protected(field, document);
     read_ids(field, "force", rules.force);
+    read_ids(field, "failed", rules.failed);
+    if (const auto count = field.find("retries")) rules.retries = int(count->whole_number(0, INT_MAX));
     if (const auto time = field.find("breach_time")) {
         rules.breach_time.per_obstacle = read_between(*time, 0, most_breach_time);
     }
@@ -288,14 +292,14 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     result.limits = limits;
     std::vector<Agent>& agents = result.mission.agents;
     for (const JsonField& agent : document["agents"].items()) {
-        agents.push_back(read_agent(agent));
+        agents.push_back(read_agent_of_mission(agent));
         if (agents.back().kind == AgentKind::ground && !agent.find("radius"))
             result.unsized.push_back(agents.size() - 1);
     }
     if (agents.empty()) document["agents"].fail("names nobody: a mission has at least one ground agent");
     if (const auto rules = document.find("rules")) {
-        rules->allow({"removals", "budget", "budget_m2", "protect", "force", "breach_time", "breach_time_per_cell",
-                      "timing", "objective", "minimise_demolition", "separation", "at_goal"});
+        rules->allow({"removals", "budget", "budget_m2", "protect", "force", "failed", "retries", "breach_time",
+                      "breach_time_per_cell", "timing", "objective", "minimise_demolition", "separation", "at_goal"});
         read_rules(*rules, result);
     }
     if (const auto method = document.find("method")) {
@@ -313,7 +317,7 @@ MissionDocument parse_mission(std::string_view bytes, const std::string& name, c
 
 Json mission_json(const MissionDocument& document) {
     Json agents = Json::array();
-    for (const Agent& agent : document.mission.agents) agents.push_back(agent_json(agent));
+    for (const Agent& agent : document.mission.agents) agents.push_back(mission_agent_json(agent));
     Json json{{"format", format}};
     if (!document.map.empty()) json["map"] = document.map;
     for (const site::OverlaySource& overlay : document.overlays) json["overlays"].push_back(overlay_json(overlay));

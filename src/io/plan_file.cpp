@@ -8,6 +8,7 @@
 #include "io/mission_json.hpp"
 #include "io/option_words.hpp"
 #include "io/output_file.hpp"
+#include "io/state_json.hpp"
 #include "waybreaker/error.hpp"
 
 namespace waybreaker::io {
@@ -181,6 +182,19 @@ void set_ways(Plan& plan) {
     }
 }
 
+Revised revised(const JsonField& field) {
+    Revised result;
+    result.number = int(field["number"].whole_number(1, INT_MAX));
+    result.sequence = std::uint64_t(field["sequence"].whole_number(1, INT64_MAX));
+    result.now = read_not_negative(field["now"]);
+    for (const JsonField& item : field["decided"].items()) {
+        result.decisions.push_back(
+            {read_agent_id(item["agent"]), std::size_t(item["point"].whole_number(0, INT_MAX)), item["time"].number()});
+    }
+    if (const auto found = field.find("found")) result.found = read_found(*found);
+    return result;
+}
+
 double cell_size(const JsonField& field) {
     const double metres = field.number();
     if (!(metres >= least_cell_size && metres <= most_cell_size)) field.fail("is no size of a cell in metres");
@@ -197,6 +211,10 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     file.plan.status = root["status"].one_of(status_words);
     if (const auto limited = root.find("limit_reached")) {
         file.plan.limit_reached = limited->truth();
+    }
+    if (const auto revision = root.find("revision")) {
+        file.plan.revised = revised(*revision);
+        if (const auto digest = revision->find("supersedes")) file.supersedes = digest->text();
     }
     file.width = int(root["map"]["width"].whole_number(1, max_side));
     file.height = int(root["map"]["height"].whole_number(1, max_side));
@@ -249,6 +267,11 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     if (const auto next = root.find("next")) {
         for (const JsonField& field : next->items()) file.plan.next.push_back(next_breach(field));
     }
+    return file;
+}
+
+MapFile known_map(MapFile file, const Plan& plan) {
+    if (plan.revised) file.map = laid_over(file.map, plan.revised->found);
     return file;
 }
 

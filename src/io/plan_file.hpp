@@ -48,7 +48,11 @@ struct PlanFile {
     int height = 0;
     double cell_size = 1;
     std::string digest;
+    std::string supersedes;  // of a revision: the digest of the file of the plan before
 };
+
+// The map that the plan was made on: what was found by then laid over it.
+MapFile known_map(MapFile file, const Plan& plan);
 
 // Larger files are refused; a path of half a million points fits.
 inline constexpr std::size_t max_plan_bytes = std::size_t{1} << 24;

@@ -6,6 +6,7 @@
 #include "io/mission_json.hpp"
 #include "io/option_words.hpp"
 #include "io/plan_surfaces.hpp"
+#include "io/state_json.hpp"
 #include "io/structures_json.hpp"
 #include "site/demolition.hpp"
 
@@ -204,6 +205,18 @@ Json step_json(const Plan& plan, Objective objective, const MapFile& map) {
     return json;
 }
 
+Json revision_json(const Revised& revised, const PlanContext& context) {
+    Json json{{"number", revised.number}, {"sequence", revised.sequence}, {"now", number(revised.now)}};
+    if (!context.supersedes.empty()) json["supersedes"] = context.supersedes;
+    json["decided"] = Json::array();
+    for (const Decision& decision : revised.decisions) {
+        json["decided"].push_back(
+            {{"agent", decision.agent}, {"point", decision.point}, {"time", number(decision.time)}});
+    }
+    if (!revised.found.empty()) json["found"] = found_json(revised.found);
+    return json;
+}
+
 Json seconds_json(const Plan::Seconds& seconds) {
     return {{"label", number(seconds.label)},
             {"search", number(seconds.search)},
@@ -221,6 +234,7 @@ int removals_of(std::span<const Plan> front, const Rules& rules) {
 std::string plan_json(const Plan& plan, const PlanContext& context) {
     Json json{{"format", "waybreaker-plan/1"}, {"status", to_string(plan.status)}};
     if (plan.limit_reached) json["limit_reached"] = true;
+    if (plan.revised) json["revision"] = revision_json(*plan.revised, context);
     json.update(Json{{"map", map_json(context.map, context.image)},
                      {"options", options_json(context)},
                      {"mission", mission_copy(context)},

@@ -18,6 +18,7 @@ struct PlanContext {
     bool timing_fields = true;         // false: no "seconds" anywhere, so that equal input gives equal bytes
     ImageReading image = {};           // how the map was read
     std::span<const Plan> front = {};  // the plans for 0, 1, 2, ... removals, if asked for
+    std::string supersedes = {};       // of a revision: the digest of the file of the plan before, if there is one
 };
 
 // How many removals the last plan of a front may make, by the mission's rules: what the document of the front states.

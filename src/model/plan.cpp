@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "waybreaker/map_edit.hpp"
+
 namespace waybreaker {
 namespace {
 
@@ -35,6 +37,16 @@ std::optional<double> value(const Outcome& outcome, Objective objective) {
             break;
     }
     return outcome.ground_makespan;
+}
+
+Map laid_over(const Map& map, std::span<const Found> found) {
+    if (found.empty()) return map;
+    std::vector<MapEdit> edits;
+    for (const Found& part : found) {
+        edits.push_back(part.blocked ? MapEdit::add(part.cells, {.destructible = part.destructible})
+                                     : MapEdit::free(part.cells));
+    }
+    return map.with(edits);
 }
 
 }  // namespace waybreaker

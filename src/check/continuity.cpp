@@ -1,0 +1,305 @@
+// Continuity: whether a plan that revises another goes on from where everybody is. By its own reading of both plans and
+// the state, without the code that revises.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+
+#include "waybreaker/check.hpp"
+
+namespace waybreaker {
+namespace {
+
+// A stop between two bends is at a cell centre beside the path.
+constexpr double aside = 1.5;  // cells
+
+std::string text(ObstacleId id) {
+    return "obstacle " + std::to_string(id.value);
+}
+
+double away(const Waypoint& a, const Waypoint& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+// Of a point to a piece of a path.
+double away(const Waypoint& p, const Waypoint& a, const Waypoint& b) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double square = dx * dx + dy * dy;
+    const double share = square == 0 ? 0 : std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
+    return std::hypot(p.x - a.x - share * dx, p.y - a.y - share * dy);
+}
+
+class ContinuityJudge {
+  public:
+    ContinuityJudge(const Mission& old_mission, const Plan& old_plan, const State& state, const Mission& mission,
+                    const Plan& plan, double tolerance)
+        : old_mission_(old_mission),
+          old_(old_plan),
+          state_(state),
+          mission_(mission),
+          plan_(plan),
+          tolerance_(tolerance) {}
+
+    std::vector<Violation> judge() {
+        if (!plan_.revised) {
+            say("the plan does not say that it revises another");
+            return std::move(found_);
+        }
+        judge_report();
+        for (std::size_t i = 0; i < old_mission_.agents.size(); ++i) judge_agent(i);
+        for (const Agent& agent : mission_.agents) judge_newcomer(agent);
+        judge_openings();
+        judge_rules();
+        return std::move(found_);
+    }
+
+  private:
+    void say(std::string message, const std::string& agent = "", ObstacleId obstacle = {}) {
+        found_.push_back({Rule::continuity, std::move(message), agent, obstacle});
+    }
+    double slack(double value) const { return tolerance_ * std::max(1.0, std::abs(value)); }
+    bool same(double a, double b) const { return std::abs(a - b) <= slack(b); }
+
+    template <class Item>
+    static const Item* named(const std::vector<Item>& items, const std::string& id) {
+        const auto found = std::ranges::find(items, id, &Item::id);
+        return found == items.end() ? nullptr : &*found;
+    }
+
+    void judge_report() {
+        const Revised& now = *plan_.revised;
+        if (now.sequence != state_.sequence)
+            say("the plan knows report " + std::to_string(now.sequence) + ", not " + std::to_string(state_.sequence));
+        if (!same(now.now, state_.now)) say("the plan was not made at the time of the state");
+        if (now.number != (old_.revised ? old_.revised->number + 1 : 1)) say("revisions are not counted one by one");
+        std::vector<Found> known = old_.revised ? old_.revised->found : std::vector<Found>();
+        known.insert(known.end(), state_.found.begin(), state_.found.end());
+        // Behind these, where agents have stopped.
+        const bool begins_so =
+            now.found.size() >= known.size() && std::equal(known.begin(), known.end(), now.found.begin());
+        const auto has_stopped = [](const AgentState& agent) { return agent.doing == Doing::stopped; };
+        const auto stopped = std::size_t(std::ranges::count_if(state_.agents, has_stopped));
+        if (!begins_so || now.found.size() > known.size() + stopped) say("the plan does not know what was found");
+    }
+
+    bool is_out(const AgentState* state) const {
+        return state != nullptr && (state->doing == Doing::lost || state->doing == Doing::stopped);
+    }
+
+    // The part of the old path that is still to come, and whether the agent is on time.
+    std::vector<Waypoint> rest_of(const Itinerary& old, const AgentState* state, bool& on_time) const {
+        std::size_t next = 0;
+        while (next < old.path.size() && old.path[next].t <= state_.now) ++next;
+        Waypoint at = old.path.empty() ? Waypoint{} : old.path.back();
+        if (next == 0) at = old.path.front();
+        if (next > 0 && next < old.path.size()) {
+            const Waypoint& a = old.path[next - 1];
+            const Waypoint& b = old.path[next];
+            const double share = (state_.now - a.t) / (b.t - a.t);
+            at = {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), state_.now};
+        }
+        on_time = true;
+        if (state != nullptr) {
+            const bool as_planned = state->passed + 1 == next;
+            const Waypoint planned = at;
+            if (state->at) at = {state->at->x, state->at->y, state_.now};
+            if (!state->at && !as_planned) at = old.path[std::min(state->passed, old.path.size() - 1)];
+            on_time = as_planned && away(at, planned) <= 1e-3;
+            if (!as_planned) next = state->passed + 1;
+        }
+        at.t = state_.now;
+        std::vector<Waypoint> rest{at};
+        for (std::size_t i = next; i < old.path.size(); ++i) rest.push_back(old.path[i]);
+        return rest;
+    }
+
+    void judge_agent(std::size_t i) {
+        const Agent& was = old_mission_.agents[i];
+        const AgentState* state = named(state_.agents, was.id);
+        const Agent* is = named(mission_.agents, was.id);
+        if (is_out(state)) {
+            if (is != nullptr) say("the " + was.id + " agent takes no further part, and has a path", was.id);
+            return;
+        }
+        if (is == nullptr) return say("the " + was.id + " agent is missing", was.id);
+        const Cell goal = state != nullptr && state->goal ? *state->goal : was.goal;
+        if (is->goal != goal) say("the " + was.id + " agent has another goal", was.id);
+        if (is->kind != was.kind || !same(is->speed, was.speed) || is->body.radius != was.body.radius)
+            say("the " + was.id + " agent is another one", was.id);
+        const Itinerary* path = named(plan_.agents, was.id);
+        const Itinerary* old = named(old_.agents, was.id);
+        if (plan_.status != PlanStatus::solved) return;
+        const Decision* decision = nullptr;
+        for (const Decision& d : plan_.revised->decisions) {
+            if (d.agent == was.id) decision = &d;
+        }
+        if (path == nullptr || old == nullptr || decision == nullptr || decision->point >= path->path.size())
+            return say("the plan does not say where the " + was.id + " agent decides", was.id);
+        judge_base(*path, *old, *decision, state);
+    }
+
+    void judge_base(const Itinerary& path, const Itinerary& old, const Decision& decision, const AgentState* state) {
+        bool on_time = true;
+        const std::vector<Waypoint> rest = rest_of(old, state, on_time);
+        const Waypoint& first = path.path.front();
+        if (away(first, rest.front()) > 1e-3 * std::max(1.0, path.speed))
+            say("the " + path.id + " agent does not go on from where it is", path.id);
+        const bool had_arrived = rest.size() == 1;
+        if (!(same(first.t, state_.now) || (had_arrived && first.t < state_.now)))
+            say("the path of the " + path.id + " agent does not begin now", path.id);
+        std::size_t piece = 0;
+        for (std::size_t k = 1; k <= decision.point; ++k) {
+            const Waypoint& p = path.path[k];
+            const double most = k == decision.point ? aside : 1e-3;
+            while (piece + 1 < rest.size() && away(p, rest[piece], rest[piece + 1]) > most) ++piece;
+            const bool is_on = rest.size() == 1 ? away(p, rest.front()) <= most : piece + 1 < rest.size();
+            if (!is_on) return say("the " + path.id + " agent leaves its base before it decides", path.id);
+            if (on_time && k < decision.point && !is_planned(rest, p))
+                return say("the " + path.id + " agent does not keep the times of its base", path.id);
+        }
+        if (!same(path.path[decision.point].t, decision.time))
+            say("the " + path.id + " agent decides at another time than its path says", path.id);
+        if (decision.time < state_.now - slack(state_.now) && !had_arrived)
+            say("the " + path.id + " agent decides in the past", path.id);
+    }
+
+    // Whether the old path is there at that time.
+    bool is_planned(const std::vector<Waypoint>& rest, const Waypoint& p) const {
+        for (std::size_t i = 1; i < rest.size(); ++i) {
+            if (p.t > rest[i].t + slack(p.t)) continue;
+            const double span = rest[i].t - rest[i - 1].t;
+            const double share = span > 0 ? std::clamp((p.t - rest[i - 1].t) / span, 0.0, 1.0) : 1;
+            const Waypoint there{rest[i - 1].x + share * (rest[i].x - rest[i - 1].x),
+                                 rest[i - 1].y + share * (rest[i].y - rest[i - 1].y), p.t};
+            return away(there, p) <= 1e-3;
+        }
+        return away(rest.back(), p) <= 1e-3;
+    }
+
+    void judge_newcomer(const Agent& agent) {
+        if (named(old_mission_.agents, agent.id) != nullptr || named(state_.joined, agent.id) != nullptr) return;
+        say("the " + agent.id + " agent comes from nowhere", agent.id);
+    }
+
+    static const TimedOpening* opening(const std::vector<TimedOpening>& openings, ObstacleId id) {
+        const auto found = std::ranges::find(openings, id, &TimedOpening::obstacle);
+        return found == openings.end() ? nullptr : &*found;
+    }
+
+    // The aircraft of a breach, and whether it has left the end of the work behind.
+    struct Breacher {
+        const Itinerary* aircraft = nullptr;
+        bool done = false;
+    };
+    Breacher breacher_of(const Breach& breach) const {
+        for (const Itinerary& agent : old_.agents) {
+            if (agent.kind != AgentKind::air || (!breach.by.empty() && agent.id != breach.by)) continue;
+            for (std::size_t k = agent.path.size(); k-- > 0;) {
+                const Waypoint& p = agent.path[k];
+                if (p.x != breach.at.x || p.y != breach.at.y || !same(p.t, breach.cleared_at)) continue;
+                const AgentState* state = named(state_.agents, agent.id);
+                return {&agent, state != nullptr ? k <= state->passed : breach.cleared_at <= state_.now};
+            }
+        }
+        return {};
+    }
+
+    void judge_openings() {
+        std::size_t opened = 0;
+        std::vector<std::pair<std::string, int>> tries;
+        for (const Breach& breach : old_.breaches) {
+            const ObstacleId id = breach.obstacle;
+            const TimedOpening* known = opening(mission_.rules.opened, id);
+            const Breacher breacher = breacher_of(breach);
+            const bool failed = opening(state_.failed, id) != nullptr;
+            if (failed && known != nullptr)
+                say("the breach of " + text(id) + " failed, and it is said to be open", "", id);
+            if (failed &&
+                std::ranges::count(mission_.rules.failed, id) != std::ranges::count(old_mission_.rules.failed, id) + 1)
+                say("the plan does not know that the breach of " + text(id) + " failed", "", id);
+            const bool is_open = !failed && (breacher.done || opening(state_.opened, id) != nullptr);
+            if (is_open && known == nullptr) say("the plan does not know that " + text(id) + " is open", "", id);
+            if (known != nullptr && !failed) ++opened;
+            if ((failed || known != nullptr) && breacher.aircraft != nullptr) {
+                const auto tried = std::ranges::find(tries, breacher.aircraft->id, &std::pair<std::string, int>::first);
+                if (tried == tries.end())
+                    tries.emplace_back(breacher.aircraft->id, 1);
+                else
+                    ++tried->second;
+            }
+            if (known != nullptr && !is_open && !failed && known->at > state_.now) {
+                // Its breach has begun: whoever makes it stays until it is done.
+                bool bound = false;
+                for (const Decision& d : plan_.revised->decisions) {
+                    bound = bound || (breacher.aircraft != nullptr && d.agent == breacher.aircraft->id &&
+                                      d.time >= known->at - slack(known->at));
+                }
+                if (!bound) say("nobody breaches " + text(id) + " by the time that it is said to open", "", id);
+            }
+        }
+        for (const TimedOpening& known : mission_.rules.opened) {
+            const bool was = opening(old_mission_.rules.opened, known.obstacle) != nullptr;
+            const TimedOpening* said = opening(state_.opened, known.obstacle);
+            const bool breached =
+                std::ranges::find(old_.breaches, known.obstacle, &Breach::obstacle) != old_.breaches.end();
+            if (!was && said == nullptr && !breached)
+                say("nobody has opened " + text(known.obstacle), "", known.obstacle);
+            if (said != nullptr && !was && !same(said->at, known.at))
+                say(text(known.obstacle) + " opens at another time", "", known.obstacle);
+        }
+        for (const TimedOpening& known : old_mission_.rules.opened) {
+            if (opening(mission_.rules.opened, known.obstacle) == nullptr)
+                say("the plan has forgotten that " + text(known.obstacle) + " is open", "", known.obstacle);
+        }
+        const int removals = std::max(old_mission_.rules.removals - int(opened), 0);
+        if (mission_.rules.removals != removals)
+            say("the mission may remove " + std::to_string(mission_.rules.removals) + ", not " +
+                std::to_string(removals) + " as is left");
+        for (const auto& [id, count] : tries) {
+            const Agent* was = named(old_mission_.agents, id);
+            const Agent* is = named(mission_.agents, id);
+            if (was == nullptr || is == nullptr || was->breaches == any_number) continue;
+            if (is->breaches != std::max(was->breaches - count, 0))
+                say("the " + id + " agent may breach another number", id);
+        }
+    }
+
+    void judge_rules() {
+        const Rules& was = old_mission_.rules;
+        const Rules& is = mission_.rules;
+        if (is.timing != was.timing || is.objective != was.objective || is.separation != was.separation ||
+            is.at_goal != was.at_goal || is.retries != was.retries ||
+            is.breach_time.per_obstacle != was.breach_time.per_obstacle ||
+            is.breach_time.per_cell != was.breach_time.per_cell || is.budget > was.budget)
+            say("the rules are others");
+        const auto protects = [&](ObstacleId id) { return std::ranges::find(is.protect, id) != is.protect.end(); };
+        for (const ObstacleId id : was.protect) {
+            if (!protects(id)) say(text(id) + " is no longer protected", "", id);
+        }
+        for (const ObstacleId id : is.failed) {
+            if (std::ranges::count(is.failed, id) > is.retries && !protects(id))
+                say("the breach of " + text(id) + " may be tried again, and has failed too often", "", id);
+        }
+    }
+
+    const Mission& old_mission_;
+    const Plan& old_;
+    const State& state_;
+    const Mission& mission_;
+    const Plan& plan_;
+    double tolerance_;
+    std::vector<Violation> found_;
+};
+
+}  // namespace
+
+std::vector<Violation> check_continuity(const Mission& old_mission, const Plan& old_plan, const State& state,
+                                        const Mission& mission, const Plan& plan, double tolerance) {
+    if (old_plan.revised && plan.revised && plan.revised->sequence == old_plan.revised->sequence &&
+        state.sequence <= old_plan.revised->sequence)
+        return {};
+    return ContinuityJudge(old_mission, old_plan, state, mission, plan, tolerance).judge();
+}
+
+}  // namespace waybreaker

@@ -1,0 +1,76 @@
+#include "live/position.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waybreaker::live {
+namespace {
+
+constexpr double hair = 1e-6;  // cells
+
+bool same_place(const Waypoint& a, const Waypoint& b) {
+    return a.x == b.x && a.y == b.y;
+}
+Point place(const Waypoint& p) {
+    return {p.x, p.y};
+}
+
+}  // namespace
+
+Waypoint place_on(const std::vector<Waypoint>& path, double time) {
+    const auto after = std::ranges::upper_bound(path, time, {}, &Waypoint::t);
+    if (after == path.begin()) return {path.front().x, path.front().y, time};
+    const Waypoint& a = *std::prev(after);
+    if (after == path.end() || time == a.t) return {a.x, a.y, time};
+    const double share = (time - a.t) / (after->t - a.t);
+    return {a.x + share * (after->x - a.x), a.y + share * (after->y - a.y), time};
+}
+
+std::vector<Waypoint> until(const std::vector<Waypoint>& path, double time) {
+    std::vector<Waypoint> part;
+    for (const Waypoint& p : path) {
+        if (p.t <= time) part.push_back(p);
+    }
+    if (part.empty() || part.back().t < time) part.push_back(place_on(path, time));
+    return part;
+}
+
+Position position_of(const Itinerary& agent, const AgentState* state, double now) {
+    const std::vector<Waypoint>& path = agent.path;
+    Position position;
+    // As planned.
+    const auto after = std::ranges::upper_bound(path, now, {}, &Waypoint::t);
+    const Waypoint planned = place_on(path, now);
+    position.next = std::size_t(after - path.begin());
+    position.at = place(planned);
+    if (state != nullptr) {
+        position.doing = state->doing;
+        const bool between =
+            state->passed + 1 == position.next || (position.next == path.size() && state->passed + 1 == path.size());
+        Point at = between ? position.at : place(path[state->passed]);
+        if (state->at) at = *state->at;
+        position.on_time = between && distance(at, position.at) <= hair;
+        if (!position.on_time) {
+            position.next = state->passed + 1;
+            position.at = at;
+        }
+    }
+    position.ahead.push_back({position.at.x, position.at.y, now});
+    for (std::size_t i = position.next; i < path.size(); ++i) {
+        const Waypoint& last = position.ahead.back();
+        const double driven = distance(place(last), place(path[i]));
+        const bool stays = i > 0 && same_place(path[i - 1], path[i]);
+        double t = path[i].t;
+        if (!position.on_time) t = stays && driven == 0 ? std::max(path[i].t, last.t) : last.t + driven / agent.speed;
+        position.ahead.push_back({path[i].x, path[i].y, t});
+    }
+    position.stands = position.finished() || same_place(position.ahead[0], position.ahead[1]) ||
+                      position.doing == Doing::waiting || position.doing == Doing::stopped;
+    return position;
+}
+
+Waypoint Position::when(double time) const {
+    return place_on(ahead, time);
+}
+
+}  // namespace waybreaker::live

@@ -1,0 +1,35 @@
+// Position: where an agent is on its planned path by now, and when it gets to the points ahead if nothing stops it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "waybreaker/plan.hpp"
+#include "waybreaker/state.hpp"
+
+namespace waybreaker::live {
+
+// The part of a planned path that is still to come.
+struct Position {
+    Point at;
+    std::size_t next = 0;  // the first point of the planned path ahead; its size if there is none
+    bool on_time = true;   // as planned, but for rounding
+    bool stands = false;   // it is not on a move
+    Doing doing = Doing::moving;
+    std::vector<Waypoint> ahead;  // `at` at the time asked for, then the points from `next` on. Planned times, or the
+                                  // earliest: it drives at its speed, and leaves no place before it was to
+
+    bool finished() const { return ahead.size() == 1; }
+    // Where it is at a time on that path, and the first point ahead then, in `ahead`.
+    Waypoint when(double time) const;
+};
+
+// `state`: what is reported of it, or none.
+Position position_of(const Itinerary& agent, const AgentState* state, double now);
+
+// On the path, at that time; before and after it, its ends.
+Waypoint place_on(const std::vector<Waypoint>& path, double time);
+// Until then, that place its last point.
+std::vector<Waypoint> until(const std::vector<Waypoint>& path, double time);
+
+}  // namespace waybreaker::live

@@ -1,0 +1,85 @@
+#include "live/remainder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/objective.hpp"
+#include "model/timeline.hpp"
+
+namespace waybreaker::live {
+namespace {
+
+constexpr double hair = 1e-9;
+
+// A base, and then the path ahead; empty where the base leaves it.
+std::vector<Waypoint> continued(const Base& base, const Position& position) {
+    for (const Waypoint& p : base) {
+        const Waypoint there = place_on(position.ahead, p.t);
+        if (std::abs(there.x - p.x) > hair || std::abs(there.y - p.y) > hair) return {};
+    }
+    std::vector<Waypoint> path = base;
+    for (const Waypoint& p : position.ahead) {
+        if (p.t > base.back().t) path.push_back(p);
+    }
+    return path;
+}
+
+std::vector<Point> places(std::span<const Waypoint> path) {
+    std::vector<Point> places;
+    for (const Waypoint& p : path) {
+        if (places.empty() || places.back() != Point(p.x, p.y)) places.emplace_back(p.x, p.y);
+    }
+    return places;
+}
+
+}  // namespace
+
+std::optional<Plan> remainder_of(const Report& report, std::span<const Position> positions,
+                                 std::span<const Outlook> outlooks, const Map& known, const Mission& left,
+                                 const Plan& other) {
+    const Plan& old = report.plan;
+    if (left.agents.size() != old.agents.size() || !report.state.joined.empty()) return std::nullopt;
+    Plan rest;
+    rest.status = PlanStatus::solved;
+    rest.before = other.before;
+    rest.limit_reached = other.limit_reached;
+    std::vector<TimedOpening> openings = left.rules.opened;
+    for (std::size_t i = 0; i < outlooks.size(); ++i) {
+        if (outlooks[i].failed) return std::nullopt;
+        if (outlooks[i].opens) continue;
+        rest.breaches.push_back(old.breaches[i]);
+        openings.push_back({old.breaches[i].obstacle, old.breaches[i].cleared_at});
+    }
+    const Ground ground{known, openings};
+    Finish finish;
+    rest.after.routes.clear();
+    for (std::size_t i = 0; i < old.agents.size(); ++i) {
+        const Position& position = positions[i];
+        const Agent& agent = left.agents[i];
+        if (!position.on_time || agent.goal != old.agents[i].goal) return std::nullopt;
+        Itinerary itinerary = old.agents[i];
+        itinerary.path = position.finished() ? agent.approach : continued(agent.approach, position);
+        if (itinerary.path.empty()) return std::nullopt;
+        if (agent.kind == AgentKind::ground && ground.first_hit(itinerary.path, agent.body)) return std::nullopt;
+        itinerary.start = agent.start;
+        itinerary.gain.reset();
+        itinerary.waits.clear();
+        finish.add(agent.kind, std::max(itinerary.path.back().t, agent.ready_at));
+        Route route{agent.kind};
+        route.path = places(itinerary.path);
+        route.length = path_length(route.path);
+        rest.after.routes.push_back(std::move(route));
+        rest.agents.push_back(std::move(itinerary));
+    }
+    rest.after.makespan = finish.makespan();
+    rest.after.flowtime = finish.flowtime;
+    rest.after.ground_makespan = finish.ground;
+    if (other.bound) {
+        const double reached = rank(left.rules.objective, finish).first;
+        rest.bound = std::min(*other.bound, reached);
+        rest.gap = *rest.bound > 0 ? reached / *rest.bound - 1 : 0;
+    }
+    return rest;
+}
+
+}  // namespace waybreaker::live

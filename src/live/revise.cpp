@@ -1,0 +1,166 @@
+#include "waybreaker/revise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/range.hpp"
+#include "live/base.hpp"
+#include "live/left.hpp"
+#include "live/remainder.hpp"
+#include "live/state.hpp"
+
+namespace waybreaker {
+namespace {
+
+using live::Base;
+using live::Outlook;
+using live::Position;
+using live::Report;
+
+// Whether an agent takes no further part.
+bool is_out(const Position& position) {
+    return position.doing == Doing::lost || position.doing == Doing::stopped;
+}
+
+// It begins on its base, and is free at its end.
+void begin_on(const Map& map, Base base, Agent& agent) {
+    const Waypoint& last = base.back();
+    agent.start = {std::clamp(int(std::lround(last.x)), 0, map.width() - 1),
+                   std::clamp(int(std::lround(last.y)), 0, map.height() - 1)};
+    agent.from.reset();
+    if (agent.kind == AgentKind::air && Point(agent.start) != Point(last.x, last.y)) agent.from = Point(last.x, last.y);
+    agent.ready_at = last.t;
+    agent.approach = std::move(base);
+}
+
+// One that has arrived: there, since then.
+Base arrived(const Itinerary& agent, const Position& position, double now) {
+    Waypoint goal = agent.path.back();
+    if (!position.on_time) goal.t = now;
+    return {goal};
+}
+
+// Where ground agents meet what is in their way.
+std::vector<Halt> halts_of(const live::Ground& ground, const Report& report, std::span<const Position> positions) {
+    std::vector<Halt> halts;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Agent& agent = report.mission.agents[i];
+        if (agent.kind == AgentKind::air || is_out(positions[i])) continue;
+        const std::optional<double> hit = ground.first_hit(positions[i].ahead, agent.body);
+        if (!hit) continue;
+        const auto after = std::ranges::lower_bound(positions[i].ahead, *hit, {}, &Waypoint::t);
+        const std::size_t ahead = std::max<std::size_t>(std::size_t(after - positions[i].ahead.begin()), 1);
+        halts.push_back({agent.id, positions[i].next + ahead - 1, *hit});
+    }
+    return halts;
+}
+
+// Puts the agents that are left where they are free; whether there is a way to do so.
+bool place_agents(const Report& report, std::span<const Position> positions, const Map& known, bool stay,
+                  Mission& left) {
+    const live::Ground ground{known, left.rules.opened};
+    std::vector<Agent> agents;
+    std::vector<std::size_t> vehicles;
+    std::vector<std::vector<Base>> choices;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (is_out(positions[i])) continue;
+        Agent agent = left.agents[i];
+        if (const AgentState* said = report.of(agent.id); said != nullptr && said->goal) agent.goal = *said->goal;
+        const bool stays = positions[i].finished() && agent.goal == left.agents[i].goal;
+        const Itinerary& planned = report.plan.agents[i];
+        if (agent.kind == AgentKind::ground) {
+            vehicles.push_back(agents.size());
+            choices.push_back(stays ? std::vector<Base>{arrived(planned, positions[i], report.state.now)}
+                                    : bases_of(ground, agent, positions[i], report.decided));
+        } else if (stays && (agent.breaches == 0 || left.rules.removals == 0)) {
+            begin_on(known, arrived(planned, positions[i], report.state.now), agent);
+        } else {
+            Base flight = live::until(positions[i].ahead, live::bound_until(report, i, positions[i]));
+            begin_on(known, std::move(flight), agent);
+        }
+        agents.push_back(std::move(agent));
+    }
+    std::vector<Agent> driving;
+    for (const std::size_t i : vehicles) driving.push_back(agents[i]);
+    std::vector<Base> bases = live::without_meetings(known, left.rules.separation, stay, driving, choices);
+    if (bases.size() != vehicles.size()) return false;
+    for (std::size_t v = 0; v < vehicles.size(); ++v) begin_on(known, std::move(bases[v]), agents[vehicles[v]]);
+    for (Agent joined : report.state.joined) {
+        joined.ready_at = std::max(joined.ready_at, report.decided);
+        agents.push_back(std::move(joined));
+    }
+    left.agents = std::move(agents);
+    return true;
+}
+
+double reached(const Plan& plan, Objective objective) {
+    if (plan.status != PlanStatus::solved) return std::numeric_limits<double>::infinity();
+    return value(plan.after, objective).value_or(std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+Revision revise(Planner& planner, const Map& map, const Mission& mission, const Plan& plan, const State& state,
+                double reaction, const Method& method, const Limits& limits) {
+    live::validate(map, mission, plan, state);
+    require_range(reaction, 0, most_breach_time, "the time of reaction");
+    if (state.sequence <= (plan.revised ? plan.revised->sequence : 0)) {
+        return {RevisionStatus::unchanged, map, mission, plan};
+    }
+    const Report report{map, mission, plan, state, state.now + reaction};
+    const std::vector<Position> positions = live::positions_of(report);
+    const std::vector<Outlook> outlooks = live::outlooks_of(report, positions);
+    const Mission left = live::left_of(report, outlooks);
+    std::vector<live::Stopped> stopped;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (positions[i].doing == Doing::stopped && mission.agents[i].kind == AgentKind::ground)
+            stopped.push_back({positions[i].at, mission.agents[i].body});
+    }
+    const std::vector<Found> found = live::found_by(map, state, stopped);
+    Revision next{RevisionStatus::no_plan, laid_over(map, found), left};
+    next.plan.status = PlanStatus::no_plan;
+    const auto drives = [&](std::size_t i) {
+        return mission.agents[i].kind == AgentKind::ground && !is_out(positions[i]);
+    };
+    bool any = !state.joined.empty();
+    for (std::size_t i = 0; i < positions.size(); ++i) any = any || drives(i);
+    Revised revised = plan.revised.value_or(Revised{.number = 0});
+    ++revised.number;
+    revised.sequence = state.sequence;
+    revised.now = state.now;
+    revised.decisions.clear();
+    revised.found.insert(revised.found.end(), found.begin(), found.end());
+    if (any) {
+        next.status = RevisionStatus::broken;
+        // First as if all went on at once; if that leaves no room, as if each waited for all the others.
+        for (const bool stay : {false, true}) {
+            Mission placed = left;
+            if (!place_agents(report, positions, next.map, stay, placed)) continue;
+            next.mission = std::move(placed);
+            next.plan = planner.plan(next.map, next.mission, method, limits);
+            next.status = next.plan.status == PlanStatus::solved ? RevisionStatus::revised : RevisionStatus::no_plan;
+            const Objective objective = mission.rules.objective;
+            std::optional<Plan> rest =
+                live::remainder_of(report, positions, outlooks, next.map, next.mission, next.plan);
+            if (rest && reached(*rest, objective) <= reached(next.plan, objective) * (1 + 1e-9)) {
+                next.status = RevisionStatus::kept;
+                next.plan = *std::move(rest);
+            }
+            if (next.status != RevisionStatus::no_plan) break;
+        }
+        if (next.status == RevisionStatus::broken) {
+            next.halts = halts_of({next.map, left.rules.opened}, report, positions);
+        } else {
+            for (const Agent& agent : next.mission.agents) {
+                const std::size_t point = agent.approach.empty() ? 0 : agent.approach.size() - 1;
+                revised.decisions.push_back({agent.id, point, agent.ready_at});
+            }
+        }
+    }
+    next.plan.revised = std::move(revised);
+    return next;
+}
+
+}  // namespace waybreaker
