@@ -10,6 +10,7 @@
 #include "io/map_file.hpp"
 #include "io/output_file.hpp"
 #include "io/plan_file.hpp"
+#include "io/state_json.hpp"
 #include "io/weights.hpp"
 #include "mapfile/map_reader.hpp"
 #include "mission/waits.hpp"
