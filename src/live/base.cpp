@@ -88,11 +88,13 @@ std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Posit
     const auto add = [&](Base base) {
         if (!ground.first_hit(base, agent.body)) bases.push_back(std::move(base));
     };
+    const double ready = std::max(decided, agent.ready_at);
     if (position.finished()) {
-        add(standing_until(position.ahead, decided));
+        add(standing_until(position.ahead, ready));
         return bases;
     }
-    if (std::optional<Base> base = to_next_bend(position, decided)) add(std::move(*base));
+    if (std::optional<Base> base = to_next_bend(position, ready)) add(std::move(*base));
+    if (position.stands && ready > decided) return bases;  // it may not leave yet
     std::vector<ObstacleId> open;
     for (const TimedOpening& opening : ground.openings) {
         if (opening.at <= decided) open.push_back(opening.obstacle);

@@ -24,7 +24,8 @@ struct Ground {
 };
 
 // Where a ground agent may decide, the best first: the next bend at a cell centre after `decided`, or the first place
-// before it where it stands; then cells near where it is at `decided` and a little later. Only ways that are clear.
+// before it where it stands, no earlier than it is ready; then cells near where it is at `decided` and a little later.
+// Only ways that are clear.
 std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Position& position, double decided);
 
 // One for each agent, so that nobody meets anybody: of those given, the first that do. `stay`: whether they stand at

@@ -77,7 +77,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, con
         } else if (stays && (agent.breaches == 0 || left.rules.removals == 0)) {
             begin_on(known, arrived(planned, positions[i], report.state.now), agent);
         } else {
-            Base flight = live::until(positions[i].ahead, live::bound_until(report, i, positions[i]));
+            const double bound = std::max(live::bound_until(report, i, positions[i]), agent.ready_at);
+            Base flight = live::until(positions[i].ahead, bound);
             begin_on(known, std::move(flight), agent);
         }
         agents.push_back(std::move(agent));

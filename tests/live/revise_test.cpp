@@ -1,0 +1,196 @@
+// Revisions of random missions under way: valid plans, that go on from where everybody is, and never end later than
+// what is still possible.
+#include "waybreaker/revise.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "ascii_map.hpp"
+#include "checked_plan.hpp"
+#include "input_error.hpp"
+#include "random_map.hpp"
+#include "vehicle.hpp"
+
+namespace waybreaker {
+namespace {
+
+// Up to two vehicles and two aircraft.
+Mission any_mission(const PlainMap& plain) {
+    Mission mission;
+    const int vehicles = *number(1, 2);
+    for (int i = 0; i < vehicles; ++i) {
+        Agent rover = vehicle("rover" + std::to_string(i), any_free_cell(plain), any_free_cell(plain));
+        rover.speed = *rc::gen::element(0.5, 1.0, 2.0);
+        rover.ready_at = *rc::gen::element(0.0, 0.0, 3.0);
+        mission.agents.push_back(rover);
+    }
+    const int aircraft_count = *number(0, 2);
+    for (int i = 0; i < aircraft_count; ++i) {
+        mission.agents.push_back(
+            aircraft("heli" + std::to_string(i), any_cell(plain), any_cell(plain), *rc::gen::element(0.5, 1.0, 4.0)));
+    }
+    Rules& rules = mission.rules;
+    rules.removals = *number(0, 3);
+    rules.objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan);
+    rules.breach_time.per_obstacle = *rc::gen::element(0.0, 0.0, 2.5, 8.0);
+    rules.retries = *number(0, 1);
+    return mission;
+}
+
+struct Underway {
+    Map map;
+    Mission mission;
+    Plan plan;
+    State state;
+};
+
+Underway any_underway(int side) {
+    const PlainMap plain = *random_map(side, side);
+    Underway drawn{Map(plain.grid()), any_mission(plain)};
+    try {
+        validate(drawn.map, drawn.mission);
+    } catch (const InputError&) {
+        RC_DISCARD("two stand too near");
+    }
+    drawn.plan = Planner().plan(drawn.map, drawn.mission);
+    RC_PRE(drawn.plan.status == PlanStatus::solved);
+    double last = 0;
+    for (const Itinerary& agent : drawn.plan.agents) last = std::max(last, agent.path.back().t);
+    drawn.state.sequence = 1;
+    drawn.state.now = last * *number(0, 100) / 100;
+    return drawn;
+}
+
+std::string faults(const Underway& old, const Revision& next) {
+    std::string faults = plan_faults(next.map, next.mission, next.plan);
+    for (const Violation& violation : check_continuity(old.mission, old.plan, old.state, next.mission, next.plan)) {
+        faults += line_of(violation) + "\n";
+    }
+    return faults;
+}
+
+double reached(const Plan& plan, const Mission& mission) {
+    return *value(plan.after, mission.rules.objective);
+}
+
+RC_GTEST_PROP(Revise, WithoutNewsIsNoWorse, ()) {
+    const Underway old = any_underway(14);
+    Planner planner;
+    const double reaction = *rc::gen::element(0.0, 0.0, 1.5);
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state, reaction);
+    RC_ASSERT(next.plan.status == PlanStatus::solved);
+    RC_ASSERT(faults(old, next) == "");
+    // Aircraft that are home already may fly again, so they count as home no earlier than that.
+    const double since = old.state.now + reaction;
+    if (old.mission.rules.objective != Objective::flowtime) {
+        RC_ASSERT(reached(next.plan, old.mission) <= std::max(reached(old.plan, old.mission), since) * (1 + 1e-9));
+    }
+    if (next.status != RevisionStatus::kept) return;
+    // The rest is the same to the byte.
+    for (std::size_t i = 0; i < old.plan.agents.size(); ++i) {
+        const std::vector<Waypoint>& was = old.plan.agents[i].path;
+        const std::vector<Waypoint>& is = next.plan.agents[i].path;
+        for (const Waypoint& p : was) {
+            if (p.t > old.state.now) RC_ASSERT(std::ranges::find(is, p) != is.end());
+        }
+    }
+}
+
+RC_GTEST_PROP(Revise, AReportTwiceIsAReportOnce, ()) {
+    const Underway old = any_underway(10);
+    Planner planner;
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+    RC_PRE(next.plan.status == PlanStatus::solved);
+    const Revision again = revise(planner, next.map, next.mission, next.plan, old.state);
+    RC_ASSERT(again.status == RevisionStatus::unchanged);
+    RC_ASSERT(again.plan.agents.size() == next.plan.agents.size());
+    for (std::size_t i = 0; i < next.plan.agents.size(); ++i)
+        RC_ASSERT(again.plan.agents[i].path == next.plan.agents[i].path);
+}
+
+// A breach fails when it is done.
+RC_GTEST_PROP(Revise, AfterAFailedBreachTheRestIsValid, ()) {
+    Underway old = any_underway(14);
+    RC_PRE(!old.plan.breaches.empty());
+    const Breach& failed = old.plan.breaches[std::size_t(*number(0, int(old.plan.breaches.size()) - 1))];
+    old.state.now = failed.cleared_at;
+    old.state.failed = {{failed.obstacle, failed.cleared_at}};
+    Planner planner;
+    const Revision next = revise(planner, old.map, old.mission, old.plan, old.state);
+    RC_PRE(next.plan.status == PlanStatus::solved);
+    RC_ASSERT(next.status == RevisionStatus::revised);
+    RC_ASSERT(faults(old, next) == "");
+    const bool again =
+        std::ranges::find(next.plan.breaches, failed.obstacle, &Breach::obstacle) != next.plan.breaches.end();
+    if (old.mission.rules.retries == 0) RC_ASSERT(!again);
+}
+
+// Agents that are late, lost or have stopped, cells that are blocked: whatever is planned is valid.
+RC_GTEST_PROP(Revise, AfterAnyNewsTheRestIsValid, ()) {
+    Underway old = any_underway(14);
+    Planner planner;
+    for (int round = 1; round <= 3; ++round) {
+        State& state = old.state;
+        state.sequence = std::uint64_t(round);
+        state.agents.clear();
+        state.found.clear();
+        for (const Itinerary& agent : old.plan.agents) {
+            if (mostly()) continue;
+            AgentState& said = state.agents.emplace_back();
+            said.id = agent.id;
+            // Late: where it was a while ago.
+            const double late = *rc::gen::element(0.0, 0.5, 3.0);
+            const double then = std::max(state.now - late, agent.path.front().t);
+            std::size_t next = 0;
+            while (next < agent.path.size() && agent.path[next].t <= then) ++next;
+            said.passed = next - 1;
+            const Waypoint& a = agent.path[next - 1];
+            said.at = Point(a.x, a.y);
+            if (next < agent.path.size()) {
+                const Waypoint& b = agent.path[next];
+                const double share = (then - a.t) / (b.t - a.t);
+                said.at = Point(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
+            }
+            if (agent.kind == AgentKind::air && *number(0, 3) == 0) said.doing = Doing::lost;
+            if (agent.kind == AgentKind::ground && *number(0, 7) == 0) said.doing = Doing::stopped;
+        }
+        if (mostly()) {
+            const Cell cell{*number(0, old.map.width() - 1), *number(0, old.map.height() - 1)};
+            state.found.push_back({{cell}, true, *rc::gen::arbitrary<bool>()});
+        }
+        const Revision next = revise(planner, old.map, old.mission, old.plan, state, *rc::gen::element(0.0, 1.0));
+        RC_CLASSIFY(next.status == RevisionStatus::revised);
+        RC_CLASSIFY(next.status == RevisionStatus::kept);
+        RC_CLASSIFY(next.status == RevisionStatus::broken);
+        RC_CLASSIFY(next.status == RevisionStatus::no_plan);
+        if (next.plan.status != PlanStatus::solved) return;
+        RC_ASSERT(faults(old, next) == "");
+        const double since = state.now;
+        old = {next.map, next.mission, next.plan, {}};
+        old.state.now = since + *number(0, 6);
+    }
+}
+
+TEST(Revise, RefusesStatesThatCannotBe) {
+    const Map map = Map::from_rows({"..A..", "..A..", "..A.."});
+    const Mission mission = ground_and_air({0, 1}, {4, 1});
+    const Plan plan = Planner().plan(map, mission);
+    Planner planner;
+    const auto refused = [&](const State& state) {
+        return input_error([&] { static_cast<void>(revise(planner, map, mission, plan, state)); });
+    };
+    EXPECT_EQ(refused({.sequence = 1, .agents = {{.id = "bus"}}}),
+              "the state names agent bus, which the plan does not have");
+    EXPECT_EQ(refused({.sequence = 1, .failed = {{{2}, 0}}}), "failed obstacle 2: the map has none of that id");
+    EXPECT_EQ(refused({.sequence = 1, .agents = {{.id = "ground", .passed = 99}}}),
+              "agent ground has passed point 99 of its path, which has " + std::to_string(plan.agents[0].path.size()) +
+                  ", counted from 0");
+    EXPECT_EQ(refused({.sequence = 1, .found = {{{{9, 9}}}}}), "cell 9,9 was found, and is off the map");
+}
+
+}  // namespace
+}  // namespace waybreaker
