@@ -13,7 +13,6 @@ namespace {
 // Places at which an agent may stop between bends: so many, so far apart, in cells.
 constexpr int most_stops = 12;
 constexpr double between_stops = 0.5;
-constexpr double hair = 1e-9;
 // Of bases held against each other, before it is given up.
 constexpr std::size_t most_tries = 10'000;
 
@@ -23,9 +22,6 @@ Cell cell_at(const Waypoint& p) {
 bool at_centre(const Waypoint& p) {
     const Cell c = cell_at(p);
     return p.x == c.x && p.y == c.y;
-}
-bool same_place(const Waypoint& a, const Waypoint& b) {
-    return a.x == b.x && a.y == b.y;
 }
 
 // It stands at the last point until then.
@@ -70,12 +66,15 @@ std::optional<double> Ground::first_hit(const std::vector<Waypoint>& path, const
         least = {std::min(least.x, p.x), std::min(least.y, p.y)};
         most = {std::max(most.x, p.x), std::max(most.y, p.y)};
     }
+    // A single point is a stand.
+    std::vector<Waypoint> standing = path;
+    if (path.size() == 1) standing.push_back(path.front());
     std::optional<double> first;
     for (const Obstacle& obstacle : map.obstacles()) {
         if (obstacle.gone() || obstacle.bounds.min.x > most.x + reach || obstacle.bounds.max.x < least.x - reach ||
             obstacle.bounds.min.y > most.y + reach || obstacle.bounds.max.y < least.y - reach)
             continue;
-        const std::optional<double> touched = first_touch(map, obstacle.id, path, standing_radius(body));
+        const std::optional<double> touched = first_touch(map, obstacle.id, standing, standing_radius(body));
         if (!touched || (first && *first <= *touched)) continue;
         const auto opens = std::ranges::find(openings, obstacle.id, &TimedOpening::obstacle);
         if (opens == openings.end() || opens->at > *touched + hair) first = touched;

@@ -6,11 +6,9 @@
 namespace waybreaker::live {
 namespace {
 
-constexpr double hair = 1e-6;  // cells
+// An agent so near to where it was to be is on time, in cells.
+constexpr double near_enough = 1e-6;
 
-bool same_place(const Waypoint& a, const Waypoint& b) {
-    return a.x == b.x && a.y == b.y;
-}
 Point place(const Waypoint& p) {
     return {p.x, p.y};
 }
@@ -49,7 +47,7 @@ Position position_of(const Itinerary& agent, const AgentState* state, double now
             state->passed + 1 == position.next || (position.next == path.size() && state->passed + 1 == path.size());
         Point at = between ? position.at : place(path[state->passed]);
         if (state->at) at = *state->at;
-        position.on_time = between && distance(at, position.at) <= hair;
+        position.on_time = between && distance(at, position.at) <= near_enough;
         if (!position.on_time) {
             position.next = state->passed + 1;
             position.at = at;

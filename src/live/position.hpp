@@ -27,6 +27,13 @@ struct Position {
 // `state`: what is reported of it, or none.
 Position position_of(const Itinerary& agent, const AgentState* state, double now);
 
+// Lengths and times below that are rounding.
+inline constexpr double hair = 1e-9;
+
+inline bool same_place(const Waypoint& a, const Waypoint& b) {
+    return a.x == b.x && a.y == b.y;
+}
+
 // On the path, at that time; before and after it, its ends.
 Waypoint place_on(const std::vector<Waypoint>& path, double time);
 // Until then, that place its last point.

@@ -9,8 +9,6 @@
 namespace waybreaker::live {
 namespace {
 
-constexpr double hair = 1e-9;
-
 // A base, and then the path ahead; empty where the base leaves it.
 std::vector<Waypoint> continued(const Base& base, const Position& position) {
     for (const Waypoint& p : base) {

@@ -96,6 +96,21 @@ bool place_agents(const Report& report, std::span<const Position> positions, con
     return true;
 }
 
+// The plan of what is left. None where what was found lies at a start or a goal; an agent that joins is at fault
+// itself.
+Plan plan_of(Planner& planner, const Map& map, const Mission& mission, const State& state, const Method& method,
+             const Limits& limits) {
+    Expected<Plan> planned = planner.try_plan(map, mission, method, limits);
+    if (planned) return *std::move(planned);
+    const Error& error = planned.error();
+    const bool of_place = error.code == ErrorCode::no_room;
+    const bool joins = std::ranges::find(state.joined, error.subject, &Agent::id) != state.joined.end();
+    if (!of_place || joins) throw InputError(error.code, error.subject, error.detail);
+    Plan none;
+    none.status = PlanStatus::no_plan;
+    return none;
+}
+
 double reached(const Plan& plan, Objective objective) {
     if (plan.status != PlanStatus::solved) return std::numeric_limits<double>::infinity();
     return value(plan.after, objective).value_or(std::numeric_limits<double>::infinity());
@@ -140,7 +155,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             Mission placed = left;
             if (!place_agents(report, positions, next.map, stay, placed)) continue;
             next.mission = std::move(placed);
-            next.plan = planner.plan(next.map, next.mission, method, limits);
+            next.plan = plan_of(planner, next.map, next.mission, state, method, limits);
             next.status = next.plan.status == PlanStatus::solved ? RevisionStatus::revised : RevisionStatus::no_plan;
             const Objective objective = mission.rules.objective;
             std::optional<Plan> rest =

@@ -44,8 +44,8 @@ Mission any_mission(const PlainMap& plain) {
 struct Underway {
     Map map;
     Mission mission;
-    Plan plan;
-    State state;
+    Plan plan = {};
+    State state = {};
 };
 
 Underway any_underway(int side) {
