@@ -96,7 +96,7 @@ class Round {
         Box at = far_end_;
         for (Set rest = all_; rest != 0; rest &= ~only(tour.back().target)) {
             const Piece& next = pieces_[best_way(at, rest, infinity).next];
-            tour.push_back({next.target, next.cells.front()});
+            tour.push_back({next.target, *std::ranges::min_element(next.cells, before_in_scan)});
             at = next.box;
         }
         return tour;

@@ -104,7 +104,7 @@ void SafeIntervalSearcher::Search::add_nodes(Cell cell) {
         if (!near.empty()) unsafe_.push_back(near);
         return true;
     });
-    std::ranges::sort(unsafe_, {}, &Interval::from);
+    std::ranges::sort(unsafe_, {}, &Interval::from);  // of those that begin at one time only the latest end matters
     double from = useful.from;
     const auto add = [&](double to) {
         Node node;

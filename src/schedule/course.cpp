@@ -33,7 +33,7 @@ Needs Needs::only(std::uint32_t subset) const {
 
 Needs needs_of(const Map& map, const ScheduleTask& task) {
     const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
-    Needs needs{targets_of(map, task.removed), {}, driven.back().t, std::hypot(map.width(), map.height())};
+    Needs needs{targets_of(map, task.removed), {}, driven.back().t, distance(Cell{}, Cell{map.width(), map.height()})};
     for (const Target& target : needs.targets) {
         needs.breachings.push_back(breaching_of(map, task, driven, target.obstacle));
     }

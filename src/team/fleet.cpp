@@ -25,7 +25,7 @@ std::vector<Times> moves_of(std::span<const Path> paths) {
             if (!stands) moves.push_back({path[i - 1].t, path[i].t});
         }
     }
-    std::ranges::sort(moves, {}, &Times::from);
+    std::ranges::sort(moves, {}, &Times::from);  // of those that begin at one time only the latest end matters
     return moves;
 }
 
