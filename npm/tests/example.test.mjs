@@ -18,7 +18,7 @@ it("walls fall as the example says", () => {
   assert.equal(run(script), readFileSync(join(project, "examples/walls_fall.mjs.txt"), "utf8"));
 });
 
-it("the ten lines of the site print what they do in C++", () => {
+it("the program of the site prints what it does in C++", () => {
   const script = readFileSync(join(project, "examples/embed.mjs"), "utf8");
   assert.equal(run(script), readFileSync(join(project, "examples/embed.txt"), "utf8"));
 });
