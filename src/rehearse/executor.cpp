@@ -50,13 +50,14 @@ struct Actor {
     double news = never;  // what is drawn happens when it has driven that
     std::vector<ObstacleId> work = {};  // it is on
     double arrived_at = 0;
+    Point lost_at = {};
     Trail trail = {};
 
-    bool out() const { return phase == Phase::lost; }
     bool ended() const { return phase == Phase::arrived || phase == Phase::lost; }
     const Stop& here() const { return script[stop]; }
     double to_next() const { return distance(script[stop].at, script[stop + 1].at); }
     Point at(double now) const {
+        if (phase == Phase::lost) return lost_at;
         if (phase != Phase::moving) return here().at;
         const double length = to_next();
         const double share = length > 0 ? std::clamp((now - since) * speed / length, 0.0, 1.0) : 1;
@@ -92,11 +93,13 @@ class Execution {
         if (scene.plan.revised) now_ = scene.plan.revised->now;
         if (scene.plan.revised) sequence_ = scene.plan.revised->sequence;
         for (const TimedOpening& opening : scene.mission.rules.opened) {
-            if (opening.at <= now_) events_.opened.push_back(opening);
+            coming_.push_back(opening);
         }
+        std::ranges::stable_sort(coming_, std::ranges::greater(), &TimedOpening::at);
     }
 
     Rehearsed play() {
+        open_by(now_);
         adopt(scene_.scripts);
         while (result_.ending == Ending::arrived && !everybody_ended()) step();
         close();
@@ -118,6 +121,7 @@ class Execution {
     // The next event, and all that happen at once with it; then, if there is news, a new plan.
     void step() {
         const auto next = std::ranges::min_element(actors_, {}, &Actor::until);
+        if (!coming_.empty() && coming_.back().at <= next->until) return open_by(coming_.back().at);
         if (next->until == never) {
             result_.ending = Ending::stuck;
             return;
@@ -131,6 +135,14 @@ class Execution {
         if (news_) revise_plan();
     }
 
+    // What others open.
+    void open_by(double time) {
+        now_ = std::max(now_, time);
+        for (; !coming_.empty() && coming_.back().at <= now_; coming_.pop_back())
+            events_.opened.push_back(coming_.back());
+        wake();
+    }
+
     void happen(Actor& actor) {
         now_ = std::max(now_, actor.until);
         switch (actor.phase) {
@@ -142,10 +154,18 @@ class Execution {
             case Phase::moving:
                 return move(actor);
             case Phase::waiting:
+                actor.until = never;
+                return go_on(actor);
             case Phase::arrived:
             case Phase::lost:
                 actor.until = never;
         }
+    }
+
+    // Where it is by now; not of aircraft, nor of who has left the map.
+    void log(Actor& actor) {
+        const bool left = actor.phase == Phase::arrived && scene_.mission.rules.at_goal == AtGoal::leave;
+        if (actor.kind == AgentKind::ground && !left) actor.trail.add(actor.at(now_), now_);
     }
 
     void stand(Actor& actor, Phase phase, double until = never) {
@@ -176,7 +196,7 @@ class Execution {
             const double delay = draws_.delay(scene_.options.delay, actor.number, actor.moves++);
             if (delay > 0) return stand(actor, Phase::held, now_ + delay);
         }
-        actor.trail.add(here.at, now_);
+        log(actor);
         actor.phase = Phase::moving;
         actor.since = now_;
         const double length = actor.to_next();
@@ -200,7 +220,7 @@ class Execution {
         actor.rolls = false;
         actor.delayed = false;
         actor.phase = Phase::waiting;
-        actor.trail.add(actor.here().at, now_);
+        log(actor);
         // What takes no time is done on arrival.
         const std::vector<ObstacleId>& breaches = actor.here().breaches;
         if (!breaches.empty() && actor.work.empty() && !try_breaches(breaches)) return stand(actor, Phase::waiting);
@@ -260,9 +280,8 @@ class Execution {
 
     void lose(Actor& actor) {
         ++result_.lost;
-        actor.stop_at(now_);
+        actor.lost_at = actor.at(now_);
         stand(actor, Phase::lost);
-        just_lost_.push_back(actor.trail.agent);
         news_ = true;
     }
 
@@ -392,19 +411,18 @@ class Execution {
         for (std::size_t i = 0; i < acting_.size(); ++i) {
             Actor& actor = actors_[acting_[i]];
             const bool moves = actor.phase == Phase::moving;
-            if (actor.script.empty()) {
-                actor.trail.add(scripts[i].front().at, now_);
-            } else {
+            if (!actor.script.empty()) {
                 const Point at = actor.at(now_);
                 if (moves) actor.driven += distance(actor.here().at, at);
                 if (moves) actor.rolls = true;
-                actor.trail.add(at, now_);
+                log(actor);
                 scripts[i].front().at = at;
             }
             actor.path = plan_->agents[i].path;
             actor.script = std::move(scripts[i]);
             actor.stop = 0;
             if (moves) stand(actor, Phase::waiting);
+            log(actor);
         }
         for (const std::size_t i : acting_) signal(actors_[i]);
         for (const std::size_t i : acting_) {
@@ -416,7 +434,7 @@ class Execution {
     void close() {
         std::vector<Trail> vehicles;
         for (Actor& actor : actors_) {
-            actor.trail.add(actor.at(now_), now_);
+            log(actor);
             const bool arrived = actor.phase == Phase::arrived;
             const double ended = arrived ? actor.arrived_at : now_;
             if (actor.phase != Phase::lost) result_.makespan = std::max(result_.makespan, ended);
@@ -444,6 +462,7 @@ class Execution {
     std::vector<bool> happened_;        // the first event of each order
     std::vector<std::uint64_t> tries_;  // of each obstacle's breach
     Events events_;
+    std::vector<TimedOpening> coming_;  // the next one last
     // Since the plan:
     std::vector<TimedOpening> failed_;
     std::vector<Found> found_;

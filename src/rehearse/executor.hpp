@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rehearse/script.hpp"
 #include "waybreaker/limits.hpp"
 #include "waybreaker/map.hpp"
 #include "waybreaker/method.hpp"
@@ -19,6 +20,7 @@ struct Scene {
     const Map& map;
     const Mission& mission;
     const Plan& plan;
+    const std::vector<Script>& scripts;  // of the plan
     const RehearsalOptions& options;
     const Method& method;
     const Limits& limits;

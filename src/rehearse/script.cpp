@@ -84,13 +84,10 @@ std::vector<Script> scripts_of(const Map& map, const Mission& mission, const Pla
             add_gate(map, plan.agents[i].path, mission.agents[i].body.reach(), obstacle, scripts[i]);
         }
     }
-    const auto index = [&](const std::string& id) {
-        return std::size_t(std::ranges::find(plan.agents, id, &Itinerary::id) - plan.agents.begin());
-    };
     for (std::size_t k = 0; k < plan.orders.size(); ++k) {
         const Order& order = plan.orders[k];
-        const std::size_t first = index(order.before.agent);
-        const std::size_t second = index(order.after.agent);
+        const std::size_t first = order.before.agent;
+        const std::size_t second = order.after.agent;
         stop_at(scripts[first], plan.agents[first].path, order.before.point, order.before.fraction)
             .signals.push_back(k);
         stop_at(scripts[second], plan.agents[second].path, order.after.point, order.after.fraction).waits.push_back(k);
