@@ -53,7 +53,7 @@ struct RehearsalOptions {
     int runs = 1000;
     std::uint64_t seed = 1;
     unsigned threads = 0;  // 0: all cores
-    // Called after each run with how many are done, on the thread that has done it, never by two at a time.
+    // Called after each run with how many are done, on the thread that has done it; by several at a time.
     std::function<void(int)> progress = {};
 };
 inline constexpr double least_sight = 3;

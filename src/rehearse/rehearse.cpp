@@ -1,9 +1,9 @@
 #include "waybreaker/rehearse.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
-#include <mutex>
 #include <string>
 
 #include "core/parallel.hpp"
@@ -60,13 +60,11 @@ Rehearsal rehearse(const Map& map, const Mission& mission, const Plan& plan, con
     const std::size_t threads = std::min<std::size_t>(thread_count(options.threads), rehearsal.runs.size());
     std::vector<Planner> planners(threads);
     std::vector<std::vector<double>> times(threads);
-    std::mutex mutex;
-    int done = 0;
+    std::atomic<int> done = 0;
     for_each_index(rehearsal.runs.size(), unsigned(threads), [&](std::size_t run, std::size_t thread) {
         rehearsal.runs[run] = rehearsal::play(scene, run, planners[thread], times[thread]);
-        if (!options.progress) return;
-        const std::scoped_lock lock(mutex);
-        options.progress(++done);
+        const int count = ++done;
+        if (options.progress) options.progress(count);
     });
     std::vector<double> makespans;
     std::vector<double> ground_makespans;
