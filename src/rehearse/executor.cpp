@@ -101,6 +101,7 @@ class Execution {
     Rehearsed play() {
         open_by(now_);
         adopt(scene_.scripts);
+        heed_news();
         while (result_.ending == Ending::arrived && !everybody_ended()) step();
         close();
         return std::move(result_);
@@ -132,7 +133,11 @@ class Execution {
             if (other->until > now_ + at_once) break;
             happen(*other);
         }
-        if (news_) revise_plan();
+        heed_news();
+    }
+
+    void heed_news() {
+        while (news_ && result_.ending == Ending::arrived) revise_plan();
     }
 
     // What others open.
@@ -424,7 +429,12 @@ class Execution {
             if (moves) stand(actor, Phase::waiting);
             log(actor);
         }
-        for (const std::size_t i : acting_) signal(actors_[i]);
+        // A breach that takes no time may be made where an aircraft is.
+        for (const std::size_t i : acting_) {
+            const std::vector<ObstacleId>& breaches = actors_[i].here().breaches;
+            if (breaches.empty() || try_breaches(breaches)) signal(actors_[i]);
+        }
+        if (news_) return;
         for (const std::size_t i : acting_) {
             Actor& actor = actors_[i];
             if (actor.phase == Phase::waiting || actor.phase == Phase::arrived) go_on(actor);
