@@ -75,6 +75,9 @@ struct Agent {
     // `ready_at`. Where and when they begin, the agent begins; others keep clear of a ground agent on it.
     std::vector<Waypoint> approach = {};
     int breaches = any_number;  // how many obstacles an air agent may breach, >= 0
+
+    // Where it is when it is ready: where its flight or drive begins.
+    Point begin() const { return from.value_or(Point(start)); }
 };
 
 // Agents that move one cell in a unit of time; an aircraft returns to its start unless a goal is given.

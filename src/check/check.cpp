@@ -70,11 +70,11 @@ Violations judge_capacity(const Mission& mission, const Plan& plan) {
     return {{Rule::capacity, beyond_capacity(*found), found->id}};
 }
 
-// Of one ground and one air agent, when the ground agent is ready.
-double ready_at(const Mission& mission) {
-    const auto drives = [](const Agent& agent) { return agent.kind == AgentKind::ground; };
-    const auto known = std::find_if(mission.agents.begin(), mission.agents.end(), drives);
-    return known == mission.agents.end() ? 0 : known->ready_at;
+// Of one ground and one air agent; one by default where the mission has none.
+Agent asked(const Mission& mission, AgentKind kind) {
+    const auto is_kind = [kind](const Agent& agent) { return agent.kind == kind; };
+    const auto known = std::find_if(mission.agents.begin(), mission.agents.end(), is_kind);
+    return known == mission.agents.end() ? Agent{} : *known;
 }
 
 Violations judge_explained(const Plan& plan, const Itinerary& agent, double ready_at, const Terms& terms) {
@@ -102,15 +102,17 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
             return all;
         }
     }
+    const Agent driver = asked(mission, AgentKind::ground);
+    const Agent flyer = asked(mission, AgentKind::air);
     if (plan.agents.empty()) {
-        append(all, judge_figures(plan, nullptr, nullptr, 0, terms));
+        append(all, judge_figures(plan, nullptr, nullptr, driver, flyer, terms));
         return all;
     }
     const Itinerary* ground = only_agent(plan, AgentKind::ground, all);
     const Itinerary* air = only_agent(plan, AgentKind::air, all);
     if (!ground || !air) return all;
-    const Violations ground_times = judge_timetable(*ground, terms);
-    const Violations air_times = judge_timetable(*air, terms);
+    const Violations ground_times = judge_timetable(*ground, &driver, terms);
+    const Violations air_times = judge_timetable(*air, &flyer, terms);
     append(all, ground_times);
     append(all, air_times);
     // Where somebody is at a time can be asked of a timetable that goes forward in time.
@@ -119,17 +121,17 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
                            [](const Violation& v) { return v.rule == Rule::agents || v.rule == Rule::time; });
     };
     if (!broken(ground_times)) {
-        Drive drive = judge_ground(map, plan, *ground, terms);
+        Drive drive = judge_ground(map, plan, *ground, driver, terms);
         append(all, std::move(drive.found));
         if (drive.followed) append(all, judge_entries(map, plan, drive.entries, ground->id, terms));
     }
     if (!broken(air_times)) append(all, judge_breaches(map, plan.breaches, *air, terms));
     if (!broken(ground_times) && !broken(air_times)) {
-        const double ready = ready_at(mission);
-        append(all, judge_ready(*ground, ready, terms));
-        append(all, judge_figures(plan, ground, air, ready, terms));
-        append(all, judge_explained(plan, *ground, ready, terms));
-        append(all, judge_explained(plan, *air, 0, terms));
+        append(all, judge_ready(*ground, driver, terms));
+        append(all, judge_ready(*air, flyer, terms));
+        append(all, judge_figures(plan, ground, air, driver, flyer, terms));
+        append(all, judge_explained(plan, *ground, driver.ready_at, terms));
+        append(all, judge_explained(plan, *air, flyer.ready_at, terms));
     }
     return all;
 }

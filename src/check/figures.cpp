@@ -6,8 +6,8 @@ namespace {
 
 class FiguresJudge {
   public:
-    FiguresJudge(const Plan& plan, double ready_at, const Terms& terms)
-        : plan_(plan), ready_at_(ready_at), terms_(terms) {}
+    FiguresJudge(const Plan& plan, const Agent& driver, const Agent& flyer, const Terms& terms)
+        : plan_(plan), driver_(driver), flyer_(flyer), terms_(terms) {}
 
     Violations judge(const Itinerary* ground, const Itinerary* air) {
         judge_status(ground != nullptr);
@@ -51,8 +51,10 @@ class FiguresJudge {
             return;
         }
         if (!ground || !air) return;
-        const auto straight = [](const Itinerary& agent) {
-            return std::hypot(double(agent.goal.x) - agent.start.x, double(agent.goal.y) - agent.start.y);
+        const auto straight = [this](const Itinerary& agent) {
+            Point start(agent.start);
+            if (agent.kind == AgentKind::air && flyer_.from) start = *flyer_.from;
+            return std::hypot(agent.goal.x - start.x, agent.goal.y - start.y);
         };
         expect(Rule::before, "before removal the air agent's length", before.air().length, straight(*air));
         const std::optional<double> length = before.ground().length;
@@ -61,8 +63,8 @@ class FiguresJudge {
             report(Rule::before, "before removal the ground path, " + text(*length) +
                                      " long, is shorter than the straight line, " + text(straight(*ground)));
         }
-        const double drive = ready_at_ + *length / ground->speed;
-        const double flight = straight(*air) / air->speed;
+        const double drive = driver_.ready_at + *length / ground->speed;
+        const double flight = flyer_.ready_at + straight(*air) / air->speed;
         expect(Rule::before, "before removal the makespan", before.makespan, std::max(drive, flight));
         expect(Rule::before, "before removal the flowtime", before.flowtime, drive + flight);
         if (before.ground_makespan || terms_.rules.objective == Objective::ground_makespan) {
@@ -93,7 +95,8 @@ class FiguresJudge {
     }
 
     const Plan& plan_;
-    double ready_at_;  // of the ground agent
+    const Agent& driver_;
+    const Agent& flyer_;
     const Terms& terms_;
     Violations found_;
 };
@@ -157,9 +160,9 @@ void judge_bound(const Plan& plan, const Terms& terms, Violations& found) {
     }
 }
 
-Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, double ready_at,
-                         const Terms& terms) {
-    return FiguresJudge(plan, ready_at, terms).judge(ground, air);
+Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Agent& driver,
+                         const Agent& flyer, const Terms& terms) {
+    return FiguresJudge(plan, driver, flyer, terms).judge(ground, air);
 }
 
 }  // namespace waybreaker::checker

@@ -155,11 +155,22 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms
         if (!names_obstacle(map, breach.obstacle)) continue;
         until[breach.obstacle.value] = terms.rules.timing == Timing::enforce ? breach.cleared_at : -for_ever;
     }
+    for (const TimedOpening& opening : terms.rules.opened) {
+        if (!names_obstacle(map, opening.obstacle)) continue;
+        double& stands = until[opening.obstacle.value];
+        stands = terms.rules.timing == Timing::enforce ? std::min(stands, opening.at) : -for_ever;
+    }
     return until;
 }
 
-Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms) {
-    return GroundJudge(map, plan, ground, terms).judge();
+Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Agent& asked, const Terms& terms) {
+    const std::size_t points = std::min(asked.approach.size(), ground.path.size());
+    if (points == 0) return GroundJudge(map, plan, ground, terms).judge();
+    Itinerary free = ground;
+    free.path.erase(free.path.begin(), free.path.begin() + std::ptrdiff_t(points) - 1);
+    Drive drive = GroundJudge(map, plan, free, terms).judge();
+    append(drive.found, judge_approach(map, plan, ground, points, terms));
+    return drive;
 }
 
 Violations judge_entries(const Map& map, const Plan& plan, const Entries& entries, const std::string& who,

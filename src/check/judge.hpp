@@ -57,11 +57,11 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms
 // That all numbers of the plan are finite. What follows has this as its precondition.
 Violations judge_numbers(const Plan& plan);
 
-// A path from start to goal, in time and at the agent's speed.
-Violations judge_timetable(const Itinerary& agent, const Terms& terms);
+// A path from start to goal, in time and at the agent's speed. `asked`: the agent as the mission has it, if it does.
+Violations judge_timetable(const Itinerary& agent, const Agent* asked, const Terms& terms);
 
 // That the agent stands at its start until it is ready, also if that is its goal.
-Violations judge_ready(const Itinerary& agent, double ready_at, const Terms& terms);
+Violations judge_ready(const Itinerary& agent, const Agent& asked, const Terms& terms);
 
 // The first contact with each obstacle that is met.
 using Entries = std::map<ObstacleId, Contact>;
@@ -73,7 +73,11 @@ struct Drive {
 };
 
 // The ground agent's way. Precondition: its timetable is in order.
-Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Terms& terms);
+Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Agent& asked, const Terms& terms);
+
+// That so many points from the first on lead past all that stands. Precondition: the path has them.
+Violations judge_approach(const Map& map, const Plan& plan, const Itinerary& ground, std::size_t points,
+                          const Terms& terms);
 
 // That what is removed is entered when the plan says. `who` has entered it; empty where there are several.
 Violations judge_entries(const Map& map, const Plan& plan, const Entries& entries, const std::string& who,
@@ -90,9 +94,9 @@ std::string beyond_capacity(const Agent& agent);
 Violations judge_breaches(const Map& map, std::span<const Breach> breaches, const Itinerary& air, const Terms& terms);
 
 // Status, lengths, arrivals and bound. Preconditions: timetables in order; without agents both are null.
-// `ready_at`: of the ground agent.
-Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, double ready_at,
-                         const Terms& terms);
+// `driver` and `flyer`: as the mission has them.
+Violations judge_figures(const Plan& plan, const Itinerary* ground, const Itinerary* air, const Agent& driver,
+                         const Agent& flyer, const Terms& terms);
 
 // What it explains of an agent. `alone`: how long its way is without removals. Preconditions: its timetable is in
 // order.

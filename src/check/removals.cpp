@@ -26,10 +26,12 @@ bool on_boundary(const Map& map, Cell at, ObstacleId obstacle) {
 using Ids = std::set<ObstacleId>;
 
 // Why an obstacle may not be removed, if it may not.
-std::optional<std::string> objection(const Map& map, ObstacleId obstacle, const Ids& protect) {
+std::optional<std::string> objection(const Map& map, ObstacleId obstacle, const Ids& protect, const Rules& rules) {
     if (!names_obstacle(map, obstacle)) return "there is no obstacle " + std::to_string(obstacle.value);
     if (!map.obstacle(obstacle).destructible) return text(obstacle) + " cannot be destroyed";
     if (protect.contains(obstacle)) return text(obstacle) + " is protected";
+    const auto is_it = [obstacle](const TimedOpening& opening) { return opening.obstacle == obstacle; };
+    if (std::any_of(rules.opened.begin(), rules.opened.end(), is_it)) return text(obstacle) + " opens by itself";
     return std::nullopt;
 }
 
@@ -135,7 +137,7 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) 
         const ObstacleId obstacle = breach.obstacle;
         const bool is_new = seen.insert(obstacle).second;
         if (!is_new) found.push_back(violation(Rule::repetition, text(obstacle) + " is removed twice", breach));
-        const auto reason = objection(map, obstacle, protect);
+        const auto reason = objection(map, obstacle, protect, terms.rules);
         if (reason) found.push_back(violation(Rule::obstacle, *reason, breach));
         if (names_obstacle(map, obstacle)) append(found, judge_description(map, breach));
     }
@@ -145,7 +147,7 @@ Violations judge_removals(const Map& map, const Plan& plan, const Terms& terms) 
         found.push_back({Rule::removals, text(id) + " is not removed, though it must be", "", id});
     }
     for (const NextBreach& next : plan.next) {
-        auto reason = objection(map, next.obstacle, protect);
+        auto reason = objection(map, next.obstacle, protect, terms.rules);
         if (!reason && seen.contains(next.obstacle)) reason = text(next.obstacle) + " is removed already";
         if (reason) found.push_back({Rule::next, "as the next removal: " + *reason, "", next.obstacle});
     }

@@ -34,16 +34,18 @@ Nearest nearest(Point from, Point to, double start, double end) {
 
 class Pair {
   public:
-    Pair(const Itinerary& a, const Itinerary& b, bool stays) : a_(a.path), b_(b.path) {
+    Pair(const Itinerary& a, const Itinerary& b, bool stays)
+        : a_(a.path), b_(b.path), begin_(std::max(a_.front().t, b_.front().t)) {
         // Those that leave are there until the first of them has gone.
         end_ = stays ? std::max(a_.back().t, b_.back().t) : std::min(a_.back().t, b_.back().t);
     }
 
     // The first time at which the two are nearer than that, as near as they come before one of them bends again.
     std::optional<Nearest> too_near(double needed) const {
+        if (begin_ > end_) return std::nullopt;
         std::size_t i = 0;
         std::size_t j = 0;
-        for (double time = 0;;) {
+        for (double time = begin_;;) {
             while (i < a_.size() && a_[i].t <= time) ++i;
             while (j < b_.size() && b_[j].t <= time) ++j;
             const double next =
@@ -67,6 +69,7 @@ class Pair {
 
     const std::vector<Waypoint>& a_;
     const std::vector<Waypoint>& b_;
+    double begin_;  // both are there from then on
     double end_;
 };
 

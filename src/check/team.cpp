@@ -108,7 +108,7 @@ class TeamJudge {
         for (const Itinerary& path : plan_.agents) {
             const Agent& agent = *agents_.at(path.id);
             const Terms terms{terms_.rules, agent.body, terms_.tolerance};
-            const Violations times = judge_timetable(path, terms);
+            const Violations times = judge_timetable(path, &agent, terms);
             append(found_, times);
             const bool unreadable = std::any_of(times.begin(), times.end(), [](const Violation& v) {
                 return v.rule == Rule::agents || v.rule == Rule::time;
@@ -117,18 +117,18 @@ class TeamJudge {
             if (unreadable) continue;
             append(found_, judge_waits(plan_, path, agent.ready_at, terms));
             append(found_, judge_gain(path, agent.ready_at, alone(path.id), terms));
+            append(found_, judge_ready(path, agent, terms_));
             if (agent.kind == AgentKind::air) {
                 append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms_));
                 continue;
             }
-            Drive drive = judge_ground(map_, plan_, path, terms);
+            Drive drive = judge_ground(map_, plan_, path, agent, terms);
             append(found_, std::move(drive.found));
             followed = followed && drive.followed;
             for (const auto& [obstacle, contact] : drive.entries) {
                 const auto [known, is_new] = entries.emplace(obstacle, contact);
                 if (!is_new && contact.time < known->second.time) known->second = contact;
             }
-            append(found_, judge_ready(path, agent.ready_at, terms_));
             discs.push_back({&path, agent.body.reach()});
         }
         if (!broken && followed) append(found_, judge_entries(map_, plan_, entries, "", terms_));
@@ -169,8 +169,8 @@ class TeamJudge {
                 driven += std::hypot(path.path[k].x - path.path[k - 1].x, path.path[k].y - path.path[k - 1].y);
             }
             expect(Rule::length, "the " + agent.id + " agent's length", plan_.after.routes[i].length, driven);
-            const double straight =
-                std::hypot(double(agent.goal.x) - agent.start.x, double(agent.goal.y) - agent.start.y);
+            const Point start = agent.from ? *agent.from : Point(agent.start);
+            const double straight = std::hypot(agent.goal.x - start.x, agent.goal.y - start.y);
             all_alone = all_alone && plan_.before.routes[i].length;
             const double length = plan_.before.routes[i].length.value_or(straight);
             if (length < straight - slack(terms_, straight)) {

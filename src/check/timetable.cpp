@@ -16,16 +16,24 @@ Violations judge_form(const Itinerary& agent) {
     return {};
 }
 
-Violations judge_ends(const Itinerary& agent, const Terms& terms) {
+Violations judge_ends(const Itinerary& agent, const Agent* asked, const Terms& terms) {
     const std::string who = "the " + agent.id + " agent ";
     const Waypoint& first = agent.path.front();
     const Waypoint& last = agent.path.back();
     Violations found;
-    if (place(first) != Point(agent.start)) {
-        const std::string message = who + "starts at " + text(place(first)) + " instead of " + text(agent.start);
+    const bool is_under_way = asked != nullptr && !asked->approach.empty();
+    const Point start = asked != nullptr && asked->from ? *asked->from : Point(agent.start);
+    if (is_under_way) {
+        const std::vector<Waypoint>& approach = asked->approach;
+        if (agent.path.size() < approach.size() || !std::equal(approach.begin(), approach.end(), agent.path.begin())) {
+            const std::string message = who + "does not come to its start as it is under way";
+            found.push_back({Rule::start, message, agent.id, {}, place(first), first.t});
+        }
+    } else if (place(first) != start) {
+        const std::string message = who + "starts at " + text(place(first)) + " instead of " + text(start);
         found.push_back({Rule::start, message, agent.id, {}, place(first), first.t});
     }
-    if (!agree(terms, first.t, 0)) {
+    if (!is_under_way && !agree(terms, first.t, 0)) {
         found.push_back({Rule::start, who + "does not start at time 0", agent.id, {}, place(first), first.t});
     }
     if (place(last) != Point(agent.goal)) {
@@ -60,24 +68,27 @@ Violations judge_moves(const Itinerary& agent, const Terms& terms) {
 
 }  // namespace
 
-Violations judge_timetable(const Itinerary& agent, const Terms& terms) {
+Violations judge_timetable(const Itinerary& agent, const Agent* asked, const Terms& terms) {
     Violations found = judge_form(agent);
     if (!found.empty()) return found;
-    found = judge_ends(agent, terms);
+    found = judge_ends(agent, asked, terms);
     append(found, judge_moves(agent, terms));
     return found;
 }
 
-Violations judge_ready(const Itinerary& agent, double ready_at, const Terms& terms) {
-    const auto moved = std::find_if(agent.path.begin(), agent.path.end(),
-                                    [&](const Waypoint& at) { return place(at) != Point(agent.start); });
+Violations judge_ready(const Itinerary& agent, const Agent& asked, const Terms& terms) {
+    const Point start = asked.from ? *asked.from : Point(agent.start);
+    const std::size_t under_way =
+        std::min(asked.approach.empty() ? 0 : asked.approach.size() - 1, agent.path.size() - 1);
+    const auto moved = std::find_if(agent.path.begin() + std::ptrdiff_t(under_way), agent.path.end(),
+                                    [&](const Waypoint& at) { return place(at) != start; });
     const Waypoint& at = moved == agent.path.end() ? agent.path.back() : *moved;
-    const double way = std::hypot(at.x - agent.start.x, at.y - agent.start.y);
+    const double way = std::hypot(at.x - start.x, at.y - start.y);
     const double left = at.t - way / agent.speed;
-    if (left + slack(terms, at.t) >= ready_at) return {};
+    if (left + slack(terms, at.t) >= asked.ready_at) return {};
     const std::string message =
-        "the " + agent.id + " agent leaves at " + text(left) + ", before it is ready at " + text(ready_at);
-    return {{Rule::start, message, agent.id, {}, Point(agent.start), left}};
+        "the " + agent.id + " agent leaves at " + text(left) + ", before it is ready at " + text(asked.ready_at);
+    return {{Rule::start, message, agent.id, {}, start, left}};
 }
 
 }  // namespace waybreaker::checker

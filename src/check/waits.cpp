@@ -30,7 +30,8 @@ bool breaches(const Plan& plan, const Breach& breach, const std::string& agent) 
 }
 
 // Whether that can be in the way until then.
-bool can_hinder(const Plan& plan, const Itinerary& agent, double ready_at, const Wait& wait, double hair) {
+bool can_hinder(const Plan& plan, const Rules& rules, const Itinerary& agent, double ready_at, const Wait& wait,
+                double hair) {
     const bool names_nobody = wait.agent.empty();
     if (wait.obstacle && wait.reason != WaitReason::opening) return false;
     switch (wait.reason) {
@@ -39,6 +40,10 @@ bool can_hinder(const Plan& plan, const Itinerary& agent, double ready_at, const
         case WaitReason::readiness:
             return names_nobody && wait.until <= ready_at + hair;
         case WaitReason::opening:
+            if (names_nobody && std::any_of(rules.opened.begin(), rules.opened.end(), [&](const TimedOpening& opening) {
+                    return opening.obstacle == wait.obstacle && wait.until <= opening.at + hair;
+                }))
+                return true;
             return std::any_of(plan.breaches.begin(), plan.breaches.end(), [&](const Breach& breach) {
                 return breach.obstacle == wait.obstacle && wait.until <= breach.cleared_at + hair &&
                        breaches(plan, breach, wait.agent);
@@ -68,7 +73,7 @@ Violations judge_waits(const Plan& plan, const Itinerary& agent, double ready_at
         };
         if (wait.from >= wait.until || wait.from < before - hair || !stands(agent, wait, hair, terms)) {
             report(", but does not stand there then");
-        } else if (!can_hinder(plan, agent, ready_at, wait, hair)) {
+        } else if (!can_hinder(plan, terms.rules, agent, ready_at, wait, hair)) {
             report(" for what is not in its way until then");
         }
         before = wait.until;

@@ -12,9 +12,9 @@ Set united(const Set& a, const Set& b) {
     return both;
 }
 
-double gap(const Box& box, Cell to) {
-    const int dx = std::max({box.min.x - to.x, to.x - box.max.x, 0});
-    const int dy = std::max({box.min.y - to.y, to.y - box.max.y, 0});
+double gap(const Box& box, Point to) {
+    const double dx = std::max({box.min.x - to.x, to.x - box.max.x, 0.0});
+    const double dy = std::max({box.min.y - to.y, to.y - box.max.y, 0.0});
     return std::hypot(dx, dy);
 }
 
@@ -50,25 +50,37 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
             capacity += agent.breaches;
         }
     }
+    const std::size_t must = forced_.size();
+    for (const TimedOpening& opening : mission.rules.opened) forced_.push_back(opening.obstacle);
     std::ranges::sort(forced_);
     const std::int64_t most =
         std::min({capacity, std::int64_t{mission.rules.removals}, std::int64_t(map.obstacles().size())});
-    spare_removals_ = int(std::max<std::int64_t>(most - std::int64_t(forced_.size()), 0));
+    spare_removals_ = int(std::max<std::int64_t>(most - std::int64_t(must), 0));
     spare_budget_ = mission.rules.budget;
-    for (const ObstacleId id : forced_) spare_budget_ -= map.obstacle(id).weight;
+    for (const ObstacleId id : mission.rules.force) spare_budget_ -= map.obstacle(id).weight;
     least_openings_.assign(map.obstacles().size() + 1, infinity);
     short_detours_.assign(map.obstacles().size() + 1, infinity);
     for (const Obstacle& obstacle : map.obstacles()) {
         double& opening = least_openings_[obstacle.id.value];
         double& detour = short_detours_[obstacle.id.value];
         for (const Agent* agent : aircraft_) {
-            const double there = std::max(gap(obstacle.bounds, agent->start) - 1.5, 0.0) / agent->speed;
+            const double there =
+                agent->ready_at + std::max(gap(obstacle.bounds, agent->begin()) - 1.5, 0.0) / agent->speed;
             const double home = std::max(gap(obstacle.bounds, agent->goal) - 1.5, 0.0) / agent->speed;
             opening = std::min(opening, there + breach_time(obstacle.id));
             detour = std::min(detour, std::max(there + home - straight_flight(*agent), 0.0));
         }
         if (mission.rules.timing == Timing::ignore) opening = 0;
     }
+    for (const TimedOpening& opening : mission.rules.opened) {
+        least_openings_[opening.obstacle.value] = mission.rules.timing == Timing::ignore ? 0 : opening.at;
+        short_detours_[opening.obstacle.value] = 0;
+    }
+}
+
+std::optional<double> Problem::given_opening(ObstacleId id) const {
+    const auto found = std::ranges::find(rules().opened, id, &TimedOpening::obstacle);
+    return found == rules().opened.end() ? std::nullopt : std::optional(found->at);
 }
 
 const Problem::Earliest& Problem::earliest(ObstacleId id) const {
@@ -77,12 +89,13 @@ const Problem::Earliest& Problem::earliest(ObstacleId id) const {
 }
 
 Problem::Earliest Problem::find_earliest(ObstacleId id) const {
+    if (const auto at = given_opening(id)) return {rules().timing == Timing::ignore ? 0 : *at, 0, 0};
     Earliest earliest;
     const double stay = breach_time(id);
     const std::vector<Cell> boundary = map_.boundary(id);
     for (const Agent* agent : aircraft_) {
         for (const Cell at : boundary) {
-            const double there = distance(agent->start, at) / agent->speed + stay;
+            const double there = agent->ready_at + distance(agent->begin(), at) / agent->speed + stay;
             earliest.opening = std::min(earliest.opening, there);
             const double home = there + distance(at, agent->goal) / agent->speed;
             earliest.home = std::min(earliest.home, home);

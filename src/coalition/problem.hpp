@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,8 @@ using Set = std::vector<ObstacleId>;
 Set united(const Set& a, const Set& b);
 bool contains(const Set& set, ObstacleId id);
 
-// From the cells of a box to a cell, in cells.
-double gap(const Box& box, Cell to);
+// From the cells of a box to a place, in cells.
+double gap(const Box& box, Point to);
 // Lower bound of an agent's arrival by way of an obstacle that opens then.
 double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening);
 
@@ -38,8 +39,10 @@ class Problem {
     std::span<const Agent* const> vehicles() const { return vehicles_; }
     std::span<const Agent* const> aircraft() const { return aircraft_; }
 
-    // What must be removed.
+    // What is removed in every plan: what must be, and what opens by itself.
     const Set& forced() const { return forced_; }
+    // When an obstacle opens by itself; empty for all others.
+    std::optional<double> given_opening(ObstacleId id) const;
     // How many obstacles may be removed beside those, and what they may weigh.
     int spare_removals() const { return spare_removals_; }
     double spare_budget() const { return spare_budget_; }
@@ -52,7 +55,9 @@ class Problem {
         return rules().objective == Objective::makespan ? last : last_on_ground;
     }
 
-    double breach_time(ObstacleId id) const { return rules().breach_time.of(map_.obstacle(id)); }
+    double breach_time(ObstacleId id) const {
+        return given_opening(id) ? 0 : rules().breach_time.of(map_.obstacle(id));
+    }
     // No aircraft has it open earlier; 0 where obstacles do not stand in time.
     double earliest_opening(ObstacleId id) const { return earliest(id).opening; }
     // The same, a little less and faster.
@@ -65,7 +70,7 @@ class Problem {
     double least_detour(ObstacleId id) const { return earliest(id).detour; }
     // When an aircraft is at its goal if it breaches nothing.
     static double straight_flight(const Agent& aircraft) {
-        return distance(aircraft.start, aircraft.goal) / aircraft.speed;
+        return aircraft.ready_at + distance(aircraft.begin(), aircraft.goal) / aircraft.speed;
     }
 
   private:

@@ -45,7 +45,7 @@ void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t eno
     Sorties sorties(problem_.aircraft().size());
     const auto give = [&](auto& self, std::size_t first, std::size_t given) -> void {
         if (ways_.effort() >= enough || problem_.interrupts().due()) return;
-        if (given == targets_.size()) {
+        if (given == flown_) {
             Draft eager = draft;
             eager.sorties = sorties;
             fill(eager);
@@ -58,9 +58,10 @@ void SortiePlanner::try_all_orders(Draft& draft, double worth, std::uint64_t eno
         for (std::size_t a = first; a < sorties.size(); ++a) {
             const Agent& aircraft = *problem_.aircraft()[a];
             if (sorties[a].size() == std::size_t(aircraft.breaches)) continue;
-            const Cell from = sorties[a].empty() ? aircraft.start : sorties[a].back().at;
+            const Point from = sorties[a].empty() ? aircraft.begin() : Point(sorties[a].back().at);
             for (std::size_t target = 0; target < targets_.size(); ++target) {
                 const auto is_target = [&](const Stop& stop) { return stop.target == target; };
+                if (problem_.given_opening(targets_[target].obstacle)) continue;
                 if (std::ranges::any_of(sorties, [&](const Tour& s) { return std::ranges::any_of(s, is_target); }))
                     continue;
                 const auto away = [&](Cell c) { return distance(from, c); };
@@ -122,6 +123,14 @@ void SortiePlanner::prepare(const Set& set) {
     std::vector<double> stays;
     for (const ObstacleId id : set) stays.push_back(problem_.breach_time(id));
     precedence_ = Precedence({problem_.aircraft().begin(), problem_.aircraft().end()}, std::move(stays));
+    flown_ = 0;
+    for (std::size_t target = 0; target < set.size(); ++target) {
+        if (const auto at = problem_.given_opening(set[target])) {
+            precedence_.open_by_itself(target, *at);
+        } else {
+            ++flown_;
+        }
+    }
     const bool waits = problem_.rules().timing != Timing::ignore;
     menus_.clear();
     for (std::size_t i = 0; i < problem_.vehicles().size(); ++i) {
@@ -190,6 +199,7 @@ std::vector<std::size_t> SortiePlanner::by_need() const {
     };
     std::vector<std::size_t> order(targets_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
+    std::erase_if(order, [&](std::size_t t) { return problem_.given_opening(targets_[t].obstacle).has_value(); });
     std::ranges::stable_sort(order, {}, need);
     return order;
 }

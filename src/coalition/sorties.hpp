@@ -50,6 +50,7 @@ class SortiePlanner {
     Ways& ways_;
     Workers& workers_;
     std::vector<Target> targets_;
+    std::size_t flown_ = 0;                       // targets that do not open by themselves
     std::vector<std::vector<const Way*>> menus_;  // by vehicle
     Precedence precedence_;                       // of all on any way of theirs
 };

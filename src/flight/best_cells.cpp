@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t most_pairs = 1 << 20;  // of cells of neighbouring stops
 
 // Keeps, for each stop, the cells that a tour of this length could visit, were each its only stop.
-std::vector<std::vector<Cell>> cells_in_reach(Cell start, const Tour& tour, Cell goal,
+std::vector<std::vector<Cell>> cells_in_reach(Point start, const Tour& tour, Point goal,
                                               std::span<const Target> targets) {
     const double length = tour_length(start, tour, goal) * (1 + least_gain);
     std::vector<std::vector<Cell>> cells;
@@ -33,7 +33,7 @@ struct Way {
 };
 
 // The shortest way to a cell, over the cells of the stop before.
-Way shortest_way(const std::vector<Way>& ways, const std::vector<Cell>& cells, Cell to) {
+Way shortest_way(const std::vector<Way>& ways, const std::vector<Cell>& cells, Point to) {
     Way best{ways[0].length + distance(cells[0], to), 0};
     for (std::size_t k = 1; k < cells.size(); ++k) {
         const double length = ways[k].length + distance(cells[k], to);
@@ -44,7 +44,7 @@ Way shortest_way(const std::vector<Way>& ways, const std::vector<Cell>& cells, C
 
 }  // namespace
 
-bool choose_best_cells(Cell start, Tour& tour, Cell goal, std::span<const Target> targets) {
+bool choose_best_cells(Point start, Tour& tour, Point goal, std::span<const Target> targets) {
     if (tour.empty()) return false;
     const std::vector<std::vector<Cell>> cells = cells_in_reach(start, tour, goal, targets);
     if (pairs(cells) > most_pairs) return false;

@@ -42,7 +42,7 @@ double latest_arrival(const Deadlines& deadlines, Set before, std::size_t target
     return latest;
 }
 
-bool in_time(const Deadlines& deadlines, Cell start, const Tour& tour) {
+bool in_time(const Deadlines& deadlines, Point start, const Tour& tour) {
     Set before = 0;
     double flown = 0;
     for (const Stop& stop : tour) {
@@ -54,8 +54,11 @@ bool in_time(const Deadlines& deadlines, Cell start, const Tour& tour) {
     return true;
 }
 
-double gap(const Box& a, const Box& b) {
+double gap(const auto& a, const Box& b) {
     return std::sqrt(squared_gap(a, b));
+}
+double gap(Point a, Point b) {
+    return distance(a, b);
 }
 
 // A round finds, for every set of targets and every piece of another target, the least length of a way from the piece
@@ -64,13 +67,13 @@ class Round {
   public:
     // `pieces` come in order of target and of Piece::whole, an index into the pieces of the round `before`. That one
     // ran from the far end; the first round does without. `deadlines`, if any: the near end is the start.
-    Round(std::vector<Piece> pieces, std::size_t targets, Cell near_end, Cell far_end, double limit,
+    Round(std::vector<Piece> pieces, std::size_t targets, Point near_end, Point far_end, double limit,
           const Deadlines* deadlines, const Round* before)
         : pieces_(std::move(pieces)),
           deadlines_(deadlines),
           all_(only(targets) - 1),
-          near_end_(box_of(near_end)),
-          far_end_(box_of(far_end)),
+          near_end_(near_end),
+          far_end_(far_end),
           useful_(pieces_.size(), false) {
         group(targets);
         bounds_.assign((std::size_t{all_} + 1) * pieces_.size(), infinity);
@@ -93,11 +96,10 @@ class Round {
     // The pieces of the best way through all targets, from the far end to the near one, each with one of its cells.
     Tour best_tour() const {
         Tour tour;
-        Box at = far_end_;
         for (Set rest = all_; rest != 0; rest &= ~only(tour.back().target)) {
-            const Piece& next = pieces_[best_way(at, rest, infinity).next];
-            tour.push_back({next.target, next.cells.front()});
-            at = next.box;
+            const Way way =
+                tour.empty() ? best_way(far_end_, rest, infinity) : best_way(box_of(tour.back().at), rest, infinity);
+            tour.push_back({pieces_[way.next].target, pieces_[way.next].cells.front()});
         }
         return tour;
     }
@@ -150,8 +152,8 @@ class Round {
         std::size_t next = none;
         for (std::size_t i = group.first; i < group.last; ++i) {
             const Piece& piece = pieces_[i];
-            const double far = before ? before->bound_of(others, piece.whole) : gap(piece.box, far_end_);
-            if (far + gap(piece.box, near_end_) > limit) continue;
+            const double far = before ? before->bound_of(others, piece.whole) : gap(far_end_, piece.box);
+            if (far + gap(near_end_, piece.box) > limit) continue;
             const double reach = std::min(limit - far, latest);
             const Way way = best_way(piece.box, set, reach, next);
             if (way.length > reach) continue;
@@ -164,8 +166,8 @@ class Round {
 
     // The shortest way from a box through a set to the near end; some longer one if that is longer than `limit`.
     // `likely`: a piece in the set that is probably next; of ways equally long its own is taken.
-    Way best_way(const Box& from, Set set, double limit, std::size_t likely = none) const {
-        if (set == 0) return {gap(from, near_end_), none};
+    Way best_way(const auto& from, Set set, double limit, std::size_t likely = none) const {
+        if (set == 0) return {gap(near_end_, from), none};
         Way best{std::nextafter(limit, infinity), none};
         if (likely != none) {
             const double length =
@@ -188,7 +190,7 @@ class Round {
         return best;
     }
 
-    static bool too_far(const Box& a, const Box& b, double reach) {
+    static bool too_far(const auto& a, const Box& b, double reach) {
         return reach < 0 || squared_gap(a, b) > reach * reach * (1 + rounding);
     }
 
@@ -199,8 +201,8 @@ class Round {
     std::vector<Piece> pieces_;
     const Deadlines* deadlines_;
     Set all_;
-    Box near_end_;
-    Box far_end_;
+    Point near_end_;
+    Point far_end_;
     std::vector<bool> useful_;  // by piece: whether one of its bounds is finite
     std::vector<Group> groups_;
     std::vector<std::size_t> first_group_;  // by target, and one past
@@ -209,7 +211,7 @@ class Round {
 };
 
 // The targets, each with the cells that a tour of some length can visit, were it the only target.
-std::vector<Target> in_reach(Cell start, Cell goal, std::span<const Target> targets, double length) {
+std::vector<Target> in_reach(Point start, Point goal, std::span<const Target> targets, double length) {
     std::vector<Target> near(targets.size());
     for (std::size_t i = 0; i < targets.size(); ++i) {
         near[i].obstacle = targets[i].obstacle;
@@ -220,7 +222,7 @@ std::vector<Target> in_reach(Cell start, Cell goal, std::span<const Target> targ
 }
 
 // The shortest tour within the limit that meets the deadlines, if there are any.
-std::optional<Tour> search(Cell start, Cell goal, std::span<const Target> targets, double limit,
+std::optional<Tour> search(Point start, Point goal, std::span<const Target> targets, double limit,
                            const Deadlines* deadlines) {
     assert(targets.size() <= exact_flight_limit);
     limit *= 1 + rounding;
@@ -262,12 +264,12 @@ std::optional<Tour> search(Cell start, Cell goal, std::span<const Target> target
 
 }  // namespace
 
-Tour shortest_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known) {
+Tour shortest_tour(Point start, Point goal, std::span<const Target> targets, const Tour& known) {
     assert(known.size() == targets.size());
     return search(start, goal, targets, tour_length(start, known, goal), nullptr).value_or(known);
 }
 
-std::optional<Tour> shortest_tour_in_time(Cell start, Cell goal, std::span<const Target> targets,
+std::optional<Tour> shortest_tour_in_time(Point start, Point goal, std::span<const Target> targets,
                                           const Deadlines& deadlines, double limit) {
     return search(start, goal, targets, limit, &deadlines);
 }

@@ -11,7 +11,7 @@ namespace {
 
 class LocalSearch {
   public:
-    LocalSearch(Cell start, Tour tour, Cell goal, std::span<const Target> targets)
+    LocalSearch(Point start, Tour tour, Point goal, std::span<const Target> targets)
         : start_(start), tour_(std::move(tour)), goal_(goal) {
         // Only cells that a shorter tour could visit, were each its only stop.
         const double length = tour_length(start, tour_, goal);
@@ -30,14 +30,14 @@ class LocalSearch {
 
   private:
     // Where the air agent is at the i-th stop; start and goal are the stops before the first and after the last.
-    Cell at(std::size_t i) const { return i < tour_.size() ? tour_[i].at : goal_; }
-    Cell before(std::size_t i) const { return i > 0 ? tour_[i - 1].at : start_; }
+    Point at(std::size_t i) const { return i < tour_.size() ? Point(tour_[i].at) : goal_; }
+    Point before(std::size_t i) const { return i > 0 ? Point(tour_[i - 1].at) : start_; }
 
     bool better_cells() {
         bool better = false;
         for (std::size_t i = 0; i < tour_.size(); ++i) {
-            const Cell from = before(i);
-            const Cell to = at(i + 1);
+            const Point from = before(i);
+            const Point to = at(i + 1);
             double least = distance(from, at(i)) + distance(at(i), to) - least_gain;
             for (const Cell c : cells_[tour_[i].target]) {
                 const double length = distance(from, c) + distance(c, to);
@@ -55,8 +55,8 @@ class LocalSearch {
         bool better = false;
         for (std::size_t first = 0; first < tour_.size(); ++first) {
             for (std::size_t last = first + 1; last < tour_.size(); ++last) {
-                const Cell from = before(first);
-                const Cell to = at(last + 1);
+                const Point from = before(first);
+                const Point to = at(last + 1);
                 const double gain = distance(from, at(first)) + distance(at(last), to) - distance(from, at(last)) -
                                     distance(at(first), to);
                 if (gain <= least_gain) continue;
@@ -81,10 +81,10 @@ class LocalSearch {
     }
     // Moves the part before the stop that is now at `place`, if that gains.
     bool move_part(std::size_t first, std::size_t stops, std::size_t place) {
-        const Cell head = at(first);
-        const Cell tail = at(first + stops - 1);
-        const Cell from = before(place);
-        const Cell to = at(place);
+        const Point head = at(first);
+        const Point tail = at(first + stops - 1);
+        const Point from = before(place);
+        const Point to = at(place);
         const double closed = distance(before(first), head) + distance(tail, at(first + stops)) -
                               distance(before(first), at(first + stops)) + distance(from, to);
         const double forward = distance(from, head) + distance(tail, to);
@@ -101,15 +101,15 @@ class LocalSearch {
 
     Tour::iterator stop(std::size_t i) { return tour_.begin() + std::ptrdiff_t(i); }
 
-    Cell start_;
+    Point start_;
     Tour tour_;
-    Cell goal_;
+    Point goal_;
     std::vector<std::vector<Cell>> cells_;  // by target
 };
 
 }  // namespace
 
-Tour improved_tour(Cell start, Tour tour, Cell goal, std::span<const Target> targets) {
+Tour improved_tour(Point start, Tour tour, Point goal, std::span<const Target> targets) {
     return LocalSearch(start, std::move(tour), goal, targets).run();
 }
 

@@ -11,15 +11,15 @@ namespace waybreaker {
 namespace {
 
 // The tour's stops, inserted one after another, in order of target, where each lengthens the tour least.
-Tour by_insertion(Cell start, Tour stops, Cell goal) {
+Tour by_insertion(Point start, Tour stops, Point goal) {
     std::ranges::sort(stops, {}, &Stop::target);
     Tour tour;
     for (const Stop& stop : stops) {
         double least = std::numeric_limits<double>::infinity();
         std::size_t place = 0;
         for (std::size_t i = 0; i <= tour.size(); ++i) {
-            const Cell from = i > 0 ? tour[i - 1].at : start;
-            const Cell to = i < tour.size() ? tour[i].at : goal;
+            const Point from = i > 0 ? Point(tour[i - 1].at) : start;
+            const Point to = i < tour.size() ? Point(tour[i].at) : goal;
             const double more = distance(from, stop.at) + distance(stop.at, to) - distance(from, to);
             if (more >= least) continue;
             least = more;
@@ -31,10 +31,10 @@ Tour by_insertion(Cell start, Tour stops, Cell goal) {
 }
 
 // Plans the stops first..first + exact_window - 1 anew, in any order and at any cells. Whether that gains.
-bool replan_part(Cell start, Tour& tour, Cell goal, std::span<const Target> targets, std::size_t first) {
+bool replan_part(Point start, Tour& tour, Point goal, std::span<const Target> targets, std::size_t first) {
     const std::size_t last = std::min(first + exact_window, tour.size());
-    const Cell from = first > 0 ? tour[first - 1].at : start;
-    const Cell to = last < tour.size() ? tour[last].at : goal;
+    const Point from = first > 0 ? Point(tour[first - 1].at) : start;
+    const Point to = last < tour.size() ? Point(tour[last].at) : goal;
     std::vector<std::size_t> members;
     for (std::size_t i = first; i < last; ++i) members.push_back(tour[i].target);
     std::ranges::sort(members);
@@ -53,7 +53,7 @@ bool replan_part(Cell start, Tour& tour, Cell goal, std::span<const Target> targ
 }
 
 // Replans overlapping parts, then the cells of all stops, until nothing gains or the time is over.
-Tour by_windows(Cell start, Tour tour, Cell goal, std::span<const Target> targets, const Deadline& deadline) {
+Tour by_windows(Point start, Tour tour, Point goal, std::span<const Target> targets, const Deadline& deadline) {
     for (bool better = true; better;) {
         better = false;
         for (std::size_t first = 0; first < tour.size() && !deadline.passed(); first += exact_window / 2) {
@@ -70,7 +70,7 @@ Tour by_windows(Cell start, Tour tour, Cell goal, std::span<const Target> target
 
 }  // namespace
 
-Tour good_tour(Cell start, Cell goal, std::span<const Target> targets, const Tour& known, const Deadline& deadline) {
+Tour good_tour(Point start, Point goal, std::span<const Target> targets, const Tour& known, const Deadline& deadline) {
     Tour first = by_windows(start, improved_tour(start, known, goal, targets), goal, targets, deadline);
     if (deadline.passed()) return first;
     const Tour inserted = by_insertion(start, known, goal);

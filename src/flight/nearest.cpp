@@ -1,5 +1,6 @@
 // The paper's flight for n > 1 (section 3): each obstacle where it is nearest to the segment start-goal.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -16,6 +17,10 @@ std::int64_t cross(Cell a, Cell b) {
 }
 Cell minus(Cell a, Cell b) {
     return {a.x - b.x, a.y - b.y};
+}
+// In which it lies: all is counted in whole cells, so that it is exact.
+Cell cell_at(Point p) {
+    return {int(std::lround(p.x)), int(std::lround(p.y))};
 }
 std::int64_t squared_distance(Cell a, Cell b) {
     return dot(minus(a, b), minus(a, b));
@@ -40,14 +45,16 @@ Cell nearest_to_segment(const Target& target, Cell start, Cell goal) {
 
 }  // namespace
 
-Tour nearest_tour(Cell start, Cell goal, std::span<const Target> targets) {
+Tour nearest_tour(Point start, Point goal, std::span<const Target> targets) {
+    const Cell from = cell_at(start);
+    const Cell to = cell_at(goal);
     Tour tour;
-    for (std::size_t i = 0; i < targets.size(); ++i) tour.push_back({i, nearest_to_segment(targets[i], start, goal)});
-    std::ranges::stable_sort(tour, {}, [&](const Stop& stop) { return squared_distance(stop.at, start); });
+    for (std::size_t i = 0; i < targets.size(); ++i) tour.push_back({i, nearest_to_segment(targets[i], from, to)});
+    std::ranges::stable_sort(tour, {}, [&](const Stop& stop) { return squared_distance(stop.at, from); });
     return tour;
 }
 
-Flight fly_nearest(const Map& map, Cell start, Cell goal, std::span<const ObstacleId> obstacles) {
+Flight fly_nearest(const Map& map, Point start, Point goal, std::span<const ObstacleId> obstacles) {
     const std::vector<Target> targets = targets_of(map, obstacles);
     return flight_of(start, nearest_tour(start, goal, targets), goal, targets);
 }

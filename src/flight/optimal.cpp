@@ -5,7 +5,7 @@
 
 namespace waybreaker {
 
-Flight fly_optimal(const Map& map, Cell start, Cell goal, std::span<const ObstacleId> obstacles) {
+Flight fly_optimal(const Map& map, Point start, Point goal, std::span<const ObstacleId> obstacles) {
     const std::vector<Target> targets = targets_of(map, obstacles);
     const Tour nearest = nearest_tour(start, goal, targets);
     const Tour tour = targets.size() <= exact_flight_limit

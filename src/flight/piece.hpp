@@ -35,4 +35,11 @@ inline double squared_gap(const Box& a, const Box& b) {
     return dx * dx + dy * dy;
 }
 
+// Of a place and the nearest cell that a box can hold, squared.
+inline double squared_gap(Point a, const Box& b) {
+    const double dx = std::max({a.x - b.max.x, b.min.x - a.x, 0.0});
+    const double dy = std::max({a.y - b.max.y, b.min.y - a.y, 0.0});
+    return dx * dx + dy * dy;
+}
+
 }  // namespace waybreaker

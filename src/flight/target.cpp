@@ -23,9 +23,9 @@ std::vector<Target> targets_of(const Map& map, std::span<const ObstacleId> obsta
     return targets;
 }
 
-double tour_length(Cell start, const Tour& tour, Cell goal) {
+double tour_length(Point start, const Tour& tour, Point goal) {
     double length = 0;
-    Cell at = start;
+    Point at = start;
     for (const Stop& stop : tour) {
         length += distance(at, stop.at);
         at = stop.at;
@@ -33,7 +33,7 @@ double tour_length(Cell start, const Tour& tour, Cell goal) {
     return length + distance(at, goal);
 }
 
-Flight flight_of(Cell start, const Tour& tour, Cell goal, std::span<const Target> targets) {
+Flight flight_of(Point start, const Tour& tour, Point goal, std::span<const Target> targets) {
     Flight flight;
     flight.length = tour_length(start, tour, goal);
     for (const Stop& stop : tour) flight.breaches.push_back({targets[stop.target].obstacle, stop.at});

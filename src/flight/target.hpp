@@ -28,11 +28,11 @@ using Tour = std::vector<Stop>;
 // A gain below this, in cells, is rounding: without it a search could turn in circles.
 inline constexpr double least_gain = 1e-9;
 
-double tour_length(Cell start, const Tour& tour, Cell goal);
+double tour_length(Point start, const Tour& tour, Point goal);
 
-Flight flight_of(Cell start, const Tour& tour, Cell goal, std::span<const Target> targets);
+Flight flight_of(Point start, const Tour& tour, Point goal, std::span<const Target> targets);
 
 // The paper's rule for n > 1 (see fly_nearest), one stop for each target.
-Tour nearest_tour(Cell start, Cell goal, std::span<const Target> targets);
+Tour nearest_tour(Point start, Point goal, std::span<const Target> targets);
 
 }  // namespace waybreaker

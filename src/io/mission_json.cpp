@@ -84,6 +84,19 @@ site::OverlaySource read_overlay(const JsonField& field) {
     return overlay;
 }
 
+// An aircraft may take off anywhere.
+void read_start(const JsonField& field, Agent& agent) {
+    const std::vector<JsonField> parts = field.items();
+    const auto is_whole = [](const JsonField& part) { return part.json().is_number_integer(); };
+    if (agent.kind == AgentKind::ground || parts.size() != 2 || std::ranges::all_of(parts, is_whole)) {
+        agent.start = read_cell(field);
+        return;
+    }
+    const auto whole = [](double value) { return int(std::lround(std::clamp(value, -1e9, 1e9))); };
+    agent.from = Point(parts[0].number(), parts[1].number());
+    agent.start = {whole(agent.from->x), whole(agent.from->y)};
+}
+
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -107,6 +120,8 @@ Json rules_json(const MissionDocument& document) {
     json["protect"] = ids_json(rules.protect);
     for (const site::TagFilter& tag : document.protect_tags) json["protect"].push_back(tag.text());
     json["force"] = ids_json(rules.force);
+    for (const TimedOpening& opening : rules.opened)
+        json["opened"].push_back({{"obstacle", opening.obstacle.value}, {"at", opening.at}});
     if (!rules.failed.empty()) json["failed"] = ids_json(rules.failed);
     if (rules.retries != 0) json["retries"] = rules.retries;
     json["breach_time"] = number(rules.breach_time.per_obstacle);
@@ -213,15 +228,33 @@ void read_body(const JsonField& field, Body& body) {
     if (const auto radius = field.find("radius")) body.radius = read_between(*radius, 0, most_radius);
 }
 
+std::vector<TimedOpening> read_openings(const JsonField& list) {
+    std::vector<TimedOpening> openings;
+    for (const JsonField& item : list.items()) {
+        item.allow({"obstacle", "at"});
+        openings.push_back({read_obstacle(item["obstacle"]), read_between(item["at"], 0, most_breach_time)});
+    }
+    return openings;
+}
+
+Waypoint read_waypoint(const JsonField& field) {
+    const std::vector<JsonField> parts = field.items();
+    if (parts.size() != 3) field.fail("is not [x, y, t]");
+    return {parts[0].number(), parts[1].number(), parts[2].number()};
+}
+
 Agent read_agent_of_mission(const JsonField& field) {
-    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "breaches"});
+    field.allow({"id", "kind", "start", "goal", "speed", "radius", "corners", "ready_at", "breaches", "approach"});
     Agent agent;
     agent.id = read_agent_id(field["id"]);
     agent.kind = field["kind"].one_of(agent_words);
-    agent.start = read_cell(field["start"]);
+    read_start(field["start"], agent);
     agent.goal = read_cell(field["goal"]);
     if (const auto speed = field.find("speed")) agent.speed = read_between(*speed, least_speed, most_speed);
     if (const auto time = field.find("ready_at")) agent.ready_at = read_between(*time, 0, most_breach_time);
+    if (const auto approach = field.find("approach")) {
+        for (const JsonField& point : approach->items()) agent.approach.push_back(read_waypoint(point));
+    }
     if (const auto count = field.find("breaches")) agent.breaches = int(count->whole_number(0, INT_MAX));
     read_body(field, agent.body);
     return agent;
@@ -230,10 +263,11 @@ Agent read_agent_of_mission(const JsonField& field) {
 Json mission_agent_json(const Agent& agent) {
     Json json{{"id", agent.id},
               {"kind", to_string(agent.kind)},
-              {"start", cell_json(agent.start)},
+              {"start", agent.from ? Json{agent.from->x, agent.from->y} : cell_json(agent.start)},
               {"goal", cell_json(agent.goal)},
               {"speed", number(agent.speed)}};
     if (agent.ready_at != 0) json["ready_at"] = number(agent.ready_at);
+    for (const Waypoint& p : agent.approach) json["approach"].push_back({p.x, p.y, p.t});
     if (agent.breaches != any_number) json["breaches"] = agent.breaches;
     if (agent.kind == AgentKind::air) return json;
     json["radius"] = number(agent.body.radius);
@@ -247,6 +281,7 @@ void read_rules(const JsonField& field, MissionDocument& document) {
     read_budget(field, document);
     read_protected(field, document);
     read_ids(field, "force", rules.force);
+    if (const auto list = field.find("opened")) rules.opened = read_openings(*list);
     read_ids(field, "failed", rules.failed);
     if (const auto count = field.find("retries")) rules.retries = int(count->whole_number(0, INT_MAX));
     if (const auto time = field.find("breach_time")) {
@@ -298,8 +333,9 @@ MissionDocument read_mission(const JsonField& document, const Limits& limits) {
     }
     if (agents.empty()) document["agents"].fail("names nobody: a mission has at least one ground agent");
     if (const auto rules = document.find("rules")) {
-        rules->allow({"removals", "budget", "budget_m2", "protect", "force", "failed", "retries", "breach_time",
-                      "breach_time_per_cell", "timing", "objective", "minimise_demolition", "separation", "at_goal"});
+        rules->allow({"removals", "budget", "budget_m2", "protect", "force", "opened", "failed", "retries",
+                      "breach_time", "breach_time_per_cell", "timing", "objective", "minimise_demolition", "separation",
+                      "at_goal"});
         read_rules(*rules, result);
     }
     if (const auto method = document.find("method")) {

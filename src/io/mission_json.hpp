@@ -51,6 +51,8 @@ void read_rules(const JsonField& field, MissionDocument& document);
 // Members of `field` that say how the mission is planned.
 void read_method(const JsonField& field, Method& method);
 void read_body(const JsonField& field, Body& body);
+Waypoint read_waypoint(const JsonField& field);
+std::vector<TimedOpening> read_openings(const JsonField& list);
 Agent read_agent_of_mission(const JsonField& field);
 nlohmann::ordered_json mission_agent_json(const Agent& agent);
 

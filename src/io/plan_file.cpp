@@ -133,11 +133,7 @@ Itinerary agent(const JsonField& field) {
     result.id = read_agent_id(field["id"]);
     result.kind = field["kind"].one_of(agent_words);
     result.speed = field["speed"].number();
-    for (const JsonField& point : field["path"].items()) {
-        const std::vector<JsonField> parts = point.items();
-        if (parts.size() != 3) point.fail("is not [x, y, t]");
-        result.path.push_back({parts[0].number(), parts[1].number(), parts[2].number()});
-    }
+    for (const JsonField& point : field["path"].items()) result.path.push_back(read_waypoint(point));
     if (result.path.empty()) field["path"].fail("is empty");
     result.start = end_of(field, "start", result.path.front());
     result.goal = end_of(field, "goal", result.path.back());

@@ -23,17 +23,6 @@ double read_time(const JsonField& field) {
     return time;
 }
 
-std::vector<TimedOpening> read_openings(const JsonField& document, const char* key) {
-    std::vector<TimedOpening> openings;
-    const auto list = document.find(key);
-    if (!list) return openings;
-    for (const JsonField& item : list->items()) {
-        item.allow({"obstacle", "at"});
-        openings.push_back({read_obstacle(item["obstacle"]), read_time(item["at"])});
-    }
-    return openings;
-}
-
 Json openings_json(std::span<const TimedOpening> openings) {
     Json list = Json::array();
     for (const TimedOpening& opening : openings)
@@ -101,8 +90,8 @@ State parse_state(std::string_view bytes, const std::string& name) {
     if (const auto agents = document.find("agents")) {
         for (const JsonField& agent : agents->items()) state.agents.push_back(read_agent(agent));
     }
-    state.opened = read_openings(document, "opened");
-    state.failed = read_openings(document, "failed");
+    if (const auto opened = document.find("opened")) state.opened = read_openings(*opened);
+    if (const auto failed = document.find("failed")) state.failed = read_openings(*failed);
     if (const auto found = document.find("found")) state.found = read_found(*found);
     if (const auto joined = document.find("joined")) {
         for (const JsonField& agent : joined->items()) state.joined.push_back(read_agent_of_mission(agent));

@@ -24,7 +24,8 @@ AgentOrder::AgentOrder(const Mission& mission) : ordered_(mission), from_(missio
     const auto key = [&](std::size_t i) {
         const Agent& agent = mission.agents[i];
         return std::tuple(agent.kind, agent.start.y, agent.start.x, agent.goal.y, agent.goal.x, agent.speed,
-                          agent.body.radius, agent.body.corners, agent.ready_at, agent.breaches);
+                          agent.body.radius, agent.body.corners, agent.ready_at, agent.breaches, agent.begin().y,
+                          agent.begin().x);
     };
     std::ranges::stable_sort(from_, {}, key);
     for (std::size_t i = 0; i < from_.size(); ++i) ordered_.agents[i] = mission.agents[from_[i]];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "mission/team_plan.hpp"
 #include "mission/waits.hpp"
 #include "model/idle.hpp"
+#include "model/opened.hpp"
 #include "model/timeline.hpp"
 #include "select/bound.hpp"
 #include "select/least_demolition.hpp"
@@ -46,7 +48,7 @@ void for_each_agent(const Mission& mission, const auto& visit) {
 
 Route flight(const Agent& agent, std::size_t aircraft, std::span<const TimedBreach> breaches) {
     Route route{AgentKind::air};
-    route.path.emplace_back(agent.start);
+    route.path.emplace_back(agent.begin());
     for (const TimedBreach& breach : breaches) {
         if (breach.aircraft == aircraft) route.path.emplace_back(breach.at);
     }
@@ -155,8 +157,28 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
     return better;
 }
 
-Plan with_waits(const Map& map, const Mission& mission, Plan plan) {
-    if (plan.status == PlanStatus::solved) add_waits(map, mission, plan);
+// Agents that are on their way already begin there.
+void begin_on_approach(const Mission& mission, Plan& plan) {
+    for (std::size_t i = 0; i < mission.agents.size(); ++i) {
+        const Agent& agent = mission.agents[i];
+        if (agent.approach.empty()) continue;
+        std::vector<Waypoint> path = agent.approach;
+        std::ranges::copy_if(plan.agents[i].path, std::back_inserter(path),
+                             [&](const Waypoint& p) { return p.t > agent.ready_at; });
+        Route& route = plan.after.routes[i];
+        route.path.clear();
+        for (const Waypoint& p : path) {
+            if (route.path.empty() || route.path.back() != Point(p.x, p.y)) route.path.emplace_back(p.x, p.y);
+        }
+        route.length = path_length(route.path);
+        plan.agents[i].path = std::move(path);
+    }
+}
+
+Plan finished(const Map& map, const Mission& mission, Plan plan) {
+    if (plan.status != PlanStatus::solved) return plan;
+    begin_on_approach(mission, plan);
+    add_waits(map, mission, plan);
     return plan;
 }
 
@@ -175,10 +197,11 @@ Planner& Planner::operator=(Planner&&) noexcept = default;
 
 Plan Planner::plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
-    const ActivePart active(mission);
+    const OpenedByThemselves opened(map, mission);
+    const ActivePart active(opened.mission());
     const AgentOrder order(active.mission());
-    Plan plan = plan_active(map, order.mission(), method, limits);
-    return with_waits(map, mission, active.whole(map, order.restored(std::move(plan))));
+    Plan plan = plan_active(opened.map(), order.mission(), method, limits);
+    return finished(map, mission, active.whole(map, order.restored(std::move(plan))));
 }
 
 Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
@@ -208,7 +231,8 @@ Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& 
     }
     const Candidate& best = *chosen;
     // The path of a choice that removes nothing was there before.
-    const Candidate& before = best.opening.removed.empty() && cost(task, best) < cost(task, baseline) ? best : baseline;
+    const Candidate& before =
+        best.schedule.breaches.empty() && cost(task, best) < cost(task, baseline) ? best : baseline;
     const double selecting_seconds = selecting.seconds();
 
     // Report both, without removal and with the best.
@@ -257,10 +281,11 @@ Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& 
 
 std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     validate(map, mission, method, limits);
-    const ActivePart active(mission);
+    const OpenedByThemselves opened(map, mission);
+    const ActivePart active(opened.mission());
     const AgentOrder order(active.mission());
-    std::vector<Plan> plans = front_of_active(map, order.mission(), method, limits);
-    for (Plan& plan : plans) plan = with_waits(map, mission, active.whole(map, order.restored(std::move(plan))));
+    std::vector<Plan> plans = front_of_active(opened.map(), order.mission(), method, limits);
+    for (Plan& plan : plans) plan = finished(map, mission, active.whole(map, order.restored(std::move(plan))));
     return plans;
 }
 

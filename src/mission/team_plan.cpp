@@ -13,6 +13,7 @@
 #include "mission/team_hits.hpp"
 #include "model/objective.hpp"
 #include "model/timeline.hpp"
+#include "schedule/tour_times.hpp"
 #include "select/hits.hpp"
 #include "team/team.hpp"
 
@@ -28,8 +29,8 @@ void set_figures(Outcome& outcome, const Finish& finish) {
 Route flight(const Agent& agent) {
     Route route;
     route.kind = AgentKind::air;
-    route.path = {agent.start, agent.goal};
-    route.length = distance(agent.start, agent.goal);
+    route.path = {agent.begin(), agent.goal};
+    route.length = distance(agent.begin(), agent.goal);
     return route;
 }
 
@@ -62,7 +63,7 @@ void add_alone(const Mission& mission, std::span<const team::Vehicle> vehicles, 
     for (const Agent& agent : mission.agents) {
         if (agent.kind == AgentKind::air) {
             plan.before.routes.push_back(flight(agent));
-            const double time = distance(agent.start, agent.goal) / agent.speed;
+            const double time = agent.ready_at + distance(agent.begin(), agent.goal) / agent.speed;
             alone.add(AgentKind::air, time);
             least.add(AgentKind::air, time);
         } else {
@@ -85,7 +86,7 @@ using Flights = std::vector<team::Path>;
 Flights straight_flights(const Mission& mission) {
     Flights flights;
     for (const Agent& agent : mission.agents) {
-        if (agent.kind == AgentKind::air) flights.push_back(timed(flight(agent).path, agent.speed));
+        if (agent.kind == AgentKind::air) flights.push_back(flown(agent, {}, [](std::size_t) { return 0.0; }));
     }
     return flights;
 }
@@ -237,7 +238,9 @@ Plan plan_team(const Map& map, const Mission& mission, const Method& method, con
     const auto tell = [&](const team::Cost& cost) {
         if (limits.progress) limits.progress({.best = cost.first});
     };
-    team::TeamPlan team = team::plan_team(OpenedMap(map), mission, interrupts, crossing, searcher, tell);
+    std::vector<ObstacleId> opened;
+    for (const TimedOpening& opening : mission.rules.opened) opened.push_back(opening.obstacle);
+    team::TeamPlan team = team::plan_team(OpenedMap(map, opened), mission, interrupts, crossing, searcher, tell);
     plan.status = plan_status(team.status);
     const bool all_alone = std::ranges::none_of(team.vehicles, &std::vector<Cell>::empty, &team::Vehicle::way);
     if (all_alone) {

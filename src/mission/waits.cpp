@@ -115,6 +115,11 @@ class Causes {
             if (!touched) continue;
             add({whenever, breach.cleared_at - *touched}, WaitReason::opening, breach.obstacle, breacher(breach));
         }
+        for (const TimedOpening& opening : mission_.rules.opened) {
+            if (mission_.rules.timing == Timing::ignore) break;
+            const auto touched = first_touch(map_, opening.obstacle, run.path, standing_radius(driver.body));
+            if (touched) add({whenever, opening.at - *touched}, WaitReason::opening, opening.obstacle, "");
+        }
         for (const Disc& disc : discs_) {
             if (disc.agent == agent) continue;
             const double reach =

@@ -10,11 +10,17 @@ namespace waybreaker {
 namespace {
 
 std::vector<Point> flight_of(const Agent& agent) {
-    return {agent.start, agent.goal};
+    return {agent.begin(), agent.goal};
 }
 
 double flight_time(const Agent& agent) {
-    return distance(agent.start, agent.goal) / agent.speed;
+    return agent.ready_at + distance(agent.begin(), agent.goal) / agent.speed;
+}
+
+std::vector<Waypoint> timed_flight(const Agent& agent) {
+    std::vector<Waypoint> path = timed(flight_of(agent), agent.speed, agent.ready_at);
+    if (agent.ready_at > 0) path.insert(path.begin(), {path.front().x, path.front().y, 0});
+    return path;
 }
 
 }  // namespace
@@ -78,7 +84,7 @@ void ActivePart::add_idle(Outcome& outcome) const {
         const Agent& agent = whole_.agents[i];
         routes[i].kind = AgentKind::air;
         routes[i].path = flight_of(agent);
-        routes[i].length = distance(agent.start, agent.goal);
+        routes[i].length = distance(agent.begin(), agent.goal);
     }
     for (const AgentKind kind : {AgentKind::ground, AgentKind::air}) {
         const std::vector<std::size_t> places = places_of(kind);
@@ -111,9 +117,9 @@ Plan ActivePart::whole(const Map& map, Plan plan) const {
         auto active = plan.agents.begin();
         for (std::size_t i = 0; i < idle_.size(); ++i) {
             const Agent& agent = whole_.agents[i];
-            agents.push_back(idle_[i] ? Itinerary{agent.id, agent.kind, agent.speed,
-                                                  timed(flight_of(agent), agent.speed), agent.start, agent.goal}
-                                      : std::move(*active++));
+            agents.push_back(
+                idle_[i] ? Itinerary{agent.id, agent.kind, agent.speed, timed_flight(agent), agent.start, agent.goal}
+                         : std::move(*active++));
         }
         plan.agents = std::move(agents);
     }

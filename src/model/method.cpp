@@ -69,9 +69,6 @@ void validate_capacity(const Mission& mission) {
                                  "breaches is for air agents: the " + agent.id + " agent drives");
             continue;
         }
-        if (agent.ready_at > 0)
-            throw InputError(ErrorCode::contradiction, "",
-                             "ready_at is for ground agents: the " + agent.id + " agent flies");
         if (agent.breaches < 0)
             throw InputError(ErrorCode::out_of_range, "breaches",
                              "the " + agent.id + " agent cannot breach less than no obstacle");

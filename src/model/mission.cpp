@@ -94,12 +94,55 @@ void validate(const Map& map, const Rules& rules) {
     };
     for (const ObstacleId id : rules.protect) require_known(id, "protect");
     for (const ObstacleId id : rules.force) require_known(id, "force");
+    for (const TimedOpening& opening : rules.opened) {
+        require_known(opening.obstacle, "open");
+        const std::string who = "obstacle " + std::to_string(opening.obstacle.value);
+        require_range(opening.at, 0, most_breach_time, "the time at which " + who + " opens");
+        if (std::ranges::count(rules.opened, opening.obstacle, &TimedOpening::obstacle) > 1)
+            throw InputError(ErrorCode::contradiction, std::to_string(opening.obstacle.value), who + " opens twice");
+        if (std::ranges::count(rules.force, opening.obstacle) > 0) {
+            throw InputError(ErrorCode::contradiction, std::to_string(opening.obstacle.value),
+                             who + " opens by itself, and must be removed as well");
+        }
+    }
     validate_forced(map, rules);
     if (rules.minimise_demolition) {
         require_range(*rules.minimise_demolition, 0, 1, "the tolerance for a plan that demolishes less");
     }
     if (!(rules.budget >= 0))
         throw InputError(ErrorCode::out_of_range, "the budget", "the budget cannot be " + number_text(rules.budget));
+}
+
+// What is open by then.
+std::vector<ObstacleId> open_by(const Rules& rules, double time) {
+    std::vector<ObstacleId> open;
+    for (const TimedOpening& opening : rules.opened) {
+        if (opening.at <= time || rules.timing == Timing::ignore) open.push_back(opening.obstacle);
+    }
+    return open;
+}
+
+// Where an agent takes off, and how it gets there.
+void validate_beginning(const Map& map, const Agent& agent) {
+    const auto refuse = [&](const std::string& why) {
+        throw InputError(ErrorCode::contradiction, agent.id, "the " + agent.id + " agent " + why);
+    };
+    if (agent.from) {
+        if (agent.kind == AgentKind::ground) refuse("drives, and starts at the centre of a cell");
+        const bool near = std::abs(agent.from->x - agent.start.x) < 1 && std::abs(agent.from->y - agent.start.y) < 1;
+        if (!near) refuse("takes off elsewhere than in its start cell");
+    }
+    double last = 0;
+    for (const Waypoint& p : agent.approach) {
+        require_range(p.x, -0.5, map.width() - 0.5, "x of the " + agent.id + " agent's approach");
+        require_range(p.y, -0.5, map.height() - 0.5, "y of the " + agent.id + " agent's approach");
+        require_range(p.t, last, most_breach_time, "the times of the " + agent.id + " agent's approach");
+        last = p.t;
+    }
+    if (agent.approach.empty()) return;
+    const Waypoint& end = agent.approach.back();
+    if (Point(end.x, end.y) != agent.begin()) refuse("has an approach that does not end at its start");
+    if (end.t != agent.ready_at) refuse("has an approach that does not end when it is ready");
 }
 
 // Two discs at once at these places.
@@ -128,7 +171,9 @@ void validate_team(const Mission& mission) {
     if (drivers.empty()) throw InputError(ErrorCode::contradiction, "", "the mission has no ground agent");
     for (std::size_t i = 0; i < drivers.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            validate_room(*drivers[j], *drivers[i], &Agent::start, "start", mission.rules.separation);
+            // Who is under way may be gone when another comes there.
+            if (drivers[i]->approach.empty() && drivers[j]->approach.empty())
+                validate_room(*drivers[j], *drivers[i], &Agent::start, "start", mission.rules.separation);
             if (mission.rules.at_goal == AtGoal::leave) continue;
             validate_room(*drivers[j], *drivers[i], &Agent::goal, "goal", mission.rules.separation);
         }
@@ -178,7 +223,6 @@ int Mission::removals_allowed() const {
 void validate(const Map& map, const Mission& mission) {
     validate(map, mission.rules);
     if (mission.agents.empty()) throw InputError(ErrorCode::contradiction, "", "the mission has no ground agent");
-    const OpenedMap closed(map);
     std::set<std::string> ids;
     for (const Agent& agent : mission.agents) {
         require_enumerator(agent.kind, AgentKind::air, "the " + agent.id + " agent's kind");
@@ -188,8 +232,9 @@ void validate(const Map& map, const Mission& mission) {
         require_range(agent.speed, least_speed, most_speed, "the " + agent.id + " agent's speed");
         require_range(agent.ready_at, 0, most_breach_time, "the time at which the " + agent.id + " agent is ready");
         if (agent.kind == AgentKind::ground) validate(agent.body);
-        validate_place(closed, agent, agent.start, "start");
-        validate_place(closed, agent, agent.goal, "goal");
+        validate_place(OpenedMap(map, open_by(mission.rules, agent.ready_at)), agent, agent.start, "start");
+        validate_place(OpenedMap(map, open_by(mission.rules, most_breach_time)), agent, agent.goal, "goal");
+        validate_beginning(map, agent);
     }
     if (mission.is_team()) validate_team(mission);
 }

@@ -19,9 +19,9 @@ double opened_for(const Map& map, Cell from, Cell to, double duration, const Saf
 
 std::vector<Waypoint> driven(const Map& map, std::span<const Cell> way, const SafeIntervalOptions& options) {
     const Cell start = way.front();
-    std::vector<Waypoint> path{{double(start.x), double(start.y), 0}};
+    std::vector<Waypoint> path{{double(start.x), double(start.y), options.since}};
     double time = options.ready_at;
-    if (time > 0) path.push_back({path[0].x, path[0].y, time});
+    if (time > options.since) path.push_back({path[0].x, path[0].y, time});
     for (std::size_t i = 1; i < way.size(); ++i) {
         if (way[i] == way[i - 1]) continue;
         const double duration = distance(way[i - 1], way[i]) / options.speed;

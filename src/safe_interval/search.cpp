@@ -40,7 +40,8 @@ SearchStatus SafeIntervalSearcher::Search::search() {
     if (options_->stays && last.to < for_ever) return SearchStatus::no_path;
     goal_free_from_ = options_->stays ? last.from : 0;
     const Nodes starts = nodes_at(start_);
-    if (starts.count == 0 || nodes_[starts.first].from > 0 || nodes_[starts.first].to < options_->ready_at) {
+    if (starts.count == 0 || nodes_[starts.first].from > options_->since ||
+        nodes_[starts.first].to < options_->ready_at) {
         return SearchStatus::no_path;
     }
     nodes_[starts.first].arrival = options_->ready_at;
@@ -90,7 +91,7 @@ Interval SafeIntervalSearcher::Search::useful_times(Cell cell) const {
     constexpr double rounding = 1e-9;
     const double earliest = options_->ready_at + distance(start_, cell) / options_->speed;
     const double latest = arrive_before_ - distance(cell, goal_) / options_->speed;
-    return {cell == start_ ? 0 : earliest * (1 - rounding), cell == goal_ ? for_ever : latest};
+    return {cell == start_ ? options_->since : earliest * (1 - rounding), cell == goal_ ? for_ever : latest};
 }
 
 // One for each safe interval: what is left of the useful time when all that comes too near is taken away.
@@ -224,7 +225,7 @@ std::vector<Waypoint> SafeIntervalSearcher::Search::path_to(std::uint32_t node) 
     double departure = nodes_[node].parent == none ? nodes_[node].arrival : 0;
     for (std::uint32_t at = node; at != none; at = nodes_[at].parent) {
         const Node& reached = nodes_[at];
-        const double arrival = reached.parent == none ? 0 : reached.arrival;
+        const double arrival = reached.parent == none ? options_->since : reached.arrival;
         const Waypoint here{double(reached.cell.x), double(reached.cell.y), arrival};
         if (departure > arrival) path.push_back({here.x, here.y, departure});
         path.push_back(here);

@@ -21,6 +21,7 @@ void validate(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goa
     validate(options.body);
     require_range(options.speed, least_speed, most_speed, "the speed");
     require_range(options.ready_at, 0, most_breach_time, "the time at which the agent is ready");
+    require_range(options.since, 0, options.ready_at, "the time at which the agent is at its start");
     if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
     if (traffic.index().width() != map.width() || traffic.index().height() != map.height()) {
         throw InputError("the traffic is that of a map of another size");

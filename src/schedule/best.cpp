@@ -111,7 +111,7 @@ class Best {
 }  // namespace
 
 BestTour best_tour(const Course& course, const Deadline& deadline) {
-    const Cell start = course.start();
+    const Point start = course.start();
     const Cell goal = course.goal();
     const bool few = course.targets().size() <= exact_flight_limit;
     const Tour nearest = nearest_tour(start, goal, course.targets());
@@ -131,7 +131,8 @@ Schedule best_schedule(const Map& map, const ScheduleTask& task) {
     const auto [tour, proven] = best_tour(course, deadline);
     std::vector<Breaching> breachings;
     for (const Stop& stop : tour) breachings.push_back(course.breaching(stop.target));
-    Schedule schedule = timetable(task, flight_of(course.start(), tour, course.goal(), course.targets()), breachings);
+    Schedule schedule =
+        timetable(task, flight_of(course.start(), tour, course.goal(), course.targets()), breachings, course.given());
     schedule.optimal = proven;
     return schedule;
 }

@@ -13,7 +13,7 @@ Precedence Needs::precedence(std::vector<const Agent*> aircraft) const {
     std::vector<double> stays;
     for (std::size_t target = 0; target < targets.size(); ++target) {
         const Breaching& breaching = breachings[target];
-        if (!std::isinf(breaching.needed_by)) drive.passages.push_back({target, breaching.needed_by});
+        if (!std::isinf(breaching.needed_by)) drive.passages.push_back({target, breaching.needed_by + held});
         stays.push_back(breaching.stay);
     }
     Precedence precedence(std::move(aircraft), std::move(stays));
@@ -22,7 +22,7 @@ Precedence Needs::precedence(std::vector<const Agent*> aircraft) const {
 }
 
 Needs Needs::only(std::uint32_t subset) const {
-    Needs some{{}, {}, unhindered, across};
+    Needs some{{}, {}, unhindered, across, given, held};
     for (std::size_t target = 0; target < targets.size(); ++target) {
         if ((subset >> target & 1U) == 0) continue;
         some.targets.push_back(targets[target]);
@@ -33,7 +33,13 @@ Needs Needs::only(std::uint32_t subset) const {
 
 Needs needs_of(const Map& map, const ScheduleTask& task) {
     const std::vector<Waypoint> driven = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
-    Needs needs{targets_of(map, task.removed), {}, driven.back().t, std::hypot(map.width(), map.height())};
+    Needs needs{targets_of(map, to_breach(task.rules, task.removed)),
+                {},
+                driven.back().t,
+                std::hypot(map.width(), map.height())};
+    needs.given = given_of(map, task, driven);
+    for (const Due& due : needs.given) needs.held = std::max(needs.held, due.opens - due.needed_by);
+    needs.unhindered += needs.held;
     for (const Target& target : needs.targets) {
         needs.breachings.push_back(breaching_of(map, task, driven, target.obstacle));
     }
@@ -50,13 +56,14 @@ Deadlines Course::deadlines(double ground_finish) const {
     Deadlines deadlines;
     for (const Breaching& breaching : needs_.breachings) {
         deadlines.stay.push_back(breaching.stay * task_.flyer.speed);
-        deadlines.latest.push_back((breaching.needed_by + ground_finish - needs_.unhindered) * task_.flyer.speed);
+        const double latest = breaching.needed_by + needs_.held + ground_finish - needs_.unhindered;
+        deadlines.latest.push_back((latest - task_.flyer.ready_at) * task_.flyer.speed);
     }
     return deadlines;
 }
 
 double Course::reach(double air_finish) const {
-    return std::min((air_finish - stays_) * task_.flyer.speed, longest_tour_);
+    return std::min((air_finish - task_.flyer.ready_at - stays_) * task_.flyer.speed, longest_tour_);
 }
 
 }  // namespace waybreaker

@@ -21,8 +21,10 @@ namespace waybreaker {
 struct Needs {
     std::vector<Target> targets;
     std::vector<Breaching> breachings;  // as the targets
-    double unhindered = 0;              // when the ground agent finishes if it never waits
+    double unhindered = 0;              // when the ground agent finishes if it waits for none of them
     double across = 0;                  // the map's diagonal, cells
+    std::vector<Due> given = {};        // what opens by itself
+    double held = 0;                    // how long the ground agent waits for that
 
     // The ground agent past the targets, and those that breach them.
     Precedence precedence(std::vector<const Agent*> aircraft) const;
@@ -38,15 +40,18 @@ class Course {
     Course(const ScheduleTask& task, Needs needs);
 
     std::span<const Target> targets() const { return needs_.targets; }
-    Cell start() const { return task_.flyer.start; }
+    Point start() const { return task_.flyer.begin(); }
     Cell goal() const { return task_.flyer.goal; }
     const ScheduleTask& task() const { return task_; }
 
-    // When the ground agent finishes if it never waits.
+    // When the ground agent finishes if it waits for no target.
     double unhindered() const { return needs_.unhindered; }
     const Breaching& breaching(std::size_t target) const { return needs_.breachings[target]; }
     // How long the ground agent would have to wait for a target; negative if it comes later.
-    double lateness(std::size_t target, double cleared_at) const { return cleared_at - breaching(target).needed_by; }
+    double lateness(std::size_t target, double cleared_at) const {
+        return cleared_at - breaching(target).needed_by - needs_.held;
+    }
+    std::span<const Due> given() const { return needs_.given; }
 
     Finish finish(const Tour& tour) const { return precedence_.finish(std::span(&tour, 1)); }
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "schedule/timetable.hpp"
+
 namespace waybreaker {
 namespace {
 
@@ -40,7 +42,7 @@ const EarliestOpenings::Legs& EarliestOpenings::legs(std::size_t aircraft, Obsta
     if (!is_new) return legs;
     const Agent& agent = *aircraft_[aircraft];
     for (const Cell at : map_.boundary(id)) {
-        const double first = distance(agent.start, at);
+        const double first = distance(agent.begin(), at);
         const double last = distance(at, agent.goal);
         legs.first = std::min(legs.first, first);
         legs.last = std::min(legs.last, last);
@@ -57,7 +59,7 @@ EarliestOpenings::Flights EarliestOpenings::flights_of(std::size_t aircraft, std
     std::vector<double> lengths(subsets * count, never);
     Flights flights{std::vector<double>(subsets, never), std::vector<double>(subsets, never)};
     flights.open[0] = 0;
-    flights.home[0] = distance(agent.start, agent.goal) / agent.speed;
+    flights.home[0] = agent.ready_at + distance(agent.begin(), agent.goal) / agent.speed;
     for (std::size_t i = 0; i < count; ++i)
         lengths[(std::size_t{1} << i) * count + i] = legs(aircraft, obstacles[i]).first;
     for (std::uint32_t subset = 1; subset < subsets; ++subset) {
@@ -85,8 +87,8 @@ EarliestOpenings::Flights EarliestOpenings::flights_of(std::size_t aircraft, std
         }
         double& opened = flights.open[subset];
         double& landed = flights.home[subset];
-        opened = std::max(open, farthest) / agent.speed + stays;
-        landed = std::max(home, whole) / agent.speed + stays;
+        opened = agent.ready_at + std::max(open, farthest) / agent.speed + stays;
+        landed = agent.ready_at + std::max(home, whole) / agent.speed + stays;
         // By boxes, a flight by way of a large obstacle would be shorter than one past it.
         for (std::uint32_t rest = subset; rest != 0; rest &= rest - 1) {
             const std::uint32_t fewer = subset & ~(rest & (~rest + 1));
@@ -97,7 +99,18 @@ EarliestOpenings::Flights EarliestOpenings::flights_of(std::size_t aircraft, std
     return flights;
 }
 
-EarliestOpenings::Times EarliestOpenings::times_of(std::span<const ObstacleId> obstacles) {
+EarliestOpenings::Times EarliestOpenings::times_of(std::span<const ObstacleId> all) {
+    // What opens by itself is nobody's to breach.
+    const std::vector<ObstacleId> rest = to_breach(rules_, all);
+    Times times = times_of_breached(rest);
+    if (rules_.timing == Timing::ignore) return times;
+    for (const TimedOpening& opening : rules_.opened) {
+        if (std::ranges::find(all, opening.obstacle) != all.end()) times.open = std::max(times.open, opening.at);
+    }
+    return times;
+}
+
+EarliestOpenings::Times EarliestOpenings::times_of_breached(std::span<const ObstacleId> obstacles) {
     const std::size_t most = aircraft_.size() == 1 ? most_toured_by_one : most_toured_by_several;
     const std::span<const ObstacleId> toured = obstacles.first(std::min(obstacles.size(), most));
     const std::uint32_t subsets = 1U << toured.size();
@@ -144,8 +157,8 @@ void EarliestOpenings::add_single_visits(std::span<const ObstacleId> obstacles, 
             const Agent& agent = *aircraft_[a];
             if (agent.breaches == 0) continue;
             const double stays = aircraft_.size() == 1 ? all : stay(id);
-            open = std::min(open, legs(a, id).first / agent.speed + stays);
-            home = std::min(home, legs(a, id).whole / agent.speed + stays);
+            open = std::min(open, agent.ready_at + legs(a, id).first / agent.speed + stays);
+            home = std::min(home, agent.ready_at + legs(a, id).whole / agent.speed + stays);
         }
         times.open = std::max(times.open, open);
         times.home.last = std::max(times.home.last, home);

@@ -43,7 +43,8 @@ class EarliestOpenings {
     double stay(ObstacleId id) const { return rules_.breach_time.of(map_.obstacle(id)); }
     const Legs& legs(std::size_t aircraft, ObstacleId id);
     Flights flights_of(std::size_t aircraft, std::span<const ObstacleId> obstacles);
-    Times times_of(std::span<const ObstacleId> obstacles);
+    Times times_of(std::span<const ObstacleId> all);
+    Times times_of_breached(std::span<const ObstacleId> obstacles);
     void add_single_visits(std::span<const ObstacleId> obstacles, Times& times);
 
     const Map& map_;

@@ -168,7 +168,8 @@ class SeveralAircraft {
             const double home = schedule.air.back().back().t;
             schedule.home = {std::max(schedule.home.last, home), schedule.home.sum + home};
         }
-        TimedDrive driven = drive_in_time(first_, needs_.breachings, cleared, 1e-9 * (1 + schedule.home.last));
+        TimedDrive driven =
+            drive_in_time(first_, needs_.breachings, cleared, needs_.given, 1e-9 * (1 + schedule.home.last));
         schedule.ground = std::move(driven.path);
         for (TimedBreach& breach : schedule.breaches) {
             const auto is_it = [&](const Target& target) { return target.obstacle == breach.obstacle; };
@@ -197,7 +198,8 @@ JointSchedule best_joint_schedule(const Map& map, const JointTask& task) {
 JointSchedule nearest_schedule(const Map& map, const JointTask& task) {
     const Agent& flyer = *task.aircraft.front();
     const ScheduleTask alone = task_of(task, 0, Deadline());
-    return joint(map, task, schedule_of(map, alone, fly_nearest(map, flyer.start, flyer.goal, task.removed)));
+    const std::vector<ObstacleId> targets = to_breach(task.rules, task.removed);
+    return joint(map, task, schedule_of(map, alone, fly_nearest(map, flyer.begin(), flyer.goal, targets)));
 }
 
 }  // namespace waybreaker

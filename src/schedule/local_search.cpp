@@ -38,9 +38,9 @@ class LocalSearch {
     }
 
   private:
-    Cell at(std::size_t i) const { return i < tour_.size() ? tour_[i].at : course_.goal(); }
-    Cell before(std::size_t i) const { return i > 0 ? tour_[i - 1].at : course_.start(); }
-    double flying(Cell a, Cell b) const { return distance(a, b) / course_.task().flyer.speed; }
+    Point at(std::size_t i) const { return i < tour_.size() ? Point(tour_[i].at) : course_.goal(); }
+    Point before(std::size_t i) const { return i > 0 ? Point(tour_[i - 1].at) : course_.start(); }
+    double flying(Point a, Point b) const { return distance(a, b) / course_.task().flyer.speed; }
     Rank rank_of(const Finish& finish) const { return rank(course_.task().rules.objective, finish); }
 
     bool better_cells() {
@@ -53,9 +53,9 @@ class LocalSearch {
     bool better_cell(std::size_t i) {
         const std::size_t target = tour_[i].target;
         const double stay = course_.breaching(target).stay;
-        double left = 0;   // when the stop before is left
-        double here = 0;   // when this one is left
-        double early = 0;  // the worst lateness of the stops before, and after
+        double left = course_.task().flyer.ready_at;  // when the stop before is left
+        double here = 0;                              // when this one is left
+        double early = 0;                             // the worst lateness of the stops before, and after
         double late = -std::numeric_limits<double>::infinity();
         std::size_t k = 0;
         const auto pass = [&](const Stop& stop, double, double cleared) {

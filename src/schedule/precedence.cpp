@@ -24,7 +24,7 @@ double Drive::end(std::span<const double> cleared) const {
 }
 
 Precedence::Precedence(std::vector<const Agent*> aircraft, std::vector<double> stays)
-    : aircraft_(std::move(aircraft)), stays_(std::move(stays)) {}
+    : aircraft_(std::move(aircraft)), stays_(std::move(stays)), unflown_(stays_.size(), never) {}
 
 void Precedence::add_vehicle(std::vector<Drive> drives) {
     const bool may_wait = std::ranges::any_of(drives, [](const Drive& drive) { return !drive.passages.empty(); });
@@ -36,7 +36,7 @@ void Precedence::add_vehicle(std::vector<Drive> drives) {
 }
 
 Precedence::Flights Precedence::flights(std::span<const Tour> tours) const {
-    Flights flights{std::vector<double>(stays_.size(), never), others_};
+    Flights flights{unflown_, others_};
     const auto stay = [this](std::size_t target) { return stays_[target]; };
     const auto clear = [&](const Stop& stop, double, double cleared) { flights.cleared[stop.target] = cleared; };
     for (std::size_t a = 0; a < tours.size(); ++a) {

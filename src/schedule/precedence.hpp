@@ -37,6 +37,8 @@ class Precedence {
     Precedence() = default;
     // `stays`: by target, how long an aircraft stays until it is gone. The agents must outlive this.
     Precedence(std::vector<const Agent*> aircraft, std::vector<double> stays);
+    // The target is gone at that time, whoever flies.
+    void open_by_itself(std::size_t target, double at) { unflown_[target] = at; }
 
     // A vehicle that takes the drive on which it arrives first. If it has none, all finish at infinity.
     void add_vehicle(std::vector<Drive> drives);
@@ -55,6 +57,7 @@ class Precedence {
 
     std::vector<const Agent*> aircraft_;
     std::vector<double> stays_;
+    std::vector<double> unflown_;               // by target: when it is gone without a stop
     std::vector<std::vector<Drive>> vehicles_;  // that may have to wait
     Finish others_;                             // of the other vehicles
 };

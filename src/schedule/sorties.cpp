@@ -12,8 +12,8 @@ constexpr std::size_t few_targets = 4;  // all orders of inserting them are trie
 
 // Where a stop may be: nearest to where the aircraft comes from, and with the least detour.
 std::vector<Cell> likely_cells(const Target& target, const Agent& aircraft, const Tour& tour, std::size_t at) {
-    const Cell before = at > 0 ? tour[at - 1].at : aircraft.start;
-    const Cell after = at < tour.size() ? tour[at].at : aircraft.goal;
+    const Point before = at > 0 ? Point(tour[at - 1].at) : aircraft.begin();
+    const Point after = at < tour.size() ? tour[at].at : aircraft.goal;
     Cell nearest;
     Cell on_way;
     double least = infinity;
@@ -102,9 +102,11 @@ void SortieSearch::improve(Sorties& sorties) const {
 bool SortieSearch::move_one(Sorties& sorties, Rank& least) const {
     for (std::size_t target = 0; target < targets_.size(); ++target) {
         Sorties changed = sorties;
+        std::size_t taken = 0;
         for (Tour& tour : changed) {
-            std::erase_if(tour, [&](const Stop& stop) { return stop.target == target; });
+            taken += std::erase_if(tour, [&](const Stop& stop) { return stop.target == target; });
         }
+        if (taken == 0) continue;  // it opens by itself
         if (!insert(changed, target)) continue;
         const Rank reached = rank_of(changed);
         if (!is_better(reached, least)) continue;

@@ -30,6 +30,7 @@ class SortieSearch {
     Rank rank_of(const Sorties& sorties) const;
     // The best of those that insert one target after the other, each where it costs least: in the order given, and,
     // where they are few, in every order; then improved. None if the aircraft may not breach as many.
+    // Targets that the order leaves out open by themselves.
     std::optional<Sorties> find(std::vector<std::size_t> order) const;
     // Moves single targets and exchanges cells while that gains.
     void improve(Sorties& sorties) const;

@@ -34,8 +34,26 @@ Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const
     return breaching;
 }
 
+std::vector<Due> given_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven) {
+    std::vector<Due> given;
+    if (task.rules.timing == Timing::ignore) return given;
+    for (const TimedOpening& opening : task.rules.opened) {
+        const auto needed_by = first_touch(map, opening.obstacle, driven, standing_radius(task.driver.body));
+        if (needed_by && *needed_by < opening.at) given.push_back({*needed_by, opening.at});
+    }
+    return given;
+}
+
+std::vector<ObstacleId> to_breach(const Rules& rules, std::span<const ObstacleId> removed) {
+    std::vector<ObstacleId> rest(removed.begin(), removed.end());
+    std::erase_if(rest, [&](ObstacleId id) {
+        return std::ranges::find(rules.opened, id, &TimedOpening::obstacle) != rules.opened.end();
+    });
+    return rest;
+}
+
 TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> breachings,
-                         std::span<const double> cleared, double rounding) {
+                         std::span<const double> cleared, std::span<const Due> given, double rounding) {
     TimedDrive driven;
     // How long it is delayed from each turn on.
     const std::vector<Waypoint> turns = timed(task.ground_path, task.driver.speed, task.driver.ready_at);
@@ -48,6 +66,10 @@ TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> br
         if (std::isinf(breachings[i].needed_by)) continue;
         double& delay = delays[turn_before(breachings[i].needed_by)];
         delay = std::max(delay, cleared[i] - breachings[i].needed_by);
+    }
+    for (const Due& due : given) {
+        double& delay = delays[turn_before(due.needed_by)];
+        delay = std::max(delay, due.opens - due.needed_by);
     }
     double delay = 0;
     for (std::size_t i = 0; i < turns.size(); ++i) {
@@ -67,7 +89,8 @@ TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> br
     return driven;
 }
 
-Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings) {
+Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings,
+                   std::span<const Due> given) {
     assert(!task.ground_path.empty() && breachings.size() == flight.breaches.size());
     Schedule schedule;
     schedule.flight = flight;
@@ -78,7 +101,7 @@ Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<con
     schedule.air = flown(task.flyer, tour, stay);
     fly(task.flyer, tour, stay, [&](const Stop&, double, double cleared) { schedule.cleared_at.push_back(cleared); });
     const double rounding = 1e-9 * (1 + schedule.air.back().t);
-    TimedDrive driven = drive_in_time(task, breachings, schedule.cleared_at, rounding);
+    TimedDrive driven = drive_in_time(task, breachings, schedule.cleared_at, given, rounding);
     schedule.ground = std::move(driven.path);
     schedule.entered_at = std::move(driven.entered_at);
 
@@ -94,7 +117,7 @@ Schedule schedule_of(const Map& map, const ScheduleTask& task, const Flight& fli
     for (const BreachPoint& breach : flight.breaches) {
         breachings.push_back(breaching_of(map, task, driven, breach.obstacle));
     }
-    return timetable(task, flight, breachings);
+    return timetable(task, flight, breachings, given_of(map, task, driven));
 }
 
 }  // namespace waybreaker

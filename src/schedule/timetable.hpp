@@ -22,6 +22,16 @@ void validate(const ScheduleTask& task);
 // `driven` is the ground path without waits.
 Breaching breaching_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven, ObstacleId obstacle);
 
+// An obstacle that opens by itself (Rules::opened), in the way of a ground agent that comes to it then.
+struct Due {
+    double needed_by = 0;
+    double opens = 0;
+};
+// Those on the path that open late; none where obstacles do not stand in time. `driven`: as above.
+std::vector<Due> given_of(const Map& map, const ScheduleTask& task, std::span<const Waypoint> driven);
+// Those that an aircraft has to breach, in their order.
+std::vector<ObstacleId> to_breach(const Rules& rules, std::span<const ObstacleId> removed);
+
 // The ground agent of a task in time.
 struct TimedDrive {
     std::vector<Waypoint> path;                     // with waits: a point twice
@@ -30,9 +40,10 @@ struct TimedDrive {
 // It waits for each obstacle at the last turn before it touches it. `cleared`: as the breachings; a delay is one that
 // is longer than `rounding`.
 TimedDrive drive_in_time(const ScheduleTask& task, std::span<const Breaching> breachings,
-                         std::span<const double> cleared, double rounding);
+                         std::span<const double> cleared, std::span<const Due> given, double rounding);
 
 // `breachings` as flight.breaches.
-Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings);
+Schedule timetable(const ScheduleTask& task, const Flight& flight, std::span<const Breaching> breachings,
+                   std::span<const Due> given);
 
 }  // namespace waybreaker

@@ -8,12 +8,12 @@
 
 namespace waybreaker {
 
-// From time 0 on: calls visit(stop, begun, cleared) for each stop, where `cleared` is when its target is gone. Returns
-// when the aircraft is at its goal. stay(target): how long it stays there, in units of time.
+// From when it is ready: calls visit(stop, begun, cleared) for each stop, where `cleared` is when its target is gone.
+// Returns when the aircraft is at its goal. stay(target): how long it stays there, in units of time.
 template <class Stay, class Visit>
 double fly(const Agent& aircraft, const Tour& tour, const Stay& stay, const Visit& visit) {
-    double time = 0;
-    Cell at = aircraft.start;
+    double time = aircraft.ready_at;
+    Point at = aircraft.begin();
     for (const Stop& stop : tour) {
         const double begun = time + distance(at, stop.at) / aircraft.speed;
         time = begun + stay(stop.target);
@@ -27,8 +27,9 @@ double fly(const Agent& aircraft, const Tour& tour, const Stay& stay, const Visi
 template <class Stay>
 std::vector<Waypoint> flown(const Agent& aircraft, const Tour& tour, const Stay& stay) {
     std::vector<Waypoint> path;
-    const auto add = [&](Cell at, double time) { path.push_back({double(at.x), double(at.y), time}); };
-    add(aircraft.start, 0);
+    const auto add = [&](Point at, double time) { path.push_back({at.x, at.y, time}); };
+    add(aircraft.begin(), 0);
+    if (aircraft.ready_at > 0) add(aircraft.begin(), aircraft.ready_at);
     const double home = fly(aircraft, tour, stay, [&](const Stop& stop, double begun, double cleared) {
         add(stop.at, begun);
         if (cleared > begun) add(stop.at, cleared);

@@ -35,7 +35,7 @@ CrossingOptions crossing_options(const Task& task, bool relaxed, double objectiv
     if (task.driver.body.corners != Corners::none && relaxed) crossing.body = point_body;
     crossing.relaxed = relaxed;
     crossing.crossings = task.spare_removals();
-    crossing.removed = rules.force;
+    crossing.removed = task.given;
     crossing.protect = rules.protect;
     crossing.budget = task.spare_budget();
     crossing.length_limit = costliest_path(task, objective, opening_times);

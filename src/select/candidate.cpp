@@ -28,7 +28,7 @@ bool keep_needed(const Task& task, const JointSchedule& schedule, Opening& openi
     if (drives_by_crossing(task) && task.driver.body.is_point()) return false;
     const std::size_t before = opening.removed.size();
     for (std::size_t i = before; i-- > 0;) {
-        if (std::ranges::find(task.rules.force, opening.removed[i]) != task.rules.force.end()) continue;
+        if (std::ranges::find(task.given, opening.removed[i]) != task.given.end()) continue;
         if (std::ranges::find(schedule.breaches, opening.removed[i], &TimedBreach::obstacle)->entered_at) continue;
         std::vector<ObstacleId> others = opening.removed;
         others.erase(others.begin() + std::ptrdiff_t(i));

@@ -26,7 +26,7 @@ bool waits(const Task& task, const Candidate& candidate) {
 
 // The path of a candidate, bent so that the agent comes when obstacles open.
 std::vector<Point> bent_for(const Task& task, const Candidate& candidate) {
-    std::vector<TimedOpening> openings;
+    std::vector<TimedOpening> openings = task.rules.opened;
     for (const TimedBreach& breach : candidate.schedule.breaches) {
         openings.push_back({breach.obstacle, breach.cleared_at});
     }
@@ -94,6 +94,10 @@ class PathsInTime {
             for (const TimedBreach& breach : schedule.breaches) {
                 const bool is_one_of_them = std::ranges::find(obstacles, breach.obstacle) != obstacles.end();
                 if (is_one_of_them) last = std::max(last, breach.cleared_at);
+            }
+            for (const TimedOpening& opening : task_.rules.opened) {
+                const bool is_one_of_them = std::ranges::find(obstacles, opening.obstacle) != obstacles.end();
+                if (is_one_of_them) last = std::max(last, opening.at);
             }
             return task_.cells_until(last);
         };

@@ -181,7 +181,7 @@ void ExactSelection::try_shortcuts() {
 
 void ExactSelection::try_most_hit() {
     const std::vector<ObstacleId> hit = chosen_by_hits(task_, search_counting_hits(task_, searchers_.cells).hits);
-    for (std::size_t count = task_.rules.force.size() + 1; count <= hit.size() && !deadline_.passed(); ++count) {
+    for (std::size_t count = task_.given.size() + 1; count <= hit.size() && !deadline_.passed(); ++count) {
         add(std::span(hit).first(count));
     }
 }

@@ -6,12 +6,12 @@
 namespace waybreaker {
 
 Candidate GreedySelector::baseline(const Task& task) {
-    return candidate_of(task, open(task.trip(), searchers_, {}));
+    return candidate_of(task, open(task.trip(), searchers_, task.opened()));
 }
 
 std::vector<GreedyStep> greedy_steps(const Task& task, CrossingSearcher& crossing) {
     std::vector<GreedyStep> steps;
-    std::vector<ObstacleId> removed = task.rules.force;
+    std::vector<ObstacleId> removed = task.given;
     CrossingOptions options;
     options.body = task.driver.body;
     options.crossings = 1;

@@ -34,19 +34,22 @@ std::vector<ObstacleId> most_hit(const Map& map, const Rules& rules, std::span<c
     std::vector<std::uint32_t> countable(hits.begin(), hits.end());
     for (const ObstacleId id : rules.protect) countable[id.value] = 0;
     for (const ObstacleId id : rules.force) countable[id.value] = 0;
+    for (const TimedOpening& opening : rules.opened) countable[opening.obstacle.value] = 0;
     return most_hit(map, countable, n);
 }
 
 SearchResult search_counting_hits(const Task& task, Searcher& searcher) {
     SearchOptions counting = task.trip().by_cells();
     counting.count_hits = true;
-    return searcher.find(OpenedMap(task.map), task.driver.start, task.driver.goal, counting);
+    return searcher.find(OpenedMap(task.map, task.opened()), task.driver.start, task.driver.goal, counting);
 }
 
 std::vector<ObstacleId> chosen_by_hits(const Task& task, std::span<const std::uint32_t> hits) {
     std::vector<ObstacleId> chosen = task.with_forced(most_hit(task.map, task.rules, hits, task.spare_removals()));
     double budget = task.rules.budget;
+    const std::vector<ObstacleId> opened = task.opened();
     std::erase_if(chosen, [&](ObstacleId id) {
+        if (std::ranges::find(opened, id) != opened.end()) return false;
         const double weight = task.map.obstacle(id).weight;
         if (weight > budget) return true;
         budget -= weight;
@@ -59,7 +62,7 @@ Candidate HitsSelector::baseline(const Task& task) {
     const Stopwatch watch;
     SearchResult search = search_counting_hits(task, searchers_.cells);
     hits_ = std::move(search.hits);
-    return candidate_of(task, opening_of({}, search, watch.seconds()));
+    return candidate_of(task, opening_of(task.opened(), search, watch.seconds()));
 }
 
 Selected HitsSelector::select(const Task& task, const Candidate& start) {
@@ -73,7 +76,7 @@ Selected HitsSelector::select(const Task& task, const Candidate& start) {
     }
     const double floor = task.objective(task.arrival(distance(task.driver.start, task.driver.goal)), task.least_flight);
     double best = cost(task, start);
-    for (std::size_t count = task.rules.force.size() + 1; count <= chosen.size(); ++count) {
+    for (std::size_t count = task.given.size() + 1; count <= chosen.size(); ++count) {
         if (best <= floor * (1 + 1e-9) || task.deadline.passed()) break;
         candidates.push_back(opened(task, searchers_.cells, std::span(chosen).first(count)));
         best = std::min(best, cost(task, candidates.back()));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "schedule/timetable.hpp"
 #include "select/tuning.hpp"
 
 namespace waybreaker {
@@ -11,7 +12,7 @@ namespace {
 
 std::uint64_t cells_of(const Task& task, std::span<const ObstacleId> removed) {
     std::uint64_t cells = 0;
-    for (const ObstacleId id : removed) cells += task.map.obstacle(id).cells;
+    for (const ObstacleId id : to_breach(task.rules, removed)) cells += task.map.obstacle(id).cells;
     return cells;
 }
 

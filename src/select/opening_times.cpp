@@ -8,8 +8,8 @@ namespace {
 bool may_matter(const Task& task) {
     if (task.rules.timing == Timing::ignore) return false;
     const auto keeps_up = [&](const Agent* agent) {
-        return agent->start == task.driver.start && agent->speed >= task.driver.speed &&
-               agent->breaches >= task.rules.removals;
+        return agent->begin() == Point(task.driver.start) && agent->ready_at <= task.driver.ready_at &&
+               agent->speed >= task.driver.speed && agent->breaches >= task.rules.removals;
     };
     return std::ranges::none_of(task.aircraft, keeps_up) ||
            std::ranges::any_of(task.map.obstacles(),

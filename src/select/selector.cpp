@@ -13,7 +13,9 @@ namespace {
 class NoSelector : public Selector {
   public:
     explicit NoSelector(const Searchers& searchers) : searchers_(searchers) {}
-    Candidate baseline(const Task& task) override { return candidate_of(task, open(task.trip(), searchers_, {})); }
+    Candidate baseline(const Task& task) override {
+        return candidate_of(task, open(task.trip(), searchers_, task.opened()));
+    }
     Selected select(const Task& /*task*/, const Candidate& /*start*/) override { return {}; }
 
   private:
@@ -37,13 +39,12 @@ std::unique_ptr<Selector> selector_of(const Method& method, const Searchers& sea
 }
 
 Candidate start_of(const Task& task, const Searchers& searchers, const Candidate& baseline) {
-    const std::vector<ObstacleId>& force = task.rules.force;
-    if (force.empty()) return baseline;
+    if (task.given.empty()) return baseline;
     OpeningTimes opening_times(task);
-    Candidate opened = evaluate(task, searchers, opening_times, force);
+    Candidate opened = evaluate(task, searchers, opening_times, task.given);
     // An obstacle that falls late may better be driven around.
-    Opening around = baseline.opening;
-    around.removed = force;
+    Opening around = task.rules.opened.empty() ? baseline.opening : open(task.trip(), searchers, {});
+    around.removed = task.given;
     around.limited = around.limited || opened.opening.limited;
     Candidate other = candidate_of(task, std::move(around));
     return cost(task, other) < cost(task, opened) ? other : opened;

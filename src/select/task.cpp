@@ -5,17 +5,28 @@
 #include <utility>
 
 #include "schedule/earliest_openings.hpp"
+#include "schedule/timetable.hpp"
 #include "waybreaker/advanced/flight.hpp"
 
 namespace waybreaker {
+namespace {
+
+std::vector<ObstacleId> given_by(const Rules& rules) {
+    std::vector<ObstacleId> given = rules.force;
+    for (const TimedOpening& opening : rules.opened) given.push_back(opening.obstacle);
+    return given;
+}
+
+}  // namespace
 
 Returns least_return(const Task& task, std::span<const ObstacleId> removed) {
     if (task.aircraft.size() > 1) return EarliestOpenings(task.map, task.rules, task.aircraft).of(removed).home;
     const Agent& flyer = *task.aircraft.front();
     // The flight past all of them is no shorter than the one past as many as are solved with proof.
-    const auto solved = removed.first(std::min(removed.size(), exact_flight_limit));
-    double time = fly_optimal(task.map, flyer.start, flyer.goal, solved).length / flyer.speed;
-    for (const ObstacleId id : removed) time += task.rules.breach_time.of(task.map.obstacle(id));
+    const std::vector<ObstacleId> breached = to_breach(task.rules, removed);
+    const auto solved = std::span(breached).first(std::min(breached.size(), exact_flight_limit));
+    double time = flyer.ready_at + fly_optimal(task.map, flyer.begin(), flyer.goal, solved).length / flyer.speed;
+    for (const ObstacleId id : breached) time += task.rules.breach_time.of(task.map.obstacle(id));
     return {time, time};
 }
 
@@ -26,12 +37,14 @@ Task task_of(const Map& map, const Mission& mission, const Method& method, const
     }
     const Agent& driver = mission.first(AgentKind::ground);
     Task task{map, driver, std::move(aircraft), mission.rules, method, limits, Deadline(limits.seconds), {}};
+    task.given = given_by(mission.rules);
     task.least_flight = least_return(task, task.rules.force);
     return task;
 }
 
 Task Task::under(const Rules& others, const Map& weighed) const {
     Task task{weighed, driver, aircraft, others, method, limits, deadline, {}, false};
+    task.given = given_by(others);
     task.least_flight = least_return(task, others.force);
     return task;
 }
@@ -59,9 +72,9 @@ double Task::spare_budget() const {
 }
 
 std::vector<ObstacleId> Task::with_forced(std::span<const ObstacleId> others) const {
-    std::vector<ObstacleId> all = rules.force;
+    std::vector<ObstacleId> all = given;
     std::ranges::copy_if(others, std::back_inserter(all),
-                         [&](ObstacleId id) { return std::ranges::find(rules.force, id) == rules.force.end(); });
+                         [&](ObstacleId id) { return std::ranges::find(given, id) == given.end(); });
     return all;
 }
 

@@ -29,6 +29,8 @@ struct Task {
     // When the aircraft are home at the earliest: straight, or past what must be removed.
     Returns least_flight;
     bool reports = true;  // its progress
+    // What is removed in every plan: what must be, and what opens by itself.
+    std::vector<ObstacleId> given = {};
 
     // The planner that drives the ground agent.
     Algorithm planner() const { return planner_of(method, driver.body); }
@@ -52,7 +54,9 @@ struct Task {
     void report(double best, double bound) const {
         if (reports && limits.progress) limits.progress({best, bound});
     }
-    // What must be removed, and others.
+    // Of those, what opens by itself.
+    std::vector<ObstacleId> opened() const { return {given.begin() + std::ptrdiff_t(rules.force.size()), given.end()}; }
+    // What is removed in every plan, and others.
     std::vector<ObstacleId> with_forced(std::span<const ObstacleId> others) const;
     // The same task, with that share of the time that is left.
     Task within(double share_of_time) const;

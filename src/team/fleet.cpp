@@ -1,7 +1,7 @@
 #include "team/fleet.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 #include "model/objective.hpp"
 #include "safe_interval/driven.hpp"
@@ -90,8 +90,10 @@ double Fleet::latest_arrival(const Cost& cost, std::uint32_t i) const {
 
 void Fleet::stand_at_start(std::uint32_t i) {
     const Agent& agent = vehicles_[i].agent;
-    const Waypoint start{double(agent.start.x), double(agent.start.y), 0};
-    const std::array<Waypoint, 2> standing{start, {start.x, start.y, std::min(hold_[i], tuning::longest_hold)}};
+    Path standing = agent.approach;
+    if (standing.empty()) standing.push_back({double(agent.start.x), double(agent.start.y), 0});
+    const Waypoint& last = standing.back();
+    standing.push_back({last.x, last.y, std::max(last.t, std::min(hold_[i], tuning::longest_hold))});
     traffic_.add(i, standing, agent.body.reach(), false);
 }
 
@@ -101,6 +103,7 @@ SafeIntervalOptions Fleet::options_for(std::uint32_t i) const {
     options.body = vehicle.agent.body;
     options.speed = vehicle.agent.speed;
     options.ready_at = vehicle.agent.ready_at;
+    if (!vehicle.agent.approach.empty()) options.since = options.ready_at;
     options.stays = rules_.at_goal == AtGoal::stay;
     options.openings = ground_.openings;
     options.known = vehicle.way;
@@ -129,7 +132,10 @@ void Fleet::withdraw(std::uint32_t i) {
 }
 
 void Fleet::put(std::uint32_t i, Path path) {
-    paths_[i] = std::move(path);
+    const Agent& agent = vehicles_[i].agent;
+    paths_[i] = agent.approach;
+    std::ranges::copy_if(path, std::back_inserter(paths_[i]),
+                         [&](const Waypoint& p) { return agent.approach.empty() || p.t > agent.ready_at; });
     traffic_.remove(i);
     traffic_.add(i, paths_[i], vehicles_[i].agent.body.reach(), rules_.at_goal == AtGoal::stay);
 }

@@ -12,7 +12,7 @@ bool are_alike(std::span<const Vehicle> vehicles) {
     return std::ranges::all_of(vehicles, [first = vehicles.front().agent](const Vehicle& vehicle) {
         const Agent& agent = vehicle.agent;
         return agent.body.radius == first.body.radius && agent.body.corners == first.body.corners &&
-               agent.speed == first.speed && agent.ready_at == first.ready_at;
+               agent.speed == first.speed && agent.ready_at == first.ready_at && agent.approach.empty();
     });
 }
 

@@ -95,7 +95,9 @@ TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupt
         if (interrupts.gap == 0) return 0.0;
         return objective_of(vehicles, &Vehicle::bound, mission.rules.objective) * (1 + interrupts.gap);
     };
-    return plan_paths({map}, std::move(plan.vehicles), mission.rules, interrupts, enough, improved);
+    Ground ground{map};
+    if (mission.rules.timing == Timing::enforce) ground.openings = mission.rules.opened;
+    return plan_paths(ground, std::move(plan.vehicles), mission.rules, interrupts, enough, improved);
 }
 
 TeamPlan plan_paths(const Ground& ground, std::vector<Vehicle> vehicles, const Rules& rules,

@@ -25,11 +25,11 @@ struct Flight {
 // The paper's rule for n > 1: for each obstacle the boundary cell nearest to the segment start-goal (equally near: the
 // nearer to start, then scan order), visited in order of distance from start. An obstacle that fills the whole map has
 // no boundary and cannot be breached: throws InputError.
-Flight fly_nearest(const Map& map, Cell start, Cell goal, std::span<const ObstacleId> obstacles);
+Flight fly_nearest(const Map& map, Point start, Point goal, std::span<const ObstacleId> obstacles);
 
 // The shortest flight over all orders and boundary cells: proven for up to `exact_flight_limit` obstacles (for one it
 // is the paper's rule for n = 1), beyond that a good flight that is never longer than fly_nearest's.
 inline constexpr std::size_t exact_flight_limit = 8;
-Flight fly_optimal(const Map& map, Cell start, Cell goal, std::span<const ObstacleId> obstacles);
+Flight fly_optimal(const Map& map, Point start, Point goal, std::span<const ObstacleId> obstacles);
 
 }  // namespace waybreaker

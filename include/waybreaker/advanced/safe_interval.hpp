@@ -60,7 +60,8 @@ class Traffic {
 struct SafeIntervalOptions {
     Body body = {};
     double speed = 1;
-    double ready_at = 0;                          // stands at its start from time 0 until then; arrives no earlier
+    double since = 0;                             // from then on it is at its start
+    double ready_at = 0;                          // stands there until then; arrives no earlier
     bool stays = true;                            // for ever at its goal: nobody else may come by later
     std::span<const TimedOpening> openings = {};  // in units of time
     // A way from start to goal known beforehand, its turning points, legal for the body; found by Theta* where there is
@@ -73,7 +74,7 @@ struct SafeIntervalOptions {
 
 struct SafeIntervalResult {
     SearchStatus status = SearchStatus::no_path;
-    std::vector<Waypoint> path;  // from time 0; empty unless found
+    std::vector<Waypoint> path;  // from `since` on; empty unless found
     std::uint64_t expanded = 0;
 };
 

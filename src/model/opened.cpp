@@ -1,0 +1,28 @@
+#include "model/opened.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "waybreaker/map_edit.hpp"
+
+namespace waybreaker {
+
+OpenedByThemselves::OpenedByThemselves(const Map& map, const Mission& mission) : map_(map), mission_(mission) {
+    Rules& rules = mission_.rules;
+    if (rules.opened.empty()) return;
+    double first_move = std::numeric_limits<double>::infinity();
+    for (const Agent& agent : mission.agents) {
+        if (agent.kind == AgentKind::ground) first_move = std::min(first_move, agent.ready_at);
+    }
+    std::vector<MapEdit> edits;
+    for (const TimedOpening& opening : rules.opened) {
+        std::erase(rules.protect, opening.obstacle);
+        if (opening.at <= first_move && !map.obstacle(opening.obstacle).gone())
+            edits.push_back(MapEdit::remove(opening.obstacle));
+    }
+    std::erase_if(rules.opened, [&](const TimedOpening& opening) { return opening.at <= first_move; });
+    if (!edits.empty()) opened_ = map.with(edits);
+}
+
+}  // namespace waybreaker

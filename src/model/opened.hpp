@@ -1,0 +1,28 @@
+// Obstacles that open by themselves (Rules::opened), as planning sees them: those that are open before anybody moves
+// never were there.
+#pragma once
+
+#include <optional>
+
+#include "waybreaker/map.hpp"
+#include "waybreaker/mission.hpp"
+
+namespace waybreaker {
+
+class OpenedByThemselves {
+  public:
+    // Both must outlive it.
+    OpenedByThemselves(const Map& map, const Mission& mission);
+
+    // Without what is open from the start; ids stay.
+    const Map& map() const { return opened_ ? *opened_ : map_; }
+    // Only what opens later opens by itself.
+    const Mission& mission() const { return mission_; }
+
+  private:
+    const Map& map_;
+    std::optional<Map> opened_;
+    Mission mission_;
+};
+
+}  // namespace waybreaker
