@@ -17,6 +17,7 @@
 #include "mission/waits.hpp"
 #include "model/idle.hpp"
 #include "model/timeline.hpp"
+#include "orders/orders.hpp"
 #include "select/bound.hpp"
 #include "select/least_demolition.hpp"
 #include "select/selector.hpp"
@@ -155,8 +156,11 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
     return better;
 }
 
-Plan with_waits(const Map& map, const Mission& mission, Plan plan) {
-    if (plan.status == PlanStatus::solved) add_waits(map, mission, plan);
+// What follows from the paths alone.
+Plan with_waits_and_orders(const Map& map, const Mission& mission, Plan plan) {
+    if (plan.status != PlanStatus::solved) return plan;
+    add_waits(map, mission, plan);
+    add_orders(map, mission, plan);
     return plan;
 }
 
@@ -178,7 +182,7 @@ Plan Planner::plan(const Map& map, const Mission& mission, const Method& method,
     const ActivePart active(mission);
     const AgentOrder order(active.mission());
     Plan plan = plan_active(map, order.mission(), method, limits);
-    return with_waits(map, mission, active.whole(map, order.restored(std::move(plan))));
+    return with_waits_and_orders(map, mission, active.whole(map, order.restored(std::move(plan))));
 }
 
 Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
@@ -260,7 +264,8 @@ std::vector<Plan> Planner::front(const Map& map, const Mission& mission, const M
     const ActivePart active(mission);
     const AgentOrder order(active.mission());
     std::vector<Plan> plans = front_of_active(map, order.mission(), method, limits);
-    for (Plan& plan : plans) plan = with_waits(map, mission, active.whole(map, order.restored(std::move(plan))));
+    for (Plan& plan : plans)
+        plan = with_waits_and_orders(map, mission, active.whole(map, order.restored(std::move(plan))));
     return plans;
 }
 
