@@ -164,12 +164,18 @@ std::vector<double> standing_until(const Map& map, const Plan& plan, const Terms
 }
 
 Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Agent& asked, const Terms& terms) {
-    const std::size_t points = std::min(asked.approach.size(), ground.path.size());
-    if (points == 0) return GroundJudge(map, plan, ground, terms).judge();
+    if (asked.approach.empty()) return GroundJudge(map, plan, ground, terms).judge();
+    // From where it bends at vertices only.
+    const std::size_t start = std::min(asked.approach.size(), ground.path.size()) - 1;
+    std::size_t first = start;
+    while (first > 0 && vertex(ground.path[first - 1], map, shape_of(terms.body))) --first;
     Itinerary free = ground;
-    free.path.erase(free.path.begin(), free.path.begin() + std::ptrdiff_t(points) - 1);
-    Drive drive = GroundJudge(map, plan, free, terms).judge();
-    append(drive.found, judge_approach(map, plan, ground, points, terms));
+    free.path.erase(free.path.begin(), free.path.begin() + std::ptrdiff_t(first));
+    Drive drive = judge_approach(map, plan, ground, first + 1, terms);
+    Drive rest = GroundJudge(map, plan, free, terms).judge();
+    append(drive.found, std::move(rest.found));
+    drive.followed = drive.followed && rest.followed;
+    for (const auto& [obstacle, contact] : rest.entries) drive.entries.emplace(obstacle, contact);
     return drive;
 }
 

@@ -75,9 +75,8 @@ struct Drive {
 // The ground agent's way. Precondition: its timetable is in order.
 Drive judge_ground(const Map& map, const Plan& plan, const Itinerary& ground, const Agent& asked, const Terms& terms);
 
-// That so many points from the first on lead past all that stands. Precondition: the path has them.
-Violations judge_approach(const Map& map, const Plan& plan, const Itinerary& ground, std::size_t points,
-                          const Terms& terms);
+// The same of so many points from the first on, wherever they lie. Precondition: the path has them.
+Drive judge_approach(const Map& map, const Plan& plan, const Itinerary& ground, std::size_t points, const Terms& terms);
 
 // That what is removed is entered when the plan says. `who` has entered it; empty where there are several.
 Violations judge_entries(const Map& map, const Plan& plan, const Entries& entries, const std::string& who,

@@ -13,6 +13,8 @@ namespace {
 // Places at which an agent may stop between bends: so many, so far apart, in cells.
 constexpr int most_stops = 12;
 constexpr double between_stops = 0.5;
+// Who comes just when an obstacle opens comes in time, give or take what places between points lose.
+constexpr double punctual = 1e-7;
 // Of bases held against each other, before it is given up.
 constexpr std::size_t most_tries = 10'000;
 
@@ -30,12 +32,16 @@ Base standing_until(Base base, double time) {
     return base;
 }
 
-std::optional<Base> to_next_bend(const Position& position, double decided) {
+// `stays`: at the end of its path.
+std::optional<Base> to_next_bend(const Position& position, double decided, bool stays) {
     const std::vector<Waypoint>& ahead = position.ahead;
     for (std::size_t i = position.stands ? 0 : 1; i < ahead.size(); ++i) {
         if (!at_centre(ahead[i])) continue;
         std::size_t last = i;
         while (last + 1 < ahead.size() && same_place(ahead[last + 1], ahead[i])) ++last;
+        // It may stay for ever.
+        const bool ends = last + 1 == ahead.size() && stays;
+        if (ends) return Base(ahead.begin(), ahead.end());
         const bool leaves_before = last + 1 < ahead.size() && ahead[last].t < decided;
         if (!leaves_before) {
             return standing_until({ahead.begin(), ahead.begin() + std::ptrdiff_t(i) + 1}, decided);
@@ -77,7 +83,7 @@ std::optional<double> Ground::first_hit(const std::vector<Waypoint>& path, const
         const std::optional<double> touched = first_touch(map, obstacle.id, standing, standing_radius(body));
         if (!touched || (first && *first <= *touched)) continue;
         const auto opens = std::ranges::find(openings, obstacle.id, &TimedOpening::obstacle);
-        if (opens == openings.end() || opens->at > *touched + hair) first = touched;
+        if (opens == openings.end() || opens->at > *touched + punctual) first = touched;
     }
     return first;
 }
@@ -88,11 +94,12 @@ std::vector<Base> bases_of(const Ground& ground, const Agent& agent, const Posit
         if (!ground.first_hit(base, agent.body)) bases.push_back(std::move(base));
     };
     const double ready = std::max(decided, agent.ready_at);
+    const bool stays = Point(position.ahead.back().x, position.ahead.back().y) == Point(agent.goal);
     if (position.finished()) {
         add(standing_until(position.ahead, ready));
         return bases;
     }
-    if (std::optional<Base> base = to_next_bend(position, ready)) add(std::move(*base));
+    if (std::optional<Base> base = to_next_bend(position, ready, stays)) add(std::move(*base));
     if (position.stands && ready > decided) return bases;  // it may not leave yet
     std::vector<ObstacleId> open;
     for (const TimedOpening& opening : ground.openings) {

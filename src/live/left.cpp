@@ -9,6 +9,10 @@ namespace {
 bool same_time(double a, double b) {
     return std::abs(a - b) <= 1e-6 * std::max(1.0, std::abs(b));
 }
+// By more than rounding, or at once.
+bool before(double a, double b) {
+    return a < b || same_time(a, b);
+}
 
 // A breach on the path of its aircraft: the points at which it begins and ends, which are one where it takes no time.
 struct Work {
@@ -17,15 +21,18 @@ struct Work {
     std::size_t last;
 };
 
-std::optional<Work> work_of(const Plan& plan, const Breach& breach) {
-    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-        const Itinerary& agent = plan.agents[i];
+std::optional<Work> work_of(const Report& report, const Breach& breach) {
+    const double time = report.mission.rules.breach_time.of(report.map.obstacle(breach.obstacle));
+    const double begun = breach.cleared_at - time;
+    for (std::size_t i = 0; i < report.plan.agents.size(); ++i) {
+        const Itinerary& agent = report.plan.agents[i];
         if (agent.kind != AgentKind::air || (!breach.by.empty() && agent.id != breach.by)) continue;
-        for (std::size_t k = agent.path.size(); k-- > 0;) {
-            const Waypoint& p = agent.path[k];
-            const auto is_there = [&](const Waypoint& q) { return q.x == breach.at.x && q.y == breach.at.y; };
-            if (!is_there(p) || !same_time(p.t, breach.cleared_at)) continue;
-            return Work{i, k > 0 && is_there(agent.path[k - 1]) ? k - 1 : k, k};
+        const auto is_there = [&](const Waypoint& q) { return q.x == breach.at.x && q.y == breach.at.y; };
+        for (std::size_t last = 0; last < agent.path.size(); ++last) {
+            if (!is_there(agent.path[last]) || !same_time(agent.path[last].t, breach.cleared_at)) continue;
+            std::size_t first = last;
+            while (first > 0 && is_there(agent.path[first - 1]) && !before(agent.path[first].t, begun)) --first;
+            return Work{i, first, last};
         }
     }
     return std::nullopt;
@@ -100,7 +107,7 @@ std::vector<Outlook> outlooks_of(const Report& report, std::span<const Position>
         Outlook& outlook = outlooks.emplace_back();
         outlook.failed = is_among(report.state.failed, breach.obstacle);
         const auto said = std::ranges::find(report.state.opened, breach.obstacle, &TimedOpening::obstacle);
-        const std::optional<Work> work = work_of(report.plan, breach);
+        const std::optional<Work> work = work_of(report, breach);
         if (said != report.state.opened.end()) {
             outlook.opens = said->at;
         } else if (work && !outlook.failed) {
@@ -113,7 +120,7 @@ std::vector<Outlook> outlooks_of(const Report& report, std::span<const Position>
 double bound_until(const Report& report, std::size_t agent, const Position& position) {
     double until = report.decided;
     for (const Breach& breach : report.plan.breaches) {
-        const std::optional<Work> work = work_of(report.plan, breach);
+        const std::optional<Work> work = work_of(report, breach);
         if (!work || work->agent != agent || is_among(report.state.failed, breach.obstacle)) continue;
         if (const auto done = done_at(report, *work, position, breach)) until = std::max(until, *done);
     }
@@ -124,7 +131,7 @@ Mission left_of(const Report& report, std::span<const Outlook> outlooks) {
     Mission left = report.mission;
     Rules& rules = left.rules;
     const auto tried_by = [&](const Breach& breach) -> Agent* {
-        const std::optional<Work> work = work_of(report.plan, breach);
+        const std::optional<Work> work = work_of(report, breach);
         if (!work) return nullptr;
         const auto agent = std::ranges::find(left.agents, report.plan.agents[work->agent].id, &Agent::id);
         return agent == left.agents.end() ? nullptr : &*agent;

@@ -33,18 +33,16 @@ std::vector<Point> places(std::span<const Waypoint> path) {
 }  // namespace
 
 std::optional<Plan> remainder_of(const Report& report, std::span<const Position> positions,
-                                 std::span<const Outlook> outlooks, const Map& known, const Mission& left,
-                                 const Plan& other) {
+                                 std::span<const Outlook> outlooks, const Map& known, const Mission& left) {
     const Plan& old = report.plan;
     if (left.agents.size() != old.agents.size() || !report.state.joined.empty()) return std::nullopt;
     Plan rest;
     rest.status = PlanStatus::solved;
-    rest.before = other.before;
-    rest.limit_reached = other.limit_reached;
     std::vector<TimedOpening> openings = left.rules.opened;
     for (std::size_t i = 0; i < outlooks.size(); ++i) {
         if (outlooks[i].failed) return std::nullopt;
         if (outlooks[i].opens) continue;
+        if (known.obstacle(old.breaches[i].obstacle).cells != old.breaches[i].cells) return std::nullopt;
         rest.breaches.push_back(old.breaches[i]);
         openings.push_back({old.breaches[i].obstacle, old.breaches[i].cleared_at});
     }
@@ -72,12 +70,26 @@ std::optional<Plan> remainder_of(const Report& report, std::span<const Position>
     rest.after.makespan = finish.makespan();
     rest.after.flowtime = finish.flowtime;
     rest.after.ground_makespan = finish.ground;
-    if (other.bound) {
-        const double reached = rank(left.rules.objective, finish).first;
-        rest.bound = std::min(*other.bound, reached);
-        rest.gap = *rest.bound > 0 ? reached / *rest.bound - 1 : 0;
-    }
     return rest;
+}
+
+void compare(Plan& rest, const Plan& other, const Mission& left) {
+    const Objective objective = left.rules.objective;
+    rest.before = other.before;
+    if (other.status != PlanStatus::solved) {
+        // Nothing is known of the vehicles alone.
+        rest.before = {};
+        rest.before.routes.clear();
+        for (const Agent& agent : left.agents) {
+            Route& route = rest.before.routes.emplace_back(Route{agent.kind});
+            if (agent.kind == AgentKind::air) route.length = distance(agent.begin(), Point(agent.goal));
+        }
+    }
+    rest.limit_reached = other.limit_reached;
+    const std::optional<double> reached = value(rest.after, objective);
+    if (!other.bound || !reached) return;
+    rest.bound = std::min(*other.bound, *reached);
+    rest.gap = *rest.bound > 0 ? *reached / *rest.bound - 1 : 0;
 }
 
 }  // namespace waybreaker::live

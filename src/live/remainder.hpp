@@ -12,9 +12,10 @@
 namespace waybreaker::live {
 
 // As a plan of the mission that is left on the map as it is known now: agents on their bases, then as planned. Empty
-// where that is no longer possible. `before` and the bound are those of `other`, a plan of the same mission.
+// where that is no longer possible. Without figures before removal, and without a bound.
 std::optional<Plan> remainder_of(const Report& report, std::span<const Position> positions,
-                                 std::span<const Outlook> outlooks, const Map& known, const Mission& left,
-                                 const Plan& other);
+                                 std::span<const Outlook> outlooks, const Map& known, const Mission& left);
+// Takes those of another plan of the same mission.
+void compare(Plan& rest, const Plan& other, const Mission& left);
 
 }  // namespace waybreaker::live

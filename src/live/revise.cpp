@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -57,10 +58,19 @@ std::vector<Halt> halts_of(const live::Ground& ground, const Report& report, std
     return halts;
 }
 
+// How agents get to where they are free: trusting that all planned breaches are made in time, or only those that have
+// begun; as if all went on at once, or as if each waited for all the others.
+enum class Placing { as_planned, going_on, waiting };
+
 // Puts the agents that are left where they are free; whether there is a way to do so.
-bool place_agents(const Report& report, std::span<const Position> positions, const Map& known, bool stay,
-                  Mission& left) {
-    const live::Ground ground{known, left.rules.opened};
+bool place_agents(const Report& report, std::span<const Position> positions, std::span<const Outlook> outlooks,
+                  const Map& known, Placing placing, Mission& left) {
+    std::vector<TimedOpening> openings = left.rules.opened;
+    for (std::size_t i = 0; i < outlooks.size() && placing == Placing::as_planned; ++i) {
+        const Breach& breach = report.plan.breaches[i];
+        if (!outlooks[i].opens && !outlooks[i].failed) openings.push_back({breach.obstacle, breach.cleared_at});
+    }
+    const live::Ground ground{known, openings};
     std::vector<Agent> agents;
     std::vector<std::size_t> vehicles;
     std::vector<std::vector<Base>> choices;
@@ -85,7 +95,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, con
     }
     std::vector<Agent> driving;
     for (const std::size_t i : vehicles) driving.push_back(agents[i]);
-    std::vector<Base> bases = live::without_meetings(known, left.rules.separation, stay, driving, choices);
+    std::vector<Base> bases =
+        live::without_meetings(known, left.rules.separation, placing == Placing::waiting, driving, choices);
     if (bases.size() != vehicles.size()) return false;
     for (std::size_t v = 0; v < vehicles.size(); ++v) begin_on(known, std::move(bases[v]), agents[vehicles[v]]);
     for (Agent joined : report.state.joined) {
@@ -114,6 +125,26 @@ Plan plan_of(Planner& planner, const Map& map, const Mission& mission, const Sta
 double reached(const Plan& plan, Objective objective) {
     if (plan.status != PlanStatus::solved) return std::numeric_limits<double>::infinity();
     return value(plan.after, objective).value_or(std::numeric_limits<double>::infinity());
+}
+
+bool same_bases(const Mission& a, const Mission& b) {
+    return std::ranges::equal(a.agents, b.agents, {}, &Agent::approach, &Agent::approach);
+}
+
+// The rest of the old plan in place of the new one, where that is no better.
+void keep_if_no_worse(const Report& report, std::span<const Position> positions, std::span<const Outlook> outlooks,
+                      const Mission& left, const std::function<Plan(const Mission&)>& plan, Revision& next) {
+    Mission placed = left;
+    if (!place_agents(report, positions, outlooks, next.map, Placing::as_planned, placed)) return;
+    std::optional<Plan> rest = live::remainder_of(report, positions, outlooks, next.map, placed);
+    const Objective objective = left.rules.objective;
+    if (!rest || reached(*rest, objective) > reached(next.plan, objective) * (1 + 1e-9)) return;
+    // What is proven is of agents that are free at the same places.
+    if (!same_bases(placed, next.mission)) next.plan = plan(placed);
+    live::compare(*rest, next.plan, placed);
+    next.status = RevisionStatus::kept;
+    next.mission = std::move(placed);
+    next.plan = *std::move(rest);
 }
 
 }  // namespace
@@ -150,20 +181,16 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     revised.found.insert(revised.found.end(), found.begin(), found.end());
     if (any) {
         next.status = RevisionStatus::broken;
-        // First as if all went on at once; if that leaves no room, as if each waited for all the others.
-        for (const bool stay : {false, true}) {
+        const auto plan_left = [&](const Mission& placed) {
+            return plan_of(planner, next.map, placed, state, method, limits);
+        };
+        for (const Placing placing : {Placing::going_on, Placing::waiting}) {
             Mission placed = left;
-            if (!place_agents(report, positions, next.map, stay, placed)) continue;
+            if (!place_agents(report, positions, outlooks, next.map, placing, placed)) continue;
             next.mission = std::move(placed);
-            next.plan = plan_of(planner, next.map, next.mission, state, method, limits);
+            next.plan = plan_left(next.mission);
             next.status = next.plan.status == PlanStatus::solved ? RevisionStatus::revised : RevisionStatus::no_plan;
-            const Objective objective = mission.rules.objective;
-            std::optional<Plan> rest =
-                live::remainder_of(report, positions, outlooks, next.map, next.mission, next.plan);
-            if (rest && reached(*rest, objective) <= reached(next.plan, objective) * (1 + 1e-9)) {
-                next.status = RevisionStatus::kept;
-                next.plan = *std::move(rest);
-            }
+            keep_if_no_worse(report, positions, outlooks, left, plan_left, next);
             if (next.status != RevisionStatus::no_plan) break;
         }
         if (next.status == RevisionStatus::broken) {
