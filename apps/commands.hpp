@@ -15,6 +15,7 @@ using Run = std::function<void()>;
 void setup_plan(CLI::App& root, Run& run);
 void setup_check(CLI::App& root, Run& run);
 void setup_revise(CLI::App& root, Run& run);
+void setup_rehearse(CLI::App& root, Run& run);
 void setup_export(CLI::App& root, Run& run);
 void setup_import(CLI::App& root, Run& run);
 void setup_map(CLI::App& root, Run& run);
@@ -45,6 +46,13 @@ class NoPlanFound : public std::runtime_error {
 
 // There is a plan, but it is not valid. Thrown when all output is written; what() is one line for a person.
 class InvalidPlan : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// In a rehearsal something happened that no execution may have. Thrown when all output is written; what() is one line
+// for a person.
+class IllegalRun : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };

@@ -20,7 +20,7 @@
 namespace waybreaker::apps {
 namespace {
 
-enum ExitStatus : int { done = 0, no_plan = 1, bad_input = 2, internal_error = 3, no_plan_found = 4 };
+enum ExitStatus : int { done = 0, no_plan = 1, bad_input = 2, internal_error = 3, illegal_run = 3, no_plan_found = 4 };
 
 int complain(ExitStatus status, std::string message) {
     for (char& c : message) {
@@ -45,6 +45,7 @@ void setup(CLI::App& root, Run& run) {
     setup_plan(root, run);
     setup_check(root, run);
     setup_revise(root, run);
+    setup_rehearse(root, run);
     setup_export(root, run);
     setup_import(root, run);
     setup_map(root, run);
@@ -107,6 +108,8 @@ int main(int argc, char** argv) {
         return complain(no_plan_found, error.what());
     } catch (const InvalidPlan& error) {
         return complain(no_plan, error.what());
+    } catch (const IllegalRun& error) {
+        return complain(illegal_run, error.what());
     } catch (const waybreaker::InputError& error) {
         return complain(bad_input, worded(error));
     } catch (const std::bad_alloc&) {

@@ -130,6 +130,27 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::funct
     return add(app, name, read, type, text);
 }
 
+std::optional<double> share_from(std::string_view text) {
+    const bool percent = text.ends_with('%');
+    const auto value = number<double>(text.substr(0, text.size() - (percent ? 1 : 0)));
+    if (!value) return std::nullopt;
+    const double share = percent ? *value / 100 : *value;
+    if (!(share >= 0 && share <= 1)) return std::nullopt;
+    return share;
+}
+
+CLI::Option* add_share(CLI::App& app, const std::string& name, double& value, const std::string& text) {
+    const auto read = [name, &value](const std::string& given) {
+        const std::optional<double> share = share_from(given);
+        if (!share) {
+            throw CLI::ValidationError(
+                name, fmt::format("'{}' is not a share from 0 to 1, such as 0.1 or 10%", shown(given)));
+        }
+        value = *share;
+    };
+    return add(app, name, read, "SHARE", text);
+}
+
 CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, double most,
                         const std::string& text) {
     return add_number(

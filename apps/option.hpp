@@ -27,6 +27,9 @@ std::string shown(std::string_view given);
 // The number that a text is, from end to end.
 std::optional<double> number_from(std::string_view text);
 
+// The share from 0 to 1 that a text is, as such or in per cent: "0.005", "0.5%".
+std::optional<double> share_from(std::string_view text);
+
 // "12,20"
 CLI::Option* add_cell(CLI::App& app, const std::string& name, std::optional<Cell>& value, const std::string& text);
 
@@ -49,6 +52,9 @@ struct Range {
 // A number from a range.
 CLI::Option* add_number(CLI::App& app, const std::string& name, const std::function<void(double)>& assign, Range range,
                         const std::string& type, const std::string& text);
+
+// A share.
+CLI::Option* add_share(CLI::App& app, const std::string& name, double& value, const std::string& text);
 
 // A number of cells, from 0 to `most`.
 CLI::Option* add_length(CLI::App& app, const std::string& name, std::optional<double>& value, double most,

@@ -148,17 +148,6 @@ void add_budget(CLI::App& command, PlanOptions& options) {
         ->type_name("WEIGHT|AREA");
 }
 
-// As such or in per cent: "0.005", "0.5%".
-std::optional<double> share_from(std::string_view given) {
-    const bool percent = given.ends_with('%');
-    double share = 0;
-    const char* const last = given.data() + given.size() - (percent ? 1 : 0);
-    const auto [end, error] = std::from_chars(given.data(), last, share);
-    if (percent) share /= 100;
-    if (error != std::errc() || end != last || !(share >= 0 && share <= 1)) return std::nullopt;
-    return share;
-}
-
 // Behind "=", so that what follows the option is never taken for it.
 void add_minimise_demolition(CLI::App& command, PlanOptions& options) {
     const auto read = [&options](const std::string& given) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -45,6 +47,30 @@ struct Itinerary {
     // removed, in units of time (below 0: later); empty where it has no way then.
     std::optional<double> gain = {};
     std::vector<Wait> waits = {};  // of a ground agent, in order
+};
+
+// A moment of an agent's execution: it has got to that point of its path, or that share of the move from there to the
+// next point.
+struct Moment {
+    std::size_t agent = 0;  // in Plan::agents
+    std::size_t point = 0;  // in Itinerary::path
+    double fraction = 0;    // 0 <= fraction < 1
+    friend auto operator<=>(const Moment&, const Moment&) = default;
+};
+
+// `opening`: what is entered must have been breached; `passing`: two ground agents would touch.
+enum class OrderReason { opening, passing };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<OrderReason>{"opening", "passing"};
+
+// `after` may not begin before `before` has happened: whoever executes the plan keeps it, however late anybody is.
+// `before`: its agent has got there. `after`: its agent leaves from there.
+struct Order {
+    Moment before = {};
+    Moment after = {};
+    OrderReason reason = OrderReason::opening;
+    ObstacleId obstacle = {};  // of an opening
+    double slack = 0;  // how late `before` may be until `after` is put off, everybody else as planned; units of time
 };
 
 // One obstacle an air agent removes.
@@ -148,6 +174,9 @@ struct Plan {
     std::vector<NextBreach> next = {};    // if asked for: at most one
     std::vector<Itinerary> agents = {};   // one for each agent of the mission, in its order; empty unless solved
     std::optional<Revised> revised = {};  // of a mission that was under way
+    // What waits for what: an execution that keeps them has no collision, whatever comes late. Sorted by `after`.
+    // Empty unless solved, and where timing is ignored: then obstacles may be entered while they stand.
+    std::vector<Order> orders = {};
     struct Seconds {
         double label = 0;   // filled in by whoever labelled the map
         double search = 0;  // both ground searches

@@ -248,11 +248,24 @@ class ContinuityJudge {
             if (said != nullptr && !was && !same(said->at, known.at))
                 say(text(known.obstacle) + " opens at another time", "", known.obstacle);
         }
+        int taken_back = 0;
         for (const TimedOpening& known : old_mission_.rules.opened) {
+            if (opening(state_.failed, known.obstacle) != nullptr) {
+                // It had begun before the old plan was made, and has failed since.
+                ++taken_back;
+                if (opening(mission_.rules.opened, known.obstacle) != nullptr)
+                    say("the breach of " + text(known.obstacle) + " failed, and it is said to be open", "",
+                        known.obstacle);
+                if (std::ranges::count(mission_.rules.failed, known.obstacle) !=
+                    std::ranges::count(old_mission_.rules.failed, known.obstacle) + 1)
+                    say("the plan does not know that the breach of " + text(known.obstacle) + " failed", "",
+                        known.obstacle);
+                continue;
+            }
             if (opening(mission_.rules.opened, known.obstacle) == nullptr)
                 say("the plan has forgotten that " + text(known.obstacle) + " is open", "", known.obstacle);
         }
-        const int removals = std::max(old_mission_.rules.removals - int(opened), 0);
+        const int removals = std::max(old_mission_.rules.removals - int(opened), 0) + taken_back;
         if (mission_.rules.removals != removals)
             say("the mission may remove " + std::to_string(mission_.rules.removals) + ", not " +
                 std::to_string(removals) + " as is left");
@@ -268,10 +281,13 @@ class ContinuityJudge {
     void judge_rules() {
         const Rules& was = old_mission_.rules;
         const Rules& is = mission_.rules;
+        // What has failed, and had counted as open, weighs nothing again.
+        const bool takes_back = std::ranges::any_of(
+            was.opened, [&](const TimedOpening& known) { return opening(state_.failed, known.obstacle) != nullptr; });
         if (is.timing != was.timing || is.objective != was.objective || is.separation != was.separation ||
             is.at_goal != was.at_goal || is.retries != was.retries ||
             is.breach_time.per_obstacle != was.breach_time.per_obstacle ||
-            is.breach_time.per_cell != was.breach_time.per_cell || is.budget > was.budget)
+            is.breach_time.per_cell != was.breach_time.per_cell || (is.budget > was.budget && !takes_back))
             say("the rules are others");
         const auto protects = [&](ObstacleId id) { return std::ranges::find(is.protect, id) != is.protect.end(); };
         for (const ObstacleId id : was.protect) {

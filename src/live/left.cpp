@@ -42,16 +42,36 @@ bool is_among(const std::vector<TimedOpening>& list, ObstacleId id) {
     return std::ranges::find(list, id, &TimedOpening::obstacle) != list.end();
 }
 
+// The point at which the work is done, of those ahead.
+std::size_t end_ahead(const Work& work, const Position& position) {
+    return work.last - position.next + 1;
+}
+
+bool is_at_work(const Work& work, const Position& position) {
+    return work.first < position.next && work.last >= position.next;
+}
+
 // When the work is done, if it is done or has begun by `decided`.
 std::optional<double> done_at(const Report& report, const Work& work, const Position& position, const Breach& breach) {
     if (work.last < position.next) return std::min(breach.cleared_at, report.state.now);
     const bool goes_on = position.doing == Doing::moving || position.doing == Doing::breaching;
     if (!goes_on) return std::nullopt;
-    const double ends = position.ahead[work.last - position.next + 1].t;
+    const double ends = position.ahead[end_ahead(work, position)].t;
     if (ends <= report.decided) return ends;
-    const bool at_work = work.first < position.next;
-    if (at_work) return ends;
+    if (is_at_work(work, position)) return ends;
     return position.ahead[work.first - position.next + 1].t < report.decided ? std::optional(ends) : std::nullopt;
+}
+
+void forget(std::vector<ObstacleId>& ids, ObstacleId id) {
+    std::erase(ids, id);
+}
+
+// It may be tried again, unless it has been too often.
+void add_failure(ObstacleId obstacle, Rules& rules) {
+    rules.failed.push_back(obstacle);
+    if (std::ranges::count(rules.failed, obstacle) <= rules.retries) return;
+    forget(rules.force, obstacle);
+    if (std::ranges::find(rules.protect, obstacle) == rules.protect.end()) rules.protect.push_back(obstacle);
 }
 
 }  // namespace
@@ -65,6 +85,18 @@ std::vector<Position> positions_of(const Report& report) {
     std::vector<Position> positions;
     for (const Itinerary& agent : report.plan.agents) {
         positions.push_back(position_of(agent, report.of(agent.id), report.state.now));
+    }
+    // Work that has begun late ends when it is said to.
+    for (const Breach& breach : report.plan.breaches) {
+        const auto said = std::ranges::find(report.state.opened, breach.obstacle, &TimedOpening::obstacle);
+        const std::optional<Work> work = work_of(report.plan, breach);
+        if (said == report.state.opened.end() || said->at <= report.state.now || !work) continue;
+        Position& position = positions[work->agent];
+        if (!is_at_work(*work, position)) continue;
+        const double later = said->at - position.ahead[end_ahead(*work, position)].t;
+        if (same_time(later, 0)) continue;
+        position.on_time = false;
+        for (std::size_t i = end_ahead(*work, position); i < position.ahead.size(); ++i) position.ahead[i].t += later;
     }
     return positions;
 }
@@ -98,7 +130,6 @@ double bound_until(const Report& report, std::size_t agent, const Position& posi
 Mission left_of(const Report& report, std::span<const Outlook> outlooks) {
     Mission left = report.mission;
     Rules& rules = left.rules;
-    const auto forget = [](std::vector<ObstacleId>& ids, ObstacleId id) { std::erase(ids, id); };
     const auto tried_by = [&](const Breach& breach) -> Agent* {
         const std::optional<Work> work = work_of(report, breach);
         if (!work) return nullptr;
@@ -112,18 +143,21 @@ Mission left_of(const Report& report, std::span<const Outlook> outlooks) {
         if (aircraft != nullptr && aircraft->breaches != any_number)
             aircraft->breaches = std::max(aircraft->breaches - 1, 0);
         if (outlooks[i].failed) {
-            rules.failed.push_back(breach.obstacle);
-            const bool used_up = std::ranges::count(rules.failed, breach.obstacle) > rules.retries;
-            if (!used_up) continue;
-            forget(rules.force, breach.obstacle);
-            if (std::ranges::find(rules.protect, breach.obstacle) == rules.protect.end())
-                rules.protect.push_back(breach.obstacle);
+            add_failure(breach.obstacle, rules);
             continue;
         }
         rules.opened.push_back({breach.obstacle, *outlooks[i].opens});
         rules.removals = std::max(rules.removals - 1, 0);
         rules.budget = std::max(rules.budget - report.map.obstacle(breach.obstacle).weight, 0.0);
         forget(rules.force, breach.obstacle);
+    }
+    // What had begun before the plan was made, and has failed since.
+    for (const TimedOpening& failure : report.state.failed) {
+        if (!is_among(rules.opened, failure.obstacle)) continue;
+        std::erase_if(rules.opened, [&](const TimedOpening& opened) { return opened.obstacle == failure.obstacle; });
+        ++rules.removals;
+        rules.budget += report.map.obstacle(failure.obstacle).weight;
+        add_failure(failure.obstacle, rules);
     }
     // What others have opened.
     for (const TimedOpening& opening : report.state.opened) {

@@ -58,8 +58,13 @@ Position position_of(const Itinerary& agent, const AgentState* state, double now
         const Waypoint& last = position.ahead.back();
         const double driven = distance(place(last), place(path[i]));
         const bool stays = i > 0 && same_place(path[i - 1], path[i]);
+        // An aircraft stays for as long as its work takes.
+        const bool works = agent.kind == AgentKind::air && i > position.next;
         double t = path[i].t;
-        if (!position.on_time) t = stays && driven == 0 ? std::max(path[i].t, last.t) : last.t + driven / agent.speed;
+        if (!position.on_time) {
+            const double stays_until = works ? last.t + path[i].t - path[i - 1].t : std::max(path[i].t, last.t);
+            t = stays && driven == 0 ? stays_until : last.t + driven / agent.speed;
+        }
         position.ahead.push_back({path[i].x, path[i].y, t});
     }
     position.stands = position.finished() || same_place(position.ahead[0], position.ahead[1]) ||

@@ -63,7 +63,13 @@ void validate(const Map& map, const Mission& mission, const Plan& plan, const St
         require_range(failure.at, 0, state.now,
                       "the time at which the breach of obstacle " + std::to_string(failure.obstacle.value) + " failed");
         const std::string id = std::to_string(failure.obstacle.value);
-        if (std::ranges::find(plan.breaches, failure.obstacle, &Breach::obstacle) == plan.breaches.end())
+        // One that had begun before the plan was made is none of the plan, which counts on it.
+        const auto counted_on = std::ranges::find(mission.rules.opened, failure.obstacle, &TimedOpening::obstacle);
+        const bool had_begun = counted_on != mission.rules.opened.end() && plan.revised &&
+                               counted_on->at >= plan.revised->now && counted_on->at > 0;
+        const bool is_planned =
+            std::ranges::find(plan.breaches, failure.obstacle, &Breach::obstacle) != plan.breaches.end();
+        if (!is_planned && !had_begun)
             refuse(ErrorCode::contradiction, id, "the breach of obstacle " + id + " failed, and the plan has none");
         if (std::ranges::find(state.opened, failure.obstacle, &TimedOpening::obstacle) != state.opened.end())
             refuse(ErrorCode::contradiction, id, "obstacle " + id + " opened, and its breach failed");

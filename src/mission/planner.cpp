@@ -20,6 +20,7 @@
 #include "model/idle.hpp"
 #include "model/opened.hpp"
 #include "model/timeline.hpp"
+#include "orders/orders.hpp"
 #include "select/bound.hpp"
 #include "select/least_demolition.hpp"
 #include "select/selector.hpp"
@@ -180,6 +181,7 @@ Plan finished(const Map& map, const Mission& mission, Plan plan) {
     if (plan.status != PlanStatus::solved) return plan;
     begin_on_approach(mission, plan);
     add_waits(map, mission, plan);
+    add_orders(map, mission, plan);
     return plan;
 }
 

@@ -148,15 +148,21 @@ std::vector<Wait> stands(const Itinerary& agent) {
     return waits;
 }
 
-std::optional<double> first_touch(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path, double radius) {
+std::optional<Touch> first_touch_on(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path,
+                                    double radius) {
     for (std::size_t i = 1; i < path.size(); ++i) {
         const Waypoint& a = path[i - 1];
         const Waypoint& b = path[i];
         double share = first_touch(map, map.obstacle(obstacle), a, b, radius);
         if (radius == 0) share = std::min(share, first_between_walls(map, obstacle, a, b));
-        if (share <= 1) return a.t + share * (b.t - a.t);
+        if (share <= 1) return Touch{i - 1, share, a.t + share * (b.t - a.t)};
     }
     return std::nullopt;
+}
+
+std::optional<double> first_touch(const Map& map, ObstacleId obstacle, std::span<const Waypoint> path, double radius) {
+    const std::optional<Touch> touch = first_touch_on(map, obstacle, path, radius);
+    return touch ? std::optional(touch->time) : std::nullopt;
 }
 
 }  // namespace waybreaker

@@ -1,0 +1,94 @@
+#include "orders/orders.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "model/timeline.hpp"
+#include "orders/passing.hpp"
+#include "orders/track.hpp"
+
+namespace waybreaker {
+namespace {
+
+using orders::Precision;
+
+// When its agent breaches an obstacle: the point of its path at which it is done.
+Moment breach_of(const Breach& breach, std::size_t agent, const std::vector<Waypoint>& path) {
+    constexpr double rounding = 1e-9;
+    const double done = breach.cleared_at - rounding * std::max(1.0, breach.cleared_at);
+    const auto after = std::ranges::partition_point(path, [&](const Waypoint& at) { return at.t < done; });
+    return {agent, std::size_t(std::min(after, path.end() - 1) - path.begin()), 0};
+}
+
+// Of one ground and one air agent the plan does not say who breaches.
+std::size_t breacher_of(const Breach& breach, const Plan& plan) {
+    const auto is_it = [&](const Itinerary& agent) {
+        return agent.kind == AgentKind::air && (breach.by.empty() || agent.id == breach.by);
+    };
+    return std::size_t(std::ranges::find_if(plan.agents, is_it) - plan.agents.begin());
+}
+
+void add_opening_orders(const Map& map, const Mission& mission, Plan& plan) {
+    for (const Breach& breach : plan.breaches) {
+        const std::size_t by = breacher_of(breach, plan);
+        if (by == plan.agents.size()) continue;
+        const Moment before = breach_of(breach, by, plan.agents[by].path);
+        for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+            if (plan.agents[i].kind == AgentKind::air) continue;
+            const std::vector<Waypoint>& path = plan.agents[i].path;
+            const auto touch = first_touch_on(map, breach.obstacle, path, standing_radius(mission.agents[i].body));
+            if (!touch) continue;
+            const Moment after = orders::departure(i, path, touch->move, touch->share);
+            const double slack = orders::slack_of(plan.agents[by].path[before.point].t, touch->time);
+            plan.orders.push_back({before, after, OrderReason::opening, breach.obstacle, slack});
+        }
+    }
+}
+
+// Ever finer where agents would wait for each other in a ring.
+void add_passing_orders(const Mission& mission, Plan& plan) {
+    std::vector<orders::Track> tracks;
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        if (plan.agents[i].kind == AgentKind::air) continue;
+        tracks.push_back({mission.agents[i].body.reach(),
+                          orders::stretches(i, plan.agents[i].path, mission.rules.at_goal == AtGoal::stay)});
+    }
+    if (tracks.size() < 2) return;
+    const std::vector<orders::Pair> pairs = orders::near_pairs(tracks, mission.rules.separation);
+    constexpr std::array<Precision, 4> precisions{
+        {{order_step}, {order_step / 16}, {order_step / 256}, {order_step / 256, true}}};
+    std::vector<std::size_t> precision(plan.agents.size());  // of orders between two agents that need one as fine
+    for (bool done = false; !done;) {
+        std::vector<Order> found;
+        for (const orders::Pair& pair : pairs) {
+            const std::size_t which = std::min(precision[pair.one->agent], precision[pair.other->agent]);
+            orders::add_passing_orders(pair, precisions[which], found);
+        }
+        orders::leave_out_implied(found);
+        const std::vector<bool> stuck = orders::stuck_agents(found, plan.agents.size());
+        done = true;
+        for (std::size_t i = 0; i < stuck.size(); ++i) {
+            if (!stuck[i] || precision[i] + 1 == precisions.size()) continue;
+            ++precision[i];
+            done = false;
+        }
+        if (done) plan.orders.insert(plan.orders.end(), found.begin(), found.end());
+    }
+}
+
+}  // namespace
+
+void add_orders(const Map& map, const Mission& mission, Plan& plan) {
+    plan.orders.clear();
+    if (mission.rules.timing == Timing::enforce) add_opening_orders(map, mission, plan);
+    add_passing_orders(mission, plan);
+    std::ranges::sort(plan.orders, {}, [](const Order& order) {
+        return std::tuple(order.after, order.before, order.reason, order.obstacle);
+    });
+}
+
+}  // namespace waybreaker

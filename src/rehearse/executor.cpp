@@ -1,0 +1,491 @@
+#include "rehearse/executor.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "rehearse/draws.hpp"
+#include "rehearse/trail.hpp"
+#include "waybreaker/revise.hpp"
+
+namespace waybreaker::rehearsal {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+// What happens within so long happens at once: revisions look at times of plans, which are rounded.
+constexpr double at_once = 1e-6;
+// Of the width of a blocked street, half, in cells.
+constexpr double half_street = 1.5;
+constexpr int most_revisions = 1000;
+
+double length_of(const std::vector<Waypoint>& path) {
+    double length = 0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+        length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+    return length;
+}
+
+// `waiting`: for orders; `held`: until a time; `at_work`: until the breach is done.
+enum class Phase { waiting, held, moving, at_work, arrived, lost };
+
+struct Actor {
+    std::size_t number = 0;  // in the mission
+    AgentKind kind = AgentKind::ground;
+    double speed = 1;
+    double radius = 0;
+    std::vector<Waypoint> path = {};
+    Script script = {};
+    std::size_t stop = 0;  // the last one that it got to
+    Phase phase = Phase::waiting;
+    double since = 0;  // it moves
+    double until = never;
+    bool rolls = false;    // it was on a move when the plan changed: it goes on at once
+    bool delayed = false;  // at this stop, the delay is drawn already
+    std::uint64_t moves = 0;
+    double driven = 0;   // up to the stop, cells
+    double news = never;  // what is drawn happens when it has driven that
+    std::vector<ObstacleId> work = {};  // it is on
+    double arrived_at = 0;
+    Point lost_at = {};
+    Trail trail = {};
+
+    bool ended() const { return phase == Phase::arrived || phase == Phase::lost; }
+    const Stop& here() const { return script[stop]; }
+    double to_next() const { return distance(script[stop].at, script[stop + 1].at); }
+    Point at(double now) const {
+        if (phase == Phase::lost) return lost_at;
+        if (phase != Phase::moving) return here().at;
+        const double length = to_next();
+        const double share = length > 0 ? std::clamp((now - since) * speed / length, 0.0, 1.0) : 1;
+        const Point& a = here().at;
+        const Point& b = script[stop + 1].at;
+        return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    }
+};
+
+class Execution {
+  public:
+    Execution(const Scene& scene, std::uint64_t run, Planner& planner, std::vector<double>& revise_ms)
+        : scene_(scene),
+          draws_(scene.options.seed, run),
+          planner_(planner),
+          revise_ms_(revise_ms),
+          map_(&scene.map),
+          mission_(&scene.mission),
+          plan_(&scene.plan),
+          tries_(scene.map.obstacles().size() + 1, 0) {
+        for (std::size_t i = 0; i < scene.plan.agents.size(); ++i) {
+            const Itinerary& agent = scene.plan.agents[i];
+            Actor& actor = actors_.emplace_back();
+            actor.number = i;
+            actor.kind = agent.kind;
+            actor.speed = agent.speed;
+            actor.trail.agent = agent.id;
+            if (agent.kind == AgentKind::ground) actor.radius = scene.mission.agents[i].body.reach();
+            actor.trail.radius = actor.radius;
+            draw_news(actor, length_of(agent.path));
+            acting_.push_back(i);
+        }
+        if (scene.plan.revised) now_ = scene.plan.revised->now;
+        if (scene.plan.revised) sequence_ = scene.plan.revised->sequence;
+        for (const TimedOpening& opening : scene.mission.rules.opened) {
+            coming_.push_back(opening);
+        }
+        std::ranges::stable_sort(coming_, std::ranges::greater(), &TimedOpening::at);
+    }
+
+    Rehearsed play() {
+        open_by(now_);
+        adopt(scene_.scripts);
+        heed_news();
+        while (result_.ending == Ending::arrived && !everybody_ended()) step();
+        close();
+        return std::move(result_);
+    }
+
+  private:
+    void draw_news(Actor& actor, double length) {
+        const bool flies = actor.kind == AgentKind::air;
+        const double chance = flies ? scene_.options.lost : scene_.options.blocked;
+        if (draws_.share(flies ? Chance::is_lost : Chance::is_blocked, actor.number) >= chance) return;
+        actor.news = length * draws_.share(flies ? Chance::lost_at : Chance::blocked_at, actor.number);
+    }
+
+    bool everybody_ended() const {
+        return std::ranges::all_of(actors_, [](const Actor& actor) { return actor.ended(); });
+    }
+
+    // The next event, and all that happen at once with it; then, if there is news, a new plan.
+    void step() {
+        const auto next = std::ranges::min_element(actors_, {}, &Actor::until);
+        if (!coming_.empty() && coming_.back().at <= next->until) return open_by(coming_.back().at);
+        if (next->until == never) {
+            result_.ending = Ending::stuck;
+            return;
+        }
+        happen(*next);
+        while (news_ && result_.ending == Ending::arrived) {
+            const auto other = std::ranges::min_element(actors_, {}, &Actor::until);
+            if (other->until > now_ + at_once) break;
+            happen(*other);
+        }
+        heed_news();
+    }
+
+    void heed_news() {
+        while (news_ && result_.ending == Ending::arrived) revise_plan();
+    }
+
+    // What others open.
+    void open_by(double time) {
+        now_ = std::max(now_, time);
+        for (; !coming_.empty() && coming_.back().at <= now_; coming_.pop_back())
+            events_.opened.push_back(coming_.back());
+        wake();
+    }
+
+    void happen(Actor& actor) {
+        now_ = std::max(now_, actor.until);
+        switch (actor.phase) {
+            case Phase::held:
+                actor.until = never;
+                return go_on(actor);
+            case Phase::at_work:
+                return finish_work(actor);
+            case Phase::moving:
+                return move(actor);
+            case Phase::waiting:
+                actor.until = never;
+                return go_on(actor);
+            case Phase::arrived:
+            case Phase::lost:
+                actor.until = never;
+        }
+    }
+
+    // Where it is by now; not of aircraft, nor of who has left the map.
+    void log(Actor& actor) {
+        const bool left = actor.phase == Phase::arrived && scene_.mission.rules.at_goal == AtGoal::leave;
+        if (actor.kind == AgentKind::ground && !left) actor.trail.add(actor.at(now_), now_);
+    }
+
+    void stand(Actor& actor, Phase phase, double until = never) {
+        actor.phase = phase;
+        actor.until = until;
+    }
+
+    // Leaves the stop, or finds out why not.
+    void go_on(Actor& actor) {
+        const Stop& here = actor.here();
+        const auto stands = [&](ObstacleId id) { return !is_open(id); };
+        const bool waits = std::ranges::any_of(here.waits, [&](std::size_t k) { return !happened_[k]; }) ||
+                           std::ranges::any_of(here.gates, stands);
+        if (waits) return stand(actor, Phase::waiting);
+        if (here.not_before > now_) return stand(actor, Phase::held, here.not_before);
+        if (actor.stop + 1 == actor.script.size()) {
+            if (actor.phase != Phase::arrived) actor.arrived_at = now_;
+            return stand(actor, Phase::arrived);
+        }
+        const Stop& next = actor.script[actor.stop + 1];
+        if (next.at == here.at) {
+            if (next.work == 0) return get_to_next(actor);
+            actor.work = next.breaches;
+            return stand(actor, Phase::at_work, now_ + next.work);
+        }
+        if (here.share == 0 && !actor.rolls && !actor.delayed) {
+            actor.delayed = true;
+            const double delay = draws_.delay(scene_.options.delay, actor.number, actor.moves++);
+            if (delay > 0) return stand(actor, Phase::held, now_ + delay);
+        }
+        log(actor);
+        actor.phase = Phase::moving;
+        actor.since = now_;
+        const double length = actor.to_next();
+        const bool news_on_the_way = actor.driven <= actor.news && actor.news < actor.driven + length;
+        actor.until = now_ + (news_on_the_way ? actor.news - actor.driven : length) / actor.speed;
+    }
+
+    void move(Actor& actor) {
+        const double length = actor.to_next();
+        if (actor.driven <= actor.news && actor.news < actor.driven + length) {
+            actor.news = never;
+            actor.until = std::max(now_, actor.since + length / actor.speed);
+            return actor.kind == AgentKind::air ? lose(actor) : find_blocked_street(actor);
+        }
+        actor.driven += length;
+        get_to_next(actor);
+    }
+
+    void get_to_next(Actor& actor) {
+        ++actor.stop;
+        actor.rolls = false;
+        actor.delayed = false;
+        actor.phase = Phase::waiting;
+        log(actor);
+        // What takes no time is done on arrival.
+        const std::vector<ObstacleId>& breaches = actor.here().breaches;
+        if (!breaches.empty() && actor.work.empty() && !try_breaches(breaches)) return stand(actor, Phase::waiting);
+        actor.work.clear();
+        signal(actor);
+        go_on(actor);
+    }
+
+    void finish_work(Actor& actor) {
+        const std::vector<ObstacleId> work = actor.work;
+        // By the plan it is done at the next stop; where the plan has changed meanwhile, here.
+        const bool planned = actor.stop + 1 < actor.script.size() && actor.script[actor.stop + 1].breaches == work;
+        if (!try_breaches(work)) {
+            actor.work.clear();
+            if (planned) ++actor.stop;
+            return stand(actor, Phase::waiting);
+        }
+        if (planned) return get_to_next(actor);
+        actor.work.clear();
+        go_on(actor);
+    }
+
+    // Whether all of them succeed.
+    bool try_breaches(const std::vector<ObstacleId>& breaches) {
+        bool all = true;
+        for (const ObstacleId id : breaches) {
+            const std::uint64_t count = id.value < tries_.size() ? tries_[id.value]++ : 0;
+            if (draws_.share(Chance::fails, id.value, count) < scene_.options.fail) {
+                ++result_.failed;
+                failed_.push_back({id, now_});
+                news_ = true;
+                all = false;
+            } else {
+                events_.opened.push_back({id, now_});
+            }
+        }
+        wake();
+        return all;
+    }
+
+    bool is_open(ObstacleId id) const {
+        return std::ranges::find(events_.opened, id, &TimedOpening::obstacle) != events_.opened.end();
+    }
+
+    void signal(Actor& actor) {
+        const std::vector<std::size_t>& signals = actor.here().signals;
+        for (const std::size_t k : signals) happened_[k] = true;
+        if (!signals.empty()) wake();
+    }
+
+    // Those that wait look again.
+    void wake() {
+        for (Actor& actor : actors_) {
+            if (actor.phase == Phase::waiting && !actor.script.empty() && actor.until == never) actor.until = now_;
+        }
+    }
+
+    void lose(Actor& actor) {
+        ++result_.lost;
+        actor.lost_at = actor.at(now_);
+        stand(actor, Phase::lost);
+        news_ = true;
+    }
+
+    void find_blocked_street(Actor& finder) {
+        const std::optional<Point> place = ahead_of(finder, scene_.options.sight);
+        if (!place) return;
+        Found found;
+        for (int y = int(std::floor(place->y - half_street)); y <= int(std::ceil(place->y + half_street)); ++y) {
+            for (int x = int(std::floor(place->x - half_street)); x <= int(std::ceil(place->x + half_street)); ++x) {
+                const Cell cell{x, y};
+                if (!map_->grid().contains(cell) || map_->grid().blocked(cell)) continue;
+                if (distance(Point(cell), *place) <= half_street && !is_taken(cell)) found.cells.push_back(cell);
+            }
+        }
+        if (found.cells.empty()) return;
+        ++result_.blocked;
+        events_.rubble.push_back({found.cells, now_});
+        found_.push_back(std::move(found));
+        news_ = true;
+    }
+
+    // So far ahead on its path, or nowhere.
+    std::optional<Point> ahead_of(const Actor& actor, double way) const {
+        Point at = actor.at(now_);
+        for (std::size_t i = actor.stop + 1; i < actor.script.size(); ++i) {
+            const Point next = actor.script[i].at;
+            const double length = distance(at, next);
+            if (length >= way && length > 0) {
+                const double share = way / length;
+                return Point(at.x + share * (next.x - at.x), at.y + share * (next.y - at.y));
+            }
+            way -= length;
+            at = next;
+        }
+        return std::nullopt;
+    }
+
+    // No street is blocked where a vehicle is or is to end.
+    bool is_taken(Cell cell) const {
+        constexpr double margin = 1e-3;
+        return std::ranges::any_of(actors_, [&](const Actor& actor) {
+            if (actor.kind == AgentKind::air) return false;
+            const double radius = std::max(actor.radius, 0.1) + margin;
+            return overlaps(cell, actor.at(now_), radius) || overlaps(cell, actor.script.back().at, radius);
+        });
+    }
+
+    State state() {
+        State state{.sequence = ++sequence_, .now = now_};
+        for (const std::size_t i : acting_) {
+            Actor& actor = actors_[i];
+            AgentState& said = state.agents.emplace_back();
+            said.id = actor.trail.agent;
+            said.at = actor.at(now_);
+            said.passed = passed(actor);
+            if (actor.phase == Phase::at_work) {
+                said.doing = Doing::breaching;
+                for (const ObstacleId id : actor.work) state.opened.push_back({id, actor.until});
+            } else if (actor.phase == Phase::lost) {
+                said.doing = Doing::lost;
+            } else if (actor.phase != Phase::moving) {
+                said.doing = Doing::waiting;
+            }
+        }
+        for (const TimedOpening& opening : events_.opened) {
+            const auto& known = mission_->rules.opened;
+            if (std::ranges::find(known, opening.obstacle, &TimedOpening::obstacle) == known.end())
+                state.opened.push_back(opening);
+        }
+        state.failed = std::exchange(failed_, {});
+        state.found = std::exchange(found_, {});
+        return state;
+    }
+
+    // The last point of its planned path that it has left behind; where it stands for a while by the plan, the one that
+    // it would be at by now.
+    std::size_t passed(const Actor& actor) const {
+        const std::size_t last = actor.here().point;
+        if (actor.kind == AgentKind::air || actor.phase == Phase::moving || actor.here().share > 0) return last;
+        const std::vector<Waypoint>& path = actor.path;
+        std::size_t first = last;
+        while (first > 0 && path[first - 1].x == path[last].x && path[first - 1].y == path[last].y) --first;
+        std::size_t now = first;
+        while (now < last && path[now + 1].t <= now_) ++now;
+        return now;
+    }
+
+    void revise_plan() {
+        news_ = false;
+        if (++result_.revisions > most_revisions) {
+            result_.ending = Ending::not_found;
+            return;
+        }
+        const State state = this->state();
+        const auto begin = std::chrono::steady_clock::now();
+        Revision next = revise(planner_, *map_, *mission_, *plan_, state, 0, scene_.method, scene_.limits);
+        revise_ms_.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+        if (next.plan.status != PlanStatus::solved) {
+            result_.ending = ending_of(next);
+            return;
+        }
+        revision_ = std::move(next);
+        map_ = &revision_->map;
+        mission_ = &revision_->mission;
+        plan_ = &revision_->plan;
+        std::erase_if(acting_, [&](std::size_t i) { return actors_[i].phase == Phase::lost; });
+        std::vector<ObstacleId> standing;
+        for (const TimedOpening& opening : mission_->rules.opened) {
+            if (!is_open(opening.obstacle)) standing.push_back(opening.obstacle);
+        }
+        adopt(scripts_of(*map_, *mission_, *plan_, standing));
+    }
+
+    Ending ending_of(const Revision& revision) const {
+        const auto at_home = [](const Actor& actor) {
+            return actor.kind == AgentKind::air || actor.phase == Phase::arrived;
+        };
+        if (std::ranges::all_of(actors_, at_home)) return Ending::arrived;
+        if (revision.status == RevisionStatus::broken) return Ending::broken;
+        return revision.plan.status == PlanStatus::no_plan ? Ending::no_way : Ending::not_found;
+    }
+
+    // Everybody goes on with another script, from where it is.
+    void adopt(std::vector<Script> scripts) {
+        happened_.assign(plan_->orders.size(), false);
+        for (std::size_t i = 0; i < acting_.size(); ++i) {
+            Actor& actor = actors_[acting_[i]];
+            const bool moves = actor.phase == Phase::moving;
+            if (!actor.script.empty()) {
+                const Point at = actor.at(now_);
+                if (moves) actor.driven += distance(actor.here().at, at);
+                if (moves) actor.rolls = true;
+                log(actor);
+                scripts[i].front().at = at;
+            }
+            actor.path = plan_->agents[i].path;
+            actor.script = std::move(scripts[i]);
+            actor.stop = 0;
+            if (moves) stand(actor, Phase::waiting);
+            log(actor);
+        }
+        // A breach that takes no time may be made where an aircraft is.
+        for (const std::size_t i : acting_) {
+            const std::vector<ObstacleId>& breaches = actors_[i].here().breaches;
+            if (breaches.empty() || try_breaches(breaches)) signal(actors_[i]);
+        }
+        if (news_) return;
+        for (const std::size_t i : acting_) {
+            Actor& actor = actors_[i];
+            if (actor.phase == Phase::waiting || actor.phase == Phase::arrived) go_on(actor);
+        }
+    }
+
+    void close() {
+        std::vector<Trail> vehicles;
+        for (Actor& actor : actors_) {
+            log(actor);
+            const bool arrived = actor.phase == Phase::arrived;
+            const double ended = arrived ? actor.arrived_at : now_;
+            if (actor.phase != Phase::lost) result_.makespan = std::max(result_.makespan, ended);
+            if (actor.kind == AgentKind::air) continue;
+            result_.ground_makespan = std::max(result_.ground_makespan, ended);
+            vehicles.push_back(std::move(actor.trail));
+        }
+        const Rules& rules = scene_.mission.rules;
+        const std::vector<std::string> faults =
+            faults_of(scene_.map, events_, vehicles, rules.separation, rules.at_goal == AtGoal::stay);
+        result_.illegal = int(faults.size());
+        if (!faults.empty()) result_.fault = faults.front();
+    }
+
+    const Scene& scene_;
+    Draws draws_;
+    Planner& planner_;
+    std::vector<double>& revise_ms_;
+    std::optional<Revision> revision_;
+    const Map* map_;
+    const Mission* mission_;
+    const Plan* plan_;
+    std::vector<Actor> actors_;         // of the first plan
+    std::vector<std::size_t> acting_;   // those of the plan, in its order
+    std::vector<bool> happened_;        // the first event of each order
+    std::vector<std::uint64_t> tries_;  // of each obstacle's breach
+    Events events_;
+    std::vector<TimedOpening> coming_;  // the next one last
+    // Since the plan:
+    std::vector<TimedOpening> failed_;
+    std::vector<Found> found_;
+    bool news_ = false;
+    double now_ = 0;
+    std::uint64_t sequence_ = 0;
+    Rehearsed result_;
+};
+
+}  // namespace
+
+Rehearsed play(const Scene& scene, std::uint64_t run, Planner& planner, std::vector<double>& revise_ms) {
+    return Execution(scene, run, planner, revise_ms).play();
+}
+
+}  // namespace waybreaker::rehearsal

@@ -1,0 +1,98 @@
+#include "rehearse/script.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rehearse/trail.hpp"
+
+namespace waybreaker::rehearsal {
+namespace {
+
+Point place(const Waypoint& p) {
+    return {p.x, p.y};
+}
+
+bool same_time(double a, double b) {
+    return std::abs(a - b) <= 1e-6 * std::max(1.0, std::abs(b));
+}
+
+// The stop at that moment of the path; a new one where there is none.
+Stop& stop_at(Script& script, const std::vector<Waypoint>& path, std::size_t point, double share) {
+    if (share >= 1) {
+        ++point;
+        share = 0;
+    }
+    if (point + 1 >= path.size()) {
+        point = path.size() - 1;
+        share = 0;
+    }
+    const auto before = [](const Stop& stop, const std::pair<std::size_t, double>& moment) {
+        return stop.point != moment.first ? stop.point < moment.first : stop.share < moment.second;
+    };
+    const auto there = std::lower_bound(script.begin(), script.end(), std::pair(point, share), before);
+    if (there != script.end() && there->point == point && there->share == share) return *there;
+    Stop stop{.point = point, .share = share, .at = place(path[point])};
+    if (share > 0) {
+        const Waypoint& a = path[point];
+        const Waypoint& b = path[point + 1];
+        stop.at = {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    }
+    return *script.insert(there, stop);
+}
+
+// The point of an aircraft's path at which a breach is done.
+std::optional<std::size_t> end_of(const Itinerary& agent, const Breach& breach) {
+    if (agent.kind != AgentKind::air || (!breach.by.empty() && breach.by != agent.id)) return std::nullopt;
+    for (std::size_t i = agent.path.size(); i-- > 0;) {
+        if (place(agent.path[i]) == Point(breach.at) && same_time(agent.path[i].t, breach.cleared_at)) return i;
+    }
+    return std::nullopt;
+}
+
+// Where a vehicle stops before an obstacle that is to be opened by others.
+void add_gate(const Map& map, const std::vector<Waypoint>& path, double radius, ObstacleId obstacle, Script& script) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const auto share = first_overlap(map, obstacle, place(path[i]), place(path[i + 1]), radius);
+        if (!share) continue;
+        stop_at(script, path, i, *share).gates.push_back(obstacle);
+        return;
+    }
+}
+
+}  // namespace
+
+std::vector<Script> scripts_of(const Map& map, const Mission& mission, const Plan& plan,
+                               const std::vector<ObstacleId>& standing) {
+    std::vector<Script> scripts(plan.agents.size());
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        const Itinerary& agent = plan.agents[i];
+        const Agent& asked = mission.agents[i];
+        Script& script = scripts[i];
+        for (std::size_t k = 0; k < agent.path.size(); ++k) script.push_back({.point = k, .at = place(agent.path[k])});
+        const std::size_t ready = asked.approach.empty() ? 0 : asked.approach.size() - 1;
+        script[std::min(ready, script.size() - 1)].not_before = asked.ready_at;
+        for (const Breach& breach : plan.breaches) {
+            const std::optional<std::size_t> end = end_of(agent, breach);
+            if (!end) continue;
+            script[*end].breaches.push_back(breach.obstacle);
+            script[*end].work += mission.rules.breach_time.of(map.obstacle(breach.obstacle));
+        }
+    }
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        if (plan.agents[i].kind == AgentKind::air) continue;
+        for (const ObstacleId obstacle : standing) {
+            add_gate(map, plan.agents[i].path, mission.agents[i].body.reach(), obstacle, scripts[i]);
+        }
+    }
+    for (std::size_t k = 0; k < plan.orders.size(); ++k) {
+        const Order& order = plan.orders[k];
+        const std::size_t first = order.before.agent;
+        const std::size_t second = order.after.agent;
+        stop_at(scripts[first], plan.agents[first].path, order.before.point, order.before.fraction)
+            .signals.push_back(k);
+        stop_at(scripts[second], plan.agents[second].path, order.after.point, order.after.fraction).waits.push_back(k);
+    }
+    return scripts;
+}
+
+}  // namespace waybreaker::rehearsal
