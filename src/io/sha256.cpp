@@ -27,9 +27,9 @@ std::uint32_t big_endian(const char* bytes) {
     return word;
 }
 
-using State = std::array<std::uint32_t, 8>;
+using Hash = std::array<std::uint32_t, 8>;
 
-void add_block(State& state, const char* bytes) {
+void add_block(Hash& state, const char* bytes) {
     using std::rotr;
     std::array<std::uint32_t, rounds> w;
     for (std::size_t i = 0; i < 16; ++i) w[i] = big_endian(bytes + 4 * i);
@@ -53,7 +53,7 @@ void add_block(State& state, const char* bytes) {
         b = a;
         a = t1 + t2;
     }
-    const State added{a, b, c, d, e, f, g, h};
+    const Hash added{a, b, c, d, e, f, g, h};
     for (std::size_t i = 0; i < state.size(); ++i) state[i] += added[i];
 }
 
@@ -70,7 +70,7 @@ std::string padded(std::string_view rest, std::uint64_t size) {
 
 std::string sha256_digest(std::string_view bytes) {
     // The first 32 bits of the fractional parts of the square roots of the first 8 primes.
-    State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+    Hash state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     const std::size_t whole = bytes.size() - bytes.size() % block_size;
     for (std::size_t i = 0; i < whole; i += block_size) add_block(state, bytes.data() + i);
     const std::string end = padded(bytes.substr(whole), bytes.size());
