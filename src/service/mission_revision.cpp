@@ -85,6 +85,7 @@ std::string event_of(const ReportRecord& record, const Plan& before, const Plan&
     event["makespan"] = makespan && std::isfinite(*makespan) ? Json(*makespan) : Json(nullptr);
     add_agents(event, before, after);
     add_breaches(event, before, after, left, record.now);
+    event["halts"] = Json::array();
     return event.dump();
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "core/one_line.hpp"
 #include "http/problem.hpp"
 #include "waybreaker/error.hpp"
 
@@ -68,7 +69,7 @@ bool require_ours(SQLite::Database& sql, const std::string& path) {
     }
     const std::string check = sql.execAndGet("PRAGMA quick_check(1)").getString();
     if (check == "ok") return false;
-    throw InputError(path, 0, "is damaged (" + check + "): restore it, or move it away and start anew");
+    throw InputError(path, 0, "is damaged (" + one_line(check) + "): restore it, or move it away and start anew");
 }
 
 ReportRecord report_of(SQLite::Statement& row) {

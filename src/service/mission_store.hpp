@@ -18,11 +18,11 @@
 namespace waybreaker::service {
 
 struct MissionRecord {
-    std::string id;
-    std::string map;      // as the client names it
-    std::string archive;  // the map's id in the archive
-    std::string digest;   // of the map's file
-    std::string request;  // the body that it began with
+    std::string id = {};
+    std::string map = {};      // as the client names it
+    std::string archive = {};  // the map's id in the archive
+    std::string digest = {};   // of the map's file
+    std::string request = {};  // the body that it began with
 };
 
 // A report and what came of it; the first one, of sequence 0, is the mission's beginning.
