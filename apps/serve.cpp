@@ -121,7 +121,7 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         "asked. Logs a line of JSON for each request to standard error. SIGTERM or Ctrl-C end it: what has begun is "
         "finished, unless a second signal follows.");
     add_file(*command, "--maps", options->maps,
-             "A folder of maps to serve, beside those that are built in; no other file is read", "FOLDER");
+             "A folder of maps to serve, beside those that are built in; no other map is read", "FOLDER");
     add_file(*command, "--store", options->store,
              "A file that live missions are kept in, so that they go on after a restart; begun if there is none, for "
              "one server at a time (default: in memory, gone when the server ends)");

@@ -30,8 +30,8 @@ std::string new_id() {
 // The file that a map was read from, or would be if it were one.
 ArchivedMap archived(const StoredMap& map) {
     // Of a ROS map, which is two, as it is sent in one piece.
-    std::string bytes = map.file.ros && map.bytes.empty() ? map.file.ros->text + "\n...\n" + map.file.ros->image
-                                                          : map.bytes;
+    std::string bytes =
+        map.file.ros && map.bytes.empty() ? map.file.ros->text + "\n...\n" + map.file.ros->image : map.bytes;
     std::string id = MapStore::id_of(bytes, map.connectivity);
     return {.id = std::move(id), .connectivity = map.connectivity, .bytes = std::move(bytes)};
 }
@@ -126,11 +126,8 @@ LiveMissions::Begun LiveMissions::begin(const request::LiveRequest& request, con
     const ReportRecord first = first_plan({map, request.map, request, planners_, seconds_}, worker);
     if (worker.stop.stop_requested()) throw http::Problem(http::unavailable, "the time is up; ask again");
     const ArchivedMap archive = archived(*map);
-    const MissionRecord mission{.id = new_id(),
-                                .map = request.map,
-                                .archive = archive.id,
-                                .digest = map->file.digest,
-                                .request = body};
+    const MissionRecord mission{
+        .id = new_id(), .map = request.map, .archive = archive.id, .digest = map->file.digest, .request = body};
     SharedMemory map_memory = memory_of_map(archive);
     SharedMemory memory = memory_of(body.size() + size_of(first));
     const std::scoped_lock lock(mutex_);
@@ -187,7 +184,8 @@ ReportRecord LiveMissions::report(const std::string& id, const State& state, con
         since.push_back(io::parse_state(one.state, "a report"));
     const MissionRecord mission = store_.mission(id);
     if (mission.id.empty()) throw no_such_mission();
-    const LiveTask task{map_of(mission), mission.map, request::parse_live_request(mission.request), planners_, seconds_};
+    const LiveTask task{map_of(mission), mission.map, request::parse_live_request(mission.request), planners_,
+                        seconds_};
     const ReportRecord next = revised_plan(task, held, since, state, worker);
     if (worker.stop.stop_requested()) throw http::Problem(http::unavailable, "the time is up; report it again");
     const SharedMemory memory = memory_of(size_of(next));
@@ -251,8 +249,8 @@ Metrics::Missions LiveMissions::figures() const {
     const std::scoped_lock lock(mutex_);
     Metrics::Missions figures{.live = live_.size(), .most = most_, .streams = 0, .reports = reports_};
     for (const auto& [id, live] : live_) {
-        figures.streams += std::size_t(
-            std::ranges::count_if(live->streams, [](const auto& stream) { return !stream.expired(); }));
+        figures.streams +=
+            std::size_t(std::ranges::count_if(live->streams, [](const auto& stream) { return !stream.expired(); }));
     }
     return figures;
 }

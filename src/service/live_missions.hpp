@@ -95,7 +95,8 @@ class LiveMissions {
     std::size_t most_;
     mutable std::mutex mutex_;  // never held while a map is read or a plan is made
     std::map<std::string, std::shared_ptr<Live>> live_;
-    std::map<std::string, std::weak_ptr<MemoryBudget::Share>> map_memory_;  // of maps that missions share, by id in the archive
+    std::map<std::string, std::weak_ptr<MemoryBudget::Share>>
+        map_memory_;          // of maps that missions share, by id in the archive
     std::size_t places_ = 0;  // of missions that are about to begin
     bool ended_ = false;
     std::map<std::string, std::uint64_t> reports_;

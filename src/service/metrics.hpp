@@ -39,7 +39,7 @@ class Metrics {
     struct Missions {
         std::size_t live = 0;
         std::size_t most = 0;
-        std::size_t streams = 0;                             // of events, to clients that listen
+        std::size_t streams = 0;                            // of events, to clients that listen
         std::map<std::string, std::uint64_t> reports = {};  // since the start, by what came of them
     };
     struct Gauges {

@@ -72,10 +72,8 @@ void add_breaches(Json& event, const Plan& before, const Plan& after, const Miss
 }
 
 Json head_of(const ReportRecord& record) {
-    return {{"sequence", record.sequence},
-            {"revision", record.revision},
-            {"now", record.now},
-            {"status", record.status}};
+    return {
+        {"sequence", record.sequence}, {"revision", record.revision}, {"now", record.now}, {"status", record.status}};
 }
 
 // What clients that listen learn of a plan.
@@ -135,8 +133,8 @@ ReportRecord revised_plan(const LiveTask& task, const ReportRecord& held, std::s
     limits.seconds = std::min(limits.seconds, task.seconds);
     worker.set_time_limit(limits.seconds);
     PlannerPool::Loan planner = task.planners.borrow(task.map);
-    const Revision revision = planner.revise(known.map, before.asked.mission, before.plan, state,
-                                             task.request.reaction, before.asked.method, limits);
+    const Revision revision = planner.revise(known.map, before.asked.mission, before.plan, state, task.request.reaction,
+                                             before.asked.method, limits);
     const bool planned = revision.plan.status == PlanStatus::solved;
     ReportRecord record{.sequence = report.sequence,
                         .revision = planned ? held.revision + 1 : held.revision,

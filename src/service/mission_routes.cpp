@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 const std::string root = "/api/v1/missions";
 
 Json summary_json(const LiveMissions::Summary& summary) {
-    return {{"id", summary.mission.id},        {"map", summary.mission.map},   {"digest", summary.mission.digest},
-            {"sequence", summary.sequence},    {"revision", summary.revision}, {"now", summary.now},
+    return {{"id", summary.mission.id},     {"map", summary.mission.map},   {"digest", summary.mission.digest},
+            {"sequence", summary.sequence}, {"revision", summary.revision}, {"now", summary.now},
             {"status", summary.status}};
 }
 
@@ -37,8 +37,7 @@ Route begin_route(LiveMissions& missions, MapStore& maps) {
         if (!MapStore::is_id(asked.map)) throw http::Problem(http::not_found, "map names no map", "map-not-found");
         http::Work work = [&, asked, body = call.request.body, place = missions.place(),
                            map = maps.if_loaded(asked.map)](const http::Worker& worker) {
-            const LiveMissions::Begun begun =
-                missions.begin(asked, body, map ? map : maps.load(asked.map), worker);
+            const LiveMissions::Begun begun = missions.begin(asked, body, map ? map : maps.load(asked.map), worker);
             return kept_response(with_plan(summary_json(begun.summary).dump(), begun.first.plan),
                                  root + "/" + begun.summary.mission.id, true);
         };
@@ -88,8 +87,7 @@ Route report_route(LiveMissions& missions) {
 Route plan_route(const LiveMissions& missions) {
     const auto handle = [&](const Call& call) -> Answer {
         std::optional<int> revision;
-        if (call.request.query.find("revision"))
-            revision = int(number_of(call.request, "revision", 0, 0, INT_MAX));
+        if (call.request.query.find("revision")) revision = int(number_of(call.request, "revision", 0, 0, INT_MAX));
         return ok_response(missions.plan(call.id, revision).plan);
     };
     return {"GET", root + "/{id}/plan", http::BodyType::none, false, handle};
@@ -116,7 +114,7 @@ Route events_route(LiveMissions& missions) {
 }  // namespace
 
 std::vector<Route> mission_routes(LiveMissions& missions, MapStore& maps) {
-    return {begin_route(missions, maps), list_route(missions),   mission_route(missions), delete_route(missions),
+    return {begin_route(missions, maps), list_route(missions), mission_route(missions), delete_route(missions),
             report_route(missions),      plan_route(missions), events_route(missions)};
 }
 

@@ -60,7 +60,8 @@ bool require_ours(SQLite::Database& sql, const std::string& path) {
     const int id = pragma(sql, "application_id");
     if (id == 0 && sql.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0) return true;
     if (id != application_id) {
-        throw InputError(path, 0, "is a database of something else, no store of missions: give another file to --store");
+        throw InputError(path, 0,
+                         "is a database of something else, no store of missions: give another file to --store");
     }
     if (pragma(sql, "user_version") != store_format) {
         throw InputError(path, 0,

@@ -76,7 +76,7 @@ class MissionStore : public MapArchive {
     std::string path_;
     std::mutex mutex_;
     SQLite::Database sql_;
-    mutable std::mutex archive_mutex_;  // so that asking for ids waits for no disk
+    mutable std::mutex archive_mutex_;      // so that asking for ids waits for no disk
     std::map<std::string, bool> archived_;  // whether it was sent
 };
 

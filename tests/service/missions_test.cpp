@@ -92,7 +92,8 @@ TEST_F(MissionsTest, ReportsAtOnceAreTakenOneAfterTheOther) {
     const std::string path = begun();
     std::vector<std::thread> reporting;
     for (int i = 0; i < 8; ++i) {
-        reporting.emplace_back([&, i] { client().Post(path + "/reports", state(1 + i / 2, 1).dump(), "application/json"); });
+        reporting.emplace_back(
+            [&, i] { client().Post(path + "/reports", state(1 + i / 2, 1).dump(), "application/json"); });
     }
     for (std::thread& one : reporting) one.join();
     // Those that came too late are refused; each that was taken made one revision.
@@ -194,7 +195,8 @@ TEST_F(MissionsTest, MissionsInMemoryAreWithinItsLimit) {
     const std::string path = begun();
     constexpr int many = 2000;
     int taken = 0;
-    while (taken < many && client().Post(path + "/reports", state(taken + 1, 1).dump(), "application/json")->status == 200)
+    while (taken < many &&
+           client().Post(path + "/reports", state(taken + 1, 1).dump(), "application/json")->status == 200)
         ++taken;
     EXPECT_GT(taken, 10);
     const Json problem = post_json(path + "/reports", state(taken + 1, 1), 503);
@@ -229,9 +231,9 @@ TEST_F(MissionsTest, AreCounted) {
     post_json(path + "/reports", state(2, 1.5, gap_blocked));
     post_json(path + "/reports", state(1, 1));  // again
     const std::string metrics = get("/metrics").body;
-    for (const char* line : {"waybreaker_missions_live 1\n", "waybreaker_missions_limit 100\n",
-                             "waybreaker_event_streams 0\n", "waybreaker_reports_total{status=\"kept\"} 1\n",
-                             "waybreaker_reports_total{status=\"no_plan\"} 1\n"}) {
+    for (const char* line :
+         {"waybreaker_missions_live 1\n", "waybreaker_missions_limit 100\n", "waybreaker_event_streams 0\n",
+          "waybreaker_reports_total{status=\"kept\"} 1\n", "waybreaker_reports_total{status=\"no_plan\"} 1\n"}) {
         EXPECT_NE(metrics.find(line), std::string::npos) << line;
     }
 }
