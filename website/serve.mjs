@@ -10,6 +10,7 @@ const types = {
   ".svg": "image/svg+xml",
   ".png": "image/png",
   ".json": "application/json",
+  ".wasm": "application/wasm",
   ".woff2": "font/woff2",
 };
 
