@@ -20,7 +20,8 @@ function removeErrorConstructors({ project }) {
 function pageOf({ title }, markdown) {
   const body = markdown
     .replace(/^# .*\n/, "")
-    .replace(/^#{5,} ([^()\n]*)$/gm, "**$1**") // "Parameters", "Returns": of what has a heading, none themselves
+    .replace(/^#{4,} Get Signature\n/gm, "")
+    .replace(/^#{4,} (?!Methods|Properties|Accessors|Constructors)([^()\n]*)$/gm, "**$1**") // "Parameters", "Returns"
     .replace(/\]\((\w+)\.md/g, (_, file) => `](/reference/${modules.find((module) => module.file === file).page}`);
   return `# ${title}\n\nMade from the types of the package. [JavaScript](/javascript) has examples.\n${body}`;
 }

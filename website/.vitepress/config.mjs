@@ -21,7 +21,7 @@ const sidebar = [
   {
     text: "Use it",
     items: [
-      { text: "Start", link: "/start" },
+      { text: "Get started", link: "/start" },
       { text: "Playground", link: `${base}playground/`, target: "_self" },
       { text: "The page", link: "/studio" },
       { text: "Commands", link: "/commands" },
@@ -119,7 +119,7 @@ export default defineConfig({
     outline: [2, 3],
     search: { provider: "local" },
     nav: [
-      { text: "Start", link: "/start" },
+      { text: "Get started", link: "/start" },
       { text: "Playground", link: `${base}playground/`, target: "_self" },
       { text: "Guides", items: guides },
       { text: "Build", link: "/build" },
