@@ -13,10 +13,9 @@ import type { FromWorker, ToWorker } from "../../src/worker/messages";
 import { Planner, Refused } from "../../src/worker/planner";
 import { command, data } from "../command";
 import { Server } from "../server";
-import { writeSite } from "./site";
+import { siteIn } from "./site";
 
 const scratch = mkdtempSync(join(tmpdir(), "clients-"));
-const site = join(scratch, "site");
 const city = "berlin-mitte.tif";
 const mission: MissionDocument = {
   format: "waybreaker-mission/1",
@@ -52,12 +51,13 @@ class Here implements Port {
   }
 }
 
+let site: string;
 let server: Server;
 let wasm: WebAssembly.Module;
 const clients: { http: Client; local: Client } = {} as never;
 
 beforeAll(async () => {
-  writeSite(site);
+  site = siteIn(scratch);
   server = await Server.start();
   wasm = await WebAssembly.compile(readFileSync(join(site, "studio.wasm")));
   clients.http = new HttpClient({ current: () => "", ask: async () => "" }, `${server.url}/api/v1`);
