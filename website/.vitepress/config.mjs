@@ -27,6 +27,7 @@ const sidebar = [
       { text: "Commands", link: "/commands" },
       { text: "Debian packages", link: "/debian" },
       { text: "Several vehicles", link: "/coalition" },
+      { text: "Live missions", link: "/live" },
       { text: "Maps and data", link: "/data" },
       { text: "Gallery", link: "/gallery" },
     ],
