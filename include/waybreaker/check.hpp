@@ -53,17 +53,18 @@ enum class Rule {
     saves,       // what a removal saves leaves no plan below the bound
     gain,        // an agent's gain follows from its path and its way without removals
     waits,       // who is said to wait stands there, for what can be in its way then
+    orders,      // whoever keeps them is safe, however late anybody is, and nobody waits for ever
     surface,     // what a ground agent drives over is what the plan file says it is
     continuity,  // a revision goes on from where everybody is
 };
 
 template <>
-inline constexpr std::array<std::string_view, 33> words_of<Rule>{
+inline constexpr std::array<std::string_view, 34> words_of<Rule>{
     "map",       "status",   "agents",     "start",    "goal",     "time",     "speed",           "vertex",
     "collision", "obstacle", "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
     "order",     "next",     "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
-    "bound",     "gap",      "separation", "capacity", "saves",    "gain",     "waits",           "surface",
-    "continuity"};
+    "bound",     "gap",      "separation", "capacity", "saves",    "gain",     "waits",           "orders",
+    "surface",   "continuity"};
 
 struct Violation {
     Rule rule = Rule::map;
@@ -80,8 +81,9 @@ struct Violation {
 // larger; places where the air agent breaches by `tolerance` cells, however fast it is. A ground agent of radius 0 may
 // bend at cell corners. Where numbers of the plan are infinite or none, nothing else is judged. Throws InputError if
 // the mission's bodies, times or budget, or the tolerance, are out of range; ids of obstacles that the map has not are
-// judged. Time O(length of the ground paths * radius) plus O(obstacles), and for a team O(points of the paths) for each
-// pair of agents whose ways come near each other; any plan can be judged, however broken.
+// judged. Orders are judged where nothing else is wrong. Time O(length of the ground paths * radius) plus O(obstacles),
+// and for a team O(points of the paths) for each pair of agents whose ways come near each other; any plan can be
+// judged, however broken.
 [[nodiscard]] std::vector<Violation> check(const Map& map, const Mission& mission, const Plan& plan,
                                            double tolerance = 1e-6);
 

@@ -143,6 +143,25 @@ export interface Itinerary {
   path: Waypoint[];
 }
 
+/** An agent has got to that point of its path, or that share of the move from there to the next one. */
+export interface Moment {
+  agent: string;
+  /** Counted from 0. */
+  point: number;
+  fraction?: number;
+}
+
+/** The agent of `after` may not leave from there before that of `before` has got there. */
+export interface Order {
+  before: Moment;
+  after: Moment;
+  why: "opening" | "passing";
+  /** Of an opening. */
+  obstacle?: number;
+  /** How late the first may be until the second is put off. */
+  slack: number;
+}
+
 export interface Route {
   id: string;
   length: number | null;
@@ -190,6 +209,8 @@ export interface Plan {
   agents: Itinerary[];
   /** What 0, 1, 2, ... removals reach, of `front`. */
   front?: Step[];
+  /** Of a solved plan: what waits for what. */
+  orders?: Order[];
   seconds?: { label: number; search: number; select: number; flight: number; total: number };
 }
 

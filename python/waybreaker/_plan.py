@@ -80,6 +80,30 @@ class Itinerary:
         return np.array([np.interp(time, self.times, self.path[:, axis]) for axis in (0, 1)])
 
 
+@dataclass(frozen=True)
+class Moment:
+    """An agent has got to that point of its path, counted from 0, or that share of the move to the next one."""
+
+    agent: str
+    point: int
+    fraction: float
+
+
+@dataclass(frozen=True)
+class Order:
+    """The agent of ``after`` may not leave from there before that of ``before`` has got there.
+
+    ``why`` is ``opening``: ``obstacle`` must be breached; or ``passing``: of two vehicles that could touch, one goes
+    first. ``slack`` is how late the first may be until the second is put off, in units of time.
+    """
+
+    before: Moment
+    after: Moment
+    why: Literal["opening", "passing"]
+    obstacle: Optional[int]
+    slack: float
+
+
 class Plan:
     """What :func:`plan` gives: who is where when, and what is removed. It never changes."""
 
@@ -107,6 +131,8 @@ class Plan:
         """What is removed, in the order of the flight."""
         self.agents = tuple(_itinerary(agent) for agent in document["agents"])
         """The path of each agent, in the order of the mission; empty unless solved."""
+        self.orders = tuple(_order(order) for order in document.get("orders", ()))
+        """What waits for what: who keeps them meets nobody and nothing that stands, whatever comes late."""
         self.seconds: float = document["seconds"]["total"]
         """How long planning took."""
 
@@ -229,6 +255,20 @@ def _read_only(values: NDArray[np.float64]) -> NDArray[np.float64]:
     values = np.ascontiguousarray(values)
     values.setflags(write=False)
     return values
+
+
+def _moment(fields: dict[str, Any]) -> Moment:
+    return Moment(fields["agent"], fields["point"], fields.get("fraction", 0.0))
+
+
+def _order(fields: dict[str, Any]) -> Order:
+    return Order(
+        before=_moment(fields["before"]),
+        after=_moment(fields["after"]),
+        why=fields["why"],
+        obstacle=fields.get("obstacle"),
+        slack=fields["slack"],
+    )
 
 
 def _itinerary(document: dict[str, Any]) -> Itinerary:

@@ -158,6 +158,7 @@ std::vector<Violation> check(const Map& map, const Mission& mission, const Plan&
     checker::validate(terms);
     checker::validate(mission, terms);
     std::vector<Violation> violations = checker::judge(map, mission, plan, terms);
+    if (violations.empty()) violations = checker::judge_orders(map, mission, plan, terms);
     const auto time = [](const Violation& v) { return v.time.value_or(std::numeric_limits<double>::infinity()); };
     std::stable_sort(violations.begin(), violations.end(),
                      [&](const Violation& a, const Violation& b) { return time(a) < time(b); });

@@ -117,4 +117,7 @@ Violations judge_separation(const std::vector<Disc>& discs, const Terms& terms);
 // A plan of a team, all of it.
 Violations judge_team(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
 
+// What waits for what. Precondition: nothing else is wrong with the plan.
+Violations judge_orders(const Map& map, const Mission& mission, const Plan& plan, const Terms& terms);
+
 }  // namespace waybreaker::checker

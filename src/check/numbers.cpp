@@ -18,6 +18,11 @@ class NumbersJudge {
             require(Rule::next, "what it saves to remove " + text(next.obstacle) + " next", next.saves);
         }
         for (const Itinerary& agent : plan.agents) judge_agent(agent);
+        for (const Order& order : plan.orders) {
+            for (const double value : {order.before.fraction, order.after.fraction, order.slack}) {
+                require(Rule::orders, "a number of an order", value, "", order.obstacle);
+            }
+        }
         return std::move(found_);
     }
 

@@ -131,6 +131,8 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
     append(violations, judge_weights(plan, on));
     append(violations, DemolitionJudge(plan, map, options.tolerance).judge());
     append(violations, check(on, plan.asked.mission, plan.plan, options.tolerance));
+    // Files of earlier versions say nothing of orders.
+    if (!plan.states_orders) std::erase_if(violations, [](const Violation& v) { return v.rule == Rule::orders; });
     // Of paths that lead through walls, or nowhere, nobody asks over what.
     if (violations.empty()) append(violations, judge_surfaces(plan, map, options));
     return violations;

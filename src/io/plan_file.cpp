@@ -144,6 +144,30 @@ Itinerary agent(const JsonField& field) {
     return result;
 }
 
+Moment moment(const JsonField& field, const std::vector<Itinerary>& agents) {
+    const std::string id = read_agent_id(field["agent"]);
+    const auto found = std::ranges::find(agents, id, &Itinerary::id);
+    if (found == agents.end()) field["agent"].fail("is no agent of the plan");
+    Moment result;
+    result.agent = std::size_t(found - agents.begin());
+    result.point = std::size_t(field["point"].whole_number(0, std::int64_t(found->path.size()) - 1));
+    if (const auto fraction = field.find("fraction")) result.fraction = fraction->number();
+    const bool moves = result.fraction > 0;
+    if (!(result.fraction >= 0 && result.fraction < 1)) field["fraction"].fail("is not at least 0 and below 1");
+    if (moves && result.point + 1 == found->path.size()) field["fraction"].fail("is beyond the last point of the path");
+    return result;
+}
+
+Order order(const JsonField& field, const std::vector<Itinerary>& agents) {
+    Order result;
+    result.before = moment(field["before"], agents);
+    result.after = moment(field["after"], agents);
+    result.reason = field["why"].one_of(order_words);
+    if (const auto obstacle = field.find("obstacle")) result.obstacle = read_obstacle(*obstacle, 0);
+    result.slack = field["slack"].number();
+    return result;
+}
+
 PlanFile::Surface surface(const JsonField& agent) {
     const auto field = agent.find("surface");
     if (!field) return {};
@@ -227,6 +251,10 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
     for (const JsonField& field : root["agents"].items()) {
         file.plan.agents.push_back(agent(field));
         file.surfaces.push_back(surface(field));
+    }
+    if (const auto orders = root.find("orders")) {
+        file.states_orders = true;
+        for (const JsonField& field : orders->items()) file.plan.orders.push_back(order(field, file.plan.agents));
     }
     file.asked = asked(root, file.plan.agents);
     if (const auto size = root["map"].find("cell_size")) file.cell_size = cell_size(*size);

@@ -41,6 +41,7 @@ struct PlanFile {
         std::optional<double> near_water = {};
     };
     std::vector<Surface> surfaces = {};
+    bool states_orders = false;
     Connectivity connectivity = Connectivity::four;
     ImageReading image;
     // The map it was made for.

@@ -186,6 +186,21 @@ Json agent_json(const Itinerary& agent, const std::optional<site::Surface>& surf
     return json;
 }
 
+Json moment_json(const Moment& moment, const Plan& plan) {
+    Json json{{"agent", plan.agents[moment.agent].id}, {"point", moment.point}};
+    if (moment.fraction != 0) json["fraction"] = number(moment.fraction);
+    return json;
+}
+
+Json order_json(const Order& order, const Plan& plan) {
+    Json json{{"before", moment_json(order.before, plan)},
+              {"after", moment_json(order.after, plan)},
+              {"why", to_string(order.reason)}};
+    if (order.obstacle) json["obstacle"] = order.obstacle.value;
+    json["slack"] = number(order.slack);
+    return json;
+}
+
 // One step of the front: what so many removals reach.
 Json step_json(const Plan& plan, Objective objective, const MapFile& map) {
     Json removed = Json::array();
@@ -257,6 +272,8 @@ std::string plan_json(const Plan& plan, const PlanContext& context) {
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         json["agents"].push_back(agent_json(plan.agents[i], surfaces[i]));
     }
+    if (plan.status == PlanStatus::solved) json["orders"] = Json::array();
+    for (const Order& order : plan.orders) json["orders"].push_back(order_json(order, plan));
     if (context.timing_fields) json["seconds"] = seconds_json(plan.seconds);
     return pretty(json) + "\n";
 }

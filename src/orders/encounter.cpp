@@ -12,21 +12,25 @@ using safe_interval::Vector;
 using safe_interval::within_reach;
 
 Encounter::Encounter(const Stretch& first, const Stretch& second, double reach)
-    : first_(first), second_(second), reach_(reach), offset_(second.start - first.start) {
+    : first_(first),
+      second_(second),
+      reach_(reach),
+      lasts_(second.length > 0 ? second.length : 1),
+      offset_(second.start - first.start) {
     // Within reach of either end of the first's move, or of the line between them.
     places_ = met(offset_);
     places_.join(met(offset_ - first.length * first.direction));
-    if (first.length > 0 && second.length > 0) places_.join(met_between_ends());
+    if (first.length > 0) places_.join(met_between_ends());
     if (!empty()) worst_ = std::clamp(place_of_worst(), places_.from, places_.to);
 }
 
-// The places on the second's move that are within reach of a place; as if one that never moves had a move of length 1.
+// The places on the second's move that are within reach of a place.
 Interval Encounter::met(Vector offset) const {
-    return within_reach(offset, second_.direction, reach_, second_.length > 0 ? second_.length : 1);
+    return within_reach(offset, second_.direction, reach_, lasts_);
 }
 
 Interval Encounter::met_between_ends() const {
-    Interval places{0, second_.length};
+    Interval places{0, lasts_};
     // Keeps those at which least < value + slope * place < most.
     const auto keep = [&](double value, double slope, double least, double most) {
         if (slope == 0) {

@@ -33,6 +33,7 @@ class Encounter {
     const Stretch& first_;
     const Stretch& second_;
     double reach_;
+    double lasts_;                  // the length of the second's move; any other than 0 of one that never moves
     safe_interval::Vector offset_;  // from the first's start to the second's
     safe_interval::Interval places_;
     double worst_ = 0;
