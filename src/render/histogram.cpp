@@ -41,7 +41,8 @@ std::string line(double x1, double y1, double x2, double y2, std::string_view co
 
 // An axis over values, from `first` to `last` in the picture.
 ChartAxis axis_over(const std::vector<double>& values, bool from_zero, double first, double last) {
-    Chart chart{.from_zero = from_zero};
+    Chart chart;
+    chart.from_zero = from_zero;
     ChartSeries& series = chart.series.emplace_back();
     for (const double value : values) series.points.push_back(ChartPoint{value, value, value});
     return {chart, first, last};
