@@ -89,7 +89,7 @@ std::vector<Position> positions_of(const Report& report) {
     // Work that has begun late ends when it is said to.
     for (const Breach& breach : report.plan.breaches) {
         const auto said = std::ranges::find(report.state.opened, breach.obstacle, &TimedOpening::obstacle);
-        const std::optional<Work> work = work_of(report.plan, breach);
+        const std::optional<Work> work = work_of(report, breach);
         if (said == report.state.opened.end() || said->at <= report.state.now || !work) continue;
         Position& position = positions[work->agent];
         if (!is_at_work(*work, position)) continue;

@@ -11,6 +11,7 @@
 #include "live/left.hpp"
 #include "live/remainder.hpp"
 #include "live/state.hpp"
+#include "orders/orders.hpp"
 
 namespace waybreaker {
 namespace {
@@ -142,6 +143,7 @@ void keep_if_no_worse(const Report& report, std::span<const Position> positions,
     // What is proven is of agents that are free at the same places.
     if (!same_bases(placed, next.mission)) next.plan = plan(placed);
     live::compare(*rest, next.plan, placed);
+    add_orders(next.map, placed, *rest);
     next.status = RevisionStatus::kept;
     next.mission = std::move(placed);
     next.plan = *std::move(rest);
