@@ -21,7 +21,7 @@ struct Suffix {
 };
 
 // Extensions that identify a format. Other extensions may be used for any format.
-const std::array<Suffix, 30> suffixes{{{".json", {"--json", "--save-mission", "--trace", "--geojson"}},
+const std::array<Suffix, 31> suffixes{{{".json", {"--json", "--save-mission", "--trace", "--geojson"}},
                                        {".svg", {"--svg"}},
                                        {".png", {"--png", "--opened-map"}},
                                        {".html", {"--html"}},
@@ -31,6 +31,7 @@ const std::array<Suffix, 30> suffixes{{{".json", {"--json", "--save-mission", "-
                                        {".yaml", {"--ros-path", "--opened-map"}},
                                        {".yml", {"--ros-path", "--opened-map"}},
                                        {".xml", {"--xml", "--opened-map"}},
+                                       {".gpx", {"--gpx"}},
                                        {".scen", {}},
                                        {".db", {}},
                                        {".osm", {}},

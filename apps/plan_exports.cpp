@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "authors/plan_xml.hpp"
 #include "format_losses.hpp"
 #include "geotiff/georeference.hpp"
@@ -40,14 +43,17 @@ void add_plan_exports(CLI::App& command, PlanExports& exports) {
     add_file(command, "--opened-map", exports.opened_map,
              "Write the map after the removals, in the format that the file's name ends in, as waybreaker map convert");
     add_file(command, "--xml", exports.xml, "Write the log of the authors' program");
+    add_field_exports(command, exports.field);
 }
 
 NamedFiles named_outputs(const PlanExports& exports) {
-    return {{"--geojson", exports.geojson},
-            {"--csv", exports.csv},
-            {"--ros-path", exports.ros_path},
-            {"--opened-map", exports.opened_map},
-            {"--xml", exports.xml}};
+    NamedFiles outputs{{"--geojson", exports.geojson},
+                       {"--csv", exports.csv},
+                       {"--ros-path", exports.ros_path},
+                       {"--opened-map", exports.opened_map},
+                       {"--xml", exports.xml}};
+    std::ranges::move(named_outputs(exports.field), std::back_inserter(outputs));
+    return outputs;
 }
 
 std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& exports, const Plan& plan,
@@ -68,6 +74,7 @@ std::vector<std::pair<std::string, std::string>> export_plan(const PlanExports& 
             files.emplace_back(std::move(file.path), std::move(file.bytes));
         }
     }
+    std::ranges::move(export_plan(exports.field, plan, map, asked), std::back_inserter(files));
     return files;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "field_exports.hpp"
 #include "io/map_file.hpp"
 #include "io/mission_document.hpp"
 #include "named_files.hpp"
@@ -22,6 +23,7 @@ struct PlanExports {
     std::optional<double> step;  // of the ROS path, in metres
     std::string opened_map;
     std::string xml;
+    FieldExports field;
 };
 
 void add_plan_exports(CLI::App& command, PlanExports& exports);

@@ -84,6 +84,9 @@ void add_limits(CLI::App& command, service::ServiceLimits& limits) {
     add_count(
         command, "--max-maps", [&limits](std::int64_t n) { limits.maps = std::size_t(n); }, 1, most,
         "Maps held in memory; of more, the one not used for longest goes (default: 32)");
+    add_count(
+        command, "--live-missions", [&limits](std::int64_t n) { limits.live_missions = std::size_t(n); }, 0, most,
+        "Live missions at a time; more are answered with 507 (default: 100)");
     add_number(
         command, "--time-limit", [&limits](double seconds) { limits.seconds = seconds; }, {0.001, 86400}, "SECONDS",
         "Longest time for a plan (default: 30)");
@@ -118,7 +121,10 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
         "asked. Logs a line of JSON for each request to standard error. SIGTERM or Ctrl-C end it: what has begun is "
         "finished, unless a second signal follows.");
     add_file(*command, "--maps", options->maps,
-             "A folder of maps to serve, beside those that are built in; no other file is read", "FOLDER");
+             "A folder of maps to serve, beside those that are built in; no other map is read", "FOLDER");
+    add_file(*command, "--store", options->store,
+             "A file that live missions are kept in, so that they go on after a restart; begun if there is none, for "
+             "one server at a time (default: in memory, gone when the server ends)");
     add_text(*command, "--host", options->host, "ADDRESS", "Address to listen on (default: 127.0.0.1)");
     constexpr int last_port = 65535;
     add_count(
@@ -139,7 +145,7 @@ void setup_serve(CLI::App& root, Run& run_chosen) {
             "another site cannot reach it by a name of its own (default: localhost; with --host any name)")
         ->type_name("HOST,...");
     add_limits(*command, options->limits);
-    set_examples(*command, {"waybreaker serve --maps data",
+    set_examples(*command, {"waybreaker serve --maps data", "waybreaker serve --maps data --store missions.db",
                             "waybreaker serve --maps data --host 0.0.0.0 --token \"$(openssl rand -hex 16)\""});
     command->callback([options, &run_chosen] { run_chosen = [options] { run(*options); }; });
 }

@@ -1,22 +1,41 @@
-// waybreaker in a program of your own: make a map, plan a mission, print which wall to break and the way through.
+// waybreaker in a program of your own: draw a map, plan a mission, see which wall to break and the way through.
+#include <chrono>
 #include <iostream>
 #include <waybreaker/waybreaker.hpp>
 
+namespace wb = waybreaker;
+static_assert(WAYBREAKER_VERSION >= 200);
+
 int main() {
-    waybreaker::Grid grid(40, 20);  // every cell free
-    for (int y = 0; y < 18; ++y) grid.set_blocked({20, y}, true);
-    const waybreaker::Map map(std::move(grid));
-
-    waybreaker::Planner planner;
-    auto mission = waybreaker::ground_and_air({4, 4}, {36, 4});
+    const wb::Map map = wb::Map::from_rows({
+        "....A....",
+        "....A....",
+        "....A....",
+        ".........",
+    });
+    wb::Mission mission;
+    mission.agents = {wb::vehicle("rover", {0, 1}, {8, 1}), wb::aircraft("drone", {0, 1})};
+    mission.agents[0].ready_at = 5;
     mission.rules.removals = 1;
-    const waybreaker::Plan plan = planner.plan(map, mission);
-    if (plan.status != waybreaker::PlanStatus::solved) return 1;
 
-    for (const auto& wall : plan.breaches) {
-        std::cout << "break wall " << wall.obstacle.value << " from (" << wall.at.x << ", " << wall.at.y << ")\n";
+    wb::Planner planner;
+    const auto plan = planner.try_plan(map, mission, {.expansions = 2000});
+    if (!plan) {
+        std::cerr << wb::to_string(plan.error().code) << ": " << plan.error().detail << '\n';
+        return 1;
+    }
+    if (plan->status != wb::PlanStatus::solved) return 1;
+
+    for (const wb::Breach& breach : plan->breaches) {
+        std::cout << "break wall " << breach.obstacle.value << " from (" << breach.at.x << ", " << breach.at.y << ")\n";
     }
     std::cout << "drive";
-    for (const auto& point : plan.after.ground().path) std::cout << " (" << point.x << ", " << point.y << ")";
-    std::cout << "\n" << *plan.before.makespan << " cells before, " << *plan.after.makespan << " after\n";
+    for (const wb::Waypoint& point : plan->agents[0].path) std::cout << " (" << point.x << ", " << point.y << ")";
+    std::cout << '\n'
+              << wb::to_string(plan->status) << ": there at " << *plan->before.makespan << " before, at "
+              << *plan->after.makespan << " after\n";
+    for (const wb::Violation& violation : wb::check(map, mission, *plan)) std::cerr << violation.message << '\n';
+
+    auto job = planner.start(map, mission);  // the same plan, between frames
+    for (int frame = 0; !job.step(std::chrono::milliseconds(2)); ++frame) std::clog << "draw frame " << frame << '\n';
 }

@@ -1,7 +1,7 @@
 // Planner: the paper's method from mission to plan.
 //
 //     Planner planner;                                   // keeps its memory between missions
-//     Plan plan = planner.plan(map, ground_and_air({12, 20}, {400, 380}), {}, {.seconds = 1});
+//     Plan plan = planner.plan(map, ground_and_air({12, 20}, {400, 380}), {.seconds = 1});
 #pragma once
 
 #include <chrono>
@@ -79,6 +79,19 @@ class Planner {
     // together; the last one is explained, if asked for.
     std::vector<Plan> front(const Map& map, const Mission& mission, const Method& method = {},
                             const Limits& limits = {});
+
+    // The same by the default method.
+    Plan plan(const Map& map, const Mission& mission, const Limits& limits) { return plan(map, mission, {}, limits); }
+    Expected<Plan> try_plan(const Map& map, const Mission& mission, const Limits& limits) {
+        return try_plan(map, mission, {}, limits);
+    }
+    [[nodiscard]] PlanningJob start(const Map& map, const Mission& mission, const Limits& limits) {
+        return start(map, mission, {}, limits);
+    }
+    PlanningJob start(const Map&& map, const Mission& mission, const Limits& limits) = delete;
+    std::vector<Plan> front(const Map& map, const Mission& mission, const Limits& limits) {
+        return front(map, mission, {}, limits);
+    }
 
   private:
     // Of a valid mission without idle aircraft.

@@ -46,6 +46,8 @@ export interface Rules {
   breach_time_per_cell?: number;
   timing?: "enforce" | "ignore";
   objective?: Objective;
+  /** A share, 0 to 1: of the plans that are at most so much worse than the best, the one that demolishes least. */
+  minimise_demolition?: number;
   /** In cells, between vehicles; 0. */
   separation?: number;
   at_goal?: "stay" | "leave";
@@ -61,7 +63,6 @@ export interface Method {
   moves?: 4 | 8;
   bound?: boolean;
   explain?: boolean;
-  minimise_demolition?: number;
 }
 
 export interface Limits {
@@ -73,8 +74,23 @@ export interface Limits {
   gap?: number;
 }
 
+/** What the day brings, laid over the map before it is planned on. */
+export interface Overlay {
+  /** GeoJSON or OpenStreetMap data, as seen from the mission file. */
+  file: string;
+  as: "water" | "debris" | "closed" | "wall" | "free";
+  /** In metres, of lines. */
+  width?: number;
+}
+
 export interface Mission {
   format: "waybreaker-mission/1";
+  /** The map file that it is for, as seen from its own. */
+  map?: string;
+  /**
+   * Refused here, where there are no such files: `waybreaker map overlay` lays them over a map; plan on that one, and leave this out.
+   */
+  overlays?: Overlay[];
   agents: (GroundAgent | AirAgent)[];
   rules?: Rules;
   method?: Method;

@@ -59,6 +59,7 @@ export class PlannerMap {
     );
   }
 
+  /** Frees its memory; the map cannot be used afterwards. */
   free(): void {
     if (this.#held === undefined) return;
     forgotten.unregister(this);

@@ -75,6 +75,7 @@ export class WorkerMap {
   async obstacle(id: number): Promise<Obstacle | undefined> {
     return (await this.#ask("obstacle", id)) as Obstacle | undefined;
   }
+  /** Frees its memory; the map cannot be used afterwards. */
   free(): void {
     this.#free();
   }

@@ -64,16 +64,22 @@ describe("plans equal the command's to the byte", () => {
   for (const [tiff, start, goal] of [
     ["berlin-adlershof.tif", [130, 104], [466, 105]],
     ["andorra.tif", [251, 185], [395, 395]],
+    ["berlin-mitte.tif", [485, 101], [425, 488]],
   ]) {
-    it(`across ${tiff}, with proof, the paper's and the greedy choice`, () => {
+    it(`across ${tiff}, with proof, the paper's and the greedy choice, in time`, () => {
       const map = cityMap(scratch, tiff);
       const agents = [
         { id: "ground", kind: "ground", start, goal },
         { id: "air", kind: "air", start, goal },
       ];
       const paper = { select: "hits", flight: "nearest", planner: "theta", bound: true };
-      for (const method of [{ explain: true }, paper, { select: "greedy" }]) {
-        const rules = { removals: 2, ...(method === paper && { timing: "ignore" }) };
+      const inTime = { removals: 1, breach_time: 20, objective: "flowtime" };
+      for (const [method, rules] of [
+        [{ explain: true }, { removals: 2 }],
+        [paper, { removals: 2, timing: "ignore" }],
+        [{ select: "greedy" }, { removals: 2 }],
+        [{}, inTime],
+      ]) {
         const mission = { format: "waybreaker-mission/1", agents, rules, method, limits: { seconds: null } };
         assert.ok(assertEqual({ name: "city.map", map, mission }));
       }

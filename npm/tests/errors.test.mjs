@@ -44,6 +44,10 @@ describe("wrong input is an InputError that says what is wrong", () => {
       () => wb.plan(wb.mapFromGrid(10, 10, wall()), { ...mission, agents: [{ ...mission.agents[0], start: [10, 1] }, mission.agents[1]] }),
       /10/,
     ],
+    "overlays, whose files are not there": [
+      () => wb.plan(wb.mapFromGrid(10, 10, wall()), { ...mission, overlays: [{ file: "flood.geojson", as: "water" }] }),
+      /flood\.geojson laid over it.*'waybreaker map overlay'.*leave out 'overlays'/,
+    ],
     "a plan that is none": [() => wb.check(wb.mapFromGrid(10, 10, wall()), "{}"), /plan/],
     "another map's plan, drawn": [
       () => wb.svg(wb.mapFromGrid(20, 20, new Uint8Array(400)), wb.plan(wb.mapFromGrid(10, 10, wall()), mission)),

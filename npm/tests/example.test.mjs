@@ -13,12 +13,14 @@ const here = fileURLToPath(new URL("..", import.meta.url));
 const run = (script) =>
   execFileSync(process.execPath, ["--input-type=module", "--eval", script], { cwd: here, encoding: "utf8" });
 
-it("walls fall as the example says", () => {
-  const script = readFileSync(join(project, "examples/walls_fall.mjs"), "utf8");
-  assert.equal(run(script), readFileSync(join(project, "examples/walls_fall.mjs.txt"), "utf8"));
-});
+for (const example of ["walls_fall", "frames"]) {
+  it(`${example}.mjs prints what stands beside it`, () => {
+    const script = readFileSync(join(project, `examples/${example}.mjs`), "utf8");
+    assert.equal(run(script), readFileSync(join(project, `examples/${example}.mjs.txt`), "utf8"));
+  });
+}
 
-it("the ten lines of the site print what they do in C++", () => {
+it("the program of the site prints what it does in C++", () => {
   const script = readFileSync(join(project, "examples/embed.mjs"), "utf8");
   assert.equal(run(script), readFileSync(join(project, "examples/embed.txt"), "utf8"));
 });

@@ -104,9 +104,9 @@ void Columns::begin_in_time(std::size_t vehicle, Worker& worker) {
         options.limits.expansions = std::min(problem_.interrupts().expansions, tuning::most_first_expansions_in_time);
         options.length_limit = closed;
         options.expected = least;
-        options.opens_each_alone = true;
         options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
-        best = searcher(worker).find(problem_.map(), agent.start, agent.goal, options);
+        best = crossing::Access::find(searcher(worker), problem_.map(), agent.start, agent.goal, options,
+                                      {.opens_each_alone = true});
         note(vehicle, best);
         pool.least = std::max(pool.least, arrival_of(agent, {}, std::min(best.lower_bound, closed)));
     }
@@ -262,12 +262,13 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
         return {best, best};
     Query asked = query(agent, prices, best);
     CrossingOptions& options = asked.options;
-    const auto find = [&] {
+    const auto find = [&](const crossing::Opener& opener) {
         if (std::isfinite(best)) {
             options.length_limit = (best - agent.ready_at) * agent.speed;
             options.expected = options.length_limit;
         }
-        CrossingResult found = searcher(worker).find(problem_.map(), agent.start, agent.goal, options);
+        CrossingResult found =
+            crossing::Access::find(searcher(worker), problem_.map(), agent.start, agent.goal, options, opener);
         note(vehicle, found);
         if (found.status == SearchStatus::found) {
             add_in_time(vehicle, found.best.crossed, found.best.cost - paid_for(found.best.crossed, asked.prices),
@@ -279,12 +280,11 @@ Columns::Search Columns::search_best(std::size_t vehicle, std::span<const double
     };
     proof.prices.assign(prices.begin(), prices.end());
     proof.least = 0;
-    find();
+    find({});
     if (in_time() && proof.least < best * (1 - rounding)) {
-        options.opens_each_alone = true;
         options.opened_after = [&](std::span<const ObstacleId> opened) { return each_opened_after(agent, opened); };
         options.limits.expansions = std::min(options.limits.expansions, tuning::most_pricing_expansions_in_time);
-        find();
+        find({.opens_each_alone = true});
     }
     return {proof.least, proof.least};
 }

@@ -99,9 +99,9 @@ class Columns {
 
     std::vector<Pool> pools_;
     std::vector<Proof> proofs_;
-    std::vector<CrossingMemory> memories_;  // by vehicle
-    std::vector<std::set<Set>> timed_;      // by vehicle: searched in time, and nothing else open
-    std::vector<char> limited_;             // by vehicle
+    std::vector<crossing::Memory> memories_;  // by vehicle
+    std::vector<std::set<Set>> timed_;        // by vehicle: searched in time, and nothing else open
+    std::vector<char> limited_;               // by vehicle
 };
 
 // The least arrival plus prices (as pool.obstacles) over the known columns, and the first column that has it.

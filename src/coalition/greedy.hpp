@@ -39,8 +39,8 @@ class Greedy {
     const Problem& problem_;
     Workers& workers_;
     EarliestOpenings openings_;
-    std::vector<CrossingMemory> memories_;  // by vehicle
-    std::vector<Arrivals> arrivals_;        // by vehicle
+    std::vector<crossing::Memory> memories_;  // by vehicle
+    std::vector<Arrivals> arrivals_;          // by vehicle
     Set taken_;
     double budget_;
     bool limited_ = false;

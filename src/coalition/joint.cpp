@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 
 #include "coalition/tuning.hpp"
 
@@ -12,7 +13,8 @@ namespace {
 bool later(const auto& a, const auto& b) {
     if (a.bound != b.bound) return a.bound > b.bound;
     if (a.depth != b.depth) return a.depth < b.depth;
-    return a.opened > b.opened;
+    if (a.opened != b.opened) return a.opened > b.opened;
+    return std::tie(a.cost, a.sum, a.last) > std::tie(b.cost, b.sum, b.last);
 }
 
 }  // namespace

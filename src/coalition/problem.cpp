@@ -15,7 +15,7 @@ Set united(const Set& a, const Set& b) {
 double gap(const Box& box, Point to) {
     const double dx = std::max({box.min.x - to.x, to.x - box.max.x, 0.0});
     const double dy = std::max({box.min.y - to.y, to.y - box.max.y, 0.0});
-    return std::hypot(dx, dy);
+    return std::sqrt(dx * dx + dy * dy);
 }
 
 double late_arrival(const Agent& agent, const Obstacle& obstacle, double opening) {

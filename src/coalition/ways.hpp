@@ -76,7 +76,7 @@ class Ways {
     const Problem& problem_;
     std::span<const team::Vehicle> closed_;
     std::vector<std::uint64_t> effort_;       // by vehicle
-    std::vector<CrossingMemory> memories_;    // by vehicle
+    std::vector<crossing::Memory> memories_;  // by vehicle
     std::vector<std::map<Set, Menu>> known_;  // by vehicle and the part of a set that is near its way
     // By vehicle: such parts, and when they open, for which ways were looked for; and whether thoroughly.
     std::vector<std::map<std::vector<std::pair<ObstacleId, double>>, bool>> timed_;

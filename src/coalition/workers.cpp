@@ -17,10 +17,10 @@ void Workers::gather(std::size_t count) {
         return EarliestOpenings(problem_.map(), problem_.rules(),
                                 {problem_.aircraft().begin(), problem_.aircraft().end()});
     };
-    if (all_.empty()) all_.push_back({crossing_, crossing_.another(), theta_, openings()});
+    if (all_.empty()) all_.push_back({crossing_, crossing::Access::another(crossing_), theta_, openings()});
     while (all_.size() < std::min(most_, count)) {
-        CrossingSearcher& crossing = crossings_.emplace_back(crossing_.another());
-        all_.push_back({crossing, all_.front().limits.another(), thetas_.emplace_back(), openings()});
+        CrossingSearcher& crossing = crossings_.emplace_back(crossing::Access::another(crossing_));
+        all_.push_back({crossing, crossing::Access::another(all_.front().limits), thetas_.emplace_back(), openings()});
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "coalition/problem.hpp"
 #include "core/parallel.hpp"
+#include "crossing/access.hpp"
 #include "schedule/earliest_openings.hpp"
 #include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/advanced/search.hpp"
@@ -23,16 +24,16 @@ struct Worker {
 // A vehicle's own memory, in use for as long as this lives: what comes out does not depend on which worker uses it.
 class Remembering {
   public:
-    Remembering(CrossingSearcher& searcher, CrossingMemory& memory) : searcher_(searcher), memory_(memory) {
-        searcher_.exchange(memory_);
+    Remembering(CrossingSearcher& searcher, crossing::Memory& memory) : searcher_(searcher), memory_(memory) {
+        crossing::Access::exchange(searcher_, memory_);
     }
     Remembering(const Remembering&) = delete;
     Remembering& operator=(const Remembering&) = delete;
-    ~Remembering() { searcher_.exchange(memory_); }
+    ~Remembering() { crossing::Access::exchange(searcher_, memory_); }
 
   private:
     CrossingSearcher& searcher_;
-    CrossingMemory& memory_;
+    crossing::Memory& memory_;
 };
 
 class Workers {

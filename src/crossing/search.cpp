@@ -49,7 +49,7 @@ std::unique_ptr<CrossingSearcher::Search> CrossingSearcher::Search::another() co
 }
 
 CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
-                                             const Accept* accept) {
+                                             const Opener& opener, const Accept* accept) {
     progress_.interrupt = Interrupt(options.limits.seconds, options.limits.stop);
     const std::shared_ptr<const Regions> regions = regions_for(map, options);
     if (!regions->complete()) {
@@ -60,7 +60,7 @@ CrossingResult CrossingSearcher::Search::run(const Map& map, Cell start, Cell go
     }
     const std::vector<ObstacleId> removed = sorted(options.removed);
     if (stands(*regions, start, removed) && stands(*regions, goal, removed)) {
-        return run_between(map, centre(start), centre(goal), options, accept);
+        return run_between(map, centre(start), centre(goal), options, opener, accept);
     }
     CrossingResult none;
     none.lower_bound = infinity;
@@ -79,11 +79,12 @@ std::shared_ptr<const Regions> CrossingSearcher::Search::regions_for(const Map& 
 }
 
 CrossingResult CrossingSearcher::Search::run_between(const Map& map, Vertex start, Vertex goal,
-                                                     const CrossingOptions& options, const Accept* accept) {
+                                                     const CrossingOptions& options, const Opener& opener,
+                                                     const Accept* accept) {
     accept_ = accept;
     result_ = {};
     result_.lower_bound = infinity;
-    start_query(map, start, goal, options);
+    start_query(map, start, goal, options, opener);
     search_ellipses();
     result_.expanded = progress_.expanded;
     result_.generated = progress_.expanded + labels_.open_count();
@@ -95,21 +96,23 @@ CrossingResult CrossingSearcher::Search::find_path_to_gate(Vertex from, Vertex g
     if (!search_to_gate_) search_to_gate_ = std::make_unique<Search>();
     search_to_gate_->to_gate_ = true;
     search_to_gate_->regions_of_ = regions_of_;
-    return search_to_gate_->run_between(*query_.map, from, gate, options, nullptr);
+    return search_to_gate_->run_between(*query_.map, from, gate, options, {}, nullptr);
 }
 
-void CrossingSearcher::Search::start_query(const Map& map, Vertex start, Vertex goal, const CrossingOptions& options) {
+void CrossingSearcher::Search::start_query(const Map& map, Vertex start, Vertex goal, const CrossingOptions& options,
+                                           const Opener& opener) {
     progress_ = {.interrupt = Interrupt(options.limits.seconds, options.limits.stop)};
     query_.map = &map;
     query_.options = &options;
+    query_.opener = &opener;
     query_.regions = regions_for(map, options);
     query_.start = start;
     query_.goal = goal;
     query_.removed = sorted(options.removed);
     query_.enumerates = accept_ != nullptr;
     query_.waits = bool(options.opened_after);
-    const bool alone = !query_.waits || options.opens_each_alone;  // another set may open later
-    query_.by_count = !query_.enumerates && alone && !options.done_after;
+    const bool alone = !query_.waits || opener.opens_each_alone;  // another set may open later
+    query_.by_count = !query_.enumerates && alone && !opener.done_after;
     // Gates may be where two cells touch at a corner.
     query_.pinched = query_.regions->pinched() && !query_.waits && !to_gate_;
     // The square turns and waits at lattice points only; the point is a lower bound for paths that wait anywhere.

@@ -13,6 +13,7 @@
 #include <span>
 #include <utility>
 
+#include "crossing/access.hpp"
 #include "crossing/dominance.hpp"
 #include "crossing/geometry/convex.hpp"
 #include "crossing/geometry/fan.hpp"
@@ -36,16 +37,18 @@ class CrossingSearcher::Search {
     std::unique_ptr<Search> another() const;
     void exchange(crossing::PathLengths& lengths) { std::swap(waits_.path_lengths(), lengths); }
     // `accept`: none for the best path alone.
-    CrossingResult run(const Map& map, Cell start, Cell goal, const CrossingOptions& options, const Accept* accept);
+    CrossingResult run(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
+                       const crossing::Opener& opener, const Accept* accept);
 
   private:
     enum class Outcome { found, exhausted, limit_reached, stopped };
 
     // Between places where the agent can stand.
     CrossingResult run_between(const Map& map, crossing::Vertex start, crossing::Vertex goal,
-                               const CrossingOptions& options, const Accept* accept);
+                               const CrossingOptions& options, const crossing::Opener& opener, const Accept* accept);
     std::shared_ptr<const crossing::Regions> regions_for(const Map& map, const CrossingOptions& options);
-    void start_query(const Map& map, crossing::Vertex start, crossing::Vertex goal, const CrossingOptions& options);
+    void start_query(const Map& map, crossing::Vertex start, crossing::Vertex goal, const CrossingOptions& options,
+                     const crossing::Opener& opener);
     void search_ellipses();
     void start_ellipse();
     Outcome search_ellipse();

@@ -16,8 +16,7 @@ std::vector<ObstacleId> entered_backwards(const Label& from, const Label& to, co
     for (const Hit& hit : ray.hits()) {
         if (query.regions->within(hit.region, set)) hits.push_back(hit);
     }
-    std::sort(hits.begin(), hits.end(),
-              [](const Hit& a, const Hit& b) { return a.at != b.at ? a.at < b.at : a.region < b.region; });
+    std::ranges::sort(hits, comes_first);
     std::vector<ObstacleId> entered;
     for (const Hit& hit : hits) ray.add_missing(hit.region, entered);
     std::ranges::reverse(entered);

@@ -8,7 +8,7 @@
 
 namespace waybreaker {
 
-void validate(const Map& map, const CrossingOptions& options) {
+void validate(const Map& map, const CrossingOptions& options, const crossing::Opener& opener) {
     const auto check_ids = [&map](std::span<const ObstacleId> ids, const char* what) {
         for (const ObstacleId id : ids) {
             if (id.value >= 1 && id.value <= map.obstacles().size()) continue;
@@ -29,7 +29,7 @@ void validate(const Map& map, const CrossingOptions& options) {
         throw InputError("the price of an obstacle cannot be negative");
     }
     if (!(options.weight >= 1)) throw InputError("the weight of a crossing search must be 1 or more");
-    if (options.weight > 1 && (options.opened_after || options.done_after)) {
+    if (options.weight > 1 && (options.opened_after || opener.done_after)) {
         throw InputError("a crossing search in time has no weight");
     }
     if (std::isnan(options.length_limit)) throw InputError("the limit of a path's cost must be a number");

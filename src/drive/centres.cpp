@@ -41,7 +41,9 @@ class Centres {
         struct Node {
             double cost;
             std::size_t centre;
-            bool operator>(const Node& other) const { return cost > other.cost; }
+            bool operator>(const Node& other) const {
+                return cost != other.cost ? cost > other.cost : centre > other.centre;
+            }
         };
         std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
         std::vector<double> reached(centres_.size(), unreached);
@@ -98,7 +100,7 @@ class Centres {
             for (const auto& [dx, dy] : neighbours) {
                 const Cell to{at.x + dx, at.y + dy};
                 if (!contains(to) || map_.blocked(to)) continue;
-                const double more = steps + std::hypot(dx, dy);
+                const double more = steps + std::sqrt(double(dx * dx + dy * dy));
                 if (more >= steps_[index(to)] || more > known_ * most_of_line) continue;
                 steps_[index(to)] = more;
                 open.emplace(more, index(to));

@@ -96,10 +96,11 @@ class Round {
     // The pieces of the best way through all targets, from the far end to the near one, each with one of its cells.
     Tour best_tour() const {
         Tour tour;
+        const Piece* at = nullptr;
         for (Set rest = all_; rest != 0; rest &= ~only(tour.back().target)) {
-            const Way way =
-                tour.empty() ? best_way(far_end_, rest, infinity) : best_way(box_of(tour.back().at), rest, infinity);
-            tour.push_back({pieces_[way.next].target, pieces_[way.next].cells.front()});
+            const Way way = at ? best_way(at->box, rest, infinity) : best_way(far_end_, rest, infinity);
+            at = &pieces_[way.next];
+            tour.push_back({at->target, *std::ranges::min_element(at->cells, before_in_scan)});
         }
         return tour;
     }

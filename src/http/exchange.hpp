@@ -15,8 +15,12 @@ namespace waybreaker::http {
 // What happens while a client waits for its response. Called on the I/O thread.
 struct Waiting {
     bool events = false;  // stream what `tick` returns, and finally the body passed to Exchange::answer
-    std::function<std::string()> tick = [] { return std::string(); };  // called four times a second
-    std::function<void()> gone = [] {};                                // the client has disconnected
+    // Called four times a second; not while the client has not taken what came before.
+    std::function<std::string()> tick = [] { return std::string(); };
+    std::function<void()> gone = [] {};  // the client has disconnected
+    // Of events that nothing answers: whether they have ended. Such a stream is closed when others need its place, for
+    // its client asks again for what comes next.
+    std::function<bool()> over = {};
 };
 
 // Thread-safe.

@@ -7,6 +7,7 @@
 #include <boost/asio/thread_pool.hpp>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -165,11 +166,11 @@ std::size_t Listener::Impl::limit_for(const Client& client) const {
     return client.is_loopback() ? options_.connections : std::max<std::size_t>(options_.connections / 2, 1);
 }
 
-// Sessions between two requests are closed first, then those whose request is incomplete; of each the one that has been
-// in that phase longest.
+// Sessions between two requests are closed first, then those whose request is incomplete, then streams of events; of
+// each the one that has been in that phase longest.
 bool Listener::Impl::close_one_of(const std::vector<Session*>& sessions) {
     const auto order = [](const Session* session) {
-        return std::pair(session->phase() != Session::Phase::idle, session->since());
+        return std::tuple(session->streams(), session->phase() != Session::Phase::idle, session->since());
     };
     Session* victim = nullptr;
     for (Session* session : sessions) {

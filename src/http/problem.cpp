@@ -37,7 +37,8 @@ std::string title_of(int status) {
                                                    {client_gone, "Client Closed Request"},
                                                    {internal_error, "Internal Server Error"},
                                                    {not_implemented, "Not Implemented"},
-                                                   {unavailable, "Service Unavailable"}};
+                                                   {unavailable, "Service Unavailable"},
+                                                   {insufficient_storage, "Insufficient Storage"}};
     const auto title = titles.find(status);
     return title == titles.end() ? "Error" : title->second;
 }

@@ -33,6 +33,7 @@ enum Status : int {
     not_implemented = 501,
     unavailable = 503,
     version_unknown = 505,
+    insufficient_storage = 507,
 };
 
 // Thrown by request handlers; what() is one line for a person.

@@ -60,7 +60,7 @@ void Session::reject() {
 }
 
 bool Session::may_be_closed() const {
-    return phase_ == Phase::idle || phase_ == Phase::reading || phase_ == Phase::closing;
+    return phase_ == Phase::idle || phase_ == Phase::reading || phase_ == Phase::closing || streams();
 }
 
 bool Session::has_begun() const {

@@ -56,6 +56,8 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
     const boost::asio::ip::address& client() const { return client_; }
     // Whether it can be closed without losing a complete request.
     bool may_be_closed() const;
+    // Whether events are sent that have no end of their own.
+    bool streams() const { return phase_ == Phase::serving && bool(waiting_.over); }
     // Whether a request is in progress: from its head to the end of its response.
     bool has_begun() const;
 
@@ -86,6 +88,7 @@ class Session : public Exchange, public std::enable_shared_from_this<Session> {
 
     void begin_events();
     void tick();
+    void end_stream();
     void probe();
     void send_piece(const std::string& piece);
     void write_piece();

@@ -18,7 +18,9 @@ using std::chrono::milliseconds;
 constexpr milliseconds between_ticks(250);
 constexpr std::size_t piece_size = 65536;
 
+// An empty one would be the last.
 std::string chunk(const std::string& piece) {
+    if (piece.empty()) return "";
     return fmt::format("{:x}\r\n{}\r\n", piece.size(), piece);
 }
 
@@ -123,15 +125,25 @@ void Session::begin_events() {
 }
 
 void Session::tick() {
-    std::string text = waiting_.tick();
     expire_in(between_ticks);
     if (sending_piece_) {
         if (Clock::now() - write_began_ > host_.options().timeouts.writing) close();
-    } else if (!text.empty() || !head_.empty()) {
+        return;
+    }
+    std::string text = waiting_.tick();
+    if (!text.empty() || !head_.empty()) {
         send_piece(text);
-    } else if (input_ended_ && takes_chunks_ && !std::exchange(probed_, true)) {
+    } else if (waiting_.over && waiting_.over()) {
+        end_stream();
+    } else if (!waiting_.events && input_ended_ && takes_chunks_ && !std::exchange(probed_, true)) {
         probe();
     }
+}
+
+void Session::end_stream() {
+    waits_ = false;
+    last_piece_ = Body();
+    piece_sent(false);
 }
 
 // Sends what every client of HTTP/1.1 skips (RFC 9110, 15.2), once, so that one that is gone resets the connection.

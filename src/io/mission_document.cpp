@@ -29,10 +29,11 @@ bool size_agents(MissionDocument& document, const MapFile& file) {
 std::optional<Map> resolve(MissionDocument& document, const MapFile& file,
                            const std::optional<std::vector<double>>& weights) {
     if (document.overlays != file.overlays) {
-        throw InputError(document.overlays.empty()
-                             ? file.source + " has overlays laid over it, which the mission is not for"
-                             : "the mission is for a map with " + document.overlays.front().file +
-                                   " laid over it: lay it over the map first, and leave out 'overlays'");
+        if (document.overlays.empty())
+            throw InputError(file.source + " has overlays laid over it, which the mission is not for");
+        throw InputError("the mission is for a map with " + document.overlays.front().file +
+                         " laid over it: lay it over the map first, as 'waybreaker map overlay' does, and leave out "
+                         "'overlays'");
     }
     protect_tagged(file, std::exchange(document.protect_tags, {}), document.mission.rules);
     if (document.area_budget) return file.map.with_weights(area_weights(file));

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "crossing/access.hpp"
 #include "mission/agent_order.hpp"
 #include "mission/explain.hpp"
 #include "mission/plan_status.hpp"
@@ -208,8 +209,8 @@ Plan Planner::plan(const Map& map, const Mission& mission, const Method& method,
 
 Plan Planner::plan_active(const Map& map, const Mission& mission, const Method& method, const Limits& limits) {
     // What earlier missions have taught would change how much work this one is.
-    CrossingMemory nothing;
-    memory_->crossing.exchange(nothing);
+    crossing::Memory nothing;
+    crossing::Access::exchange(memory_->crossing, nothing);
     if (!drives_alone(mission))
         return explained_team(map, mission, method, limits, memory_->searcher, memory_->crossing);
     const Task task = task_of(map, mission, method, limits);

@@ -54,7 +54,7 @@ class Causes {
             const auto [top, bottom] = std::ranges::minmax(path, {}, &Waypoint::y);
             discs_.push_back({i,
                               mission.agents[i].body.reach(),
-                              Traffic::Index::legs(path, stays()),
+                              safe_interval::TrafficIndex::legs(path, stays()),
                               {left.x, top.y, 0},
                               {right.x, bottom.y, 0}});
         }
@@ -122,8 +122,8 @@ class Causes {
         }
         for (const Disc& disc : discs_) {
             if (disc.agent == agent) continue;
-            const double reach =
-                driver.body.reach() + disc.radius + mission_.rules.separation - Traffic::Index::planning_slack;
+            const double reach = driver.body.reach() + disc.radius + mission_.rules.separation -
+                                 safe_interval::TrafficIndex::planning_slack;
             if (!comes_near(run, disc, reach)) continue;
             for (const Interval& departures : unsafe_departures(whole, run, disc, reach)) {
                 add(departures, WaitReason::agent, {}, plan_.agents[disc.agent].id);

@@ -37,7 +37,7 @@ Span inside_box(const Move& move, double half_x, double half_y) {
 Span inside_circle(const Move& move, double x, double y, double radius) {
     const double a = move.dx * move.dx + move.dy * move.dy;
     const double b = (move.x - x) * move.dx + (move.y - y) * move.dy;
-    if (a == 0) return std::hypot(move.x - x, move.y - y) < radius ? Span{} : Span{1, 0};
+    if (a == 0) return distance(Point(move.x, move.y), Point(x, y)) < radius ? Span{} : Span{1, 0};
     // By the distance to the line. In thousandths, in which radii are whole, it is exact where the move grazes the
     // circle.
     const double aside = (move.x - x) * move.dy - (move.y - y) * move.dx;

@@ -187,18 +187,8 @@ std::optional<std::vector<double>> weights_of(const OptionsRequest& request, con
     return weights;
 }
 
-}  // namespace
-
-PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) {
-    if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
-    const auto document = io::parse_json(bytes, name, max_depth);
-    const JsonField root(document);
-    PlanRequest request;
-    if (root.json().contains("format")) {
-        set_document(root, request);
-        return request;
-    }
-    root.allow({"mission", "options", "methods", "no_timing"});
+// All of a request that is no mission file, but for methods.
+void set_request(const JsonField& root, PlanRequest& request) {
     if (const auto field = root.find("mission")) {
         if (field->json().contains("format")) {
             set_document(*field, request);
@@ -210,9 +200,47 @@ PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) 
         }
     }
     if (const auto field = root.find("options")) request.options = options(*field, request.options);
-    if (const auto field = root.find("methods")) request.variants = variants(*field, request.options);
     if (const auto field = root.find("no_timing")) request.timing_fields = !field->truth();
+}
+
+io::JsonDocument document_of(std::string_view bytes, const std::string& name) {
+    if (bytes.size() > max_request_bytes) throw InputError(name, 0, "is too large");
+    return io::parse_json(bytes, name, max_depth);
+}
+
+}  // namespace
+
+PlanRequest parse_plan_request(std::string_view bytes, const std::string& name) {
+    const auto document = document_of(bytes, name);
+    const JsonField root(document);
+    PlanRequest request;
+    if (root.json().contains("format")) {
+        set_document(root, request);
+        return request;
+    }
+    root.allow({"mission", "options", "methods", "no_timing"});
+    set_request(root, request);
+    if (const auto field = root.find("methods")) request.variants = variants(*field, request.options);
     return request;
+}
+
+LiveRequest parse_live_request(std::string_view bytes, const std::string& name) {
+    const auto document = document_of(bytes, name);
+    const JsonField root(document);
+    LiveRequest live;
+    if (root.json().contains("format")) {
+        live.map = root["map"].text();
+        set_document(root, live.plan);
+        return live;
+    }
+    root.allow({"map", "mission", "options", "reaction", "no_timing"});
+    live.map = root["map"].text();
+    set_request(root, live.plan);
+    if (const auto field = root.find("reaction")) {
+        live.reaction = io::read_not_negative(*field);
+        if (live.reaction > most_breach_time) field->fail("is no time of a mission");
+    }
+    return live;
 }
 
 MissionOnMap on_map(const ShortMission& mission, const OptionsRequest& options, const io::MapFile& map) {

@@ -61,6 +61,17 @@ struct PlanRequest {
 // Throws InputError that says where and what is wrong; `name` is what errors call the input.
 PlanRequest parse_plan_request(std::string_view bytes, const std::string& name = "request");
 
+// A live mission: a request as above, or a mission file, which names its map.
+//
+//     {"map": "berlin-mitte.tif", "mission": {"start": [256, 434], "goal": [118, 55]}, "reaction": 2}
+struct LiveRequest {
+    std::string map;
+    PlanRequest plan;
+    double reaction = 0;  // how long agents take to learn of a new plan, in units of time
+};
+
+LiveRequest parse_live_request(std::string_view bytes, const std::string& name = "request");
+
 // A mission on its map.
 struct MissionOnMap {
     io::MissionDocument asked;

@@ -100,12 +100,12 @@ void SafeIntervalSearcher::Search::add_nodes(Cell cell) {
     if (useful.empty()) return;
     unsafe_.clear();
     const Leg here{vector_of(cell), {}, useful.from, useful.to};
-    traffic_->near(here, radius_, [&](const Traffic::Index::Piece& piece) {
+    traffic_->near(here, radius_, [&](const safe_interval::TrafficIndex::Piece& piece) {
         const Interval near = safe_interval::overlap(piece.leg, here, traffic_->reach(piece, radius_));
         if (!near.empty()) unsafe_.push_back(near);
         return true;
     });
-    std::ranges::sort(unsafe_, {}, &Interval::from);
+    std::ranges::sort(unsafe_, {}, &Interval::from);  // of those that begin at one time only the latest end matters
     double from = useful.from;
     const auto add = [&](double to) {
         Node node;
@@ -204,7 +204,7 @@ double SafeIntervalSearcher::Search::safe_departure(const Move& move, double ear
     double departure = earliest;
     for (double next = earliest; departure <= latest && departure < for_ever; departure = next) {
         const Leg leg{move.start, move.velocity, departure, departure + move.duration};
-        traffic_->near(leg, radius_, [&](const Traffic::Index::Piece& piece) {
+        traffic_->near(leg, radius_, [&](const safe_interval::TrafficIndex::Piece& piece) {
             const double reach = traffic_->reach(piece, radius_);
             if (safe_interval::overlap(leg, piece.leg, reach).empty()) return true;
             next = std::max(next, safe_interval::unsafe_departures(move, piece.leg, reach).to);

@@ -72,7 +72,7 @@ class SafeIntervalSearcher::Search {
 
     // The query.
     const OpenedMap* map_ = nullptr;
-    const Traffic::Index* traffic_ = nullptr;
+    const safe_interval::TrafficIndex* traffic_ = nullptr;
     const SafeIntervalOptions* options_ = nullptr;
     std::optional<LineOfSight> sight_;
     Cell start_;

@@ -23,7 +23,8 @@ void validate(const OpenedMap& map, const Traffic& traffic, Cell start, Cell goa
     require_range(options.ready_at, 0, most_breach_time, "the time at which the agent is ready");
     require_range(options.since, 0, options.ready_at, "the time at which the agent is at its start");
     if (!(options.limits.seconds >= 0)) throw InputError("the time limit of a search cannot be negative");
-    if (traffic.index().width() != map.width() || traffic.index().height() != map.height()) {
+    if (safe_interval::index_of(traffic).width() != map.width() ||
+        safe_interval::index_of(traffic).height() != map.height()) {
         throw InputError("the traffic is that of a map of another size");
     }
     if (!options.known.empty() && (options.known.front() != start || options.known.back() != goal)) {
@@ -42,7 +43,7 @@ SafeIntervalResult SafeIntervalSearcher::Search::run(const OpenedMap& map, const
                                                      Cell goal, const SafeIntervalOptions& options) {
     validate(map, traffic, start, goal, options);
     map_ = &map;
-    traffic_ = &traffic.index();
+    traffic_ = &safe_interval::index_of(traffic);
     options_ = &options;
     sight_.emplace(map, options.body);
     start_ = start;
@@ -103,8 +104,8 @@ SearchStatus SafeIntervalSearcher::Search::find_way(std::vector<Cell>& way) {
 
 bool SafeIntervalSearcher::Search::meets_nobody(std::span<const Waypoint> path) const {
     bool meets = false;
-    for (const Leg& leg : Traffic::Index::legs(path, options_->stays)) {
-        traffic_->near(leg, radius_, [&](const Traffic::Index::Piece& piece) {
+    for (const Leg& leg : safe_interval::TrafficIndex::legs(path, options_->stays)) {
+        traffic_->near(leg, radius_, [&](const safe_interval::TrafficIndex::Piece& piece) {
             meets = !safe_interval::overlap(leg, piece.leg, traffic_->reach(piece, radius_)).empty();
             return !meets;
         });

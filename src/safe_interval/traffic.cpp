@@ -8,17 +8,12 @@
 #include "waybreaker/error.hpp"
 
 namespace waybreaker {
-
-using safe_interval::for_ever;
-using safe_interval::Leg;
-using safe_interval::Vector;
-
+namespace safe_interval {
 namespace {
 
 int side_for(int width, int height) {
-    int side = safe_interval::tuning::least_square_side;
-    while (std::size_t(width / side + 1) * std::size_t(height / side + 1) > safe_interval::tuning::most_squares)
-        side *= 2;
+    int side = tuning::least_square_side;
+    while (std::size_t(width / side + 1) * std::size_t(height / side + 1) > tuning::most_squares) side *= 2;
     return side;
 }
 
@@ -45,7 +40,7 @@ void add_border_times(double start, double velocity, const Leg& leg, int side, s
 
 }  // namespace
 
-Traffic::Index::Index(int width, int height, double separation)
+TrafficIndex::TrafficIndex(int width, int height, double separation)
     : width_(width),
       height_(height),
       side_(side_for(width, height)),
@@ -55,7 +50,7 @@ Traffic::Index::Index(int width, int height, double separation)
       separation_(separation),
       squares_(std::size_t(columns_) * std::size_t(rows_)) {}
 
-std::vector<Leg> Traffic::Index::legs(std::span<const Waypoint> path, bool stays) {
+std::vector<Leg> TrafficIndex::legs(std::span<const Waypoint> path, bool stays) {
     std::vector<Leg> legs;
     for (std::size_t i = 1; i < path.size(); ++i) {
         const Waypoint& a = path[i - 1];
@@ -69,7 +64,7 @@ std::vector<Leg> Traffic::Index::legs(std::span<const Waypoint> path, bool stays
     return legs;
 }
 
-void Traffic::Index::add(std::uint32_t who, std::span<const Waypoint> path, double radius, bool stays) {
+void TrafficIndex::add(std::uint32_t who, std::span<const Waypoint> path, double radius, bool stays) {
     validate(path, radius, width_, height_);
     if (squares_of_.contains(who)) throw InputError("disc " + std::to_string(who) + " is in traffic already");
     widest_ = std::max(widest_, radius);
@@ -79,7 +74,7 @@ void Traffic::Index::add(std::uint32_t who, std::span<const Waypoint> path, doub
     squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
 }
 
-void Traffic::Index::add_leg(std::uint32_t who, const Leg& leg, double radius, std::vector<std::uint32_t>& squares) {
+void TrafficIndex::add_leg(std::uint32_t who, const Leg& leg, double radius, std::vector<std::uint32_t>& squares) {
     std::vector<double> times{leg.from};
     add_border_times(leg.start.x, leg.velocity.x, leg, side_, times);
     add_border_times(leg.start.y, leg.velocity.y, leg, side_, times);
@@ -91,7 +86,7 @@ void Traffic::Index::add_leg(std::uint32_t who, const Leg& leg, double radius, s
     }
 }
 
-void Traffic::Index::add_piece(const Piece& piece, std::vector<std::uint32_t>& squares) {
+void TrafficIndex::add_piece(const Piece& piece, std::vector<std::uint32_t>& squares) {
     const Vector middle = piece.leg.at(std::isinf(piece.leg.to) ? piece.leg.from : (piece.leg.from + piece.leg.to) / 2);
     const auto number =
         std::uint32_t(square(middle.y, rows_)) * std::uint32_t(columns_) + std::uint32_t(square(middle.x, columns_));
@@ -100,7 +95,7 @@ void Traffic::Index::add_piece(const Piece& piece, std::vector<std::uint32_t>& s
     squares.push_back(number);
 }
 
-void Traffic::Index::remove(std::uint32_t who) {
+void TrafficIndex::remove(std::uint32_t who) {
     const auto known = squares_of_.find(who);
     if (known == squares_of_.end()) return;
     for (const std::uint32_t square : known->second) {
@@ -109,12 +104,12 @@ void Traffic::Index::remove(std::uint32_t who) {
     squares_of_.erase(known);
 }
 
-std::vector<std::uint32_t> Traffic::Index::met(std::span<const Waypoint> path, double radius, bool stays,
-                                               double slack) const {
+std::vector<std::uint32_t> TrafficIndex::met(std::span<const Waypoint> path, double radius, bool stays,
+                                             double slack) const {
     std::vector<std::uint32_t> met;
     for (const Leg& leg : legs(path, stays)) {
         near(leg, radius, [&](const Piece& piece) {
-            if (!safe_interval::overlap(leg, piece.leg, reach(piece, radius, slack)).empty()) met.push_back(piece.who);
+            if (!overlap(leg, piece.leg, reach(piece, radius, slack)).empty()) met.push_back(piece.who);
             return true;
         });
     }
@@ -123,11 +118,17 @@ std::vector<std::uint32_t> Traffic::Index::met(std::span<const Waypoint> path, d
     return met;
 }
 
+const TrafficIndex& index_of(const Traffic& traffic) {
+    return *traffic.index_;
+}
+
+}  // namespace safe_interval
+
 Traffic::Traffic(int width, int height, double separation) {
     require_range(width, 1, max_side, "the width of the map of a traffic");
     require_range(height, 1, max_side, "the height of the map of a traffic");
     require_range(separation, 0, 32, "the separation of discs in traffic, in cells,");
-    index_ = std::make_unique<Index>(width, height, separation);
+    index_ = std::make_unique<safe_interval::TrafficIndex>(width, height, separation);
 }
 Traffic::~Traffic() = default;
 Traffic::Traffic(Traffic&&) noexcept = default;

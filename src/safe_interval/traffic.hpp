@@ -11,19 +11,19 @@
 #include "safe_interval/motion.hpp"
 #include "waybreaker/advanced/safe_interval.hpp"
 
-namespace waybreaker {
+namespace waybreaker::safe_interval {
 
-class Traffic::Index {
+class TrafficIndex {
   public:
     static constexpr double planning_slack = clearance_slack / 2;
 
     struct Piece {
-        safe_interval::Leg leg;
+        Leg leg;
         double radius = 0;
         std::uint32_t who = 0;
     };
 
-    Index(int width, int height, double separation);
+    TrafficIndex(int width, int height, double separation);
 
     void add(std::uint32_t who, std::span<const Waypoint> path, double radius, bool stays);
     void remove(std::uint32_t who);
@@ -42,10 +42,10 @@ class Traffic::Index {
     // Calls visit(piece) for the pieces that a disc of that radius may meet on the leg, until visit returns false.
     // Looks at each square only while the disc is within reach of it.
     template <class Visit>
-    void near(const safe_interval::Leg& leg, double radius, Visit visit) const {
+    void near(const Leg& leg, double radius, Visit visit) const {
         const double margin = radius + widest_ + separation_;
         const bool moves = leg.velocity.x != 0 || leg.velocity.y != 0;
-        const safe_interval::Vector end = moves ? leg.at(leg.to) : leg.start;
+        const Vector end = moves ? leg.at(leg.to) : leg.start;
         const int top = square(std::min(leg.start.y, end.y) - margin, rows_);
         const int bottom = square(std::max(leg.start.y, end.y) + margin, rows_);
         for (int row = top; row <= bottom; ++row) {
@@ -66,7 +66,7 @@ class Traffic::Index {
     }
 
     // The legs of a path, waits included; the last one for ever if it stays.
-    static std::vector<safe_interval::Leg> legs(std::span<const Waypoint> path, bool stays);
+    static std::vector<Leg> legs(std::span<const Waypoint> path, bool stays);
 
   private:
     struct Span {
@@ -85,7 +85,7 @@ class Traffic::Index {
         const double other = since + (least + side_ + 2 * margin - start) / velocity;
         return {std::max(time.from, std::min(one, other)), std::min(time.to, std::max(one, other))};
     }
-    void add_leg(std::uint32_t who, const safe_interval::Leg& leg, double radius, std::vector<std::uint32_t>& squares);
+    void add_leg(std::uint32_t who, const Leg& leg, double radius, std::vector<std::uint32_t>& squares);
     void add_piece(const Piece& piece, std::vector<std::uint32_t>& squares);
 
     int width_;
@@ -100,4 +100,4 @@ class Traffic::Index {
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> squares_of_;  // by who, each once
 };
 
-}  // namespace waybreaker
+}  // namespace waybreaker::safe_interval

@@ -36,7 +36,7 @@ Needs needs_of(const Map& map, const ScheduleTask& task) {
     Needs needs{targets_of(map, to_breach(task.rules, task.removed)),
                 {},
                 driven.back().t,
-                std::hypot(map.width(), map.height())};
+                distance(Cell{}, Cell{map.width(), map.height()})};
     needs.given = given_of(map, task, driven);
     for (const Due& due : needs.given) needs.held = std::max(needs.held, due.opens - due.needed_by);
     needs.unhindered += needs.held;

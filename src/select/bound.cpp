@@ -7,6 +7,18 @@
 #include "select/tuning.hpp"
 
 namespace waybreaker {
+crossing::Opener opener_of(const Task& task, OpeningTimes& opening_times) {
+    crossing::Opener opener;
+    if (!opening_times.matter()) return opener;
+    if (task.rules.objective != Objective::ground_makespan) {
+        opener.done_after = [&](std::span<const ObstacleId> obstacles) {
+            return opening_times.flight_cells(obstacles);
+        };
+    }
+    opener.adds_both = task.rules.objective == Objective::flowtime;
+    return opener;
+}
+
 int most_sets(const Task& task) {
     if (!drives_by_crossing(task)) return tuning::most_sets_of_others;
     return task.rules.removals <= tuning::few_removals_to_enumerate ? tuning::most_sets : tuning::most_sets_of_many;
@@ -42,14 +54,20 @@ CrossingOptions crossing_options(const Task& task, bool relaxed, double objectiv
     crossing.limits = limits_of(task, seconds);
     if (opening_times.matter()) {
         crossing.opened_after = [&](std::span<const ObstacleId> obstacles) { return opening_times.cells(obstacles); };
-        if (rules.objective != Objective::ground_makespan) {
-            crossing.done_after = [&](std::span<const ObstacleId> obstacles) {
-                return opening_times.flight_cells(obstacles);
-            };
-        }
-        crossing.adds_both = rules.objective == Objective::flowtime;
     }
     return crossing;
+}
+
+CrossingResult find_path(const Task& task, CrossingSearcher& crossing, const CrossingOptions& options,
+                         OpeningTimes& opening_times) {
+    return crossing::Access::find(crossing, task.map, task.driver.start, task.driver.goal, options,
+                                  opener_of(task, opening_times));
+}
+
+CrossingResult enumerate_paths(const Task& task, CrossingSearcher& crossing, const CrossingOptions& options,
+                               OpeningTimes& opening_times, const std::function<bool(const CrossingPath&)>& accept) {
+    return crossing::Access::enumerate(crossing, task.map, task.driver.start, task.driver.goal, options,
+                                       opener_of(task, opening_times), accept);
 }
 
 CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::span<const ObstacleId> obstacles,
@@ -58,7 +76,7 @@ CrossingResult find_within(const Task& task, CrossingSearcher& crossing, std::sp
     CrossingOptions options =
         crossing_options(task, !drives_by_crossing(task), objective, a_little_more(task), opening_times);
     options.only = obstacles;
-    return crossing.find(task.map, task.driver.start, task.driver.goal, options);
+    return find_path(task, crossing, options, opening_times);
 }
 
 CrossingResult find_good(const Task& task, CrossingSearcher& crossing, double objective, double seconds,
@@ -66,7 +84,7 @@ CrossingResult find_good(const Task& task, CrossingSearcher& crossing, double ob
     CrossingOptions options = crossing_options(task, !drives_by_crossing(task), objective, seconds, opening_times);
     options.weight = tuning::weight;
     options.limits.expansions = std::min(options.limits.expansions, tuning::weighted);
-    return crossing.find(task.map, task.driver.start, task.driver.goal, options);
+    return find_path(task, crossing, options, opening_times);
 }
 
 CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double share, double objective,
@@ -80,7 +98,7 @@ CrossingResult find_priced(const Task& task, CrossingSearcher& crossing, double 
     if (std::ranges::max(prices) == 0) return {};
     options.prices = prices;
     options.limits.expansions = std::min(options.limits.expansions, tuning::priced);
-    return crossing.find(task.map, task.driver.start, task.driver.goal, options);
+    return find_path(task, crossing, options, at_once);
 }
 
 Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, const Deadline& deadline) {
@@ -102,14 +120,14 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     const auto least = [&](double path, const Returns& home) { return task.objective(task.arrival(path), home); };
     if (opening_times.matter()) {
         options.limits.expansions = std::min(options.limits.expansions, tuning::proof_in_time);
-        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        CrossingResult found = find_path(task, crossing, options, opening_times);
         const bool cut = found.status == SearchStatus::limit_reached;
         const bool own_budget = cut && found.expanded >= tuning::proof_in_time;
         return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
                 std::move(found.best.crossed), cut && !own_budget};
     }
     if (task.rules.objective != Objective::flowtime) {
-        CrossingResult found = crossing.find(task.map, task.driver.start, task.driver.goal, options);
+        CrossingResult found = find_path(task, crossing, options, opening_times);
         return {std::min(least_objective(task, found.lower_bound, opening_times), reached),
                 std::move(found.best.crossed), found.status == SearchStatus::limit_reached};
     }
@@ -117,16 +135,15 @@ Bound prove_bound(const Task& task, CrossingSearcher& crossing, double reached, 
     Bound best{infinity, {}};
     const int most_tried = opening_times.are_at_once() ? 1 : most_sets(task);  // the proof in time knows more
     int tried = 0;
-    const CrossingResult rest =
-        crossing.enumerate(task.map, task.driver.start, task.driver.goal, options, [&](const CrossingPath& path) {
-            const double useless = std::min(best.objective, task.worth(reached));
-            if (least(path.cost, task.least_flight) >= useless || tried == most_tried) return false;
-            ++tried;
-            const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
-            const double objective = least(path.cost, least_return(task, removed));
-            if (objective < best.objective) best = {objective, path.crossed};
-            return true;
-        });
+    const CrossingResult rest = enumerate_paths(task, crossing, options, opening_times, [&](const CrossingPath& path) {
+        const double useless = std::min(best.objective, task.worth(reached));
+        if (least(path.cost, task.least_flight) >= useless || tried == most_tried) return false;
+        ++tried;
+        const std::vector<ObstacleId> removed = task.with_forced(path.crossed);
+        const double objective = least(path.cost, least_return(task, removed));
+        if (objective < best.objective) best = {objective, path.crossed};
+        return true;
+    });
     best.objective = std::min({best.objective, least(rest.lower_bound, task.least_flight), reached});
     best.limited = rest.status == SearchStatus::limit_reached;
     return best;

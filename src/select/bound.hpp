@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include "crossing/access.hpp"
 #include "select/opening_times.hpp"
 #include "select/task.hpp"
 #include "waybreaker/advanced/crossing.hpp"
@@ -37,6 +39,14 @@ double least_objective(const Task& task, double path_cost, const OpeningTimes& o
 // `relaxed`: for a lower limit of all paths. The opening times must outlive the options.
 CrossingOptions crossing_options(const Task& task, bool relaxed, double objective, double seconds,
                                  OpeningTimes& opening_times);
+
+// What such a search knows of the flights, where obstacles open in time. The opening times must outlive it.
+crossing::Opener opener_of(const Task& task, OpeningTimes& opening_times);
+// The search itself.
+CrossingResult find_path(const Task& task, CrossingSearcher& crossing, const CrossingOptions& options,
+                         OpeningTimes& opening_times);
+CrossingResult enumerate_paths(const Task& task, CrossingSearcher& crossing, const CrossingOptions& options,
+                               OpeningTimes& opening_times, const std::function<bool(const CrossingPath&)>& accept);
 
 // Seconds that are left, or a little more: for a search among few obstacles, which is short.
 double a_little_more(const Task& task);

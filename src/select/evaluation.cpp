@@ -50,7 +50,7 @@ class PathsInTime {
         Candidate last = start;
         for (int round = 0; round < tuning::most_rounds && may_gain(last); ++round) {
             const double arrival = std::min(last.schedule.arrival(), known);
-            if (!improve(last, search(options_for(last.schedule, arrival)))) break;
+            if (!improve(last, search(options_for(last.schedule, arrival), {}))) break;
         }
         // The search moves a square, which touches obstacles before the disc does.
         Candidate first = bent(start);
@@ -71,7 +71,7 @@ class PathsInTime {
         options.crossings = int(removed_.size());
         options.budget = infinity;
         double cells = 0;
-        std::optional<Opening> opening = search(options, &cells);
+        std::optional<Opening> opening = search(options, opener_of(task_, opening_times_), &cells);
         if (!opening) return std::nullopt;
         return Earliest{*std::move(opening), least_objective(task_, cells, opening_times_)};
     }
@@ -105,10 +105,11 @@ class PathsInTime {
     }
 
     // `least`: of all paths, in cells.
-    std::optional<Opening> search(const CrossingOptions& options, double* least = nullptr) {
+    std::optional<Opening> search(const CrossingOptions& options, const crossing::Opener& opener,
+                                  double* least = nullptr) {
         const Stopwatch watch;
-        const CrossingResult found =
-            searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
+        const CrossingResult found = crossing::Access::find(searchers_.crossing, task_.map, task_.driver.start,
+                                                            task_.driver.goal, options, opener);
         limited_ = limited_ || found.status == SearchStatus::limit_reached;
         if (found.best.path.empty()) return std::nullopt;
         if (least) *least = found.lower_bound;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "crossing/access.hpp"
 #include "select/by_steps.hpp"
 #include "select/greedy.hpp"
 #include "select/hits.hpp"
@@ -136,7 +137,7 @@ void ExactSelection::try_square_first() {
     CrossingOptions options =
         crossing_options(task_, false, task_.worth(best_) * (1 - rounding), deadline_.left(), opening_times_);
     options.limits.expansions = std::min(options.limits.expansions, tuning::square_first);
-    CrossingResult found = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
+    CrossingResult found = find_path(task_, searchers_.crossing, options, opening_times_);
     if (is_cut(found.status) || found.status == SearchStatus::stopped) return;
     if (!found.best.path.empty()) try_out(found.best, found);
     square_ = std::move(found);
@@ -147,14 +148,14 @@ CrossingResult ExactSelection::try_square() {
                                 deadline_.left(), opening_times_);
     options_.expected = costliest_path(task_, bound_.objective, opening_times_);
     options_.limits.expansions = std::min(options_.limits.expansions, expansions_of_square());
-    CrossingResult found = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options_);
+    CrossingResult found = find_path(task_, searchers_.crossing, options_, opening_times_);
     if (!found.best.path.empty() && beats_best(found.best)) try_out(found.best, found);
     return found;
 }
 
 void ExactSelection::try_for_square() {
     const CrossingOptions options = crossing_options(task_, false, best_, deadline_.left(), opening_times_);
-    const CrossingResult found = searchers_.crossing.find(task_.map, task_.driver.start, task_.driver.goal, options);
+    const CrossingResult found = find_path(task_, searchers_.crossing, options, opening_times_);
     if (!found.best.path.empty()) try_out(found.best, found);
 }
 
@@ -205,7 +206,7 @@ bool ExactSelection::try_others(const CrossingResult& first) {
         own = std::min(tuning::enumeration, std::max(tuning::least_enumeration, first.expanded / 2));
     }
     options_.limits.expansions = std::min(options_.limits.expansions, own);
-    CrossingSearcher enumerator = searchers_.crossing.another();
+    CrossingSearcher enumerator = crossing::Access::another(searchers_.crossing);
     int tried = 0;
     bool is_enough = false;
     const auto try_next = [&](const CrossingPath& path) {
@@ -216,8 +217,7 @@ bool ExactSelection::try_others(const CrossingResult& first) {
         try_out(path, first);
         return !deadline_.passed();
     };
-    const CrossingResult rest =
-        enumerator.enumerate(task_.map, task_.driver.start, task_.driver.goal, options_, try_next);
+    const CrossingResult rest = enumerate_paths(task_, enumerator, options_, opening_times_, try_next);
     const bool cut = is_cut(rest.status);
     // A budget of its own is the method's; the limits are the caller's.
     selected_.limited = selected_.limited || deadline_.passed() || (cut && task_.limits.expansions < own);

@@ -93,12 +93,13 @@ io::PlanContext context_of(const Task& task, const PreparedMission& prepared, st
             .front = front};
 }
 
-std::string plan_text(const Task& task, const request::OptionsRequest& wanted, const http::Worker& worker,
-                      PlannerPool::Loan& planner, double seconds) {
+PlanDocument planned(const Task& task, const request::OptionsRequest& wanted, const http::Worker& worker,
+                     PlannerPool::Loan& planner, double seconds) {
     const PreparedMission prepared = prepare(task, wanted, worker, seconds);
     const io::MissionDocument& asked = prepared.asked;
-    const Plan plan = planner.plan(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
-    return io::plan_json(plan, context_of(task, prepared));
+    Plan plan = planner.plan(map_of(task, prepared).map, asked.mission, asked.method, asked.limits);
+    std::string text = io::plan_json(plan, context_of(task, prepared));
+    return {std::move(plan), std::move(text)};
 }
 
 // The default comparison: no removals, the paper's method, the exact method.
@@ -196,9 +197,13 @@ std::string file_name(const std::string& id, const StoredMap& map) {
     return extension == extensions.end() ? id : id + extension->second;
 }
 
-std::string plan_answer(const Task& task, const http::Worker& worker) {
+PlanDocument plan_document(const Task& task, const http::Worker& worker) {
     PlannerPool::Loan planner = task.planners.borrow(task.map);
-    return plan_text(task, task.request.options, worker, planner, TimeBudget(task, worker).share(1));
+    return planned(task, task.request.options, worker, planner, TimeBudget(task, worker).share(1));
+}
+
+std::string plan_answer(const Task& task, const http::Worker& worker) {
+    return plan_document(task, worker).text;
 }
 
 std::string front_answer(const Task& task, const http::Worker& worker) {
@@ -221,7 +226,7 @@ std::string compare_answer(const Task& task, const http::Worker& worker) {
     for (const request::Variant& variant : variants) {
         if (!text.empty()) text += ",\n";
         text += "{\"name\": " + Json(variant.name).dump() +
-                ", \"plan\": " + plan_text(task, variant.options, worker, planner, budget.share(left--)) + "}";
+                ", \"plan\": " + planned(task, variant.options, worker, planner, budget.share(left--)).text + "}";
     }
     return "{\"format\": \"waybreaker-compare/1\", \"plans\": [\n" + text + "]}\n";
 }

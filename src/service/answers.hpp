@@ -10,6 +10,7 @@
 #include "service/map_store.hpp"
 #include "service/planner_pool.hpp"
 #include "waybreaker/limits.hpp"
+#include "waybreaker/plan.hpp"
 
 namespace waybreaker::service {
 
@@ -34,7 +35,13 @@ struct Task {
     std::function<void(const Progress&)> report = {};
 };
 
+struct PlanDocument {
+    Plan plan;
+    std::string text;
+};
+
 // Each throws Problem if the mission does not fit the map.
+PlanDocument plan_document(const Task& task, const http::Worker& worker);
 std::string plan_answer(const Task& task, const http::Worker& worker);
 std::string front_answer(const Task& task, const http::Worker& worker);
 std::string compare_answer(const Task& task, const http::Worker& worker);

@@ -13,6 +13,7 @@ struct ServiceLimits {
     std::size_t map_cells = std::size_t{4096} * 4096;  // of an uploaded map
     std::size_t maps = 32;                             // held in memory
     std::size_t memory = default_memory();             // bytes of all that is at work or kept
+    std::size_t live_missions = 100;                   // at a time
     double seconds = 30;                               // of one plan
     double timeout = 10;                    // seconds for a request to arrive, and for a response to be taken
     double idle = 30;                       // seconds a connection may be idle

@@ -52,15 +52,14 @@ http::Problem no_such_map() {
     return {http::not_found, "there is no map of that name; GET /api/v1/maps lists those there are", "map-not-found"};
 }
 
-constexpr std::size_t digest_characters = 16;
+}  // namespace
 
-std::string upload_id(const std::string& bytes, Connectivity connectivity) {
+std::string MapStore::id_of(const std::string& bytes, Connectivity connectivity) {
+    constexpr std::size_t digest_characters = 16;
     const std::string digest = mapfile::sha256_digest(bytes);
     const std::string hex = digest.substr(digest.find(':') + 1, digest_characters);
     return "upload-" + hex + (connectivity == Connectivity::eight ? "-8" : "");
 }
-
-}  // namespace
 
 bool MapStore::is_id(const std::string& text) {
     constexpr std::size_t most = 100;
@@ -111,8 +110,8 @@ class MapStore::Reservation {
     MemoryBudget::Share share_;
 };
 
-MapStore::MapStore(const std::string& folder, const ServiceLimits& limits, MemoryBudget& budget)
-    : limits_(limits), budget_(budget) {
+MapStore::MapStore(const std::string& folder, const ServiceLimits& limits, MemoryBudget& budget, MapArchive* archive)
+    : limits_(limits), budget_(budget), archive_(archive) {
     budget_.when_short([this] { return evict_unused(); });
     if (folder.empty()) return;
     std::error_code error;
@@ -136,6 +135,9 @@ std::vector<MapStore::Entry> MapStore::list() const {
             if (const auto entry = entry_of(file, folder_)) entries[entry->id] = *entry;
         }
     }
+    if (archive_ != nullptr) {
+        for (const std::string& id : archive_->sent()) entries[id] = {.id = id, .uploaded = true};
+    }
     const std::scoped_lock lock(mutex_);
     for (const auto& [id, slot] : slots_) {
         if (slot->map && (slot->uploaded || entries.contains(id))) entries[id] = {id, slot->uploaded, true};
@@ -149,8 +151,11 @@ std::shared_ptr<MapStore::Slot> MapStore::slot_of(const std::string& id) {
     const std::scoped_lock lock(mutex_);
     const auto known = slots_.find(id);
     if (known != slots_.end()) return known->second;
-    if (path_of(id).empty() && !built_in_map(id)) throw no_such_map();
-    return slots_[id] = std::make_shared<Slot>();
+    const bool sent = path_of(id).empty() && !built_in_map(id);
+    if (sent && !is_archived(id)) throw no_such_map();
+    const auto slot = std::make_shared<Slot>();
+    slot->uploaded = sent;
+    return slots_[id] = slot;
 }
 
 SharedMap MapStore::touch(Slot& slot) {
@@ -198,6 +203,7 @@ void MapStore::fill(Slot& slot, SharedMap map) {
 StoredMap MapStore::read(const std::string& id, const MapLimits& limits) const {
     const std::string path = path_of(id);
     const BuiltInMap* const built_in = path.empty() ? built_in_map(id) : nullptr;
+    if (path.empty() && !built_in) return from_archive(id, limits);
     std::error_code error;
     if (const std::uintmax_t size = fs::file_size(path, error); !error) limits.admit(size);
     std::string bytes = built_in ? std::string(built_in->bytes()) : mapfile::read_map_bytes(path);
@@ -208,6 +214,14 @@ StoredMap MapStore::read(const std::string& id, const MapLimits& limits) const {
     io::MapFile file = mapfile::parse_map(bytes, id, Connectivity::four, {}, limits);
     bytes.shrink_to_fit();  // the bytes are kept, so free the spare capacity
     return {.file = std::move(file), .bytes = std::move(bytes)};
+}
+
+StoredMap MapStore::from_archive(const std::string& id, const MapLimits& limits) const {
+    std::optional<ArchivedMap> archived = archive_ != nullptr ? archive_->read(id) : std::nullopt;
+    if (!archived) throw no_such_map();
+    limits.admit(archived->bytes.size());
+    io::MapFile file = mapfile::parse_map(archived->bytes, id, archived->connectivity, {}, limits);
+    return {.file = std::move(file), .connectivity = archived->connectivity, .bytes = std::move(archived->bytes)};
 }
 
 SharedMap MapStore::if_loaded(const std::string& id) {
@@ -244,7 +258,7 @@ std::optional<MapStore::Upload> MapStore::existing(const std::string& id, const 
 }
 
 MapStore::Upload MapStore::add(std::string bytes, Connectivity connectivity) {
-    if (const auto known = existing(upload_id(bytes, connectivity), bytes)) return *known;
+    if (const auto known = existing(id_of(bytes, connectivity), bytes)) return *known;
     try {
         return add([&](const MapLimits& limits) -> StoredMap {
             const MemoryAccount::Scope none(nullptr);  // the limits count the map
@@ -264,7 +278,7 @@ MapStore::Upload MapStore::add(const std::function<StoredMap(const MapLimits&)>&
 }
 
 MapStore::Upload MapStore::insert(StoredMap map, Reservation& reservation) {
-    const std::string id = upload_id(map.bytes, map.connectivity);
+    const std::string id = id_of(map.bytes, map.connectivity);
     if (const auto known = existing(id, map.bytes)) return *known;
     map.file.source = id;
     const SharedMap shared = reservation.settled(std::move(map));
@@ -285,6 +299,9 @@ MapStore::Upload MapStore::insert(StoredMap map, Reservation& reservation) {
 }
 
 void MapStore::remove(const std::string& id) {
+    if (is_archived(id)) {
+        throw http::Problem(http::forbidden, "live missions are on this map; delete them first", "map-not-removable");
+    }
     std::shared_ptr<Slot> removed;  // released without the lock
     const std::scoped_lock lock(mutex_);
     const auto known = slots_.find(id);

@@ -16,6 +16,7 @@
 #include "io/map_file.hpp"
 #include "map/map_size.hpp"
 #include "service/limits.hpp"
+#include "service/map_archive.hpp"
 #include "service/memory_budget.hpp"
 
 namespace waybreaker::service {
@@ -32,8 +33,10 @@ using SharedMap = std::shared_ptr<const StoredMap>;
 
 class MapStore {
   public:
-    // `folder` may be empty. Keeps the reference. Throws InputError if it is not a folder.
-    MapStore(const std::string& folder, const ServiceLimits& limits, MemoryBudget& budget);
+    // `folder` may be empty. Keeps the references. Throws InputError if it is not a folder. Maps of the archive can
+    // always be had, and cannot be removed.
+    MapStore(const std::string& folder, const ServiceLimits& limits, MemoryBudget& budget,
+             MapArchive* archive = nullptr);
 
     struct Entry {
         std::string id;
@@ -64,6 +67,8 @@ class MapStore {
     // Removes an uploaded map; requests that use it keep it until they are done. Throws Problem for other maps.
     void remove(const std::string& id);
 
+    // What a map that is sent is called.
+    static std::string id_of(const std::string& bytes, Connectivity connectivity);
     // Whether a text is a valid map id: letters, digits, dots, dashes and underscores, not starting with a dot.
     static bool is_id(const std::string& text);
 
@@ -76,7 +81,9 @@ class MapStore {
     };
     class Reservation;
     std::string path_of(const std::string& id) const;
+    bool is_archived(const std::string& id) const { return archive_ != nullptr && archive_->holds(id); }
     StoredMap read(const std::string& id, const MapLimits& limits) const;
+    StoredMap from_archive(const std::string& id, const MapLimits& limits) const;
     std::shared_ptr<Slot> slot_of(const std::string& id);
     std::optional<Upload> existing(const std::string& id, const std::string& bytes);
     SharedMap touch(Slot& slot);
@@ -91,6 +98,7 @@ class MapStore {
     std::string folder_;
     ServiceLimits limits_;
     MemoryBudget& budget_;
+    MapArchive* archive_;
     mutable std::mutex mutex_;
     std::map<std::string, std::shared_ptr<Slot>> slots_;
     std::uint64_t uses_ = 0;

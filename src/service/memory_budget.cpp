@@ -15,7 +15,7 @@ void MemoryBudget::when_short(std::function<bool()> free_some) {
 }
 
 std::size_t MemoryBudget::most(Use use) const {
-    return use == Use::source || use == Use::answer ? most_ / 4 : most_;
+    return use == Use::source || use == Use::answer || use == Use::mission ? most_ / 4 : most_;
 }
 
 std::size_t MemoryBudget::total() const {

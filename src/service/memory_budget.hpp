@@ -17,11 +17,11 @@ namespace waybreaker::service {
 class MemoryBudget {
   public:
     // For: maps held; map data held; searches; the rest of a job's work (JSON read, pictures drawn); imports at work;
-    // bodies that are received; bodies that are sent.
-    enum class Use { map, source, planner, job, importer, request, answer };
-    static constexpr std::size_t uses = 7;
+    // bodies that are received; bodies that are sent; live missions that no file holds.
+    enum class Use { map, source, planner, job, importer, request, answer, mission };
+    static constexpr std::size_t uses = 8;
 
-    // Sources and answers have at most a quarter each, so that neither can take all.
+    // Sources, answers and missions have at most a quarter each, so that none can take all.
     explicit MemoryBudget(std::size_t most);
     MemoryBudget(const MemoryBudget&) = delete;
     MemoryBudget& operator=(const MemoryBudget&) = delete;

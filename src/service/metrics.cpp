@@ -75,6 +75,14 @@ std::string Metrics::text(const Gauges& gauges) const {
         single("waybreaker_imports_running", "gauge", "Imports, or map data read, at work.", gauges.imports.running);
     text += single("waybreaker_maps_loaded", "gauge", "Maps held in memory.", gauges.maps);
     text += single("waybreaker_maps_bytes", "gauge", "Memory that maps and map data take.", gauges.map_bytes);
+    const Missions& missions = gauges.missions;
+    text += single("waybreaker_missions_live", "gauge", "Missions that are live.", missions.live);
+    text += single("waybreaker_missions_limit", "gauge", "The most missions that may be live.", missions.most);
+    text += single("waybreaker_event_streams", "gauge", "Clients that listen to missions.", missions.streams);
+    text += heading("waybreaker_reports_total", "counter", "Reports of live missions, by what came of them.");
+    for (const auto& [status, count] : missions.reports) {
+        text += fmt::format("waybreaker_reports_total{{status=\"{}\"}} {}\n", status, count);
+    }
     text += heading("waybreaker_memory_bytes", "gauge", "Memory in use, of waybreaker_memory_limit_bytes.");
     for (const auto& [use, bytes] : gauges.memory) {
         text += fmt::format("waybreaker_memory_bytes{{use=\"{}\"}} {}\n", use, bytes);

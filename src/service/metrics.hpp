@@ -36,12 +36,19 @@ class Metrics {
         std::size_t waiting = 0;
         std::size_t running = 0;
     };
+    struct Missions {
+        std::size_t live = 0;
+        std::size_t most = 0;
+        std::size_t streams = 0;                            // of events, to clients that listen
+        std::map<std::string, std::uint64_t> reports = {};  // since the start, by what came of them
+    };
     struct Gauges {
         Lane plans = {};
         Lane uploads = {};
         Lane imports = {};
         std::size_t refused = 0;  // since the start: for want of room in a queue
         std::size_t maps = 0;
+        Missions missions = {};
         std::size_t map_bytes = 0;
         std::vector<std::pair<std::string, std::size_t>> memory = {};  // by what it is used for
         std::size_t most_memory = 0;

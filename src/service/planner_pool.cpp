@@ -89,6 +89,13 @@ std::vector<Plan> PlannerPool::Loan::front(const Map& map, const Mission& missio
     return metered([&](Planner& planner) { return planner.front(map, mission, method, limits); });
 }
 
+Revision PlannerPool::Loan::revise(const Map& map, const Mission& mission, const Plan& plan, const State& state,
+                                   double reaction, const Method& method, const Limits& limits) {
+    return metered([&](Planner& planner) {
+        return waybreaker::revise(planner, map, mission, plan, state, reaction, method, limits);
+    });
+}
+
 PlannerPool::Loan PlannerPool::borrow(const SharedMap& map) {
     const MemoryAccount::Scope none(nullptr);
     std::unique_ptr<Pooled> planner;

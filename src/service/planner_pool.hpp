@@ -15,6 +15,7 @@
 #include "service/memory_account.hpp"
 #include "service/memory_budget.hpp"
 #include "waybreaker/planner.hpp"
+#include "waybreaker/revise.hpp"
 
 namespace waybreaker::service {
 
@@ -38,6 +39,8 @@ class PlannerPool {
         // As those of Planner. Throw Problem if the search needs more than the budget has left.
         Plan plan(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
         std::vector<Plan> front(const Map& map, const Mission& mission, const Method& method, const Limits& limits);
+        Revision revise(const Map& map, const Mission& mission, const Plan& plan, const State& state, double reaction,
+                        const Method& method, const Limits& limits);
 
       private:
         friend class PlannerPool;

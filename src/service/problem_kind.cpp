@@ -15,7 +15,7 @@ constexpr std::array kinds{
     ProblemKind{"token-needed", 401, "A token is needed", "Send Authorization: Bearer TOKEN."},
     ProblemKind{"other-site", 403, "Pages of other sites may not ask", "Ask from a page of this server, or no page."},
     ProblemKind{"map-not-removable", 403, "This map cannot be deleted",
-                "Only maps that were sent here or drawn can be."},
+                "Only maps that were sent here or drawn can be, while no live mission is on them."},
     ProblemKind{"path-not-found", 404, "There is nothing at this path", "/api/v1/openapi.json describes all paths."},
     ProblemKind{"map-not-found", 404, "There is no map of this name",
                 "A map that was sent here is gone after a restart, or once others needed its memory: send it again. "
@@ -23,7 +23,15 @@ constexpr std::array kinds{
     ProblemKind{"source-not-found", 404, "There is no map data of this name",
                 "What was sent is gone after a restart, an hour after its last use, or once other map data needed its "
                 "memory: send it again."},
+    ProblemKind{"mission-not-found", 404, "There is no live mission of this name",
+                "It was deleted, or the server was started again without its --store. /api/v1/missions lists those "
+                "there are."},
+    ProblemKind{"revision-not-found", 404, "The mission has no such revision",
+                "/api/v1/missions/{id} says which one is the last; the first plan is revision 0."},
     ProblemKind{"wrong-method", 405, "This path has no such method", "The header Allow lists those it has."},
+    ProblemKind{"report-out-of-turn", 409, "The report's sequence number is taken, or too low",
+                "Number reports upwards, and send the next one when the last is answered. /api/v1/missions/{id} says "
+                "which number was the last."},
     ProblemKind{"too-slow", 408, "The request did not come whole in time", "Send it faster."},
     ProblemKind{"body-too-large", 413, "The body is too large", "--max-upload of the server says how large it may be."},
     ProblemKind{"map-too-large", 413, "The map is too large",
@@ -52,12 +60,20 @@ constexpr std::array kinds{
                 "Choose a smaller window or larger cells, or cut a piece out of the map data: it has shapes that are "
                 "hard to read."},
     ProblemKind{"plan-invalid", 422, "The plan is not valid for the map", "POST it to check for all that is wrong."},
+    ProblemKind{"mission-without-plan", 422, "The mission has no plan to begin with",
+                "The detail says why. Change the mission, or allow more time or removals."},
+    ProblemKind{"report-unfit", 422, "The report cannot be one of the plan",
+                "The detail says why. /api/v1/missions/{id}/plan is the plan that reports speak of."},
     ProblemKind{"headers-too-large", 431, "The headers are too large", "Send fewer or shorter ones."},
     ProblemKind{"internal-error", 500, "The server made a mistake", "Its log says more."},
     ProblemKind{"not-implemented", 501, "The server does not know this way to ask", "Ask in a simpler way."},
     ProblemKind{"busy", 503, "The server has too much to do", "Ask again after the seconds of Retry-After."},
     ProblemKind{"no-memory", 503, "There is no memory left for this", "Ask again when others are done."},
+    ProblemKind{"store-unusable", 503, "The server cannot store this now",
+                "Nothing has changed. Ask again when there is room on its disk."},
     ProblemKind{"version-unknown", 505, "The version of HTTP is not known", "Ask with HTTP/1.1."},
+    ProblemKind{"too-many-missions", 507, "As many missions are live as may be",
+                "Delete one that has ended, or start the server with a larger --live-missions."},
 };
 
 template <class Holds>

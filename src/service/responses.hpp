@@ -20,6 +20,14 @@ http::Response kept_response(std::string body, const std::string& location, bool
 // A map that is kept now.
 http::Response upload_response(const MapStore::Upload& added);
 
+// A number of the query string.
+std::size_t number_of(const http::Request& request, const std::string& name, std::size_t otherwise, std::size_t least,
+                      std::size_t most);
+
+// Throws Problem for a body that takes too much memory to read: parsed JSON takes forty times that of its text. `what`
+// it is: "a plan".
+void require_size(const http::Request& request, const std::string& what);
+
 // What `parse` makes of a request; its InputErrors are the client's fault.
 template <class Parse>
 auto read_request(Parse parse) try {

@@ -27,7 +27,13 @@ struct Deferred {
     Lane lane = Lane::planning;
 };
 
-using Answer = std::variant<http::Response, Deferred>;
+// Events that go on until the client leaves, or they are over.
+struct Stream {
+    std::function<std::string()> next;  // those since the last call; called often, on the I/O thread
+    std::function<bool()> over;
+};
+
+using Answer = std::variant<http::Response, Deferred, Stream>;
 
 struct Route {
     std::string method;

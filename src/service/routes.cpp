@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -155,19 +154,6 @@ Route file_route(MapStore& store) {
     return {"GET", "/api/v1/maps/{id}/file", http::BodyType::none, false, handle};
 }
 
-// A number of the query string.
-std::size_t number_of(const http::Request& request, const std::string& name, std::size_t otherwise, std::size_t least,
-                      std::size_t most) {
-    const std::optional<std::string> text = request.query.find(name);
-    if (!text) return otherwise;
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-    if (error != std::errc() || end != text->data() + text->size() || value < least || value > most) {
-        throw http::Problem(http::bad_request, fmt::format("{} is no number from {} to {}", name, least, most));
-    }
-    return value;
-}
-
 Route obstacles_route(MapStore& store) {
     const auto handle = [&store](const Call& call) -> Answer {
         constexpr std::size_t most = 100'000;
@@ -206,16 +192,9 @@ Route delete_route(MapStore& store) {
     return {"DELETE", "/api/v1/maps/{id}", http::BodyType::none, false, handle};
 }
 
-// Parsed JSON takes forty times the memory of its text.
-void require_plan_size(const http::Request& request) {
-    constexpr std::size_t most = std::size_t{4} << 20;
-    if (request.body.size() <= most) return;
-    throw http::Problem(http::too_large, "a plan has at most " + std::to_string(most) + " bytes");
-}
-
 Route check_route(MapStore& store) {
     const auto handle = [&store](Call call) -> Answer {
-        require_plan_size(call.request);
+        require_size(call.request, "a plan");
         return Deferred{[map = NeededMap(store, call.id), plan = std::move(call.request.body)](const http::Worker&) {
             return ok_response(check_answer(*map.load(), plan));
         }};
@@ -230,7 +209,7 @@ Route export_route(MapStore& store) {
             throw http::Problem(http::bad_request,
                                 "format is none of json, geojson, csv, ros-path, xml, svg, png, html");
         }
-        require_plan_size(call.request);
+        require_size(call.request, "a plan");
         return Deferred{[map = NeededMap(store, call.id), plan = std::move(call.request.body), format,
                          encodings = accepted_encodings(call)](const http::Worker&) {
             return compressible_response(encodings, export_answer(*map.load(), plan, format).body,

@@ -23,10 +23,13 @@
 #include "service/failure.hpp"
 #include "service/import_routes.hpp"
 #include "service/importer.hpp"
+#include "service/live_missions.hpp"
 #include "service/map_store.hpp"
 #include "service/memory_budget.hpp"
 #include "service/metrics.hpp"
 #include "service/metrics_route.hpp"
+#include "service/mission_routes.hpp"
+#include "service/mission_store.hpp"
 #include "service/overlay_route.hpp"
 #include "service/page.hpp"
 #include "service/plan_events.hpp"
@@ -148,8 +151,10 @@ class Service::Impl : public http::RequestHandler {
     Metrics metrics_;
     MemoryBudget budget_;
     MemoryBudget::Share bodies_{budget_, MemoryBudget::Use::request};
+    MissionStore mission_store_;
     PlannerPool planners_;  // gives back memory before the maps do
     MapStore store_;
+    LiveMissions missions_;
     Importer importer_;
     SourceStore sources_;
     http::Listener listener_;  // outlives the executor, whose jobs answer through it
@@ -161,14 +166,17 @@ class Service::Impl : public http::RequestHandler {
 Service::Impl::Impl(ServiceOptions options)
     : options_((require_safe(options), std::move(options))),
       budget_(options_.limits.memory),
+      mission_store_(options_.store),
       planners_(budget_),
-      store_(options_.maps, options_.limits, budget_),
+      store_(options_.maps, options_.limits, budget_, &mission_store_),
+      missions_(mission_store_, store_, planners_, options_.limits, budget_),
       importer_(options_.import_worker, options_.limits, budget_),
       sources_(importer_, budget_),
       listener_(listener_options(), *this),
       executor_(options_.limits, metrics_, budget_),
       routes_(routes(store_, planners_, options_.limits)) {
-    routes_.push_back(metrics_route(metrics_, store_, executor_, budget_));
+    routes_.push_back(metrics_route(metrics_, store_, executor_, missions_, budget_));
+    for (Route& route : mission_routes(missions_, store_)) routes_.push_back(std::move(route));
     for (Route& route : import_routes(importer_, sources_, store_)) routes_.push_back(std::move(route));
     routes_.push_back(overlay_route(importer_, store_));
     for (Route& route : page_routes()) routes_.push_back(std::move(route));
@@ -295,6 +303,11 @@ void Service::Impl::serve(http::Request request, std::shared_ptr<http::Exchange>
         std::string id = route.id_in(request.path).value_or("");
         Answer answer = route.answer({std::move(request), std::move(id)});
         if (auto* deferred = std::get_if<Deferred>(&answer)) return wait(std::move(*deferred), exchange, record);
+        if (auto* stream = std::get_if<Stream>(&answer)) {
+            close(*record, http::ok);  // what comes may take days
+            if (record->method == "HEAD") return exchange->answer({.type = "text/event-stream"});
+            return exchange->wait({.events = true, .tick = stream->next, .over = stream->over});
+        }
         http::Response response = counted(std::move(std::get<http::Response>(answer)));
         close(*record, response.status);
         exchange->answer(std::move(response));
@@ -353,6 +366,7 @@ void Service::Impl::run() {
 
 void Service::Impl::stop() {
     options_.log(http::log_line("stopping", "what has begun is finished"));
+    missions_.end_streams();
     listener_.stop();
 }
 

@@ -15,7 +15,8 @@
 namespace waybreaker::service {
 
 struct ServiceOptions {
-    std::string maps;  // a folder; empty: the built-in map and uploaded ones
+    std::string maps;   // a folder; empty: the built-in map and uploaded ones
+    std::string store;  // a file of live missions; empty: they are kept in memory, and gone with the service
     std::string host = "127.0.0.1";
     int port = 0;  // 0: any that is free
     std::string token;

@@ -20,6 +20,8 @@ namespace {
 // Tells the page that it plans by itself; and what it may do, as the service says in a header.
 constexpr auto head =
     "<meta name=\"waybreaker-site\" content=\"maps.json\" />\n"
+    "    <meta name=\"description\" content=\"Which obstacles should an aircraft remove so that a ground robot arrives "
+    "sooner? Drag the start, and this page plans.\" />\n"
     "    <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'self' "
     "'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; worker-src 'self'; base-uri "
     "'none'; form-action 'none'\" />\n  ";

@@ -25,7 +25,7 @@ std::vector<Times> moves_of(std::span<const Path> paths) {
             if (!stands) moves.push_back({path[i - 1].t, path[i].t});
         }
     }
-    std::ranges::sort(moves, {}, &Times::from);
+    std::ranges::sort(moves, {}, &Times::from);  // of those that begin at one time only the latest end matters
     return moves;
 }
 
@@ -167,7 +167,7 @@ void Fleet::skip_standstill() {
 std::vector<std::uint32_t> Fleet::in_its_way(std::uint32_t i) const {
     const SafeIntervalOptions options = options_for(i);
     const Path path = safe_interval::driven(ground_.map.map(), options.known, options);
-    std::vector<std::uint32_t> met = traffic_.index().met(path, options.body.reach(), options.stays);
+    std::vector<std::uint32_t> met = safe_interval::index_of(traffic_).met(path, options.body.reach(), options.stays);
     std::erase(met, i);
     return met;
 }

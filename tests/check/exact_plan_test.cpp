@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "checked_plan.hpp"
+#include "crossing/access.hpp"
 #include "hand_made.hpp"
 #include "random_map.hpp"
 #include "waybreaker/advanced/crossing.hpp"
@@ -36,10 +37,14 @@ RC_GTEST_PROP(ExactPlan, IsValid, ()) {
     const Map map(plain.grid(), *rc::gen::element(Connectivity::four, Connectivity::eight));
     const Body body = *rc::gen::element(Body{}, point_body);
     const int crossings = *number(0, 4);
-    CrossingOptions options{.body = body, .crossings = crossings};
+    const CrossingOptions options{.body = body, .crossings = crossings};
     const double least = *rc::gen::element(0.0, 10.0, 60.0);
-    options.done_after = [least](std::span<const ObstacleId> crossed) { return crossed.empty() ? 0 : least; };
-    const CrossingResult result = CrossingSearcher().find(map, any_free_cell(plain), any_free_cell(plain), options);
+    crossing::Opener opener;
+    opener.done_after = [least](std::span<const ObstacleId> crossed) { return crossed.empty() ? 0 : least; };
+    const Cell start = any_free_cell(plain);
+    const Cell goal = any_free_cell(plain);
+    CrossingSearcher searcher;
+    const CrossingResult result = crossing::Access::find(searcher, map, start, goal, options, opener);
     RC_PRE(result.status == SearchStatus::found);
     Mission mission = ground_and_air(any_cell(plain), any_cell(plain));
     Agent& driver = mission.agents[0];

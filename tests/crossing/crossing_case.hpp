@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <ostream>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "crossing/access.hpp"
 #include "random_map.hpp"
 #include "slow_crossing.hpp"
 #include "waybreaker/advanced/crossing.hpp"
@@ -53,14 +55,34 @@ struct CrossingCase {
         options.protect = protect;
         options.budget = budget;
         options.prices = prices;
+        return options;
+    }
+
+    crossing::Opener opener() const {
+        crossing::Opener opener;
         if (!done_after.empty()) {
-            options.done_after = [this](std::span<const ObstacleId> crossed) {
+            opener.done_after = [this](std::span<const ObstacleId> crossed) {
                 double last = 0;
                 for (const ObstacleId id : crossed) last = std::max(last, done_after[id.value]);
                 return last;
             };
         }
-        return options;
+        return opener;
+    }
+
+    CrossingResult find(CrossingSearcher& searcher, const CrossingOptions& options) const {
+        return crossing::Access::find(searcher, map, start, goal, options, opener());
+    }
+    CrossingResult find(CrossingSearcher& searcher) const { return find(searcher, options()); }
+    CrossingResult find(const CrossingOptions& options) const {
+        CrossingSearcher searcher;
+        return find(searcher, options);
+    }
+    CrossingResult find() const { return find(options()); }
+    CrossingResult enumerate(const CrossingOptions& options,
+                             const std::function<bool(const CrossingPath&)>& accept) const {
+        CrossingSearcher searcher;
+        return crossing::Access::enumerate(searcher, map, start, goal, options, opener(), accept);
     }
 
     slow::CrossingOracle oracle() const { return {plain(map), body, relaxed, start, goal}; }

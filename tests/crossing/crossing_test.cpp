@@ -64,7 +64,7 @@ RC_GTEST_PROP(Crossing, IsTheShortest, ()) {
         CrossingCase problem = random_case(map);
         for (const Mover& mover : movers) {
             problem.set(mover);
-            Judge(problem).check(problem, searcher.find(problem.map, problem.start, problem.goal, problem.options()));
+            Judge(problem).check(problem, problem.find(searcher));
         }
     }
 }
@@ -73,7 +73,7 @@ RC_GTEST_PROP(Crossing, IsTheShortest, ()) {
 RC_GTEST_PROP(Crossing, IsTheShortestThroughSections, ()) {
     CrossingSearcher searcher;
     const CrossingCase problem = random_case(random_sections(9));
-    Judge(problem).check(problem, searcher.find(problem.map, problem.start, problem.goal, problem.options()));
+    Judge(problem).check(problem, problem.find(searcher));
 }
 
 // What was crossed once may be in the way again, so that a label's set decides how it can go on.
@@ -85,7 +85,7 @@ RC_GTEST_PROP(Crossing, IsTheShortestThroughWalls, ()) {
         problem.crossings = *number(0, 4);
         if (limits >= 8) problem.budget = random_budget(problem.map);
         if (limits >= 16) problem.done_after = *some_times(problem.map);
-        judge.check(problem, searcher.find(problem.map, problem.start, problem.goal, problem.options()));
+        judge.check(problem, problem.find(searcher));
     }
 }
 
@@ -93,7 +93,7 @@ RC_GTEST_PROP(Crossing, GivesTheSameAgain, ()) {
     const CrossingCase problem = *any_case(12);
     const CrossingCase other = *any_case(12);
     CrossingSearcher searcher;
-    const auto find = [&](const CrossingCase& c) { return searcher.find(c.map, c.start, c.goal, c.options()); };
+    const auto find = [&](const CrossingCase& c) { return c.find(searcher); };
     const CrossingResult first = find(problem);
     find(other);
     const CrossingResult again = find(problem);
@@ -126,7 +126,7 @@ RC_GTEST_PROP(Crossing, HoldsWhatItProvedWhenStopped, ()) {
             options.limits.stop = source.get_token();
         }
     }
-    const CrossingResult result = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    const CrossingResult result = problem.find(options);
     RC_LOG() << problem << "limits: " << options.limits.expansions << " expansions, length " << options.length_limit
              << ", time " << options.limits.seconds << "; found " << result.best.cost << ", least " << expected
              << ", bound " << result.lower_bound << '\n';
@@ -190,8 +190,8 @@ RC_GTEST_PROP(Crossing, OfSomeObstaclesOnlyIsThatWithAllOthersProtected, ()) {
     CrossingOptions rest = problem.options();
     rest.protect = others;
     CrossingSearcher searcher;
-    const CrossingResult a = searcher.find(problem.map, problem.start, problem.goal, some);
-    const CrossingResult b = searcher.find(problem.map, problem.start, problem.goal, rest);
+    const CrossingResult a = problem.find(searcher, some);
+    const CrossingResult b = problem.find(searcher, rest);
     RC_LOG() << problem;
     RC_ASSERT(a.status == b.status);
     RC_ASSERT(a.best.path == b.best.path);
@@ -293,8 +293,11 @@ TEST(Crossing, RefusesOptionsOutOfRange) {
     const auto answer = [](double value) { return [value](std::span<const ObstacleId>) { return value; }; };
     const auto cross = [&](const CrossingOptions& options) { CrossingSearcher().find(wall, {0, 1}, {4, 1}, options); };
     EXPECT_THROW(cross({.crossings = 1, .opened_after = answer(std::nan(""))}), InputError);
-    EXPECT_THROW(cross({.crossings = 1, .done_after = answer(std::nan(""))}), InputError);
-    EXPECT_THROW(cross({.crossings = 1, .done_after = answer(-1)}), InputError);
+    for (const double never : {std::nan(""), -1.0}) {
+        CrossingSearcher searcher;
+        const crossing::Opener opener{.done_after = answer(never)};
+        EXPECT_THROW(crossing::Access::find(searcher, wall, {0, 1}, {4, 1}, {.crossings = 1}, opener), InputError);
+    }
     EXPECT_THROW(cross({.crossings = 1, .opened_after = answer(1), .weight = 1.1}), InputError);
     EXPECT_NO_THROW(cross({.crossings = 1, .opened_after = answer(-5)}));  // open since long
 }

@@ -46,11 +46,10 @@ struct Front {
 std::string enumeration_fault(const CrossingCase& problem) {
     const Front front(problem);
     std::vector<CrossingPath> told;
-    const CrossingResult result = CrossingSearcher().enumerate(problem.map, problem.start, problem.goal,
-                                                               problem.options(), [&](const CrossingPath& path) {
-                                                                   told.push_back(path);
-                                                                   return true;
-                                                               });
+    const CrossingResult result = problem.enumerate(problem.options(), [&](const CrossingPath& path) {
+        told.push_back(path);
+        return true;
+    });
     std::map<slow::Set, int> times;
     double last = 0;
     for (const CrossingPath& path : told) {
@@ -99,11 +98,10 @@ RC_GTEST_PROP(Enumerate, BoundsWhatItHasNotTold, ()) {
     const Front front(problem);
     const std::size_t most = std::size_t(*number(1, 3));
     std::vector<slow::Set> told;
-    const CrossingResult result = CrossingSearcher().enumerate(problem.map, problem.start, problem.goal,
-                                                               problem.options(), [&](const CrossingPath& path) {
-                                                                   told.push_back(slow::set_of(path.crossed));
-                                                                   return told.size() < most;
-                                                               });
+    const CrossingResult result = problem.enumerate(problem.options(), [&](const CrossingPath& path) {
+        told.push_back(slow::set_of(path.crossed));
+        return told.size() < most;
+    });
     RC_LOG() << problem << "told of " << told.size() << ", bound " << result.lower_bound << '\n';
     RC_ASSERT(told.size() <= most);
     for (const auto& [set, cost] : front.cost) {

@@ -21,8 +21,10 @@ Map seen(const Map& map, int width, int height, Where where) {
     return Map::from_labels(width, height, labels, attributes);
 }
 
-double cost(const Map& map, Cell start, Cell goal, const CrossingOptions& options) {
-    return CrossingSearcher().find(map, start, goal, options).lower_bound;
+double cost(const Map& map, Cell start, Cell goal, const CrossingOptions& options,
+            const crossing::Opener& opener = {}) {
+    CrossingSearcher searcher;
+    return crossing::Access::find(searcher, map, start, goal, options, opener).lower_bound;
 }
 
 CrossingCase plain_case(int most_side) {
@@ -39,7 +41,7 @@ RC_GTEST_PROP(CrossingLaws, MoreCrossingsNeverCostMore, ()) {
     CrossingCase problem = *any_case(40);
     double before = std::numeric_limits<double>::infinity();
     for (problem.crossings = 0; problem.crossings <= 4; ++problem.crossings) {
-        const double now = cost(problem.map, problem.start, problem.goal, problem.options());
+        const double now = cost(problem.map, problem.start, problem.goal, problem.options(), problem.opener());
         RC_LOG() << problem << now << '\n';
         RC_ASSERT(now <= before * (1 + 1e-12));
         before = now;
@@ -49,15 +51,15 @@ RC_GTEST_PROP(CrossingLaws, MoreCrossingsNeverCostMore, ()) {
 RC_GTEST_PROP(CrossingLaws, AWeightedPathIsAsLongAsItsWeightAllows, ()) {
     CrossingCase problem = *any_case(40);
     problem.done_after.clear();
-    const CrossingResult best = CrossingSearcher().find(problem.map, problem.start, problem.goal, problem.options());
+    const CrossingResult best = problem.find();
     CrossingOptions options = problem.options();
     options.weight = *rc::gen::element(1.0, 1.01, 1.15, 2.0, 5.0);
-    const CrossingResult found = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    const CrossingResult found = problem.find(options);
     RC_LOG() << problem << best.best.cost << ' ' << found.best.cost << " proven " << found.lower_bound << '\n';
     RC_ASSERT(found.status == best.status);
     RC_ASSERT(found.lower_bound <= best.lower_bound * (1 + 1e-12));
     options.limits.expansions = *rc::gen::inRange<std::uint64_t>(1, 50);
-    const CrossingResult stopped = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    const CrossingResult stopped = problem.find(options);
     RC_ASSERT(stopped.lower_bound <= best.lower_bound * (1 + 1e-12));
     if (best.status != SearchStatus::found) return;
     RC_ASSERT(found.best.cost >= best.best.cost * (1 - 1e-12));
@@ -75,13 +77,14 @@ RC_GTEST_PROP(CrossingLaws, ObstaclesThatEachOpenAloneAreSearchedByTheirNumber, 
     const auto find = [&](const Mover& mover, bool each_alone) {
         problem.set(mover);
         CrossingOptions options = problem.options();
-        options.opens_each_alone = each_alone;
         options.opened_after = [&](std::span<const ObstacleId> crossed) {
             double last = 0;
             for (const ObstacleId id : crossed) last = std::max(last, opened[id.value]);
             return last;
         };
-        return CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+        CrossingSearcher searcher;
+        return crossing::Access::find(searcher, problem.map, problem.start, problem.goal, options,
+                                      {.opens_each_alone = each_alone});
     };
     const CrossingResult square = find({Body{}}, false);
     RC_LOG() << problem << square.best.cost << '\n';
@@ -103,13 +106,13 @@ TEST(CrossingLaws, WhatWasCrossedMattersWhereItOpensLate) {
         .a.a.c.d.)");
     CrossingOptions options;
     options.crossings = 2;
-    options.opens_each_alone = true;
     options.opened_after = [](std::span<const ObstacleId> crossed) {
         return std::ranges::find(crossed, ObstacleId{2}) == crossed.end() ? 0 : 7;
     };
-    const double square = cost(map, {0, 0}, {8, 1}, options);
+    const crossing::Opener each_alone{.opens_each_alone = true};
+    const double square = cost(map, {0, 0}, {8, 1}, options, each_alone);
     options.body = point_body;
-    EXPECT_LE(cost(map, {0, 0}, {8, 1}, options), square);
+    EXPECT_LE(cost(map, {0, 0}, {8, 1}, options, each_alone), square);
 }
 
 // Then obstacles open one after the other.
@@ -125,9 +128,9 @@ RC_GTEST_PROP(CrossingLaws, TheBestInTimeIsTheFirstThatIsToldOf, ()) {
         for (const ObstacleId id : crossed) sum += takes[id.value] / 2;
         return sum;
     };
-    const CrossingResult best = CrossingSearcher().find(problem.map, problem.start, problem.goal, options);
+    const CrossingResult best = problem.find(options);
     std::optional<double> first;
-    CrossingSearcher().enumerate(problem.map, problem.start, problem.goal, options, [&](const CrossingPath& path) {
+    problem.enumerate(options, [&](const CrossingPath& path) {
         first = path.cost;
         return false;
     });
@@ -140,7 +143,7 @@ RC_GTEST_PROP(CrossingLaws, ASquareIsNeverFasterThanAPoint, ()) {
     CrossingCase problem = *any_case(40);
     const auto cost_of = [&](const Mover& mover) {
         problem.set(mover);
-        return cost(problem.map, problem.start, problem.goal, problem.options());
+        return cost(problem.map, problem.start, problem.goal, problem.options(), problem.opener());
     };
     const double square = cost_of({Body{}});
     const double relaxed = cost_of({Body{}, true});
@@ -153,8 +156,8 @@ RC_GTEST_PROP(CrossingLaws, ASquareIsNeverFasterThanAPoint, ()) {
 RC_GTEST_PROP(CrossingLaws, TheWayBackIsAsLong, ()) {
     const CrossingCase problem = *any_case(40);
     RC_LOG() << problem;
-    RC_ASSERT(same_length(cost(problem.map, problem.start, problem.goal, problem.options()),
-                          cost(problem.map, problem.goal, problem.start, problem.options())));
+    RC_ASSERT(same_length(cost(problem.map, problem.start, problem.goal, problem.options(), problem.opener()),
+                          cost(problem.map, problem.goal, problem.start, problem.options(), problem.opener())));
 }
 
 RC_GTEST_PROP(CrossingLaws, MirrorsChangeNoLength, ()) {
@@ -186,7 +189,7 @@ RC_GTEST_PROP(CrossingLaws, APointsPathGrowsWithTheMap, ()) {
 // What is crossed may as well be removed before.
 RC_GTEST_PROP(CrossingLaws, RemovingWhatIsCrossedLeavesTheSamePath, ()) {
     const CrossingCase problem = *any_case(40);
-    const CrossingResult first = CrossingSearcher().find(problem.map, problem.start, problem.goal, problem.options());
+    const CrossingResult first = problem.find();
     if (first.status != SearchStatus::found) return;
     std::vector<ObstacleId> removed = problem.removed;
     removed.insert(removed.end(), first.best.crossed.begin(), first.best.crossed.end());

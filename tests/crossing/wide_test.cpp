@@ -97,7 +97,7 @@ RC_GTEST_PROP(WideCrossing, IsTheShortestOnTheGrownMap, ()) {
     CrossingCase problem = random_wide_case(10);
     for (const bool relaxed : {true, false, true}) {
         problem.relaxed = relaxed;
-        const CrossingResult result = searcher.find(problem.map, problem.start, problem.goal, problem.options());
+        const CrossingResult result = problem.find(searcher);
         const double expected = least(problem);
         RC_LOG() << problem << "found " << result.best.cost << ", least " << expected << '\n';
         RC_ASSERT((result.status == SearchStatus::found) == (expected < slow::CrossingOracle::nowhere));
@@ -114,13 +114,13 @@ RC_GTEST_PROP(WideCrossing, IsLegalForTheDiscAndTheRelaxedIsALimit, ()) {
     problem.prices.clear();
     problem.relaxed = false;
     CrossingSearcher searcher;
-    const CrossingResult found = searcher.find(problem.map, problem.start, problem.goal, problem.options());
+    const CrossingResult found = problem.find(searcher);
     double disc = slow::CrossingOracle::nowhere;
     for (const slow::Set set : problem.choices()) {
         disc = std::min(disc, shortest_of_disc(problem, set | slow::set_of(problem.removed)));
     }
     problem.relaxed = true;
-    const double limit = searcher.find(problem.map, problem.start, problem.goal, problem.options()).lower_bound;
+    const double limit = problem.find(searcher).lower_bound;
     RC_LOG() << problem << "found " << found.best.length << ", disc " << disc << ", limit " << limit << '\n';
     RC_ASSERT(limit <= disc * (1 + 1e-9));
     if (problem.body.radius >= 0.36 && problem.body.radius <= 0.5) {

@@ -129,7 +129,7 @@ class SurfacesOfATown : public testing::Test {
 
     std::string plan() const {
         const Mission mission = ground_and_air({0, 0}, {8, 0});
-        return plan_json(Planner().plan(file_.map, mission, {}), {.map = file_, .asked = {.mission = mission}});
+        return plan_json(Planner().plan(file_.map, mission), {.map = file_, .asked = {.mission = mission}});
     }
     Json agent(std::size_t i) const { return Json::parse(plan())["agents"][i]; }
 

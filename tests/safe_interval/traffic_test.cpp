@@ -49,8 +49,8 @@ RC_GTEST_PROP(Traffic, FindsWhomAPathMeets, ()) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t who = 0; who < discs.size(); ++who) {
         bool meets = false;
-        for (const auto& a : Traffic::Index::legs(path, true)) {
-            for (const auto& b : Traffic::Index::legs(discs[who].path, discs[who].stays)) {
+        for (const auto& a : safe_interval::TrafficIndex::legs(path, true)) {
+            for (const auto& b : safe_interval::TrafficIndex::legs(discs[who].path, discs[who].stays)) {
                 const double reach = radius + discs[who].radius + separation - clearance_slack;
                 // Pieces of a leg are rounded: who only just overlaps may or may not.
                 const auto wide = safe_interval::overlap(a, b, reach + 1e-6);

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "live_server.hpp"
+#include "live_mission.hpp"
 #include "osm_yard.hpp"
 #include "service/extract_json.hpp"
 #include "streaming_client.hpp"
@@ -28,7 +28,7 @@ std::string type_of(const std::string& path) {
     return path == maps || path == sources || path.ends_with("/overlays") ? octets : "application/json";
 }
 
-class DescriptionTest : public LiveServer {
+class DescriptionTest : public LiveMissionServer {
   protected:
     void ask(const std::string& method, const std::string& path, const httplib::Headers& headers = {}) const {
         if (method == "get") get(path, headers);
@@ -57,6 +57,7 @@ class DescriptionTest : public LiveServer {
         post(with_id(path, "broken.map") + query, "{}", type);                     // 422
     }
     void provoke_imports() const;
+    void provoke_missions() const;
     void provoke_busy(const Json& plan) const;
     void provoke_busy_imports();
     void provoke_shortage();
@@ -77,9 +78,38 @@ void DescriptionTest::provoke_imports() const {
     remove(sources + "/" + id);
 }
 
+void DescriptionTest::provoke_missions() const {
+    const std::string other = begun();
+    const std::string live = begun();
+    post_json(missions, rover_mission, 507);
+    remove(other);
+    Json request = rover_mission;
+    request["map"] = "nowhere.map";
+    post_json(missions, request, 404);
+    request = rover_mission;
+    request["agents"][0]["goal"] = {5, 0};
+    post_json(missions, request, 422);
+    get_json(missions);
+    get_json(live);
+    get_json(live + "/plan");
+    EXPECT_EQ(get(live + "/plan?revision=x").status, 400);
+    EXPECT_EQ(get(live + "/events", {{"Last-Event-ID", "x"}}).status, 400);
+    EXPECT_EQ(post(live + "/reports", "[]").status, 400);
+    EXPECT_EQ(post(live + "/reports", state(1, 1).dump()).status, 200);
+    EXPECT_EQ(post(live + "/reports", state(1, 2).dump()).status, 409);
+    EXPECT_EQ(post(live + "/reports", state(2, 0).dump()).status, 422);
+    std::thread listening([&] { get(live + "/events"); });
+    while (get("/metrics").body.find("waybreaker_event_streams 1\n") == std::string::npos) std::this_thread::yield();
+    remove(live);
+    listening.join();
+}
+
 void DescriptionTest::provoke_busy(const Json& plan) const {
     const std::string house = maps + "/house.map";
+    const std::string live = begun();
     const StreamingClient busy(client(), maps + "/thicket.map/plan", long_mission(thicket_side));
+    post_json(live + "/reports", state(1, 1), 503);
+    post_json(missions, rover_mission, 503);
     for (const char* route : {"/front", "/compare", "/plan"}) post_json(house + route, house_mission, 503);
     post_json(house + "/check", plan, 503);
     post_json(house + "/export?format=json", plan, 503);
@@ -136,6 +166,7 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     options_.limits.workers = 1;
     options_.limits.queue = 0;
     options_.limits.seconds = 60;
+    options_.limits.live_missions = 2;
     begin();
     for (const auto& [path, item] : paths.items()) {
         for (const auto& [method, operation] : item.items()) {
@@ -159,6 +190,7 @@ TEST_F(DescriptionTest, EveryListedResponseOccurs) {
     post_json(house + "/edits", edits, 201);
     remove(maps + "/" + post_json(house + "/edits", edits)["id"].get<std::string>());
     provoke_imports();
+    provoke_missions();
     provoke_busy(plan);
     end();
     provoke_busy_imports();

@@ -9,7 +9,7 @@
 namespace waybreaker::service {
 namespace {
 
-const std::string house = maps + "/house.map";
+const std::string house_path = maps + "/house.map";
 
 Json agent(const std::string& id, const std::string& kind, const Json& start, const Json& goal) {
     return {{"id", id}, {"kind", kind}, {"start", start}, {"goal", goal}};
@@ -44,16 +44,16 @@ class PlanKindsTest : public LiveServer {
 
 TEST_F(PlanKindsTest, OnePair) {
     begin();
-    EXPECT_TRUE(planned(house, mission_of({robot, drone}))["before"].contains("ground"));
+    EXPECT_TRUE(planned(house_path, mission_of({robot, drone}))["before"].contains("ground"));
     Json request = mission_of({robot, drone});
     request["method"] = {{"explain", true}, {"bound", true}};
     request["rules"]["breach_time"] = 2;
-    EXPECT_TRUE(planned(house, request).contains("removed"));
+    EXPECT_TRUE(planned(house_path, request).contains("removed"));
     Json options = house_mission;
     options["options"].update({{"explain", true}, {"weights", "cells"}, {"budget", 10}, {"minimise_demolition", 0.1}});
-    planned(house, options);
+    planned(house_path, options);
     options = {{"mission", mission_of({drone, robot})}, {"options", {{"removals", 0}}}, {"no_timing", true}};
-    EXPECT_FALSE(planned(house, options).contains("seconds"));
+    EXPECT_FALSE(planned(house_path, options).contains("seconds"));
 }
 
 TEST_F(PlanKindsTest, Teams) {
@@ -63,13 +63,13 @@ TEST_F(PlanKindsTest, Teams) {
         for (const bool explain : {false, true}) {
             Json request = mission_of(agents);
             request["method"] = {{"explain", explain}};
-            const Json plan = planned(house, request);
+            const Json plan = planned(house_path, request);
             EXPECT_EQ(plan["status"], "solved") << agents;
             EXPECT_EQ(plan["before"]["routes"].size(), agents.size());
             EXPECT_EQ(plan["after"]["routes"][0]["id"], "robot");
         }
     }
-    EXPECT_EQ(planned(house, mission_of({robot, rover, drone}))["removed"][0]["by"], "drone");
+    EXPECT_EQ(planned(house_path, mission_of({robot, rover, drone}))["removed"][0]["by"], "drone");
 }
 
 TEST_F(PlanKindsTest, NoneAtAll) {
@@ -133,13 +133,13 @@ TEST_F(PlanKindsTest, OfMapsThatSayMore) {
 
 TEST_F(PlanKindsTest, FrontsComparisonsAndEvents) {
     begin();
-    EXPECT_EQ(post_json(house + "/front", mission_of({robot, drone}))["front"].size(), 2U);
-    EXPECT_EQ(post_json(house + "/front", mission_of({robot, rover, drone}))["front"].size(), 2U);
+    EXPECT_EQ(post_json(house_path + "/front", mission_of({robot, drone}))["front"].size(), 2U);
+    EXPECT_EQ(post_json(house_path + "/front", mission_of({robot, rover, drone}))["front"].size(), 2U);
     Json request{{"mission", mission_of({robot, rover, drone})}};
     request["methods"] = Json::parse(R"([{"name": "none", "options": {"select": "none"}},
                                          {"name": "exact", "options": {"removals": 1}}])");
-    EXPECT_EQ(post_json(house + "/compare", request)["plans"].size(), 2U);
-    const std::string events = post(house + "/plan", mission_of({robot, rover, drone}).dump(), "application/json",
+    EXPECT_EQ(post_json(house_path + "/compare", request)["plans"].size(), 2U);
+    const std::string events = post(house_path + "/plan", mission_of({robot, rover, drone}).dump(), "application/json",
                                     {{"Accept", "text/event-stream"}})
                                    .body;
     std::string plan;
@@ -150,8 +150,8 @@ TEST_F(PlanKindsTest, FrontsComparisonsAndEvents) {
 
 TEST_F(PlanKindsTest, TheDescriptionTakesNoMixtures) {
     begin();
-    Json pair = post_json(house + "/plan", mission_of({robot, drone}));
-    Json team = post_json(house + "/plan", mission_of({robot, rover}));
+    Json pair = post_json(house_path + "/plan", mission_of({robot, drone}));
+    Json team = post_json(house_path + "/plan", mission_of({robot, rover}));
     EXPECT_EQ(faults_of(pair) + faults_of(team), "");
     pair["after"]["routes"] = team["after"]["routes"];
     EXPECT_NE(faults_of(pair), "");

@@ -21,7 +21,8 @@ const sidebar = [
   {
     text: "Use it",
     items: [
-      { text: "Start", link: "/start" },
+      { text: "Get started", link: "/start" },
+      { text: "Playground", link: `${base}playground/`, target: "_self" },
       { text: "The page", link: "/studio" },
       { text: "Commands", link: "/commands" },
       { text: "Debian packages", link: "/debian" },
@@ -38,7 +39,10 @@ const sidebar = [
       { text: "C++", link: "/embedding" },
       { text: "C++ reference", link: `${base}cpp/index.html`, target: "_self" },
       { text: "Python", link: "/python" },
+      { text: "Python reference", link: "/reference/python" },
       { text: "JavaScript", link: "/javascript" },
+      { text: "JavaScript reference", link: "/reference/javascript" },
+      { text: "JavaScript reference: worker", link: "/reference/javascript-worker" },
       { text: "C", link: "/c" },
       { text: "HTTP", link: "/server" },
       { text: "HTTP reference", link: "/reference/http" },
@@ -102,7 +106,7 @@ export default defineConfig({
     anchor: { slugify: slug }, // the anchors of code hosts
     theme: { light: "github-light-high-contrast", dark: "github-dark-high-contrast" },
     image: { lazyLoading: true },
-    languageAlias: { console: "shellscript", mapfile: "text" },
+    languageAlias: { console: "shellscript", mapfile: "text", pycon: "python" },
   },
   vite: {
     publicDir: `${root}website/public`,
@@ -115,7 +119,8 @@ export default defineConfig({
     outline: [2, 3],
     search: { provider: "local" },
     nav: [
-      { text: "Start", link: "/start" },
+      { text: "Get started", link: "/start" },
+      { text: "Playground", link: `${base}playground/`, target: "_self" },
       { text: "Guides", items: guides },
       { text: "Build", link: "/build" },
       { text: "Trust", link: "/trust" },

@@ -16,11 +16,23 @@ function fileOf({ realPath, path }) {
   return file && inRepository(file);
 }
 
+// `<!-- playground: map=... -->` in Markdown, which code hosts do not show, is a link to that mission.
+function linksIntoPlayground({ tokens }) {
+  for (const token of tokens) {
+    if (token.type !== "html_block") continue;
+    token.content = token.content.replace(/<!-- playground: (\S+) -->/g, (_, mission) => {
+      const href = `${base}playground/#${mission.replaceAll("&", "&amp;")}`;
+      return `<p><a href="${href}" target="_self">Open this mission in the playground</a></p>`;
+    });
+  }
+}
+
 export function repository(md) {
   md.core.ruler.before("normalize", "snippets_that_exist", (state) => requireSnippets(state.src, fileOf(state.env)));
   // What scrolls must be reached by the keyboard.
   md.renderer.rules.code_block = (tokens, index) =>
     `<pre v-pre tabindex="0"><code>${md.utils.escapeHtml(tokens[index].content)}</code></pre>\n`;
+  md.core.ruler.push("links_into_playground", linksIntoPlayground);
   md.core.ruler.push("links_of_the_site", (state) => {
     const file = fileOf(state.env);
     if (!file) return;

@@ -41,8 +41,8 @@ const folders = {
   "docs/adr": "/adr/001-core-without-dependencies",
 };
 
-/** Whether a link leads to a file that lies beside the pages: Doxygen's, or a picture. */
-export const isBeside = (link) => link.startsWith("/cpp/") || link.startsWith("/picture/");
+/** Whether a link leads to what lies beside the pages: Doxygen's files, pictures, the playground. */
+export const isBeside = (link) => /^\/(cpp|picture|playground)\//.test(link);
 
 const isExternal = (href) => /^([a-z]+:|\/\/|#|\/)/i.test(href);
 

@@ -40,13 +40,6 @@ struct CrossingOptions {
     // or below 0: they are open from the start. The agent waits for that, wherever at the border of an obstacle the
     // rest of the way is shortest. Empty: all are open.
     std::function<double(std::span<const ObstacleId>)> opened_after = {};
-    // What it says of several is the latest that it says of one of them. find() is faster then: of what is crossed and
-    // left, only the number and the prices matter.
-    bool opens_each_alone = false;
-    // The same of the whole mission of whoever opens them, none below 0. A path costs no less; `adds_both`: it costs
-    // the sum of both.
-    std::function<double(std::span<const ObstacleId>)> done_after = {};
-    bool adds_both = false;
     // What a path pays beside all else for each obstacle that it crosses: by id, in cells, none below 0. Empty:
     // nothing.
     std::span<const double> prices = {};
@@ -67,7 +60,7 @@ struct CrossingGate {
 struct CrossingPath {
     std::vector<Point> path;          // turning points from start to goal
     double length = 0;                // cells
-    double cost = 0;                  // cells: driven, waited for obstacles to open, or as `done_after` says; and paid
+    double cost = 0;                  // cells: driven, waited for obstacles to open, and paid
     std::vector<ObstacleId> crossed;  // in the order of the path, each once; without those of `removed`
     // Where it waits. A path of the relaxed body is a lower limit: it may come to a gate through what stands, half a
     // cell early.
@@ -87,22 +80,8 @@ struct CrossingResult {
 };
 
 namespace crossing {
-class PathLengths;
+struct Access;  // of the planner's own parts
 }
-
-// What queries have found out that helps later ones on the same map. How many labels those count as expanded, and where
-// a limit ends them, depends on it.
-class CrossingMemory {
-  public:
-    CrossingMemory();
-    ~CrossingMemory();
-    CrossingMemory(CrossingMemory&&) noexcept;
-    CrossingMemory& operator=(CrossingMemory&&) noexcept;
-
-  private:
-    friend class CrossingSearcher;
-    std::unique_ptr<crossing::PathLengths> lengths_;
-};
 
 class CrossingSearcher {
   public:
@@ -111,14 +90,9 @@ class CrossingSearcher {
     CrossingSearcher(CrossingSearcher&&) noexcept;
     CrossingSearcher& operator=(CrossingSearcher&&) noexcept;
 
-    // Another searcher, for queries while this one is busy, that shares the maps grown for wide bodies.
-    CrossingSearcher another() const;
-    // Goes on with that memory, and gives away its own.
-    void exchange(CrossingMemory& memory);
-
     // The shortest path; of equally short ones always the same. No path if start or goal lie in an obstacle that is not
     // removed, or off the map. Cost grows with the ellipse that the path needs, not with the map. Throws InputError on
-    // options out of range, and on such answers of `opened_after` and `done_after`. Not for use by two threads at once.
+    // options out of range, and on such answers of `opened_after`. Not for use by two threads at once.
     CrossingResult find(const Map& map, Cell start, Cell goal, const CrossingOptions& options = {});
 
     // For each set of at most `crossings` obstacles that no set within it beats: a path of least cost, in order of
@@ -128,6 +102,7 @@ class CrossingSearcher {
                              const std::function<bool(const CrossingPath&)>& accept);
 
   private:
+    friend struct crossing::Access;
     class Search;
     explicit CrossingSearcher(std::unique_ptr<Search> search);
     std::unique_ptr<Search> search_;

@@ -32,6 +32,12 @@ namespace waybreaker {
 // 100,000.
 inline constexpr double clearance_slack = 2e-9;
 
+class Traffic;
+namespace safe_interval {  // of the planner's own parts
+class TrafficIndex;
+const TrafficIndex& index_of(const Traffic& traffic);
+}  // namespace safe_interval
+
 class Traffic {
   public:
     // On a map of that size, all of them `separation` cells apart.
@@ -50,11 +56,9 @@ class Traffic {
     // Those that a disc meets on that path, each once, in rising order. Time: what is near the path, at any time.
     std::vector<std::uint32_t> met(std::span<const Waypoint> path, double radius, bool stays = true) const;
 
-    class Index;
-    const Index& index() const { return *index_; }
-
   private:
-    std::unique_ptr<Index> index_;
+    friend const safe_interval::TrafficIndex& safe_interval::index_of(const Traffic& traffic);
+    std::unique_ptr<safe_interval::TrafficIndex> index_;
 };
 
 struct SafeIntervalOptions {

@@ -23,6 +23,11 @@ struct Hit {
     bool surely = true;  // false: only as one of a Squeeze
 };
 
+// In the order of the ray.
+inline bool comes_first(const Hit& a, const Hit& b) {
+    return a.at != b.at ? a.at < b.at : a.region < b.region;
+}
+
 // Two different regions on both sides of an edge that a point slides along, or of a corner that it passes: one of them
 // must go.
 struct Squeeze {

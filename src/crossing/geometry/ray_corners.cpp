@@ -30,7 +30,7 @@ void Ray::pass_corners(Vertex from, Step step, Price left) {
     counted_.clear();
     to_count_.assign(hits_.begin(), hits_.end());
     std::erase_if(to_count_, [](const Hit& hit) { return !hit.surely; });
-    std::ranges::sort(to_count_, std::greater<>(), &Hit::at);
+    std::ranges::sort(to_count_, [](const Hit& a, const Hit& b) { return comes_first(b, a); });
     for_each_corner(from, step, [&](Vertex corner, Step part, double at) {
         if (stopped_ && at >= stopped_at_) return false;
         constexpr double before = 1 - 1e-10;  // what begins at the corner comes after it

@@ -112,7 +112,7 @@ class Growing {
         if (std::min(y, map_.height() - 1 - y) < reach) add(0, last_column, edge_);
         add(0, half_widths_.front() - 1, edge_);
         add(map_.width() - half_widths_.front(), last_column, edge_);
-        std::ranges::sort(events_, {}, &Event::x);
+        std::ranges::sort(events_, {}, &Event::x);  // in which order those at one place are counted does not matter
     }
 
     void count(const Event& event) {

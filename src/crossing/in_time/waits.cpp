@@ -25,7 +25,7 @@ bool Waits::in_time(const Label& from, const Reached& reached) {
     for (const Hit& hit : ray.hits()) {
         if (ray.opens(hit.region, reached.crossed)) hits.push_back(hit);
     }
-    std::ranges::sort(hits, {}, &Hit::at);
+    std::ranges::sort(hits, comes_first);
     for (const Hit& hit : hits) {
         add_members(hit.region, set);
         if (sets_.opened_after(set) > from.cost + hit.at * step + query_.early) return false;
@@ -109,7 +109,7 @@ double Waits::cost_to_go_from(const Border& border, RegionId region) {
     if (!added) return known->second;
     std::vector<std::pair<double, Vertex>> points;
     for (const Vertex v : border.points) points.emplace_back(length(query_.goal - v), v);
-    std::ranges::sort(points, {}, &std::pair<double, Vertex>::first);
+    std::ranges::stable_sort(points, {}, &std::pair<double, Vertex>::first);
     double least = infinity;
     for (const auto& [straight, v] : points) {
         if (straight >= least) break;

@@ -57,7 +57,9 @@ class CostToGo {
     void expand(std::uint32_t index);
     Known known(Vertex v) const;
     void learn(Vertex v, Known bound);
-    bool later(std::uint32_t a, std::uint32_t b) const { return labels_[a].estimate > labels_[b].estimate; }
+    bool later(std::uint32_t a, std::uint32_t b) const {
+        return labels_[a].estimate != labels_[b].estimate ? labels_[a].estimate > labels_[b].estimate : a < b;
+    }
     static std::uint64_t key(Vertex v) { return (std::uint64_t(std::uint32_t(v.x)) << 32) | std::uint32_t(v.y); }
     using KnownBounds = std::unordered_map<std::uint64_t, Known>;  // by vertex
 

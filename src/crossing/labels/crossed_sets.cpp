@@ -17,8 +17,9 @@ std::uint32_t CrossedSets::find_or_add(std::span<const ObstacleId> sorted) {
     const std::uint32_t set = sets_.find_or_add(sorted);
     if (set < known) return set;
     const CrossingOptions& options = *query_.options;
-    if (options.done_after) {
-        const double cells = options.done_after(query_.without_removed(sorted));
+    const Opener& opener = *query_.opener;
+    if (opener.done_after) {
+        const double cells = opener.done_after(query_.without_removed(sorted));
         if (!(cells >= 0)) throw InputError("done_after must say a number, at least 0");
         done_.push_back(2 * cells);
     }
@@ -39,8 +40,8 @@ double CrossedSets::opened_after(std::span<const ObstacleId> sorted) const {
 }
 
 double CrossedSets::unpaid_cost(double ground, std::span<const ObstacleId> sorted) const {
-    if (!query_.options->done_after) return ground;
-    return with_mission(ground, 2 * query_.options->done_after(query_.without_removed(sorted)));
+    if (!query_.opener->done_after) return ground;
+    return with_mission(ground, 2 * query_.opener->done_after(query_.without_removed(sorted)));
 }
 
 }  // namespace waybreaker::crossing

@@ -26,7 +26,7 @@ class CrossedSets {
     double opened_after(std::span<const ObstacleId> sorted) const;
     double paid(std::uint32_t set) const { return paid_.empty() ? 0 : paid_[set]; }
     // Cost that the opener's mission adds to that of a path; 0 unless it is added.
-    double added(std::uint32_t set) const { return query_.options->adds_both && !done_.empty() ? done_[set] : 0; }
+    double added(std::uint32_t set) const { return query_.opener->adds_both && !done_.empty() ? done_[set] : 0; }
     // Cost of a path that takes so long on the ground.
     double cost(double ground, std::uint32_t set) const {
         return (done_.empty() ? ground : with_mission(ground, done_[set])) + paid(set);
@@ -36,7 +36,7 @@ class CrossedSets {
 
   private:
     double with_mission(double ground, double done) const {
-        return query_.options->adds_both ? ground + done : std::max(ground, done);
+        return query_.opener->adds_both ? ground + done : std::max(ground, done);
     }
 
     const CrossingQuery& query_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/interrupt.hpp"
+#include "crossing/access.hpp"
 #include "crossing/geometry/lattice.hpp"
 #include "crossing/geometry/regions.hpp"
 #include "waybreaker/advanced/crossing.hpp"
@@ -19,6 +20,7 @@ namespace waybreaker::crossing {
 struct CrossingQuery {
     const Map* map = nullptr;
     const CrossingOptions* options = nullptr;
+    const Opener* opener = nullptr;
     std::shared_ptr<const Regions> regions;
     Vertex start;
     Vertex goal;
@@ -30,7 +32,7 @@ struct CrossingQuery {
     double early = 0;                 // half cells: how much sooner than at a lattice point a path may be at its gate
 
     // Whether paths may cost more than their length, for what they cross.
-    bool in_time() const { return waits || options->done_after; }
+    bool in_time() const { return waits || opener->done_after; }
     // How many obstacles a set may hold, the removed ones included.
     std::size_t capacity() const { return std::size_t(options->crossings) + removed.size(); }
     // Length of the longest paths that matter, half cells: a path may wait half a cell from the place of its gate.

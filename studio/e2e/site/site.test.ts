@@ -7,20 +7,20 @@ import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { Plan } from "../../src/domain/plan";
 import { command, data } from "../command";
-import { FileServer, writeSite } from "./site";
+import { FileServer, siteIn } from "./site";
 import { launch, StudioPage } from "../studio_page";
 
 const scratch = mkdtempSync(join(tmpdir(), "site-"));
-const folder = join(scratch, "site");
 const city = join(data, "berlin-mitte.tif");
 const size = { width: 501, height: 501 };
 const query = "?map=berlin-mitte.tif&start=485,101&goal=425,488&removals=2";
 
+let folder: string;
 let browser: Browser;
 let host: FileServer;
 
 beforeAll(async () => {
-  writeSite(folder);
+  folder = siteIn(scratch);
   [host, browser] = await Promise.all([FileServer.start(folder), launch()]);
 });
 afterAll(async () => {

@@ -3,14 +3,18 @@ import { execFileSync } from "node:child_process";
 import { createReadStream, existsSync, statSync } from "node:fs";
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
-import { extname, join } from "node:path";
+import { extname, join, resolve } from "node:path";
 import { command, data } from "../command";
 
 // The planner; where the command has none built in.
 const wasm = process.env.WAYBREAKER_WASM;
 
-export function writeSite(folder: string): void {
+// The folder of a site: that of WAYBREAKER_SITE, such as the playground of the web site, or one that is written below `scratch`.
+export function siteIn(scratch: string): string {
+  if (process.env.WAYBREAKER_SITE) return resolve(process.env.WAYBREAKER_SITE);
+  const folder = join(scratch, "site");
   execFileSync(command, ["site", folder, "--maps", data, ...(wasm ? ["--wasm", wasm] : [])]);
+  return folder;
 }
 
 const types: Record<string, string> = {

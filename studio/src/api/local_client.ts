@@ -44,6 +44,7 @@ const types: Record<ExportFormat, string> = {
 export class LocalClient implements Client {
   readonly imports = false;
   readonly #held = new Map<string, Held>(); // the one used last at the end
+  readonly #coming = new Map<string, Promise<Held>>(); // by those who asked first, for all who ask meanwhile
   readonly #listed = new Set<string>();
   readonly #workers: PlannerWorkers;
 
@@ -153,8 +154,20 @@ export class LocalClient implements Client {
     if (known) return this.#hold(id, known);
     if (this.#listed.size === 0) await this.maps(signal);
     if (!this.#listed.has(id)) throw new ServiceError("missing", "There is no such map.");
-    const text = await (await this.fetched(`maps/${id}.json`, signal)).text();
-    return this.#hold(id, { ...(JSON.parse(text) as MapDocument), text, file: null });
+    let coming = this.#coming.get(id);
+    if (!coming) {
+      coming = this.#fetchMap(id).finally(() => this.#coming.delete(id));
+      this.#coming.set(id, coming);
+    }
+    const held = await coming;
+    if (signal?.aborted) throw stopped();
+    return this.#hold(id, held);
+  }
+
+  // Nobody's signal ends it: others may wait for it.
+  async #fetchMap(id: string): Promise<Held> {
+    const text = await (await this.fetched(`maps/${id}.json`)).text();
+    return { ...(JSON.parse(text) as MapDocument), text, file: null };
   }
 
   #known(map: string): Held {

@@ -13,6 +13,7 @@ const format = "waybreaker-mission/1";
 
 interface MissionDocument {
   format: typeof format;
+  overlays?: unknown; // { file, as, width? }[]: what is laid over the map before
   time_unit?: "s"; // on maps with metres
   agents: AgentDocument[];
   rules?: Record<string, unknown>;
@@ -129,6 +130,10 @@ function idsIn(obstacles: unknown): number[] {
   return Array.isArray(obstacles) ? obstacles.filter((one) => typeof one === "number") : [];
 }
 
+function objectsIn(list: unknown): Record<string, unknown>[] {
+  return Array.isArray(list) ? list.filter(isObject) : [];
+}
+
 function textsIn(obstacles: unknown): string[] {
   return Array.isArray(obstacles) ? obstacles.filter((one) => typeof one === "string") : [];
 }
@@ -154,12 +159,15 @@ const known = {
 };
 
 // What the page has no words for, or the command refuses.
-export function leftOut({ agents, rules = {}, method = {} }: Pick<MissionDocument, "agents" | "rules" | "method">): string[] {
+export function leftOut(
+  { agents, overlays, rules = {}, method = {} }: Pick<MissionDocument, "agents" | "overlays" | "rules" | "method">,
+): string[] {
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
   const says = (name: "ready_at" | "breaches", kind: AgentDocument["kind"]) =>
     agents.some((agent) => agent[name] !== undefined && agent.kind === kind);
   const removals = Number(rules.removals ?? usualRemovals);
   return [
+    ...objectsIn(overlays).map(({ file, as }) => `the overlay ${file}: drop that file on the page, and lay it over the map as ${as}`),
     ...of(rules, known.rules),
     ...of(method, known.method),
     ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),

@@ -28,6 +28,12 @@ export function HeadlineSection({ page, studio }: { page: PageState; studio: Stu
     return (
       <section class="headline waiting" aria-label="Result">
         <h2>{waiting(page)}</h2>
+        {studio && !studio.client.imports && !page.shown.value && (
+          <p>
+            The map and the planner are fetched once, about a megabyte. From then on this page plans by itself, without a
+            server.
+          </p>
+        )}
         {studio && page.shown.value && <SearchLine studio={studio} />}
       </section>
     );

@@ -11,7 +11,7 @@ const tools: { value: Tool; label: string; icon: IconName }[] = [
 ];
 
 export function Tools({ studio }: { studio: Studio }) {
-  if (!studio.page.shown.value) return null;
+  if (!studio.page.shown.value) return <div class="tools" />; // keeps their place
   return (
     <div class="tools">
       <Segmented

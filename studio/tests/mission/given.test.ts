@@ -229,6 +229,9 @@ it("a mission file says what is left out of it", () => {
     "noise",
     "12 removals: 8 are the most here",
   ]);
+  expect(open({ overlays: [{ file: "flood.geojson", as: "water", width: 8 }] }).leftOut).toEqual([
+    "the overlay flood.geojson: drop that file on the page, and lay it over the map as water",
+  ]);
   const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1 }, { ...agents[1], ready_at: 3 }];
   expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",

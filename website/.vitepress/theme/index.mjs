@@ -1,8 +1,8 @@
-import DefaultTheme from "vitepress/theme";
-import MovingPicture from "./MovingPicture.vue";
+import DefaultTheme from "vitepress/theme-without-fonts";
+import Playground from "./Playground.vue";
 import "./style.css";
 
 export default {
   extends: DefaultTheme,
-  enhanceApp: ({ app }) => app.component("MovingPicture", MovingPicture),
+  enhanceApp: ({ app }) => app.component("Playground", Playground),
 };

@@ -1,0 +1,31 @@
+// Exports of plans for who moves in the field: options of `waybreaker plan` and `waybreaker export`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "io/map_file.hpp"
+#include "io/mission_document.hpp"
+#include "named_files.hpp"
+#include "waybreaker/plan.hpp"
+
+namespace waybreaker::apps {
+
+// The files to write; empty where none is asked for.
+struct FieldExports {
+    std::string gpx;
+    std::int64_t starts_at = 0;  // seconds since 1970
+};
+
+void add_field_exports(CLI::App& command, FieldExports& exports);
+
+NamedFiles named_outputs(const FieldExports& exports);
+
+// Path and bytes of each file. Precondition: the plan is one for this map, whatever was asked.
+std::vector<std::pair<std::string, std::string>> export_plan(const FieldExports& exports, const Plan& plan,
+                                                             const io::MapFile& map, const io::MissionDocument& asked);
+
+}  // namespace waybreaker::apps

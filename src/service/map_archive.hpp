@@ -1,0 +1,28 @@
+// Map archive: where maps can be read again that were sent and are no longer in memory.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "waybreaker/map.hpp"
+
+namespace waybreaker::service {
+
+struct ArchivedMap {
+    std::string id;
+    Connectivity connectivity = Connectivity::four;
+    std::string bytes;
+};
+
+// Thread-safe.
+class MapArchive {
+  public:
+    virtual ~MapArchive() = default;
+    virtual bool holds(const std::string& id) const = 0;
+    // Of the maps that clients have sent; others are copies of the server's own.
+    virtual std::vector<std::string> sent() const = 0;
+    virtual std::optional<ArchivedMap> read(const std::string& id) = 0;
+};
+
+}  // namespace waybreaker::service

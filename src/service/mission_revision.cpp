@@ -1,0 +1,199 @@
+#include "service/mission_revision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "http/problem.hpp"
+#include "io/plan_file.hpp"
+#include "io/plan_json.hpp"
+#include "io/sha256.hpp"
+#include "io/state_json.hpp"
+#include "service/answers.hpp"
+#include "waybreaker/error.hpp"
+#include "waybreaker/revise.hpp"
+
+namespace waybreaker::service {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Whether two agents go the same way from then on.
+bool same_way(const Itinerary& one, const Itinerary& other, double since) {
+    const auto ahead = [since](const Itinerary& agent) {
+        constexpr double hair = 1e-9;
+        const double from = since * (1 + hair);
+        return std::ranges::subrange(std::ranges::upper_bound(agent.path, from, {}, &Waypoint::t), agent.path.end());
+    };
+    return std::ranges::equal(ahead(one), ahead(other));
+}
+
+bool has_agent(const std::vector<Itinerary>& agents, const std::string& id) {
+    return std::ranges::find(agents, id, &Itinerary::id) != agents.end();
+}
+
+// Agents that were not there, or go another way from where they can decide; and agents that are gone.
+void add_agents(Json& event, const Plan& before, const Plan& after) {
+    event["changed"] = Json::array();
+    event["gone"] = Json::array();
+    for (const Itinerary& is : after.agents) {
+        const auto was = std::ranges::find(before.agents, is.id, &Itinerary::id);
+        double since = 0;
+        if (after.revised) {
+            const auto& decisions = after.revised->decisions;
+            const auto decision = std::ranges::find(decisions, is.id, &Decision::agent);
+            since = decision == decisions.end() ? after.revised->now : decision->time;
+        }
+        if (was == before.agents.end() || !same_way(*was, is, since)) event["changed"].push_back(is.id);
+    }
+    for (const Itinerary& was : before.agents) {
+        if (!has_agent(after.agents, was.id)) event["gone"].push_back(was.id);
+    }
+}
+
+// Breaches that are new, and those that will not be made.
+void add_breaches(Json& event, const Plan& before, const Plan& after, const Mission& left, double now) {
+    const auto has = [](const Plan& plan, ObstacleId id) {
+        return std::ranges::find(plan.breaches, id, &Breach::obstacle) != plan.breaches.end();
+    };
+    event["added"] = Json::array();
+    event["dropped"] = Json::array();
+    for (const Breach& breach : after.breaches) {
+        if (!has(before, breach.obstacle)) event["added"].push_back(breach.obstacle.value);
+    }
+    const std::vector<TimedOpening>& opened = left.rules.opened;
+    for (const Breach& breach : before.breaches) {
+        const bool opens = std::ranges::find(opened, breach.obstacle, &TimedOpening::obstacle) != opened.end();
+        if (breach.cleared_at > now && !opens && !has(after, breach.obstacle))
+            event["dropped"].push_back(breach.obstacle.value);
+    }
+}
+
+Json head_of(const ReportRecord& record) {
+    return {
+        {"sequence", record.sequence}, {"revision", record.revision}, {"now", record.now}, {"status", record.status}};
+}
+
+// What clients that listen learn of a plan.
+std::string event_of(const ReportRecord& record, const Plan& before, const Plan& after, const Mission& left) {
+    Json event = head_of(record);
+    const std::optional<double> makespan = after.after.makespan;
+    event["makespan"] = makespan && std::isfinite(*makespan) ? Json(*makespan) : Json(nullptr);
+    add_agents(event, before, after);
+    add_breaches(event, before, after, left, record.now);
+    event["halts"] = Json::array();
+    return event.dump();
+}
+
+// The same where there is none: why, and who must stop.
+std::string event_without_plan(const ReportRecord& record, const Revision& revision) {
+    Json event = head_of(record);
+    if (revision.status == RevisionStatus::no_plan) event["reason"] = to_string(revision.plan.status);
+    event["halts"] = Json::array();
+    for (const Halt& halt : revision.halts)
+        event["halts"].push_back({{"agent", halt.agent}, {"point", halt.point}, {"by", halt.by}});
+    return event.dump();
+}
+
+// The map as it is known since that plan, and weighed as the request asks.
+io::MapFile map_now(const LiveTask& task, const Plan& plan) {
+    io::MapFile known = io::known_map(task.map->file, plan);
+    known.source = task.map_name;
+    const request::PlanRequest& asked = task.request.plan;
+    request::MissionOnMap weighed = request::on_map(asked.mission, asked.options, known);
+    if (weighed.reweighted) known.map = *std::move(weighed.reweighted);
+    return known;
+}
+
+}  // namespace
+
+ReportRecord first_plan(const LiveTask& task, const http::Worker& worker) {
+    const PlanDocument first = plan_document({task.map, task.request.plan, task.planners, task.seconds}, worker);
+    if (first.plan.status != PlanStatus::solved) {
+        throw http::Problem(http::unprocessable,
+                            "the mission has no plan to begin with: " + std::string(to_string(first.plan.status)),
+                            "mission-without-plan");
+    }
+    ReportRecord record{.status = "planned", .plan = first.text};
+    record.event = event_of(record, {}, first.plan, {});
+    return record;
+}
+
+ReportRecord revised_plan(const LiveTask& task, const ReportRecord& held, std::span<const State> since,
+                          const State& report, const http::Worker& worker) try {
+    const io::PlanFile before = io::parse_plan(held.plan, "the plan");
+    State state = report;
+    for (auto earlier = since.rbegin(); earlier != since.rend(); ++earlier)
+        state = with_earlier(std::move(state), *earlier);
+    io::MapFile known = map_now(task, before.plan);
+    Limits limits = task.request.plan.options.asked.limits;
+    limits.stop = worker.stop;
+    limits.seconds = std::min(limits.seconds, task.seconds);
+    worker.set_time_limit(limits.seconds);
+    PlannerPool::Loan planner = task.planners.borrow(task.map);
+    const Revision revision = planner.revise(known.map, before.asked.mission, before.plan, state, task.request.reaction,
+                                             before.asked.method, limits);
+    const bool planned = revision.plan.status == PlanStatus::solved;
+    ReportRecord record{.sequence = report.sequence,
+                        .revision = planned ? held.revision + 1 : held.revision,
+                        .now = report.now,
+                        .status = std::string(to_string(revision.status)),
+                        .state = io::state_json(report).dump()};
+    if (!planned) {
+        record.event = event_without_plan(record, revision);
+        return record;
+    }
+    io::MissionDocument asked = before.asked;
+    asked.mission = revision.mission;
+    known.map = revision.map;
+    record.plan = io::plan_json(revision.plan, {.map = known,
+                                                .asked = asked,
+                                                .connectivity = before.connectivity,
+                                                .timing_fields = task.request.plan.timing_fields,
+                                                .supersedes = io::sha256_digest(held.plan)});
+    record.event = event_of(record, before.plan, revision.plan, revision.mission);
+    return record;
+} catch (const InputError& error) {
+    throw http::Problem(http::unprocessable, error.what(), "report-unfit");
+}
+
+State with_earlier(State later, const State& earlier) {
+    for (const AgentState& agent : earlier.agents) {
+        const auto known = std::ranges::find(later.agents, agent.id, &AgentState::id);
+        if (known != later.agents.end()) {
+            if (!known->goal) known->goal = agent.goal;
+        } else if (agent.doing == Doing::stopped || agent.doing == Doing::lost) {
+            later.agents.push_back(agent);
+        } else if (agent.goal) {
+            AgentState goes = agent;
+            goes.at.reset();  // where the plan has it by now
+            goes.doing = Doing::moving;
+            later.agents.push_back(std::move(goes));
+        }
+    }
+    const auto speaks_of = [](const State& state, ObstacleId obstacle) {
+        return std::ranges::find(state.opened, obstacle, &TimedOpening::obstacle) != state.opened.end() ||
+               std::ranges::find(state.failed, obstacle, &TimedOpening::obstacle) != state.failed.end();
+    };
+    const State said = later;
+    for (const TimedOpening& opening : earlier.opened) {
+        if (!speaks_of(said, opening.obstacle)) later.opened.push_back(opening);
+    }
+    for (const TimedOpening& failure : earlier.failed) {
+        if (!speaks_of(said, failure.obstacle)) later.failed.push_back(failure);
+    }
+    std::vector<Found> found = earlier.found;
+    for (const Found& part : said.found) {
+        if (std::ranges::find(found, part) == found.end()) found.push_back(part);
+    }
+    later.found = std::move(found);
+    for (const Agent& agent : earlier.joined) {
+        const bool again = std::ranges::find(said.joined, agent.id, &Agent::id) != said.joined.end();
+        if (!again) later.joined.push_back(agent);
+    }
+    return later;
+}
+
+}  // namespace waybreaker::service
