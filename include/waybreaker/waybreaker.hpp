@@ -17,6 +17,7 @@
 #include "waybreaker/place_error.hpp"     // IWYU pragma: export
 #include "waybreaker/plan.hpp"            // IWYU pragma: export
 #include "waybreaker/planner.hpp"         // IWYU pragma: export
+#include "waybreaker/rehearse.hpp"        // IWYU pragma: export
 #include "waybreaker/revise.hpp"          // IWYU pragma: export
 #include "waybreaker/search_options.hpp"  // IWYU pragma: export
 #include "waybreaker/state.hpp"           // IWYU pragma: export

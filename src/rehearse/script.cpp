@@ -43,7 +43,7 @@ Stop& stop_at(Script& script, const std::vector<Waypoint>& path, std::size_t poi
 // The point of an aircraft's path at which a breach is done.
 std::optional<std::size_t> end_of(const Itinerary& agent, const Breach& breach) {
     if (agent.kind != AgentKind::air || (!breach.by.empty() && breach.by != agent.id)) return std::nullopt;
-    for (std::size_t i = agent.path.size(); i-- > 0;) {
+    for (std::size_t i = 0; i < agent.path.size(); ++i) {
         if (place(agent.path[i]) == Point(breach.at) && same_time(agent.path[i].t, breach.cleared_at)) return i;
     }
     return std::nullopt;
