@@ -19,14 +19,20 @@ export interface GroundAgent {
   corners?: Corners;
   /** Until then it stands at its start; 0. */
   ready_at?: number;
+  /** How it gets to its start if it is on its way already: the last point is there, at ready_at. */
+  approach?: Waypoint[];
 }
 
 export interface AirAgent {
   id: string;
   kind: "air";
-  start: Cell;
+  /** Any place, also between the centres of cells. */
+  start: [x: number, y: number];
   goal: Cell;
   speed?: number;
+  /** As of a ground agent. */
+  ready_at?: number;
+  approach?: Waypoint[];
   /** How many obstacles it removes at most; no limit. */
   breaches?: number;
 }
@@ -42,6 +48,8 @@ export interface Rules {
   protect?: (number | string)[];
   /** Obstacles that must be removed. */
   force?: number[];
+  /** Obstacles that open at that time, whoever opens them. */
+  opened?: { obstacle: number; at: number }[];
   breach_time?: number;
   breach_time_per_cell?: number;
   timing?: "enforce" | "ignore";

@@ -13,11 +13,20 @@ import waybreaker as wb
 
 EVERYTHING = wb.Mission(
     [
-        wb.Vehicle((1, 2), (3, 4), id="a", speed=1.5, radius=0.75, corners="none", ready_at=3),
+        wb.Vehicle((1, 2), (3, 4), id="a", speed=1.5, radius=0.75, corners="none", ready_at=3, approach=[[1, 3, 2], [1, 2, 3]]),
         wb.Vehicle((9, 2), (3, 9), id="b", corners="cut"),
         wb.Aircraft((5, 5), (6, 6), id="heli", speed=4, breaches=2),
+        wb.Aircraft((5.5, 5.25), (6, 6), id="late", ready_at=9),
     ],
-    wb.Rules(removals=2, budget=3, protect=[1, "amenity=school"], force=[2], separation=1, at_goal="leave"),
+    wb.Rules(
+        removals=2,
+        budget=3,
+        protect=[1, "amenity=school"],
+        force=[2],
+        opened=[{"obstacle": 3, "at": 4.5}],
+        separation=1,
+        at_goal="leave",
+    ),
     wb.Method(select="exact", weight=1.5, heuristic="octile", moves=8, explain=True),
     wb.Limits(seconds=2, expansions=1000, gap=0.01),
     time_unit="s",

@@ -22,7 +22,8 @@ class Vehicle:
 
     ``start`` and ``goal`` are cells. ``speed`` is in cells per unit of time, ``radius`` in cells (by default half a
     cell, or what the map was made for). ``corners`` is ``"none"``, or ``"cut"`` or ``"squeeze"`` for a point that
-    passes one or two blocked corners. It stands at its start until ``ready_at``, in units of time.
+    passes one or two blocked corners. It stands at its start until ``ready_at``, in units of time; or comes there on
+    its ``approach``, points ``[x, y, t]`` that end at its start then.
     """
 
     start: Cell
@@ -32,6 +33,7 @@ class Vehicle:
     radius: Optional[float] = None
     corners: Optional[Literal["none", "cut", "squeeze"]] = None
     ready_at: Optional[float] = None
+    approach: Optional[Sequence[Sequence[float]]] = None
 
     @property
     def kind(self) -> Literal["ground"]:
@@ -42,14 +44,17 @@ class Vehicle:
 class Aircraft:
     """An air agent: flies straight over everything and breaches at most ``breaches`` obstacles (None: no limit).
 
-    ``start`` and ``goal`` are cells, ``speed`` is in cells per unit of time.
+    ``start`` and ``goal`` are cells, but ``start`` may be any place between centres, ``speed`` is in cells per unit
+    of time. ``ready_at`` and ``approach`` are as those of a vehicle.
     """
 
-    start: Cell
+    start: Tuple[float, float]
     goal: Cell
     id: str = "air"
     speed: float = 1.0
     breaches: Optional[int] = None
+    ready_at: Optional[float] = None
+    approach: Optional[Sequence[Sequence[float]]] = None
 
     @property
     def kind(self) -> Literal["air"]:
@@ -65,7 +70,8 @@ class Rules:
 
     ``removals``: how many obstacles may go. ``budget``: what they may weigh together, ``budget_m2``: or cover, in
     square metres. ``protect``: numbers of obstacles that stay, tags (``"amenity=school"``) or names (``"name=St.
-    Mary*"``); ``force``: numbers of those that must go. ``breach_time`` and ``breach_time_per_cell`` are in units
+    Mary*"``); ``force``: numbers of those that must go; ``opened``: those that open by themselves, each
+    ``{"obstacle": number, "at": time}``. ``breach_time`` and ``breach_time_per_cell`` are in units
     of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share of the objective, 0 to 1.
     """
 
@@ -74,6 +80,7 @@ class Rules:
     budget_m2: Optional[float] = None
     protect: Optional[Sequence[Union[int, str]]] = None
     force: Optional[Sequence[int]] = None
+    opened: Optional[Sequence[Mapping[str, float]]] = None
     breach_time: Optional[float] = None
     breach_time_per_cell: Optional[float] = None
     timing: Optional[Literal["enforce", "ignore"]] = None
@@ -203,6 +210,8 @@ def _plain(value: Any) -> Any:
     """As JSON has it: also of numpy's numbers."""
     if isinstance(value, (list, tuple)):
         return [_plain(item) for item in value]
+    if isinstance(value, Mapping):
+        return {name: _plain(item) for name, item in value.items()}
     if hasattr(value, "item"):
         return value.item()
     return value

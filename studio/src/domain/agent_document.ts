@@ -11,6 +11,7 @@ export interface AgentDocument {
   radius?: number;
   corners?: string;
   ready_at?: number;
+  approach?: readonly (readonly [number, number, number])[];
   breaches?: number;
 }
 

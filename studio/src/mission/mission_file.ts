@@ -163,7 +163,7 @@ export function leftOut(
   { agents, overlays, rules = {}, method = {} }: Pick<MissionDocument, "agents" | "overlays" | "rules" | "method">,
 ): string[] {
   const of = (object: Record<string, unknown>, names: string[]) => Object.keys(object).filter((name) => !names.includes(name));
-  const says = (name: "ready_at" | "breaches", kind: AgentDocument["kind"]) =>
+  const says = (name: "approach" | "ready_at" | "breaches", kind: AgentDocument["kind"]) =>
     agents.some((agent) => agent[name] !== undefined && agent.kind === kind);
   const removals = Number(rules.removals ?? usualRemovals);
   return [
@@ -171,7 +171,8 @@ export function leftOut(
     ...of(rules, known.rules),
     ...of(method, known.method),
     ...(cornersOf(agents) === null ? ["corners, which differ between its vehicles"] : []),
-    ...(says("ready_at", "air") ? ["ready_at, which only vehicles have"] : []),
+    ...(says("ready_at", "air") ? ["ready_at of aircraft"] : []),
+    ...(says("approach", "air") || says("approach", "ground") ? ["approach"] : []),
     ...(says("breaches", "ground") ? ["breaches, which only aircraft have"] : []),
     ...(removals > mostRemovals ? [`${removals} removals: ${mostRemovals} are the most here`] : []),
   ];

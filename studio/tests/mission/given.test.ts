@@ -235,7 +235,7 @@ it("a mission file says what is left out of it", () => {
   const three = [{ ...agents[0], corners: "cut" }, { ...agents[0], id: "2", breaches: 1 }, { ...agents[1], ready_at: 3 }];
   expect(open({ agents: three }).leftOut).toEqual([
     "corners, which differ between its vehicles",
-    "ready_at, which only vehicles have",
+    "ready_at of aircraft",
     "breaches, which only aircraft have",
   ]);
 });
