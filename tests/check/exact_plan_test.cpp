@@ -6,6 +6,7 @@
 #include "checked_plan.hpp"
 #include "crossing/access.hpp"
 #include "hand_made.hpp"
+#include "orders/orders.hpp"
 #include "random_map.hpp"
 #include "waybreaker/advanced/crossing.hpp"
 #include "waybreaker/advanced/schedule.hpp"
@@ -59,9 +60,10 @@ RC_GTEST_PROP(ExactPlan, IsValid, ()) {
                             .flyer = flyer,
                             .rules = mission.rules,
                             .removed = result.best.crossed};
-    const Plan plan = plan_of(map, task, best_schedule(map, task));
+    Plan plan = plan_of(map, task, best_schedule(map, task));
     driver.start = plan.agents[0].start;
     driver.goal = plan.agents[0].goal;
+    add_orders(map, mission, plan);
     std::string faults;
     for (const Violation& violation : check(map, mission, plan)) faults += line_of(violation) + "\n";
     RC_ASSERT(faults == "");

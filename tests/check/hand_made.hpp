@@ -69,10 +69,11 @@ inline Mission mission_of(const Plan& plan, const Rules& rules = {}, const Body&
     return mission;
 }
 
-// Which rules a plan breaks.
+// Which rules a plan breaks. One made by hand may say nothing of orders.
 inline std::set<Rule> broken_rules(const Map& map, const Mission& mission, const Plan& plan) {
     std::set<Rule> broken;
     for (const Violation& violation : check(map, mission, plan)) broken.insert(violation.rule);
+    if (plan.orders.empty()) broken.erase(Rule::orders);
     return broken;
 }
 inline std::set<Rule> broken_rules(const Map& map, const Plan& plan, const Rules& rules = {}, const Body& body = {}) {

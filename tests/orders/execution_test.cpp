@@ -13,32 +13,6 @@
 namespace waybreaker {
 namespace {
 
-struct Drawn {
-    Map map;
-    Mission mission;
-    Plan plan;
-};
-
-// Calls visit(drawn, draws) for missions that have a plan.
-void for_each_plan(int count, const auto& visit) {
-    int solved = 0;
-    for (std::uint64_t seed = 1; solved < count; ++seed) {
-        ASSERT_LT(seed, std::uint64_t(20 * count));
-        Draws draws(seed);
-        const PlainMap plain = drawn_map(draws);
-        Drawn drawn{Map(plain.grid()), {}, {}};
-        drawn.mission = drawn_team(draws, plain, drawn.map);
-        const bool drives = std::ranges::count(drawn.mission.agents, AgentKind::ground, &Agent::kind) > 0;
-        if (!drives) continue;
-        drawn.plan = Planner().plan(drawn.map, drawn.mission);
-        if (drawn.plan.status != PlanStatus::solved) continue;
-        ++solved;
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        visit(drawn, draws);
-        if (testing::Test::HasFailure()) return;
-    }
-}
-
 // Agents go on in any order, as far as it pleases, until all have arrived.
 std::string execute_with_delays(const Drawn& drawn, Draws& draws) {
     Execution execution(drawn.map, drawn.mission, drawn.plan, drawn.plan.orders);
@@ -59,7 +33,7 @@ std::string execute_with_delays(const Drawn& drawn, Draws& draws) {
 }
 
 TEST(Executions, MeetNobodyAndNothingThatStands) {
-    for_each_plan(400, [](const Drawn& drawn, Draws& draws) {
+    for_each_drawn_plan(400, [](const Drawn& drawn, Draws& draws) {
         for (int i = 0; i < 20; ++i) ASSERT_EQ(execute_with_delays(drawn, draws), "");
     });
 }
@@ -89,7 +63,7 @@ bool goes_wrong_without(const Drawn& drawn, std::size_t left_out, Draws& draws) 
 TEST(Executions, GoWrongWithoutAnyOneOrder) {
     int orders = 0;
     int needed = 0;
-    for_each_plan(100, [&](const Drawn& drawn, Draws& draws) {
+    for_each_drawn_plan(100, [&](const Drawn& drawn, Draws& draws) {
         for (std::size_t i = 0; i < drawn.plan.orders.size(); ++i) {
             ++orders;
             needed += goes_wrong_without(drawn, i, draws) ? 1 : 0;
@@ -110,7 +84,7 @@ double time_of(const Plan& plan, const Moment& moment) {
 TEST(Orders, AreKeptByThePlan) {
     int kept = 0;
     int all = 0;
-    for_each_plan(400, [&](const Drawn& drawn, Draws&) {
+    for_each_drawn_plan(400, [&](const Drawn& drawn, Draws&) {
         for (const Order& order : drawn.plan.orders) {
             const Itinerary& waiting = drawn.plan.agents[order.after.agent];
             ASSERT_LT(order.before.point, drawn.plan.agents[order.before.agent].path.size());

@@ -1,6 +1,8 @@
 // Teams that crowd each other on small maps, and obstacles to breach.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -11,6 +13,7 @@
 #include "vehicle.hpp"
 #include "waybreaker/error.hpp"
 #include "waybreaker/mission.hpp"
+#include "waybreaker/planner.hpp"
 
 namespace waybreaker {
 
@@ -67,6 +70,31 @@ inline Mission drawn_team(Draws& draws, const PlainMap& plain, const Map& map) {
         mission.agents.push_back(waybreaker::aircraft("a" + std::to_string(i), home, home, draws.number(1, 3)));
     }
     return mission;
+}
+
+struct Drawn {
+    Map map;
+    Mission mission;
+    Plan plan;
+};
+
+// Calls visit(drawn, draws) for so many missions that have a plan.
+void for_each_drawn_plan(int count, const auto& visit) {
+    int solved = 0;
+    for (std::uint64_t seed = 1; solved < count; ++seed) {
+        ASSERT_LT(seed, std::uint64_t(20 * count));
+        Draws draws(seed);
+        const PlainMap plain = drawn_map(draws);
+        Drawn drawn{Map(plain.grid()), {}, {}};
+        drawn.mission = drawn_team(draws, plain, drawn.map);
+        if (std::ranges::count(drawn.mission.agents, AgentKind::ground, &Agent::kind) == 0) continue;
+        drawn.plan = Planner().plan(drawn.map, drawn.mission);
+        if (drawn.plan.status != PlanStatus::solved) continue;
+        ++solved;
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        visit(drawn, draws);
+        if (testing::Test::HasFailure()) return;
+    }
 }
 
 }  // namespace waybreaker
