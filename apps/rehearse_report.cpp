@@ -113,7 +113,7 @@ void add_figures(const RehearsedPlan& plan, bool timing, Json& json) {
         json["revise_ms"] = {{"mean", mean(rehearsal.revise_ms)}, {"p99", quantile(rehearsal.revise_ms, 0.99)}};
     }
     json["endings"] = Json::object();
-    for (const std::string_view word : words_of<Ending>) json["endings"][std::string(word)] = 0;
+    for (const std::string_view word : waybreaker::words_of<Ending>) json["endings"][std::string(word)] = 0;
     for (const Rehearsed& run : rehearsal.runs) {
         Json& count = json["endings"][std::string(to_string(run.ending))];
         count = count.get<int>() + 1;
