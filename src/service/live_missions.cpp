@@ -87,17 +87,21 @@ LiveMissions::Summary LiveMissions::summary(const std::string& id) const {
     return known(id)->last;
 }
 
-LiveMissions::Place LiveMissions::place() {
+LiveMissions::Place::~Place() {
+    if (taken_) return;
+    const std::scoped_lock lock(missions_.mutex_);
+    --missions_.places_;
+}
+
+std::shared_ptr<LiveMissions::Place> LiveMissions::place() {
     const std::scoped_lock lock(mutex_);
     if (live_.size() + places_ >= most_) {
         throw http::Problem(http::insufficient_storage,
                             fmt::format("{} missions are live, as many as may be (--live-missions)", most_));
     }
+    const auto place = std::make_shared<Place>(*this);
     ++places_;
-    return {this, [this](const void*) {
-                const std::scoped_lock given_back(mutex_);
-                --places_;
-            }};
+    return place;
 }
 
 LiveMissions::SharedMemory LiveMissions::memory_of(std::size_t bytes) const {
@@ -122,7 +126,7 @@ LiveMissions::SharedMemory LiveMissions::memory_of_map(const ArchivedMap& map) {
 }
 
 LiveMissions::Begun LiveMissions::begin(const request::LiveRequest& request, const std::string& body,
-                                        const SharedMap& map, const http::Worker& worker) {
+                                        const SharedMap& map, Place& place, const http::Worker& worker) {
     const ReportRecord first = first_plan({map, request.map, request, planners_, seconds_}, worker);
     if (worker.stop.stop_requested()) throw http::Problem(http::unavailable, "the time is up; ask again");
     const ArchivedMap archive = archived(*map);
@@ -134,6 +138,8 @@ LiveMissions::Begun LiveMissions::begin(const request::LiveRequest& request, con
     store_.add(mission, archive, first);
     const std::shared_ptr<Live> live = insert(mission, first);
     live->memory = {std::move(memory), std::move(map_memory)};
+    place.taken_ = true;
+    --places_;
     return {live->last, first};
 }
 

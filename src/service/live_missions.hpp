@@ -40,17 +40,28 @@ class LiveMissions {
     // This and what follows throw Problem if there is no such mission.
     Summary summary(const std::string& id) const;
 
-    // Counts as a live mission until it goes, so that no more begin than may.
-    using Place = std::shared_ptr<const void>;
+    // A place for one more live mission, kept while the mission is about to begin.
+    class Place {
+      public:
+        explicit Place(LiveMissions& missions) : missions_(missions) {}
+        Place(const Place&) = delete;
+        Place& operator=(const Place&) = delete;
+        ~Place();
+
+      private:
+        friend class LiveMissions;
+        LiveMissions& missions_;
+        bool taken_ = false;
+    };
     // Throws Problem if no more missions may be live.
-    Place place();
+    std::shared_ptr<Place> place();
 
     struct Begun {
         Summary summary;
         ReportRecord first;
     };
     // To be called by a worker. Throw Problem if nothing comes of it: then nothing has changed.
-    Begun begin(const request::LiveRequest& request, const std::string& body, const SharedMap& map,
+    Begun begin(const request::LiveRequest& request, const std::string& body, const SharedMap& map, Place& place,
                 const http::Worker& worker);
     // One after the other for each mission. What a report that is known already gave, it gives again.
     ReportRecord report(const std::string& id, const State& state, const http::Worker& worker);

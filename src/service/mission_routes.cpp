@@ -37,7 +37,8 @@ Route begin_route(LiveMissions& missions, MapStore& maps) {
         if (!MapStore::is_id(asked.map)) throw http::Problem(http::not_found, "map names no map", "map-not-found");
         http::Work work = [&, asked, body = call.request.body, place = missions.place(),
                            map = maps.if_loaded(asked.map)](const http::Worker& worker) {
-            const LiveMissions::Begun begun = missions.begin(asked, body, map ? map : maps.load(asked.map), worker);
+            const LiveMissions::Begun begun =
+                missions.begin(asked, body, map ? map : maps.load(asked.map), *place, worker);
             return kept_response(with_plan(summary_json(begun.summary).dump(), begun.first.plan),
                                  root + "/" + begun.summary.mission.id, true);
         };
