@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +18,9 @@ namespace waybreaker::apps {
 // The files to write; empty where none is asked for.
 struct FieldExports {
     std::string gpx;
-    std::int64_t starts_at = 0;  // seconds since 1970
+    std::string kml;
+    std::int64_t starts_at = 0;           // seconds since 1970
+    std::optional<double> altitude = {};  // of flights, in metres
 };
 
 void add_field_exports(CLI::App& command, FieldExports& exports);

@@ -38,7 +38,7 @@ const std::array<Suffix, 31> suffixes{{{".json", {"--json", "--save-mission", "-
                                        {".pbf", {}},
                                        {".gpkg", {}},
                                        {".shp", {}},
-                                       {".kml", {}},
+                                       {".kml", {"--kml"}},
                                        {".gml", {}},
                                        {".fgb", {}},
                                        {".toml", {}},

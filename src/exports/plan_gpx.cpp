@@ -11,7 +11,7 @@ namespace {
 // Degrees to a tenth of a millimetre, never with an exponent. Longitudes of GPX end below 180.
 std::string degrees(double value) {
     const std::string text = fmt::format("{:.9f}", value);
-    return text == "180.000000000" ? "-" + text : text;
+    return text == "180.000000000" ? "-180.000000000" : text;
 }
 
 pugi::xml_node append_point(pugi::xml_node parent, const char* name, const PlacedPlan& placed, Point at, double t) {
@@ -31,7 +31,7 @@ void append_metadata(pugi::xml_node gpx, const PlacedPlan& placed) {
     append_text(metadata, "time", utc_text(placed.starts_at, 0));
 }
 
-void append_breach(pugi::xml_node gpx, const PlacedPlan& placed, const Breach& breach) {
+void append_way_point(pugi::xml_node gpx, const PlacedPlan& placed, const Breach& breach) {
     const Point at{double(breach.at.x), double(breach.at.y)};
     pugi::xml_node point = append_point(gpx, "wpt", placed, at, breach.cleared_at);
     append_text(point, "name", obstacle_name(placed, breach.obstacle));
@@ -40,7 +40,7 @@ void append_breach(pugi::xml_node gpx, const PlacedPlan& placed, const Breach& b
     append_text(point, "type", "breach");
 }
 
-void append_track(pugi::xml_node gpx, const PlacedPlan& placed, const Itinerary& agent) {
+void append_trk(pugi::xml_node gpx, const PlacedPlan& placed, const Itinerary& agent) {
     pugi::xml_node track = gpx.append_child("trk");
     append_text(track, "name", agent.id);
     append_text(track, "type", agent.kind == AgentKind::air ? "air" : "ground");
@@ -62,8 +62,8 @@ std::string plan_gpx(const PlacedPlan& placed) {
     gpx.append_attribute("creator").set_value("waybreaker");
     gpx.append_attribute("xmlns").set_value("http://www.topografix.com/GPX/1/1");
     append_metadata(gpx, placed);
-    for (const Breach& breach : placed.plan.breaches) append_breach(gpx, placed, breach);
-    for (const Itinerary& agent : placed.plan.agents) append_track(gpx, placed, agent);
+    for (const Breach& breach : placed.plan.breaches) append_way_point(gpx, placed, breach);
+    for (const Itinerary& agent : placed.plan.agents) append_trk(gpx, placed, agent);
     return document_text(document);
 }
 
