@@ -80,6 +80,9 @@ const sidebar = [
   },
 ];
 
+// By default the colours of a line that takes more than half a second are given up: two builds would differ.
+const colourWhole = { preprocess: (_, options) => void (options.tokenizeTimeLimit = 0) };
+
 // Pages lie outside this folder, where no node_modules is found on the way up.
 const vueOfThisFolder = {
   name: "vue-of-this-folder",
@@ -100,12 +103,14 @@ export default defineConfig({
   rewrites: placeOf,
   outDir: process.env.SITE_OUT ?? `${root}build/site`,
   cacheDir: `${root}build/site-cache`,
+  buildConcurrency: 1, // pages come into the search index in one order
   ignoreDeadLinks: [isBeside, /^http:\/\/localhost/], // check.mjs looks at those beside when all of the site is there
   appearance: true,
   markdown: {
     config: (md) => md.use(repository),
     anchor: { slugify: slug }, // the anchors of code hosts
     theme: { light: "github-light-high-contrast", dark: "github-dark-high-contrast" },
+    codeTransformers: [colourWhole],
     image: { lazyLoading: true },
     languageAlias: { console: "shellscript", mapfile: "text", pycon: "python" },
   },

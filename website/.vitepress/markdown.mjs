@@ -27,7 +27,22 @@ function linksIntoPlayground({ tokens }) {
   }
 }
 
+// The tabs of a group of code have random ids: here they count, so that two builds are equal.
+function countTabs(md) {
+  const rule = "container_code-group_open";
+  const random = md.renderer.rules[rule];
+  md.renderer.rules[rule] = (tokens, index, ...rest) => {
+    const known = new Map();
+    const counted = (_, kind, id) => {
+      if (!known.has(id)) known.set(id, known.size);
+      return `"${kind}-${index}-${known.get(id)}"`;
+    };
+    return random(tokens, index, ...rest).replace(/"(group|tab)-([\w-]+)"/g, counted);
+  };
+}
+
 export function repository(md) {
+  countTabs(md);
   md.core.ruler.before("normalize", "snippets_that_exist", (state) => requireSnippets(state.src, fileOf(state.env)));
   // What scrolls must be reached by the keyboard.
   md.renderer.rules.code_block = (tokens, index) =>
