@@ -51,8 +51,8 @@ Delay delay_from(const std::string& given) {
         break;
     }
     const std::optional<double> number = number_from(mean);
-    for (std::size_t i = 0; i < words_of<DelayKind>.size(); ++i) {
-        if (words_of<DelayKind>[i] != given.substr(0, colon) || !number) continue;
+    for (std::size_t i = 0; i < waybreaker::words_of<DelayKind>.size(); ++i) {
+        if (waybreaker::words_of<DelayKind>[i] != given.substr(0, colon) || !number) continue;
         if (*number * size >= 0 && *number * size <= most_delay) return {DelayKind(i), *number * size};
     }
     throw CLI::ValidationError(

@@ -14,8 +14,8 @@ struct RehearsedPlan {
 };
 
 struct RehearsalReport {
-    std::vector<RehearsedPlan> plans;  // one or two
-    RehearsalOptions options;
+    std::vector<RehearsedPlan> plans = {};  // one or two
+    RehearsalOptions options = {};
     std::string time_unit = {};  // "s", or nothing where it is not known
     bool timing = true;          // say how long revisions took
 };
