@@ -46,8 +46,8 @@ struct Actor {
     bool rolls = false;    // it was on a move when the plan changed: it goes on at once
     bool delayed = false;  // at this stop, the delay is drawn already
     std::uint64_t moves = 0;
-    double driven = 0;   // up to the stop, cells
-    double news = never;  // what is drawn happens when it has driven that
+    double driven = 0;                  // up to the stop, cells
+    double news = never;                // what is drawn happens when it has driven that
     std::vector<ObstacleId> work = {};  // it is on
     double arrived_at = 0;
     Point lost_at = {};
