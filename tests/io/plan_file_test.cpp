@@ -218,7 +218,10 @@ std::string plan_refusal(const std::string& bytes) {
 
 TEST(PlanFile, IsReadAndHolds) {
     const PlanFile file = parse_plan(small_plan, "p.json");
-    EXPECT_TRUE(check(map_from_ascii("..#."), file.asked.mission, file.plan).empty());
+    EXPECT_FALSE(file.states_orders);
+    for (const Violation& violation : check(map_from_ascii("..#."), file.asked.mission, file.plan)) {
+        EXPECT_EQ(violation.rule, Rule::orders) << "of which it says nothing";
+    }
     EXPECT_EQ(file.plan.agents[0].goal, (Cell{3, 0})) << "where its path ends, as nothing else is said";
 }
 
