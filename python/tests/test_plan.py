@@ -37,6 +37,14 @@ def test_attributes(plan: wb.Plan) -> None:
     assert breach.entered_at is not None and breach.cleared_at <= breach.entered_at
 
 
+def test_orders(plan: wb.Plan) -> None:
+    (order,) = plan.orders
+    assert (order.why, order.obstacle) == ("opening", plan.removed[0].obstacle)
+    assert (order.before.agent, order.before.fraction, order.after.agent) == ("air", 0.0, "ground")
+    assert plan["air"].times[order.before.point] == plan.removed[0].cleared_at
+    assert order.slack >= 0
+
+
 def test_paths(plan: wb.Plan) -> None:
     rover = plan["ground"]
     assert rover is plan.agents[0] and plan["air"].kind == "air"

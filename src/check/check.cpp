@@ -128,7 +128,7 @@ Violations judge(const Map& map, const Mission& mission, const Plan& plan, const
     if (!broken(air_times)) append(all, judge_breaches(map, plan.breaches, *air, terms));
     if (!broken(ground_times) && !broken(air_times)) {
         append(all, judge_ready(*ground, driver, terms));
-        append(all, judge_ready(*air, flyer, terms));
+        if (flyer.ready_at > 0) append(all, judge_ready(*air, flyer, terms));
         append(all, judge_figures(plan, ground, air, driver, flyer, terms));
         append(all, judge_explained(plan, *ground, driver.ready_at, terms));
         append(all, judge_explained(plan, *air, flyer.ready_at, terms));

@@ -117,7 +117,8 @@ class TeamJudge {
             if (unreadable) continue;
             append(found_, judge_waits(plan_, path, agent.ready_at, terms));
             append(found_, judge_gain(path, agent.ready_at, alone(path.id), terms));
-            append(found_, judge_ready(path, agent, terms_));
+            const bool may_be_early = agent.kind == AgentKind::ground || agent.ready_at > 0;
+            if (may_be_early) append(found_, judge_ready(path, agent, terms_));
             if (agent.kind == AgentKind::air) {
                 append(found_, judge_breaches(map_, breaches_by(agent.id), path, terms_));
                 continue;

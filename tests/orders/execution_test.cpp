@@ -7,6 +7,7 @@
 
 #include "checked_plan.hpp"
 #include "orders/orders.hpp"
+#include "orders/passing.hpp"
 #include "teams.hpp"
 #include "waybreaker/planner.hpp"
 
@@ -36,6 +37,36 @@ TEST(Executions, MeetNobodyAndNothingThatStands) {
     for_each_drawn_plan(400, [](const Drawn& drawn, Draws& draws) {
         for (int i = 0; i < 20; ++i) ASSERT_EQ(execute_with_delays(drawn, draws), "");
     });
+}
+
+// In a ring everybody waits for the next one, who must not have to be farther ahead than it can be.
+TEST(Executions, GoRoundInRings) {
+    int rings = 0;
+    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Draws draws(seed);
+        PlainMap plain{draws.number(3, 5), draws.number(3, 5), {}};
+        for (int i = 0; i < plain.width * plain.height; ++i) plain.obstacles.push_back(draws.number(0, 99) < 8);
+        Drawn drawn{Map(plain.grid()), {}, {}};
+        drawn.mission = drawn_crowd(draws, plain, drawn.map);
+        if (drawn.mission.agents.size() < 2) continue;
+        drawn.plan = Planner().plan(drawn.map, drawn.mission);
+        if (drawn.plan.status != PlanStatus::solved) continue;
+        ASSERT_TRUE(is_valid(drawn.map, drawn.mission, drawn.plan));
+        std::vector<orders::Track> tracks;
+        for (std::size_t i = 0; i < drawn.plan.agents.size(); ++i) {
+            tracks.push_back(
+                {drawn.mission.agents[i].body.reach(), orders::stretches(i, drawn.plan.agents[i].path, true)});
+        }
+        std::vector<Order> coarse;
+        for (const orders::Pair& pair : orders::near_pairs(tracks, 0)) {
+            orders::add_passing_orders(pair, {order_step}, coarse);
+        }
+        const std::vector<bool> stuck = orders::stuck_agents(coarse, drawn.plan.agents.size());
+        rings += std::ranges::count(stuck, true) > 0 ? 1 : 0;
+        for (int i = 0; i < 10; ++i) ASSERT_EQ(execute_with_delays(drawn, draws), "");
+    }
+    EXPECT_GT(rings, 0);  // they need finer steps than others
 }
 
 // The agent that is waited for stops somewhere short of where it has to get; all others go on as far as they can.

@@ -72,6 +72,22 @@ inline Mission drawn_team(Draws& draws, const PlainMap& plain, const Map& map) {
     return mission;
 }
 
+// As many that are alike as a small map holds: they go round in rings.
+inline Mission drawn_crowd(Draws& draws, const PlainMap& plain, const Map& map) {
+    Mission mission;
+    const double radius = draws.any_of(std::array{0.25, 0.35, 0.35});
+    const int vehicles = draws.number(4, plain.width * plain.height - 2);
+    for (int tries = 0; tries < 200 && int(mission.agents.size()) < vehicles; ++tries) {
+        mission.agents.push_back(vehicle("v" + std::to_string(tries), draws.cell(plain), draws.cell(plain), radius));
+        try {
+            validate(map, mission);
+        } catch (const InputError&) {
+            mission.agents.pop_back();
+        }
+    }
+    return mission;
+}
+
 struct Drawn {
     Map map;
     Mission mission;
