@@ -18,12 +18,12 @@ Encounter::Encounter(const Stretch& first, const Stretch& second, double reach)
       lasts_(second.length > 0 ? second.length : 1),
       offset_(second.start - first.start) {
     // Within reach of either end of the first's move, or of the line between them.
+    const Interval at_end = met(offset_ - first.length * first.direction);
     places_ = met(offset_);
-    places_.join(met(offset_ - first.length * first.direction));
+    places_.join(at_end);
     if (first.length > 0) places_.join(met_between_ends());
     if (empty()) return;
-    // At its end it has to be gone, or just to be there, which rounding must not decide.
-    const Interval at_end = met(offset_ - first.length * first.direction);
+    // Rounding must not decide whether it has to get to its end, where it may vanish.
     worst_ = std::clamp(at_end.empty() ? place_of_worst() : at_end.from, places_.from, places_.to);
     most_ = at_end.empty() ? beside(worst_).to : first.length;
 }
