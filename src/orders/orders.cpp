@@ -40,7 +40,9 @@ void add_opening_orders(const Map& map, const Mission& mission, Plan& plan) {
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
             if (plan.agents[i].kind == AgentKind::air) continue;
             const std::vector<Waypoint>& path = plan.agents[i].path;
-            const auto touch = first_touch_on(map, breach.obstacle, path, standing_radius(mission.agents[i].body));
+            // Who only grazes it, give or take rounding, does not enter.
+            const double radius = std::max(standing_radius(mission.agents[i].body) - order_clearance, 0.0);
+            const auto touch = first_touch_on(map, breach.obstacle, path, radius);
             if (!touch) continue;
             const Moment after = orders::departure(i, path, touch->move, touch->share);
             const double slack = orders::slack_of(plan.agents[by].path[before.point].t, touch->time);
