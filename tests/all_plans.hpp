@@ -1,6 +1,6 @@
-// All plans of a small mission of one ground agent, and of obstacles that open by themselves: every set of obstacles, every way to share it among the aircraft,
-// every order of a flight, every boundary cell, and the earliest arrival of the ground agent among the centres of all
-// cells, waits included.
+// All plans of a small mission of one ground agent, and of obstacles that open by themselves: every set of obstacles,
+// every way to share it among the aircraft, every order of a flight, every boundary cell, and the earliest arrival of
+// the ground agent among the centres of all cells, waits included.
 #pragma once
 
 #include <algorithm>
@@ -137,8 +137,7 @@ class AllPlans {
             const auto found = std::ranges::find(chosen_, obstacle);
             const auto opens = std::ranges::find(rules_.opened, obstacle, &TimedOpening::obstacle);
             if (found == chosen_.end() && opens == rules_.opened.end()) return none;
-            const double open =
-                found != chosen_.end() ? cleared_[std::size_t(found - chosen_.begin())] : opens->at;
+            const double open = found != chosen_.end() ? cleared_[std::size_t(found - chosen_.begin())] : opens->at;
             start = std::max(start, open - at / driver_.speed);
         }
         return start + move.length / driver_.speed;

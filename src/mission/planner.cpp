@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -159,6 +160,48 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
     return better;
 }
 
+// Of what opens by itself, the last one that a ground agent enters at once: it has waited for it. None where nothing
+// is.
+std::optional<ObstacleId> waited_for(const Map& map, const Mission& mission, const Plan& plan) {
+    std::optional<ObstacleId> last;
+    double latest = 0;
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        if (plan.agents[i].kind == AgentKind::air) continue;
+        for (const TimedOpening& opening : mission.rules.opened) {
+            if (opening.at < latest) continue;
+            const double radius = standing_radius(mission.agents[i].body);
+            const auto touched = first_touch(map, opening.obstacle, plan.agents[i].path, radius);
+            if (!touched || *touched > opening.at + 1e-6 * (1 + opening.at)) continue;
+            latest = opening.at;
+            last = opening.obstacle;
+        }
+    }
+    return last;
+}
+
+// The searches take what opens by itself as open: where that is waited for, it may be better to stay away from it, and
+// from the next one. `planned` plans a mission in so many seconds.
+Plan around_late(const Map& map, Mission mission, const Limits& limits,
+                 const std::function<Plan(const Mission&, double)>& planned) {
+    const Deadline deadline(limits.seconds);
+    Plan best = planned(mission, limits.seconds);
+    if (mission.rules.opened.empty() || mission.rules.timing == Timing::ignore) return best;
+    const auto reached = [&](const Plan& plan) {
+        return value(plan.after, mission.rules.objective).value_or(std::numeric_limits<double>::infinity());
+    };
+    std::optional<ObstacleId> late = waited_for(map, mission, best);
+    while (late && best.gap.value_or(1) > 1e-9 && !deadline.passed()) {
+        std::erase_if(mission.rules.opened, [&](const TimedOpening& opening) { return opening.obstacle == *late; });
+        mission.rules.protect.push_back(*late);
+        Plan other = planned(mission, deadline.left());
+        late = waited_for(map, mission, other);
+        if (!(reached(other) < reached(best) * (1 - 1e-9))) continue;
+        other.before = best.before;
+        best = instead(best, std::move(other), mission.rules.objective);
+    }
+    return best;
+}
+
 // Agents that are on their way already begin there.
 void begin_on_approach(const Mission& mission, Plan& plan) {
     for (std::size_t i = 0; i < mission.agents.size(); ++i) {
@@ -203,7 +246,12 @@ Plan Planner::plan(const Map& map, const Mission& mission, const Method& method,
     const OpenedByThemselves opened(map, mission);
     const ActivePart active(opened.mission());
     const AgentOrder order(active.mission());
-    Plan plan = plan_active(opened.map(), order.mission(), method, limits);
+    Plan plan = around_late(opened.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
+        Limits left = limits;
+        left.seconds = seconds;
+        if (asked.rules.opened.size() < opened.mission().rules.opened.size()) left.progress = nullptr;
+        return plan_active(opened.map(), asked, method, left);
+    });
     return finished(map, mission, active.whole(map, order.restored(std::move(plan))));
 }
 

@@ -150,7 +150,8 @@ class PathsInTime {
 };
 
 Candidate evaluated(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
-                   std::vector<ObstacleId> removed, const Cutoff& cutoff, const CrossingResult* found, double seconds) {
+                    std::vector<ObstacleId> removed, const Cutoff& cutoff, const CrossingResult* found,
+                    double seconds) {
     std::ranges::sort(removed);
     const double costliest = costliest_path(task, cutoff.reached, opening_times);
     const bool is_known = found != nullptr && !opening_times.matter();

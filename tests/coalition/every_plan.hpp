@@ -96,7 +96,8 @@ class EveryPlan {
         }
         choose(next + 1, set);
         if (!map_.obstacles()[next].destructible || opens(map_.obstacles()[next].id) != mission_.rules.opened.end() ||
-            set.size() == std::size_t(mission_.rules.removals)) return;
+            set.size() == std::size_t(mission_.rules.removals))
+            return;
         set.push_back(map_.obstacles()[next].id);
         choose(next + 1, std::move(set));
     }
