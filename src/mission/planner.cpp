@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -14,6 +13,8 @@
 #include "crossing/access.hpp"
 #include "mission/agent_order.hpp"
 #include "mission/explain.hpp"
+#include "mission/instead.hpp"
+#include "mission/late_openings.hpp"
 #include "mission/plan_status.hpp"
 #include "mission/team_demolition.hpp"
 #include "mission/team_plan.hpp"
@@ -144,62 +145,6 @@ Plan explained_team(const Map& map, const Mission& mission, const Method& method
     explain_agents(mission, plan);
     plan.seconds.total = total.seconds();
     return plan;
-}
-
-// A plan that removes less, for a mission whose own plan is worse; what is proven is of the latter.
-Plan instead(const Plan& own, Plan better, Objective objective) {
-    better.limit_reached = own.limit_reached;
-    better.seconds = own.seconds;
-    better.bound = own.bound;
-    better.gap.reset();
-    if (own.bound) {
-        const double reached = value(better.after, objective).value_or(std::numeric_limits<double>::infinity());
-        better.bound = std::min(*own.bound, reached);
-        better.gap = *better.bound > 0 ? reached / *better.bound - 1 : 0;
-    }
-    return better;
-}
-
-// Of what opens by itself, the last one that a ground agent enters at once: it has waited for it. None where nothing
-// is.
-std::optional<ObstacleId> waited_for(const Map& map, const Mission& mission, const Plan& plan) {
-    std::optional<ObstacleId> last;
-    double latest = 0;
-    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
-        if (plan.agents[i].kind == AgentKind::air) continue;
-        for (const TimedOpening& opening : mission.rules.opened) {
-            if (opening.at < latest) continue;
-            const double radius = standing_radius(mission.agents[i].body);
-            const auto touched = first_touch(map, opening.obstacle, plan.agents[i].path, radius);
-            if (!touched || *touched > opening.at + 1e-6 * (1 + opening.at)) continue;
-            latest = opening.at;
-            last = opening.obstacle;
-        }
-    }
-    return last;
-}
-
-// The searches take what opens by itself as open: where that is waited for, it may be better to stay away from it, and
-// from the next one. `planned` plans a mission in so many seconds.
-Plan around_late(const Map& map, Mission mission, const Limits& limits,
-                 const std::function<Plan(const Mission&, double)>& planned) {
-    const Deadline deadline(limits.seconds);
-    Plan best = planned(mission, limits.seconds);
-    if (mission.rules.opened.empty() || mission.rules.timing == Timing::ignore) return best;
-    const auto reached = [&](const Plan& plan) {
-        return value(plan.after, mission.rules.objective).value_or(std::numeric_limits<double>::infinity());
-    };
-    std::optional<ObstacleId> late = waited_for(map, mission, best);
-    while (late && best.gap.value_or(1) > 1e-9 && !deadline.passed()) {
-        std::erase_if(mission.rules.opened, [&](const TimedOpening& opening) { return opening.obstacle == *late; });
-        mission.rules.protect.push_back(*late);
-        Plan other = planned(mission, deadline.left());
-        late = waited_for(map, mission, other);
-        if (!(reached(other) < reached(best) * (1 - 1e-9))) continue;
-        other.before = best.before;
-        best = instead(best, std::move(other), mission.rules.objective);
-    }
-    return best;
 }
 
 // Agents that are on their way already begin there.
