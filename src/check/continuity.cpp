@@ -85,7 +85,7 @@ class ContinuityJudge {
         if (!begins_so || now.found.size() > known.size() + stopped) say("the plan does not know what was found");
     }
 
-    static bool is_out(const AgentState* state) const {
+    static bool is_out(const AgentState* state) {
         return state != nullptr && (state->doing == Doing::lost || state->doing == Doing::stopped);
     }
 
