@@ -104,6 +104,29 @@ export interface Surface {
   near_water?: number; // within 5 m of it
 }
 
+// A point of an agent's path, counted from 0, or a share of the move to the next one.
+export interface PathMoment {
+  agent: string;
+  point: number;
+  fraction?: number;
+}
+
+// What waits for what: `after` is not left before the other agent has got to `before`.
+export interface Order {
+  before: PathMoment;
+  after: PathMoment;
+  why: "opening" | "passing";
+  obstacle?: number;
+  slack: number;
+}
+
+export interface RevisionNote {
+  number: number;
+  sequence: number; // of the last report that it knows
+  now: number; // when that was; paths begin then
+  decided: { agent: string; point: number; time: number }[]; // until then an agent keeps to the plan before
+}
+
 // A part of a wait that has one reason.
 export interface ExplainedWait {
   at: Point;
@@ -129,6 +152,8 @@ export interface Plan {
   next?: { obstacle: number; source_id?: number; name?: string; saves: number | null }[];
   front?: FrontPoint[];
   agents: Agent[]; // none where there is no plan
+  orders?: Order[];
+  revision?: RevisionNote; // of a plan that was made while the mission was under way
   seconds?: Record<string, number>;
 }
 

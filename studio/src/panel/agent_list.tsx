@@ -44,7 +44,7 @@ interface TableProps {
 }
 
 function AgentTable({ page, studio, agents }: TableProps) {
-  const plan = page.results.plans.value.after?.plan;
+  const plan = page.played.value ?? undefined;
   const chosen = page.chosenAgent.value;
   return (
     <div class="agent-scroll">
