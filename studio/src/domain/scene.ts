@@ -41,7 +41,7 @@ export interface Scene {
 export interface Pointed {
   cell: Cell;
   obstacle: number | null;
-  agent: string | null; // in playback
+  agents: readonly string[]; // in playback
 }
 
 export interface SceneEvents {

@@ -15,7 +15,7 @@ import { type Spot, spotAt, spots } from "./layers/marker_spots";
 import { widthOfName } from "./layers/team_markers";
 import { ObstacleLayer } from "./layers/obstacle_layer";
 import { faint, PathLayer } from "./layers/path_layer";
-import { agentAt } from "./layers/playing_agents";
+import { agentsAt } from "./layers/playing_agents";
 import { drawRehearsalSigns, RehearsalLayer } from "./layers/rehearsal_layer";
 import { drawScaleBar } from "./layers/scale_bar";
 import { FeatureIndex } from "./tiles/ground_features";
@@ -225,9 +225,9 @@ export class MapView implements GestureTarget {
     const place = at ?? [width / 2, height / 2];
     const frame = { camera: this.#viewpoint.camera, view: this.#surface.view };
     const plan = scene.layers.at(-1)?.plan;
-    const agent = plan && scene.time !== null ? agentAt(frame, plan, scene.time, place) : null;
+    const agents = plan && scene.time !== null ? agentsAt(frame, plan, scene.time, place) : [];
     const obstacle = breachAt(frame, scene, this.#spots(), place) ?? this.#obstacleAt(place);
-    return this.events.ask({ cell: onMap(scene.cells, cellAt(this.#toMap(place))), obstacle, agent }, place);
+    return this.events.ask({ cell: onMap(scene.cells, cellAt(this.#toMap(place))), obstacle, agents }, place);
   }
 
   choose(): void {

@@ -31,7 +31,7 @@ import { type Asked, MishapMenu } from "./mishap_menu";
 import { dropRubble, mishapsAt } from "./mishaps";
 import { OverlayDialog } from "./overlay_dialog";
 import { Printed } from "./printed";
-import { RehearsalResult } from "./rehearsal_result";
+import { RehearsalCaption, RehearsalResult } from "./rehearsal_result";
 import { Rehearse } from "./rehearse";
 import { Removals } from "./removals";
 import { RemovedTable } from "./removed_table";
@@ -143,6 +143,7 @@ function MapArea({ page, studio, onView }: MapAreaProps) {
         {studio && <MishapMenu studio={studio} asked={asked} />}
       </div>
       <ObstacleCard page={page} studio={studio} marked={() => view.current?.marked() ?? null} />
+      {studio && <RehearsalCaption studio={studio} />}
       <div class="timeline-box">
         {plan && plan.agents.length > 0 && (
           <Timeline

@@ -52,17 +52,20 @@ export function rubbleAhead(studio: Studio, agent: Agent): Mishap | null {
   return cell && { label: "Rubble ahead", told: `Rubble falls ahead of ${agentName(agent)}`, act: () => dropRubble(studio, cell, true) };
 }
 
+const mostAtOnce = 3; // agents in a menu
+
 // What can happen to what is there.
-export function mishapsAt(studio: Studio, { cell, obstacle, agent: id }: Pointed): Mishap[] {
+export function mishapsAt(studio: Studio, { cell, obstacle, agents: ids }: Pointed): Mishap[] {
   const { page, rehearsal } = studio;
   if (!rehearsal.available.value || !rehearsal.held.value || page.clock.time.value === null) {
     return rehearsal.available.value && obstacle !== null ? [failure(studio, obstacle)].filter((one) => one !== null) : [];
   }
-  const agent = page.played.value?.agents.find((one) => one.id === id);
-  const found = [obstacle === null ? null : failure(studio, obstacle), ...(agent ? [...delays(studio, agent), loss(studio, agent)] : [])];
+  const agents = page.played.value?.agents.filter(({ id }) => ids.includes(id)).slice(0, mostAtOnce) ?? [];
+  const ofAgents = agents.flatMap((agent) => [...delays(studio, agent), loss(studio, agent)]);
+  const found = [obstacle === null ? null : failure(studio, obstacle), ...ofAgents];
   const free = page.shown.value?.map.cells.at(...cell) === 0;
   const rubble = { label: "Rubble", told: "Rubble falls here", act: () => dropRubble(studio, cell, true) };
-  return [...found.filter((one) => one !== null), ...(free && !agent ? [rubble] : [])];
+  return [...found.filter((one) => one !== null), ...(free && agents.length === 0 ? [rubble] : [])];
 }
 
 // Not `done` while it is held over the map.

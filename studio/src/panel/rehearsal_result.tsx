@@ -10,9 +10,10 @@ export function RehearsalResult({ studio }: { studio: Studio }) {
   const { page, rehearsal } = studio;
   const steps = rehearsal.steps.value;
   const last = steps.at(-1);
+  useEffect(() => scrollTo({ top: 0 }), [last]); // where the panel lies below the map: back to that
   if (!last) return null;
   const units = page.units.value;
-  const telling: Telling = { units, obstacle: (id) => nameOf(page.shown.value!, id).text };
+  const telling = tellingOf(studio);
   const told = stepWords(last, telling);
   const sum = sumWords(steps, units);
   const earlier = steps.slice(0, -1);
@@ -21,12 +22,6 @@ export function RehearsalResult({ studio }: { studio: Studio }) {
     <section class={`headline rehearsal ${last.is === null ? "bad" : "plain"}`} aria-label="Result" aria-busy={busy}>
       <h2>{told}</h2>
       {sum && <p class="arrivals">{sum}</p>}
-      {rehearsal.failure.value && (
-        <p class="old-note" role="alert">
-          <Icon name="warning" />
-          {rehearsal.failure.value}
-        </p>
-      )}
       {earlier.length > 0 && (
         <>
           <p class="arrivals">Before that:</p>
@@ -50,6 +45,21 @@ export function RehearsalResult({ studio }: { studio: Studio }) {
       </div>
       <Spoken text={sum ? `${told} ${sum}` : told} />
     </section>
+  );
+}
+
+function tellingOf({ page }: Studio): Telling {
+  return { units: page.units.value, obstacle: (id) => nameOf(page.shown.value!, id).text };
+}
+
+// The same on the map, where the panel lies below it.
+export function RehearsalCaption({ studio }: { studio: Studio }) {
+  const last = studio.rehearsal.steps.value.at(-1);
+  if (!last) return null;
+  return (
+    <p class="rehearsal-caption" aria-hidden="true">
+      {stepWords(last, tellingOf(studio))}
+    </p>
   );
 }
 

@@ -5,6 +5,7 @@ import type { Studio } from "../mission/studio";
 import { nameOf as agentName } from "../play/story";
 import { AgentDot } from "./agent_dot";
 import { Section } from "./controls";
+import { Icon } from "./icons";
 import { delays, failure, loss, type Mishap, openingsToCome, rubbleAhead } from "./mishaps";
 import { Name } from "./name";
 import { nameOf } from "./obstacle_words";
@@ -19,7 +20,15 @@ export function Rehearse({ studio }: { studio: Studio }) {
   return (
     <Section title="Rehearse" kind="rehearse">
       {isBegun ? (
-        rehearsal.held.value && <Mishaps studio={studio} plan={plan} />
+        <>
+          {rehearsal.held.value && <Mishaps studio={studio} plan={plan} />}
+          {rehearsal.failure.value && (
+            <p class="old-note" role="alert">
+              <Icon name="warning" />
+              {rehearsal.failure.value}
+            </p>
+          )}
+        </>
       ) : (
         <>
           <p class="known">
@@ -47,21 +56,18 @@ function Mishaps({ studio, plan }: { studio: Studio; plan: Plan }) {
       <p class="known">What goes wrong at {clockTime(time, page.units.value)}? Or right-click it on the map.</p>
       <ul class="mishaps">
         {openings.map(({ removed: { obstacle }, number }) => (
-          <Row key={`opening ${obstacle}`} mishaps={[failure(studio, obstacle)]}>
+          <Row key={`opening ${obstacle}`} of={nameOf(page.shown.value!, obstacle).text} mishaps={[failure(studio, obstacle)]}>
             <span class="badge">{number}</span>
-            <Name of={nameOf(page.shown.value!, obstacle).text} />
           </Row>
         ))}
         {vehicles.map((agent) => (
-          <Row key={agent.id} mishaps={[...delays(studio, agent), rubbleAhead(studio, agent)]}>
+          <Row key={agent.id} of={capital(agentName(agent))} mishaps={[...delays(studio, agent), rubbleAhead(studio, agent)]}>
             <AgentDot look={page.looks.value.get(agent.id)} />
-            <Name of={capital(agentName(agent))} />
           </Row>
         ))}
         {aircraft.map((agent) => (
-          <Row key={agent.id} mishaps={[loss(studio, agent)]}>
+          <Row key={agent.id} of={capital(agentName(agent))} mishaps={[loss(studio, agent)]}>
             <AgentDot look={page.looks.value.get(agent.id)} />
-            <Name of={capital(agentName(agent))} />
           </Row>
         ))}
       </ul>
@@ -70,19 +76,23 @@ function Mishaps({ studio, plan }: { studio: Studio; plan: Plan }) {
 }
 
 interface RowProps {
+  of: string; // whom it happens to
   mishaps: readonly (Mishap | null)[];
   children: preact.ComponentChildren;
 }
 
-function Row({ mishaps, children }: RowProps) {
+function Row({ of, mishaps, children }: RowProps) {
   const possible = mishaps.filter((one) => one !== null);
   if (possible.length === 0) return null;
   return (
     <li>
-      <span class="mishap-of">{children}</span>
+      <span class="mishap-of">
+        {children}
+        <Name of={of} />
+      </span>
       <span class="mishap-buttons">
         {possible.map(({ label, told, act }) => (
-          <button key={label} type="button" class="button" aria-label={told} title={told} onClick={act}>
+          <button key={label} type="button" class="button" aria-label={`${of}: ${label}`} title={told} onClick={act}>
             {label}
           </button>
         ))}

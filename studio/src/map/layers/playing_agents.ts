@@ -53,16 +53,15 @@ export function drawTeam(frame: Frame, scene: Scene, plan: Plan, time: number): 
 
 const reach = 20; // pixels
 
-// Whom a place on the map is on, aircraft first: they fly above.
-export function agentAt(frame: Pick<Frame, "camera" | "view">, plan: Plan, time: number, [x, y]: Point): string | null {
-  const upright = (["air", "ground"] as const).flatMap((kind) => plan.agents.filter((agent) => agent.kind === kind));
-  const found = upright.find(({ kind, path }) => {
+// Who is at a place on the map.
+export function agentsAt(frame: Pick<Frame, "camera" | "view">, plan: Plan, time: number, [x, y]: Point): string[] {
+  const found = plan.agents.filter(({ kind, path }) => {
     const now = positionAt({ path }, time);
     if (!now) return false;
     const at = place(frame, [now.x, now.y]);
     return [at, kind === "air" ? lifted(at) : at].some(([ax, ay]) => Math.hypot(ax - x, ay - y) <= reach);
   });
-  return found?.id ?? null;
+  return found.map(({ id }) => id);
 }
 
 interface Drawn {
