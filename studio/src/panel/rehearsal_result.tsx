@@ -1,5 +1,5 @@
 // What went wrong, what it costs, and what the lines on the map mean; in place of what the plan achieves.
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import type { Studio } from "../mission/studio";
 import { proof } from "../mission/words";
 import { stepWords, sumWords, type Telling } from "../rehearse/words";
@@ -10,7 +10,10 @@ export function RehearsalResult({ studio }: { studio: Studio }) {
   const { page, rehearsal } = studio;
   const steps = rehearsal.steps.value;
   const last = steps.at(-1);
-  useEffect(() => scrollTo({ top: 0 }), [last]); // where the panel lies below the map: back to that
+  const section = useRef<HTMLElement>(null);
+  useEffect(() => {
+    if (section.current) bringIntoSight(section.current);
+  }, [last]);
   if (!last) return null;
   const units = page.units.value;
   const telling = tellingOf(studio);
@@ -19,7 +22,7 @@ export function RehearsalResult({ studio }: { studio: Studio }) {
   const earlier = steps.slice(0, -1);
   const busy = rehearsal.working.value;
   return (
-    <section class={`headline rehearsal ${last.is === null ? "bad" : "plain"}`} aria-label="Result" aria-busy={busy}>
+    <section ref={section} class={`headline rehearsal ${last.is === null ? "bad" : "plain"}`} aria-label="Result" aria-busy={busy}>
       <h2>{told}</h2>
       {sum && <p class="arrivals">{sum}</p>}
       {earlier.length > 0 && (
@@ -46,6 +49,13 @@ export function RehearsalResult({ studio }: { studio: Studio }) {
       <Spoken text={sum ? `${told} ${sum}` : told} />
     </section>
   );
+}
+
+// Where the panel lies below the map, that comes first: it has the sentence, too.
+function bringIntoSight(result: HTMLElement): void {
+  const panel = result.closest(".panel");
+  if (panel && getComputedStyle(panel).overflowY === "visible") scrollTo({ top: 0 });
+  else result.scrollIntoView({ block: "nearest" });
 }
 
 function tellingOf({ page }: Studio): Telling {

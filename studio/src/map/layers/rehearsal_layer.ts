@@ -55,7 +55,13 @@ function drawWays(frame: Frame, scene: Scene, rehearsed: Rehearsed, pixel: numbe
   };
   for (const agent of inOrder(before.agents)) {
     const old = splitAt(agent, committed.get(agent.id) ?? now).ahead;
-    stroke(agent, ({ width }) => ({ edge: null, width: Math.max(1.6, 0.35 * width), dash: [1, 5] }))(old, 0, 0.6);
+    const isThin = agent.kind === "air" && scene.looks.size === 0;
+    stroke(agent, ({ width, colour }) => ({
+      colour: isThin ? (theme) => theme.airLine : colour,
+      edge: null,
+      width: Math.max(1.6, 0.35 * width),
+      dash: [1, 5],
+    }))(old, 0, 0.7);
   }
   for (const agent of inOrder(plan.agents)) {
     const { travelled, ahead } = splitAt(agent, time);
