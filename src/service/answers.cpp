@@ -135,6 +135,12 @@ void require_same_reading(const io::PlanFile& plan, const StoredMap& map) {
                         "plan-invalid");
 }
 
+void require_map(const io::PlanFile& plan, const StoredMap& map) try {
+    io::require_map_of(plan, map.file, "the plan");
+} catch (const InputError& error) {
+    throw http::Problem(http::unprocessable, error.what(), "plan-invalid");
+}
+
 io::PlanFile plan_of(const StoredMap& map, const std::string& bytes) {
     io::PlanFile plan = read_request([&] { return io::parse_plan(bytes, "the plan"); });
     require_same_reading(plan, map);
@@ -248,12 +254,7 @@ std::string revise_answer(const SharedMap& map, const request::RevisionRequest& 
                           double seconds, const http::Worker& worker) try {
     const io::PlanFile& before = request.before;
     require_same_reading(before, *map);
-    if (before.digest != map->file.digest) {
-        throw http::Problem(http::unprocessable,
-                            "the plan was made for another map: its digest is " + before.digest +
-                                ", that of this one is " + map->file.digest,
-                            "plan-invalid");
-    }
+    require_map(before, *map);
     const Limits limits{.seconds = std::min(request.seconds, seconds), .stop = worker.stop};
     worker.set_time_limit(limits.seconds);
     const io::MapFile known = request::map_of(request, map->file);
