@@ -93,6 +93,7 @@ export interface Agent {
   goal: Cell;
   waits?: ExplainedWait[]; // of a vehicle that waits anywhere
   surface?: Surface; // of a vehicle, where the map knows its ways
+  lost?: boolean; // in a rehearsal: where its path ends
   path: TimedPoint[]; // two points in a row at the same place are a wait
 }
 

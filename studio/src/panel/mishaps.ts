@@ -1,12 +1,13 @@
 // What can go wrong at the moment that playback stands at: the choices of the menu on the map, and of the panel.
-import type { Pointed } from "../domain/scene";
+import type { Cell, Point } from "../domain/geometry";
 import type { Agent, Plan, Removed } from "../domain/plan";
 import { rubbleAt, rubbleRadius } from "../domain/rubble";
-import type { Cell, Point } from "../domain/geometry";
-import { clockTime, duration as durationText, type Units } from "../domain/units";
+import type { Pointed } from "../domain/scene";
+import { clockTime, duration as durationText } from "../domain/units";
 import type { Studio } from "../mission/studio";
 import { arrival, breachOrder, duration, positionAt } from "../play/motion";
 import { nameOf as agentName } from "../play/story";
+import { cellAhead, usualDelays } from "../rehearse/choices";
 import { failureOf } from "../rehearse/news";
 import { nameOf } from "./obstacle_words";
 
@@ -30,7 +31,7 @@ export function delays(studio: Studio, agent: Agent): Mishap[] {
   const at = rehearsal.time;
   if (agent.kind !== "ground" || !isUnderWay(studio, agent)) return [];
   const units = page.units.value;
-  return delaysFor(duration(page.played.value!), units).map((by) => ({
+  return usualDelays(duration(page.played.value!), units.seconds).map((by) => ({
     label: `${durationText(by, units)} late`,
     told: `${capital(agentName(agent))} stands still for ${durationText(by, units)}`,
     act: () => void rehearsal.happens({ kind: "delayed", agent: agent.id, by, at }),
@@ -96,37 +97,13 @@ export function openingsToCome(plan: Plan, time: number): { removed: Removed; nu
     .filter(({ removed }) => removed.cleared_at >= time);
 }
 
-function isUnderWay({ page, rehearsal }: Studio, agent: Agent): boolean {
-  const isLost = page.rehearsed.value?.lost.some((one) => one.agent === agent.id) ?? false;
-  return rehearsal.held.value !== null && !isLost && arrival(agent) > rehearsal.time;
-}
-
-const nice = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600];
-
-// A short delay and a long one: round numbers, near a thirtieth and an eighth of the mission.
-function delaysFor(whole: number, units: Units): number[] {
-  const round = (time: number) => nice.reduce((best, one) => (Math.abs(one - time) < Math.abs(best - time) ? one : best));
-  return [...new Set([30, 8].map((part) => round((whole * units.seconds) / part) / units.seconds))];
+function isUnderWay({ rehearsal }: Studio, agent: Agent): boolean {
+  return rehearsal.held.value !== null && !agent.lost && arrival(agent) > rehearsal.time;
 }
 
 // So far that the vehicle and what is committed of its way are clear of it.
 function leastAhead(studio: Studio, { id }: Agent): number {
   return 2 * rubbleRadius(studio.page.shown.value!.map.cells) + 2 * radiusOf(studio, id) + 4;
-}
-
-// The cell so far ahead on the way; null if that is too near to its end.
-function cellAhead(agent: Agent, time: number, ahead: number): Cell | null {
-  const now = positionAt(agent, time)!;
-  let [x, y] = [now.x, now.y];
-  let left = ahead;
-  for (const [px, py, t] of agent.path) {
-    if (t <= time) continue;
-    const length = Math.hypot(px - x, py - y);
-    if (length >= left) return [Math.round(x + (left / length) * (px - x)), Math.round(y + (left / length) * (py - y))];
-    left -= length;
-    [x, y] = [px, py];
-  }
-  return null;
 }
 
 function capital(text: string): string {

@@ -59,9 +59,9 @@ export class Rehearsal {
     this.available = computed(() => client.revises && isRehearsable(around.plan.value));
   }
 
-  // Where playback stands; at the beginning where it does not.
+  // Where playback stands. Where it does not: when the last news was known, or at the beginning.
   get time(): number {
-    return this.around.clock.time.value ?? 0;
+    return this.around.clock.time.value ?? this.steps.value.at(-1)?.now ?? 0;
   }
 
   // News that comes earlier than what has happened already takes its place. Not `done`: of a gesture that goes on, whose

@@ -18,7 +18,8 @@ export function storyOf({ before, driven, next, now, failed }: Chapter): Plan {
     const past = own ? [...until(agent, own[0]![2]), ...until({ path: own }, now)] : until(agent, now);
     const ahead = next?.agents.find(({ id }) => id === agent.id);
     const path = tidy([...past, ...(ahead?.path ?? [])]);
-    return { ...agent, path, waits: [...waitsUntil(agent.waits, now), ...(ahead?.waits ?? [])] };
+    const lost = agent.lost || (next !== null && !ahead);
+    return { ...agent, path, ...(lost && { lost }), waits: [...waitsUntil(agent.waits, now), ...(ahead?.waits ?? [])] };
   });
   return {
     ...before,

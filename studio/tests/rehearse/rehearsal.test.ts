@@ -66,6 +66,8 @@ describe("a rehearsal", () => {
 
   it("revises revisions, and takes each back", async () => {
     await rehearsal.happens(fails);
+    clock.stop(); // the whole plan is shown
+    expect(rehearsal.time).toBe(10);
     clock.seek(14);
     await rehearsal.happens(rubble(14));
     expect(reviser.asked[1]!.request.state.sequence).toBe(2);

@@ -1,4 +1,6 @@
 import { describe, expect, it } from "vitest";
+import { activityAt } from "../../src/play/activity";
+import { Story } from "../../src/play/story";
 import { pathOf, retimed } from "../../src/rehearse/retimed";
 import { storyOf } from "../../src/rehearse/story";
 import { roundTheWall, yard } from "./yard";
@@ -17,6 +19,8 @@ describe("the story of a mission", () => {
   it("ends for who is lost where that was, and for all where no plan is left", () => {
     const story = storyOf({ before: yard(), driven: none, next: roundTheWall(3, 30), now: 3, failed: null });
     expect(story.agents[2]!.path).toEqual([[0, 2, 0], [3, 2, 3]]);
+    expect(story.agents.map(({ lost = false }) => lost)).toEqual([false, false, true]);
+    expect(activityAt(new Story(story), 5)).toMatch(/drone is lost/);
     const end = storyOf({ before: yard(), driven: none, next: null, now: 3, failed: null });
     expect(end.agents.map(({ path }) => path.at(-1))).toEqual([[3, 0, 3], [3, 4, 3], [3, 2, 3]]);
   });
