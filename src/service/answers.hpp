@@ -52,8 +52,8 @@ std::string compare_answer(const Task& task, const http::Worker& worker);
 std::string check_answer(const StoredMap& map, const std::string& plan);
 Document export_answer(const StoredMap& map, const std::string& plan, const std::string& format);
 
-// Of a plan and what has happened to it (request/revision.hpp). Throws Problem if the plan is of another map, or the state
-// cannot be one of the plan.
+// Of a plan and what has happened to it (request/revision.hpp). Throws Problem if the plan is of another map, or the
+// state cannot be one of the plan.
 std::string revise_answer(const SharedMap& map, const request::RevisionRequest& request, PlannerPool& planners,
                           double seconds, const http::Worker& worker);
 

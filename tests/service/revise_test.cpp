@@ -9,13 +9,12 @@ namespace {
 
 const std::string revise = maps + "/house.map/revise";
 
-const Json through_the_wall{
-    {"format", "waybreaker-mission/1"},
-    {"map", "house.map"},
-    {"agents",
-     {{{"id", "rover"}, {"kind", "ground"}, {"start", {1, 3}}, {"goal", {9, 3}}},
-      {{"id", "drone"}, {"kind", "air"}, {"start", {1, 3}}, {"goal", {9, 3}}}}},
-    {"rules", {{"removals", 1}}}};
+const Json through_the_wall{{"format", "waybreaker-mission/1"},
+                            {"map", "house.map"},
+                            {"agents",
+                             {{{"id", "rover"}, {"kind", "ground"}, {"start", {1, 3}}, {"goal", {9, 3}}},
+                              {{"id", "drone"}, {"kind", "air"}, {"start", {1, 3}}, {"goal", {9, 3}}}}},
+                            {"rules", {{"removals", 1}}}};
 
 class ReviseTest : public LiveMissionServer {
   protected:
@@ -40,7 +39,8 @@ TEST_F(ReviseTest, AnswersAsToAReport) {
     reported["plan"]["revision"].erase("supersedes");
     Json left = answer;
     left["plan"].erase("seconds");
-    for (Json* outcome : {&reported["plan"]["before"], &reported["plan"]["after"]}) (*outcome)["ground"].erase("seconds");
+    for (Json* outcome : {&reported["plan"]["before"], &reported["plan"]["after"]})
+        (*outcome)["ground"].erase("seconds");
     EXPECT_EQ(left, reported);
 
     const io::PlanFile old = io::parse_plan(plan.dump(), "old");
@@ -76,8 +76,9 @@ TEST_F(ReviseTest, SaysWhatIsWrong) {
     };
     EXPECT_EQ(detail({{"plan", plan}}, 400), "request:1:1: state is missing");
     EXPECT_EQ(detail({{"state", state(1, 1)}}, 400), "request:1:1: plan is missing");
-    EXPECT_NE(detail({{"plan", plan}, {"state", {{"format", "x"}}}}, 400).find("state.format is not waybreaker-state/1"),
-              std::string::npos);
+    EXPECT_NE(
+        detail({{"plan", plan}, {"state", {{"format", "x"}}}}, 400).find("state.format is not waybreaker-state/1"),
+        std::string::npos);
     EXPECT_NE(detail({{"plan", plan}, {"state", state(1, 1)}, {"reaction", -1}}, 400).find("reaction"),
               std::string::npos);
     EXPECT_NE(detail({{"plan", plan}, {"state", state(1, 1)}, {"time_limit", 0}}, 400).find("is not above 0"),
