@@ -1,5 +1,5 @@
-// usage: plan MAP: what the library for C++ plans for mission.json. It writes no plan files, so this prints what others can
-// be seen to have, as they write it: the times, the removals and the timed paths.
+// usage: plan MAP: what the library for C++ plans for mission.json. It writes no plan files, so this prints parts of
+// one, as the others write them: the times, the removals and the timed paths.
 #include <charconv>
 #include <cmath>
 #include <fstream>
