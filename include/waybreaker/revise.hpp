@@ -45,6 +45,7 @@ struct Revision {
     Mission mission = {};          // what is left of it
     Plan plan = {};                // of that; its paths begin at State::now
     std::vector<Halt> halts = {};  // if broken
+    std::string reason = {};       // of `no_plan`, where it is no search that says so: for a person, one line
 };
 
 // Pure: the same arguments, the same revision, time limits aside. `plan` is one of that mission on that map, or a
