@@ -4,7 +4,7 @@
 #include <waybreaker.h>
 
 // Zero if it cannot be read, or is too long.
-static size_t read(const char* path, char* bytes, size_t capacity) {
+static size_t read_file(const char* path, char* bytes, size_t capacity) {
     FILE* file = fopen(path, "rb");
     if (file == NULL) return 0;
     const size_t size = fread(bytes, 1, capacity, file);
@@ -15,8 +15,8 @@ static size_t read(const char* path, char* bytes, size_t capacity) {
 int main(int count, char** words) {
     static char map_file[1 << 20], mission[1 << 12];
     if (count != 3) return 2;
-    const size_t map_size = read(words[1], map_file, sizeof map_file);
-    const size_t mission_size = read(words[2], mission, sizeof mission);
+    const size_t map_size = read_file(words[1], map_file, sizeof map_file);
+    const size_t mission_size = read_file(words[2], mission, sizeof mission);
 
     waybreaker_map* map = NULL;
     waybreaker_text* plan = NULL;
