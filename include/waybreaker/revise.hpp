@@ -24,7 +24,7 @@
 
 namespace waybreaker {
 
-// `unchanged`: the plan knows that report already. `kept`: nothing better was found than the rest of the plan.
+// `unchanged`: the plan knows that report already; it is looked at no further. `kept`: nothing better was found than the rest of the plan.
 // `revised`: it is another one. `no_plan`: none was found; Plan::status says why. `broken`: an agent is bound to meet
 // what is in its way, unless it stops (Revision::halts).
 enum class RevisionStatus { unchanged, kept, revised, no_plan, broken };
