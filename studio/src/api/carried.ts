@@ -22,7 +22,7 @@ export function carriedClient({ map, planner, worker }: Carried): LocalClient {
   const { id } = (JSON.parse(map) as { description: MapDescription }).description;
   const files = new Map([["maps.json", JSON.stringify({ maps: [{ id, uploaded: false, loaded: true }] })], [`maps/${id}.json`, map]]);
   const script = URL.createObjectURL(new Blob([worker], { type: "text/javascript" }));
-  const start = () => new Worker(script, { type: "module" });
+  const start = () => new Worker(script);
   return new LocalClient(start, compiled(planner), { fetched: async (path) => new Response(files.get(path)!), hasFiles: false });
 }
 
