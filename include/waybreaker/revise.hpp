@@ -24,9 +24,9 @@
 
 namespace waybreaker {
 
-// `unchanged`: the plan knows that report already; it is looked at no further. `kept`: nothing better was found than the rest of the plan.
-// `revised`: it is another one. `no_plan`: none was found; Plan::status says why. `broken`: an agent is bound to meet
-// what is in its way, unless it stops (Revision::halts).
+// `unchanged`: the plan knows that report already; it is looked at no further. `kept`: nothing better was found than
+// the rest of the plan. `revised`: it is another one. `no_plan`: none was found; Plan::status says why. `broken`: an
+// agent is bound to meet what is in its way, unless it stops (Revision::halts).
 enum class RevisionStatus { unchanged, kept, revised, no_plan, broken };
 template <>
 inline constexpr std::array<std::string_view, 5> words_of<RevisionStatus>{"unchanged", "kept", "revised", "no_plan",
