@@ -46,6 +46,7 @@ void require_valid(const ExportOptions& options, const io::PlanFile& plan, const
 }
 
 void run(const ExportOptions& options) {
+    validate(options.exports);
     auto outputs = named_outputs(options.exports);
     outputs.emplace_back("--html", options.html);
     const NamedFiles inputs{{"MAP", options.map}, {"PLAN", options.plan}};
@@ -53,7 +54,8 @@ void run(const ExportOptions& options) {
     validate_outputs(outputs, inputs);
     if (std::all_of(outputs.begin(), outputs.end(), [](const auto& output) { return output.second.empty(); })) {
         throw InputError(
-            "nothing to write: give --geojson, --csv, --ros-path, --opened-map, --xml, --gpx, --kml or --html");
+            "nothing to write: give --geojson, --csv, --ros-path, --ros-parts, --opened-map, --xml, --gpx, --kml, "
+            "--qgc or --html");
     }
     const std::string text = io::read_whole(options.plan, io::max_plan_bytes);
     const io::PlanFile plan = io::parse_plan(text, options.plan);
