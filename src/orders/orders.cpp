@@ -17,16 +17,15 @@ namespace {
 using orders::Precision;
 
 // When its agent has breached an obstacle: it has got to the point of its path where it has stayed for that, or it
-// passes the place without a stop.
+// passes the place without a stop. Of points at one time, where nothing takes time, it is the last.
 Moment breach_of(const Breach& breach, std::size_t agent, const std::vector<Waypoint>& path) {
     const double rounding = 1e-9 * std::max(1.0, breach.cleared_at);
-    const auto next =
-        std::ranges::partition_point(path, [&](const Waypoint& at) { return at.t < breach.cleared_at - rounding; });
-    if (next == path.end()) return {agent, path.size() - 1, 0};
-    const auto point = std::size_t(next - path.begin());
-    if (point == 0 || next->t <= breach.cleared_at + rounding) return {agent, point, 0};
-    const double begun = path[point - 1].t;
-    return {agent, point - 1, (breach.cleared_at - begun) / (next->t - begun)};
+    const auto later =
+        std::ranges::partition_point(path, [&](const Waypoint& at) { return at.t <= breach.cleared_at + rounding; });
+    if (later == path.begin()) return {agent, 0, 0};
+    const auto point = std::size_t(later - path.begin()) - 1;
+    if (later == path.end() || path[point].t >= breach.cleared_at - rounding) return {agent, point, 0};
+    return {agent, point, (breach.cleared_at - path[point].t) / (later->t - path[point].t)};
 }
 
 // Of one ground and one air agent the plan does not say who breaches.
@@ -65,7 +64,11 @@ void add_passing_orders(const Mission& mission, Plan& plan) {
                           orders::stretches(i, plan.agents[i].path, mission.rules.at_goal == AtGoal::stay)});
     }
     if (tracks.size() < 2) return;
-    const std::vector<orders::Pair> pairs = orders::near_pairs(tracks, mission.rules.separation);
+    std::vector<orders::Pair> pairs = orders::near_pairs(tracks, mission.rules.separation);
+    // Who comes later is where it comes, whatever others do.
+    const auto begins = [&](std::size_t agent) { return plan.agents[agent].path.front().t; };
+    std::erase_if(pairs,
+                  [&](const orders::Pair& pair) { return begins(pair.one->agent) != begins(pair.other->agent); });
     constexpr std::array<Precision, 4> precisions{
         {{order_step}, {order_step / 16}, {order_step / 256}, {order_step / 256, true}}};
     std::vector<std::size_t> precision(plan.agents.size());  // of orders between two agents that need one as fine
