@@ -42,8 +42,7 @@ void add_plan_exports(CLI::App& command, PlanExports& exports) {
     add_number(
         command, "--step", [&exports](double metres) { exports.step = metres; }, {0.001, 1e6}, "METRES",
         "Most distance between two poses of --ros-path and --ros-parts; corners have one in any case (default: the "
-        "side "
-        "of a cell)");
+        "side of a cell)");
     add_file(command, "--opened-map", exports.opened_map,
              "Write the map after the removals, in the format that the file's name ends in, as waybreaker map convert");
     add_file(command, "--xml", exports.xml, "Write the log of the authors' program");

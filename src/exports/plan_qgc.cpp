@@ -148,6 +148,11 @@ std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& plac
     require_place(placed, "QGroundControl");
     if (!placed.altitude)
         throw InputError("QGroundControl needs to know how high aircraft fly; give --altitude METRES");
+    if (placed.plan.revised) {
+        throw InputError(
+            "a flight for QGroundControl begins with the take-off, and this plan was revised under way; take the plan "
+            "before it, or --vda5050, --gpx and --kml, which revised plans have");
+    }
     std::vector<const Itinerary*> aircraft;
     for (const Itinerary& agent : placed.plan.agents) {
         if (agent.kind == AgentKind::air) aircraft.push_back(&agent);

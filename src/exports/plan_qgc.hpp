@@ -15,7 +15,7 @@ namespace waybreaker::exports {
 
 // Path and bytes of each file: `path` itself for one aircraft; for several its name with "-" and the aircraft's id
 // before the ending. Throws InputError if the map does not say where it lies on earth, no altitude is given, the plan
-// has no aircraft, or one name would stand for several files.
+// has no aircraft or was revised under way, or one name would stand for several files.
 std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& placed, const std::string& path,
                                                           const MavAction& breach = {});
 

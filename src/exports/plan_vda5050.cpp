@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 
 #include "exports/utc_time.hpp"
 #include "io/map_frame.hpp"
@@ -30,6 +34,20 @@ std::string map_id(const io::MapFile& map) {
     return std::filesystem::path(map.source).stem().string();
 }
 
+std::string short_digest(const Message& message) {
+    return io::sha256_digest(message.dump(-1, ' ', false, Message::error_handler_t::replace))
+        .substr(std::string_view("sha256:").size(), 16);
+}
+
+void require_serial_number(const std::string& id) {
+    constexpr std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.:-";
+    if (!id.empty() && id.find_first_not_of(allowed) == std::string::npos) return;
+    throw InputError(
+        fmt::format("agent '{}' has no id that can be a serial number of VDA 5050: letters from A to Z, digits, and "
+                    "_ . : - only; rename it",
+                    id));
+}
+
 // What all messages begin with.
 Message header(const PlacedPlan& placed, const std::string& vehicle, std::size_t number, double sent_at) {
     return {{"headerId", number},
@@ -40,23 +58,33 @@ Message header(const PlacedPlan& placed, const std::string& vehicle, std::size_t
 }
 
 // A zone for each piece of the obstacle; a yard that it encloses belongs to it.
-Message release_zones(const PlacedPlan& placed, const io::MapFrame& frame) {
+Message release_zones(const PlacedPlan& placed, const Mission& mission, const io::MapFrame& frame) {
     Message zones = Message::array();
-    for (const Breach& breach : placed.plan.breaches) {
-        const std::vector<site::Polygon> pieces = site::outline(placed.map.map, breach.obstacle);
+    for (const ObstacleId obstacle : io::openings_of(mission, placed.plan)) {
+        const std::vector<site::Polygon> pieces = site::outline(placed.map.map, obstacle);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             Message vertices = Message::array();
             const site::Ring& ring = pieces[i].front();
             for (std::size_t k = 0; k + 1 < ring.size(); ++k) vertices.push_back(place_json(frame, ring[k]));
-            zones.push_back({{"zoneId", fmt::format("obstacle-{}{}", breach.obstacle.value,
+            zones.push_back({{"zoneId", fmt::format("obstacle-{}{}", obstacle.value,
                                                     pieces.size() == 1 ? "" : fmt::format("-{}", i + 1))},
                              {"zoneType", "RELEASE"},
-                             {"zoneDescriptor", obstacle_name(placed, breach.obstacle)},
+                             {"zoneDescriptor", obstacle_name(placed, obstacle)},
                              {"vertices", std::move(vertices)},
                              {"releaseLossBehavior", "STOP"}});
         }
     }
     return zones;
+}
+
+// Ends the order of the plan before, of which the vehicle may have driven any part.
+Message cancel_order(const PlacedPlan& placed, const Itinerary& vehicle, const std::string& next_order) {
+    Message message = header(placed, vehicle.id, 0, vehicle.path.front().t);
+    message["actions"] = Message::array({{{"actionType", "cancelOrder"},
+                                          {"actionId", next_order + "-after-cancel"},
+                                          {"blockingType", "NONE"},
+                                          {"actionParameters", Message::array()}}});
+    return message;
 }
 
 // The way of one vehicle: a node where it turns or waits, an edge for each straight move.
@@ -71,22 +99,28 @@ class Way {
         }
     }
 
+    // The first order, then its updates.
     std::vector<Message> orders(const std::vector<io::PathPart>& parts) const {
-        // What may be driven at once belongs to the first order.
-        const bool waits =
-            parts.empty() || !parts[0].openings.empty() || vehicle_.path[parts[0].first].t > vehicle_.path.front().t;
         std::vector<Message> all;
-        if (waits) all.push_back(order(0, 0, 0, vehicle_.path.front().t));
+        if (stays(parts)) all.push_back(order(0, 0, 0, vehicle_.path.front().t));
         for (const io::PathPart& part : parts) {
             all.push_back(order(all.size(), node_of_[part.first], node_of_[part.last], vehicle_.path[part.first].t));
             if (!part.openings.empty()) all.back()["orderDescription"] = description(part);
         }
-        const std::string id = fmt::format("waybreaker-{}", io::sha256_digest(Message(all).dump()).substr(7, 16));
+        const std::string id = "waybreaker-" + short_digest(all);
         for (Message& one : all) one["orderId"] = id;
         return all;
     }
 
   private:
+    // Whether its first order lets it go nowhere. What may be driven at once belongs to that order otherwise.
+    bool stays(const std::vector<io::PathPart>& parts) const {
+        if (parts.empty() || !parts[0].openings.empty()) return true;
+        if (vehicle_.path[parts[0].first].t > vehicle_.path.front().t) return true;
+        const std::optional<std::size_t> decision = io::decision_point(placed_.plan, vehicle_.id);
+        return decision && node_of_[*decision] == 0;
+    }
+
     static std::string description(const io::PathPart& part) {
         std::vector<std::uint32_t> ids;
         for (const ObstacleId obstacle : part.openings) ids.push_back(obstacle.value);
@@ -149,21 +183,25 @@ std::string plan_vda5050(const PlacedPlan& placed, const Mission& mission) {
                         placed.map.source));
     }
     const io::MapFrame frame(placed.map);
-    const Message zones = release_zones(placed, frame);
+    const Message zones = release_zones(placed, mission, frame);
+    const std::string zone_set_id = fmt::format("{}-openings-{}", map_id(placed.map), short_digest(zones));
     Message zone_sets = Message::array();
+    Message actions = Message::array();
     Message orders = Message::array();
     for (std::size_t i = 0; i < placed.plan.agents.size(); ++i) {
         const Itinerary& vehicle = placed.plan.agents[i];
         if (vehicle.kind != AgentKind::ground) continue;
+        require_serial_number(vehicle.id);
         Message zone_set = header(placed, vehicle.id, 0, 0);
-        zone_set["zoneSet"] = {
-            {"mapId", map_id(placed.map)}, {"zoneSetId", map_id(placed.map) + "-openings"}, {"zones", zones}};
+        zone_set["zoneSet"] = {{"mapId", map_id(placed.map)}, {"zoneSetId", zone_set_id}, {"zones", zones}};
         zone_sets.push_back(std::move(zone_set));
-        const auto parts =
-            io::path_parts(placed.map.map, placed.plan, vehicle, mission.agents.at(i).body.thousandths());
-        for (Message& order : Way(placed, vehicle, frame).orders(parts)) orders.push_back(std::move(order));
+        std::vector<Message> own =
+            Way(placed, vehicle, frame).orders(io::path_parts(placed.map.map, mission, placed.plan, i));
+        if (placed.plan.revised) actions.push_back(cancel_order(placed, vehicle, own.front().at("orderId")));
+        std::ranges::move(own, std::back_inserter(orders));
     }
-    const Message all{{"zoneSets", std::move(zone_sets)}, {"orders", std::move(orders)}};
+    const Message all{
+        {"zoneSets", std::move(zone_sets)}, {"instantActions", std::move(actions)}, {"orders", std::move(orders)}};
     return all.dump(2, ' ', false, Message::error_handler_t::replace) + "\n";
 }
 

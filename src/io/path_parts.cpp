@@ -1,6 +1,8 @@
 #include "io/path_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 #include "check/contact.hpp"
@@ -32,16 +34,37 @@ std::vector<ObstacleId> take_touched(std::set<ObstacleId>& closed, const Map& ma
 
 }  // namespace
 
-std::vector<PathPart> path_parts(const Map& map, const Plan& plan, const Itinerary& agent, std::int64_t radius) {
+std::vector<ObstacleId> openings_of(const Mission& mission, const Plan& plan) {
+    std::set<ObstacleId> openings;
+    for (const Breach& breach : plan.breaches) openings.insert(breach.obstacle);
+    const double begins = plan.revised ? plan.revised->now : 0;
+    for (const TimedOpening& opening : mission.rules.opened) {
+        if (opening.at > begins) openings.insert(opening.obstacle);
+    }
+    return {openings.begin(), openings.end()};
+}
+
+std::optional<std::size_t> decision_point(const Plan& plan, std::string_view agent) {
+    if (!plan.revised) return std::nullopt;
+    const auto decision = std::ranges::find(plan.revised->decisions, agent, &Decision::agent);
+    return decision == plan.revised->decisions.end() ? std::nullopt : std::optional(decision->point);
+}
+
+std::vector<PathPart> path_parts(const Map& map, const Mission& mission, const Plan& plan, std::size_t agent) {
+    const Itinerary& itinerary = plan.agents.at(agent);
+    const std::int64_t radius = mission.agents.at(agent).body.thousandths();
+    const std::optional<std::size_t> decision = decision_point(plan, itinerary.id);
     std::set<ObstacleId> closed;
-    if (agent.kind == AgentKind::ground) {
-        for (const Breach& breach : plan.breaches) closed.insert(breach.obstacle);
+    if (itinerary.kind == AgentKind::ground) {
+        const std::vector<ObstacleId> openings = openings_of(mission, plan);
+        closed.insert(openings.begin(), openings.end());
     }
     std::vector<PathPart> parts;
     bool cut = true;
-    for (std::size_t i = 1; i < agent.path.size(); ++i) {
-        const Waypoint& from = agent.path[i - 1];
-        const Waypoint& to = agent.path[i];
+    for (std::size_t i = 1; i < itinerary.path.size(); ++i) {
+        const Waypoint& from = itinerary.path[i - 1];
+        const Waypoint& to = itinerary.path[i];
+        cut = cut || decision == i - 1;
         if (from.x == to.x && from.y == to.y) {
             cut = cut || to.t > from.t;
             if (!cut) parts.back().last = i;

@@ -161,8 +161,7 @@ std::string plan_ros_parts(const Plan& plan, const MapFile& map, const Mission& 
     const double metres = step.value_or(map.cell_size);
     return document(plan, [&](const Itinerary& agent) {
         const auto place = std::size_t(&agent - plan.agents.data());
-        const std::vector<PathPart> parts =
-            path_parts(map.map, plan, agent, mission.agents.at(place).body.thousandths());
+        const std::vector<PathPart> parts = path_parts(map.map, mission, plan, place);
         require_bounded(corners_of(agent.path, frame), metres);
         std::string text = parts.empty() ? ": []\n" : ":\n";
         for (const PathPart& part : parts) {

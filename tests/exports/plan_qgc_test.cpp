@@ -145,6 +145,9 @@ TEST_F(PlanQgc, HasAFileForEachAircraft) {
 
 TEST_F(PlanQgc, RefusesWhatCannotBeFlown) {
     EXPECT_NE(input_error([&] { plan_qgc(placed(), "a.plan"); }).find("--altitude"), std::string::npos);
+    plan.revised = Revised{};
+    EXPECT_NE(input_error([&] { plan_qgc(flown(), "a.plan"); }).find("revised under way"), std::string::npos);
+    plan.revised.reset();
     plan.agents = {*vehicle};
     EXPECT_NE(input_error([&] { plan_qgc(flown(), "a.plan"); }).find("no aircraft"), std::string::npos);
     plan.agents.clear();

@@ -104,6 +104,66 @@ TEST_F(PlanVda5050, LetsWhoMustWaitStandAtItsStart) {
     EXPECT_EQ(messages().at("orders").size(), 1U);
 }
 
+// Such as a breach that had begun when the plan was revised.
+TEST_F(PlanVda5050, WaitsForWhatOpensByItself) {
+    const Json planned = messages();
+    mission.rules.opened = {{plan.breaches[0].obstacle, 9}};
+    plan.breaches.clear();
+    EXPECT_EQ(messages(), planned);
+    mission.rules.opened[0].at = 0;
+    EXPECT_EQ(base(messages().at("orders")[0].at("nodes")), (std::vector<bool>{true, true, true, false}));
+    EXPECT_TRUE(messages().at("zoneSets")[0].at("zoneSet").at("zones").empty());
+}
+
+// A base that was sent cannot be taken back: the order is cancelled, and the new one releases what the vehicle is bound
+// to do. Then come the rest and, when it is open, what lies behind the crate.
+TEST_F(PlanVda5050, OfARevisionEndsTheBaseAtTheDecisionPoint) {
+    EXPECT_TRUE(messages().at("instantActions").empty());
+    const std::string before = messages().at("orders")[0].at("orderId");
+    plan.agents[0].path = {{1, 0, 1}, {2, 0, 2}, {2, 2, 4}, {2, 2, 9}, {6, 2, 13}};
+    plan.revised = Revised{.number = 1, .sequence = 1, .now = 1, .decisions = {{"ground", 1, 2}, {"air", 0, 1}}};
+    const Json orders = messages().at("orders");
+    ASSERT_EQ(orders.size(), 3U);
+    EXPECT_NE(orders[0].at("orderId"), before);
+    EXPECT_EQ(base(orders[0].at("nodes")), (std::vector<bool>{true, true, false, false}));
+    EXPECT_EQ(base(orders[0].at("edges")), (std::vector<bool>{true, false, false}));
+    EXPECT_EQ(base(orders[1].at("nodes")), (std::vector<bool>{true, true, false}));
+    EXPECT_EQ(base(orders[2].at("nodes")), (std::vector<bool>{true, true}));
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+        EXPECT_EQ(orders[i].at("orderUpdateId"), i);
+        EXPECT_EQ(orders[i].at("orderId"), orders[0].at("orderId"));
+    }
+    EXPECT_EQ(orders[1].at("timestamp"), "1970-01-01T00:00:02.000Z");
+    const Json actions = messages().at("instantActions");
+    ASSERT_EQ(actions.size(), 1U);
+    EXPECT_EQ(actions[0].at("serialNumber"), "ground");
+    EXPECT_EQ(actions[0].at("timestamp"), "1970-01-01T00:00:01.000Z");
+    EXPECT_EQ(actions[0].at("actions")[0].at("actionType"), "cancelOrder");
+    // Who decides where it stands is bound to nothing.
+    plan.revised->decisions[0] = {"ground", 0, 1};
+    EXPECT_EQ(base(messages().at("orders")[0].at("nodes")), (std::vector<bool>{true, false, false, false}));
+}
+
+// A vehicle refuses another set under a name that it knows.
+TEST_F(PlanVda5050, NamesAZoneSetByWhatIsInIt) {
+    const auto id = [&] { return messages().at("zoneSets")[0].at("zoneSet").at("zoneSetId").get<std::string>(); };
+    const std::string one = id();
+    EXPECT_EQ(one, id());
+    plan.breaches.clear();
+    EXPECT_NE(one, id());
+}
+
+TEST_F(PlanVda5050, NeedsIdsThatCanBeSerialNumbers) {
+    for (const char* const good : {"ground", "AMR-7.b:2_x"}) {
+        plan.agents[0].id = good;
+        EXPECT_EQ(messages().at("orders")[0].at("serialNumber"), good);
+    }
+    for (const char* const bad : {"", "hall/1", "+", "amr 7", "Käfer"}) {
+        plan.agents[0].id = bad;
+        EXPECT_NE(input_error([&] { messages(); }).find("serial number"), std::string::npos) << bad;
+    }
+}
+
 TEST_F(PlanVda5050, NeedsMetres) {
     const io::MapFile bare{.map = map_from_ascii("..#.."), .source = "yard.map"};
     const std::string error = input_error([&] { plan_vda5050({.plan = plan, .map = bare}, mission); });

@@ -171,6 +171,28 @@ TEST_F(RosParts, EndBeforeAnOpeningWithoutAWait) {
     EXPECT_EQ(openings(ground[1]), std::vector<int>{1});
 }
 
+// Such as a breach that had begun when the plan was revised.
+TEST_F(RosParts, EndBeforeWhatOpensByItself) {
+    mission.rules.opened = {{plan.breaches[0].obstacle, 9}};
+    plan.breaches.clear();
+    plan.agents[0].path = {{0, 0, 6}, {2, 0, 8}, {2, 2, 10}, {6, 2, 14}};
+    ASSERT_EQ(parts("ground").size(), 2U);
+    EXPECT_EQ(openings(parts("ground")[1]), std::vector<int>{1});
+    plan.revised = Revised{.now = 9};  // open by then
+    EXPECT_EQ(parts("ground").size(), 1U);
+}
+
+// What the robot is bound to do ends at its decision point.
+TEST_F(RosParts, EndWhereARevisionLetsTheRobotDecide) {
+    plan.revised = Revised{.decisions = {{"air", 1, 4}, {"ground", 1, 2}}};
+    const YAML::Node ground = parts("ground");
+    ASSERT_EQ(ground.size(), 3U);
+    EXPECT_EQ(poses(ground[0]).back().t, 2);
+    EXPECT_EQ(poses(ground[1]).back().t, 4);
+    EXPECT_EQ(openings(ground[2]), std::vector<int>{1});
+    EXPECT_EQ(parts("air").size(), 2U);
+}
+
 // Beside the crate a narrow robot touches nothing, and a wide one does.
 TEST_F(RosParts, KnowTheRobotsSize) {
     plan.agents[0].path = {{0, 0, 0}, {2, 0, 2}, {6, 0, 6}};
