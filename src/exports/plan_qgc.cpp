@@ -150,8 +150,8 @@ std::vector<std::pair<std::string, std::string>> plan_qgc(const PlacedPlan& plac
         throw InputError("QGroundControl needs to know how high aircraft fly; give --altitude METRES");
     if (placed.plan.revised) {
         throw InputError(
-            "a flight for QGroundControl begins with the take-off, and this plan was revised under way; take the plan "
-            "before it, or --vda5050, --gpx and --kml, which revised plans have");
+            "QGroundControl: flights begin with the take-off, and the aircraft of this revised plan are under way; "
+            "--vda5050, --gpx and --kml take revised plans");
     }
     std::vector<const Itinerary*> aircraft;
     for (const Itinerary& agent : placed.plan.agents) {

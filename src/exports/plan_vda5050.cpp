@@ -42,10 +42,9 @@ std::string short_digest(const Message& message) {
 void require_serial_number(const std::string& id) {
     constexpr std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.:-";
     if (!id.empty() && id.find_first_not_of(allowed) == std::string::npos) return;
-    throw InputError(
-        fmt::format("agent '{}' has no id that can be a serial number of VDA 5050: letters from A to Z, digits, and "
-                    "_ . : - only; rename it",
-                    id));
+    throw InputError(fmt::format(
+        "agent '{}': serial numbers of VDA 5050 have letters from A to Z, digits, and _ . : - only; rename the agent",
+        id));
 }
 
 // What all messages begin with.

@@ -146,7 +146,7 @@ TEST_F(PlanQgc, HasAFileForEachAircraft) {
 TEST_F(PlanQgc, RefusesWhatCannotBeFlown) {
     EXPECT_NE(input_error([&] { plan_qgc(placed(), "a.plan"); }).find("--altitude"), std::string::npos);
     plan.revised = Revised{};
-    EXPECT_NE(input_error([&] { plan_qgc(flown(), "a.plan"); }).find("revised under way"), std::string::npos);
+    EXPECT_NE(input_error([&] { plan_qgc(flown(), "a.plan"); }).find("revised plan"), std::string::npos);
     plan.revised.reset();
     plan.agents = {*vehicle};
     EXPECT_NE(input_error([&] { plan_qgc(flown(), "a.plan"); }).find("no aircraft"), std::string::npos);

@@ -160,7 +160,7 @@ TEST_F(PlanVda5050, NeedsIdsThatCanBeSerialNumbers) {
     }
     for (const char* const bad : {"", "hall/1", "+", "amr 7", "Käfer"}) {
         plan.agents[0].id = bad;
-        EXPECT_NE(input_error([&] { messages(); }).find("serial number"), std::string::npos) << bad;
+        EXPECT_NE(input_error([&] { messages(); }).find("rename the agent"), std::string::npos) << bad;
     }
 }
 
