@@ -108,7 +108,7 @@ int32_t waybreaker_map_width(const waybreaker_map* map);
 int32_t waybreaker_map_height(const waybreaker_map* map);
 uint32_t waybreaker_map_obstacle_count(const waybreaker_map* map);
 // Of each cell the id of its obstacle, 0 where it is free. Ids are 1, 2, 3, ... in scan order, whatever the labels were
-// that the map was made from.
+// that the map was made from; those that edits add come last.
 const uint32_t* waybreaker_map_labels(const waybreaker_map* map);
 // "sha256:..." of what the map was made from, as plans state it (docs/c.md).
 const char* waybreaker_map_digest(const waybreaker_map* map);
@@ -120,8 +120,34 @@ typedef struct waybreaker_obstacle {
     waybreaker_attributes attributes;
 } waybreaker_obstacle;
 
-// False, and nothing is written, unless `id` is 1 to waybreaker_map_obstacle_count.
+// False, and nothing is written, unless `id` is 1 to waybreaker_map_obstacle_count. One that edits have taken away has no
+// cells, and its bounding box is empty: min_x > max_x.
 bool waybreaker_map_obstacle(const waybreaker_map* map, uint32_t id, waybreaker_obstacle* obstacle);
+
+typedef struct waybreaker_cell {
+    int32_t x, y;
+} waybreaker_cell;
+
+typedef enum waybreaker_edit_kind {
+    WAYBREAKER_EDIT_REMOVE = 0,  // all cells of the obstacle are free then, and it is gone
+    WAYBREAKER_EDIT_ADD = 1,     // a new obstacle has these cells; its id is the one after the last
+    WAYBREAKER_EDIT_EXTEND = 2,  // the obstacle has these cells as well, whatever they were
+    WAYBREAKER_EDIT_FREE = 3     // these cells are free
+} waybreaker_edit_kind;
+
+// Members that a kind does not name are not read.
+typedef struct waybreaker_edit {
+    int32_t kind;                      // a waybreaker_edit_kind
+    uint32_t obstacle;                 // of remove and extend
+    const waybreaker_cell* cells;      // of add, extend and free
+    size_t cell_count;                 // of those
+    waybreaker_attributes attributes;  // of add
+} waybreaker_edit;
+
+// The map with its obstacles changed, one edit after the other; the map that is passed in stays as it is. All other
+// obstacles keep their ids, and rows that stay the same are shared: it costs a small part of a new map.
+waybreaker_status waybreaker_map_with(const waybreaker_map* map, const waybreaker_edit* edits, size_t edit_count,
+                                      waybreaker_map** edited, waybreaker_text** error);
 
 // ---- Planning ----
 
