@@ -168,6 +168,20 @@ waybreaker_status waybreaker_front(waybreaker_planner* planner, const waybreaker
                                    size_t mission_size, bool timing_fields, waybreaker_text** plan,
                                    waybreaker_text** error);
 
+// The rest of a mission planned anew, from what has happened: the plan ("waybreaker-plan/1") that takes over from
+// `plan`, as `waybreaker revise --json` writes it for a `state` ("waybreaker-state/1", docs/live.md). The map is the one
+// that the mission began on: what was found since is in the plans. `reaction`: how long it takes until agents know of the
+// new plan, 0 to 1e9 units of time. `seconds`: how long to plan at most, as limits of missions have it; INFINITY is no
+// limit.
+//
+// Its "revision" says what has become of `plan`, in "status": "kept", "revised", "no_plan" (and the plan's own "status"
+// why), or "broken": then "halts" says who must stop, before which point of its path, by when. A report that `plan` knows
+// already gives `plan` once more. "supersedes" is the SHA-256 of the bytes that are passed in as `plan`.
+waybreaker_status waybreaker_revise(waybreaker_planner* planner, const waybreaker_map* map, const char* plan,
+                                    size_t plan_size, const char* state, size_t state_size, double reaction,
+                                    double seconds, bool timing_fields, waybreaker_text** revised,
+                                    waybreaker_text** error);
+
 // Lets the call that runs on the planner end soon, with the best plan found by then ("limit_reached"), or with one of
 // status "stopped". Does nothing if none runs, nor to calls that begin later.
 void waybreaker_planner_stop(waybreaker_planner* planner);
@@ -178,6 +192,12 @@ void waybreaker_planner_stop(waybreaker_planner* planner);
 // `*valid`, if `valid` is not NULL: whether nothing is wrong.
 waybreaker_status waybreaker_check(const waybreaker_map* map, const char* plan, size_t plan_size, bool* valid,
                                    waybreaker_text** report, waybreaker_text** error);
+
+// Judges a plan that revises `before`, from a state: also whether it goes on from there, as `waybreaker check --after`
+// does. Everybody keeps to what he was bound to do, nobody is forgotten, and what is open, failed or used up counts.
+waybreaker_status waybreaker_check_after(const waybreaker_map* map, const char* plan, size_t plan_size,
+                                         const char* before, size_t before_size, const char* state, size_t state_size,
+                                         bool* valid, waybreaker_text** report, waybreaker_text** error);
 
 // The picture of a plan that is valid on the map.
 waybreaker_status waybreaker_plan_svg(const waybreaker_map* map, const char* plan, size_t plan_size,

@@ -138,6 +138,14 @@ Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& o
     return violations;
 }
 
+Violations judge_after(const PlanFile& plan, const MapFile& map, const PlanFile& before, const State& state,
+                       const JudgeOptions& options) {
+    Violations violations = judge(plan, map, options);
+    append(violations, check_continuity(before.asked.mission, before.plan, state, plan.asked.mission, plan.plan,
+                                        options.tolerance));
+    return violations;
+}
+
 std::string check_json(const Violations& violations) {
     Json list = Json::array();
     for (const Violation& violation : violations) {

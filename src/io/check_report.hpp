@@ -23,8 +23,12 @@ struct JudgeOptions {
 // their number of cells, where the plan says that of all it removes.
 std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const JudgeOptions& options);
 
-// What is wrong with the plan, that it was made for another map included.
+// What is wrong with the plan, that it was made for another map included. `map`: as it is known to the plan (known_map).
 std::vector<Violation> judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options = {});
+
+// The same of a plan that revises another, from a state: also whether it goes on from there (check_continuity).
+std::vector<Violation> judge_after(const PlanFile& plan, const MapFile& map, const PlanFile& before, const State& state,
+                                   const JudgeOptions& options = {});
 
 // The document "waybreaker-check/1", as `waybreaker check --json` writes it.
 std::string check_json(const std::vector<Violation>& violations);

@@ -222,6 +222,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     revised.sequence = state.sequence;
     revised.now = state.now;
     revised.decisions.clear();
+    revised.halts.clear();
     revised.found.insert(revised.found.end(), found.begin(), found.end());
     if (any) {
         next.status = RevisionStatus::broken;
@@ -238,7 +239,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             if (next.status != RevisionStatus::no_plan) break;
         }
         if (next.status == RevisionStatus::broken) {
-            next.halts = halts_of({next.map, left.rules.opened}, report, positions);
+            revised.halts = halts_of({next.map, left.rules.opened}, report, positions);
         } else {
             for (const Agent& agent : next.mission.agents) {
                 const std::size_t point = agent.approach.empty() ? 0 : agent.approach.size() - 1;
@@ -246,6 +247,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             }
         }
     }
+    revised.status = next.status;
     next.plan.revised = std::move(revised);
     return next;
 }
