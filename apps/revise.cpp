@@ -72,6 +72,8 @@ std::string summary(const RevisedFile& next) {
         }
         throw NoPlan(text);
     }
+    const std::string& reason = next.plan.revised->reason;
+    if (!reason.empty()) throw NoPlan("no plan: " + reason);
     if (next.plan.status == PlanStatus::no_plan) throw NoPlan("no plan: what is left of the mission has none");
     throw NoPlanFound("no plan of what is left of the mission was found; raise --time-limit");
 }
@@ -92,10 +94,15 @@ void run(const ReviseOptions& options) {
     Planner planner;
     const RevisedFile next = [&] {
         const Progress progress("revising");
-        return revision::revise(
-            planner,
-            {before, io::sha256_digest(bytes), map, state, io::input_name(options.state), options.reaction},
-            {.seconds = options.seconds});
+        return revision::revise(planner,
+                                {.before = before,
+                                 .before_name = io::input_name(options.plan),
+                                 .digest = io::sha256_digest(bytes),
+                                 .map = map,
+                                 .state = state,
+                                 .state_name = io::input_name(options.state),
+                                 .reaction = options.reaction},
+                                {.seconds = options.seconds});
     }();
     const bool solved = next.plan.status == PlanStatus::solved;
     std::vector<std::pair<std::string, std::string>> outputs;

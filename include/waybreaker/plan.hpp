@@ -171,6 +171,7 @@ struct Revised {
     int number = 1;  // 1 for the first revision, and so on
     RevisionStatus status = RevisionStatus::revised;  // of the plan before
     std::vector<Halt> halts = {};                     // if broken
+    std::string reason = {};  // of `no_plan`, where it is no search that says so: for a person, one line
     std::uint64_t sequence = 0;  // of the last report that it knows
     double now = 0;              // when that was, in units of time; paths begin then
     std::vector<Decision> decisions = {};

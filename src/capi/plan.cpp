@@ -133,7 +133,13 @@ struct Revising {
 std::string revised_document(Planner& planner, const waybreaker_map& map, const Revising& asked) {
     const io::PlanFile before = plan_on(map, asked.plan);
     const State state = io::parse_state(asked.state, "the state");
-    const revision::Task task{before, io::sha256_digest(asked.plan), map.file, state, "the state", asked.reaction};
+    const revision::Task task{.before = before,
+                              .before_name = "the plan",
+                              .digest = io::sha256_digest(asked.plan),
+                              .map = map.file,
+                              .state = state,
+                              .state_name = "the state",
+                              .reaction = asked.reaction};
     return revision::revise(planner, task, asked.limits).json(asked.timing_fields);
 }
 

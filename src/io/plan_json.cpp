@@ -231,6 +231,7 @@ Json revision_json(const Revised& revised, const PlanContext& context) {
         json["decided"].push_back(
             {{"agent", decision.agent}, {"point", decision.point}, {"time", number(decision.time)}});
     }
+    if (!revised.reason.empty()) json["reason"] = revised.reason;
     for (const Halt& halt : revised.halts)
         json["halts"].push_back({{"agent", halt.agent}, {"point", halt.point}, {"by", number(halt.by)}});
     if (!revised.found.empty()) json["found"] = found_json(revised.found);

@@ -22,6 +22,7 @@ RevisedFile revise(Planner& planner, const Task& task, const Limits& limits) {
     require_range(task.reaction, 0, most_breach_time, "the time of reaction");
     if (!(limits.seconds > 0)) throw InputError("the time limit must be above 0 seconds");
     const io::PlanFile& before = task.before;
+    io::require_map_of(before, task.map, task.before_name);
     io::MapFile map = io::known_map(task.map, before.plan);
     if (const auto weighed = io::reweighed(before, map, {})) map.map = *weighed;
     Revision next = [&] {

@@ -2,7 +2,7 @@
 //
 //     const io::PlanFile before = io::parse_plan(bytes, "plan.json");
 //     const State state = io::parse_state(report, "state.json");
-//     RevisedFile next = revise(planner, {before, io::sha256_digest(bytes), map, state, "state.json"}, limits);
+//     RevisedFile next = revise(planner, {before, "plan.json", io::sha256_digest(bytes), map, state, "state.json"}, limits);
 //     write(next.json(true));
 #pragma once
 
@@ -22,8 +22,9 @@ namespace waybreaker::revision {
 // What is revised, and from what.
 struct Task {
     const io::PlanFile& before;
-    std::string digest;      // of the bytes of that file
-    const io::MapFile& map;  // that the mission began on
+    std::string before_name;  // as errors call it
+    std::string digest;       // of its bytes
+    const io::MapFile& map;   // that the mission began on
     const State& state;
     std::string state_name;  // as errors call it
     double reaction = 0;     // as revise() has it
@@ -44,7 +45,8 @@ struct RevisedFile {
     std::string json(bool timing_fields) const { return io::plan_json(plan, context(timing_fields)); }
 };
 
-// Throws InputError, under the name of the state, if that cannot be one of the plan.
+// Throws InputError, under the name of the plan if that was made for another map, or of the state if it cannot be one of
+// the plan.
 RevisedFile revise(Planner& planner, const Task& task, const Limits& limits);
 
 }  // namespace waybreaker::revision
