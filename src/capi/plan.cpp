@@ -116,9 +116,8 @@ std::string front_document(Planner& planner, const io::PlanContext& context) {
 
 io::PlanFile plan_on(const waybreaker_map& map, std::string_view document, const char* name = "the plan") {
     io::PlanFile plan = io::parse_plan(document, name);
-    if (plan.connectivity == map.connectivity) return plan;
-    const char* const neighbours = plan.connectivity == Connectivity::eight ? "8" : "4";
-    throw InputError(std::string(name) + " is for a map of connectivity " + neighbours + ": make the map with it");
+    io::require_connectivity(plan, map.connectivity, name);
+    return plan;
 }
 
 // What revises a plan, beside the planner.

@@ -133,6 +133,12 @@ void require_map_of(const PlanFile& plan, const MapFile& map, const std::string&
                                     : "the plan was made for another map file: the digests differ");
 }
 
+void require_connectivity(const PlanFile& plan, Connectivity connectivity, const std::string& name) {
+    if (plan.connectivity == connectivity) return;
+    throw InputError(name + " is for a map of connectivity " + std::string(to_string(plan.connectivity)) +
+                     ": make the map with it");
+}
+
 Violations judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options) {
     Violations violations = judge_size(plan, map.map);
     if (!violations.empty()) return violations;

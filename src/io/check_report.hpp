@@ -26,6 +26,9 @@ std::optional<Map> reweighed(const PlanFile& plan, const MapFile& file, const Ju
 // Throws InputError, with the name of the plan's file, unless it was made for that map.
 void require_map_of(const PlanFile& plan, const MapFile& map, const std::string& name);
 
+// The same unless obstacles of the map are made of cells as the plan says.
+void require_connectivity(const PlanFile& plan, Connectivity connectivity, const std::string& name);
+
 // What is wrong with the plan, that it was made for another map included. `map`: as it is known to the plan (known_map).
 std::vector<Violation> judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options = {});
 
