@@ -13,25 +13,25 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view level = "type octile\nheight 4\nwidth 9\nmap\n....@....\n....@....\n....@....\n.........\n";
+constexpr std::string_view one_wall = "type octile\nheight 4\nwidth 9\nmap\n....@....\n....@....\n....@....\n.........\n";
 
-const std::string mission = R"({"format": "waybreaker-mission/1",
+const std::string breach_the_wall = R"({"format": "waybreaker-mission/1",
     "agents": [{"id": "rover", "kind": "ground", "start": [0, 1], "goal": [8, 1]},
                {"id": "drone", "kind": "air", "start": [0, 1], "goal": [0, 1]}],
     "rules": {"removals": 1, "breach_time": 1}})";
 
-std::string state(const std::string& more, int sequence = 1, const std::string& now = "4") {
+std::string reported(const std::string& more, int sequence = 1, const std::string& now = "4") {
     return R"({"format": "waybreaker-state/1", "sequence": )" + std::to_string(sequence) + R"(, "now": )" + now + more +
            "}";
 }
 
-const std::string failure = state(R"(, "failed": [{"obstacle": 1, "at": 4}])");
+const std::string failure = reported(R"(, "failed": [{"obstacle": 1, "at": 4}])");
 
 class CRevise : public testing::Test {
   protected:
-    OwnedMap map = from_movingai(level);
+    OwnedMap map = from_movingai(one_wall);
     OwnedPlanner planner = new_planner();
-    std::string plan = capi::plan(planner, map, mission).text;
+    std::string plan = capi::plan(planner, map, breach_the_wall).text;
 };
 
 TEST_F(CRevise, PlansAroundWhatCouldNotBeBreached) {
@@ -51,11 +51,11 @@ TEST_F(CRevise, PlansAroundWhatCouldNotBeBreached) {
 }
 
 TEST_F(CRevise, KeepsWhatIsNoWorse) {
-    EXPECT_EQ(Json::parse(revise(planner, map, plan, state("", 1, "2")).text)["revision"]["status"], "kept");
+    EXPECT_EQ(Json::parse(revise(planner, map, plan, reported("", 1, "2")).text)["revision"]["status"], "kept");
 }
 
 TEST_F(CRevise, SaysWhyThereIsNoPlan) {
-    const Answer none = revise(planner, map, plan, state(R"(, "agents": [{"id": "rover", "passed": 0, "doing": "lost"}])"));
+    const Answer none = revise(planner, map, plan, reported(R"(, "agents": [{"id": "rover", "passed": 0, "doing": "lost"}])"));
     ASSERT_EQ(none.status, WAYBREAKER_OK) << "that there is none is no error";
     const Json document = Json::parse(none.text);
     EXPECT_EQ(document["status"], "no_plan");
@@ -65,7 +65,7 @@ TEST_F(CRevise, SaysWhyThereIsNoPlan) {
 }
 
 TEST_F(CRevise, SaysWhoMustStop) {
-    const Answer broken = revise(planner, map, plan, state(R"(, "found": [{"cells": [[2, 1]]}])", 1, "1"), 3);
+    const Answer broken = revise(planner, map, plan, reported(R"(, "found": [{"cells": [[2, 1]]}])", 1, "1"), 3);
     ASSERT_EQ(broken.status, WAYBREAKER_OK) << broken.error;
     const Json document = Json::parse(broken.text);
     EXPECT_EQ(document["status"], "no_plan");
@@ -78,13 +78,13 @@ TEST_F(CRevise, SaysWhoMustStop) {
 }
 
 TEST_F(CRevise, KnowsWhatWasFoundFromThePlanAlone) {
-    const std::string report = state(R"(, "found": [{"cells": [[6, 1]]}])", 1, "1");
+    const std::string report = reported(R"(, "found": [{"cells": [[6, 1]]}])", 1, "1");
     const std::string first = revise(planner, map, plan, report).text;
     bool valid = false;
     EXPECT_EQ(check(map, first, &valid).error, "");
     EXPECT_TRUE(valid);
     EXPECT_EQ(svg(map, first).status, WAYBREAKER_OK);
-    const std::string later = state("", 2, "2");
+    const std::string later = reported("", 2, "2");
     const std::string second = revise(planner, map, first, later).text;
     EXPECT_EQ(Json::parse(second)["revision"]["found"].size(), 1U);
     EXPECT_EQ(Json::parse(second)["revision"]["number"], 2);
@@ -110,7 +110,7 @@ TEST_F(CRevise, RefusesWhatDoesNotFit) {
     };
     EXPECT_EQ(why("{}", failure).substr(0, 9), "the plan:");
     EXPECT_EQ(why(plan, "").substr(0, 10), "the state:");
-    EXPECT_EQ(why(plan, state(R"(, "opened": [{"obstacle": 2, "at": 3}])")),
+    EXPECT_EQ(why(plan, reported(R"(, "opened": [{"obstacle": 2, "at": 3}])")),
               "the state: opened obstacle 2: the map has none of that id");
     EXPECT_EQ(why(plan, failure, -1), "the time of reaction must be from 0 to 1e+09, not -1");
     EXPECT_EQ(why(plan, failure, 0, 0), "the time limit must be above 0 seconds");
@@ -118,7 +118,7 @@ TEST_F(CRevise, RefusesWhatDoesNotFit) {
     const OwnedMap other = from_movingai("type octile\nheight 1\nwidth 2\nmap\n..\n");
     EXPECT_EQ(revise(planner, other, plan, failure).error,
               "the plan: the plan is for a map of 9 x 4 cells, this one has 2 x 1");
-    EXPECT_EQ(revise(planner, from_movingai(level, "yard.map", 8), plan, failure).error,
+    EXPECT_EQ(revise(planner, from_movingai(one_wall, "yard.map", 8), plan, failure).error,
               "the plan is for a map of connectivity 4: make the map with it");
     EXPECT_EQ(check_after(map, plan, "{}", failure).error.substr(0, 16), "the plan before:");
     EXPECT_EQ(check_after(map, plan, plan, "{}").error.substr(0, 10), "the state:");
