@@ -151,9 +151,9 @@ struct Found {
 // The map with what was found laid over it, one after the other.
 [[nodiscard]] Map laid_over(const Map& map, std::span<const Found> found);
 
-// What has become of a plan (revise.hpp). `unchanged`: it knows that report already. `kept`: nothing better was found
-// than the rest of it. `revised`: the rest is another one. `no_plan`: none was found; Plan::status says why. `broken`:
-// an agent is bound to meet what is in its way, unless it stops (Revised::halts).
+// What has become of a plan (revise.hpp). `unchanged`: it knows that report already, which is looked at no further.
+// `kept`: nothing better was found than the rest of it. `revised`: the rest is another one. `no_plan`: none was found;
+// Plan::status says why. `broken`: an agent is bound to meet what is in its way, unless it stops (Revised::halts).
 enum class RevisionStatus { unchanged, kept, revised, no_plan, broken };
 template <>
 inline constexpr std::array<std::string_view, 5> words_of<RevisionStatus>{"unchanged", "kept", "revised", "no_plan",

@@ -219,11 +219,10 @@ Revised after(const Plan& plan, const State& state, std::span<const Found> found
 
 Revision revise(Planner& planner, const Map& map, const Mission& mission, const Plan& plan, const State& state,
                 double reaction, const Method& method, const Limits& limits) {
+    if (state.sequence <= (plan.revised ? plan.revised->sequence : 0))
+        return {RevisionStatus::unchanged, map, mission, plan};
     live::validate(map, mission, plan, state);
     require_range(reaction, 0, most_breach_time, "the time of reaction");
-    if (state.sequence <= (plan.revised ? plan.revised->sequence : 0)) {
-        return {RevisionStatus::unchanged, map, mission, plan};
-    }
     const Report report{map, mission, plan, state, state.now + reaction};
     const std::vector<Position> positions = live::positions_of(report);
     const std::vector<Outlook> outlooks = live::outlooks_of(report, positions);
