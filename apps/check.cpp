@@ -130,10 +130,10 @@ void run(const CheckOptions& options) {
         throw InputError(io::input_name(options.plan), 0, "has a budget of square metres: --weights is not for it");
     }
     if (!options.weights.empty()) judging.weights = io::read_weights(options.weights, map.map);
-    std::vector<Violation> violations =
-        options.after.empty() ? io::judge(plan, map, judging)
-                              : io::judge_after(plan, map, io::read_plan_file(options.after),
-                                                io::read_state_file(options.state), judging);
+    std::vector<Violation> violations = options.after.empty()
+                                            ? io::judge(plan, map, judging)
+                                            : io::judge_after(plan, map, io::read_plan_file(options.after),
+                                                              io::read_state_file(options.state), judging);
     if (options.replan && violations.empty()) {
         const std::optional<Map> other = io::reweighed(plan, map, judging);
         judge_causes(plan, map.map, options.tolerance, violations);

@@ -1,5 +1,5 @@
-// A plan that meets the field, in C: a breach fails, the rest of the mission is planned anew, and the check says whether
-// it goes on from where everybody is. Then the wall falls after all, and the map changes by an edit.
+// A plan that meets the field, in C: a breach fails, the rest of the mission is planned anew, and the check says
+// whether it goes on from where everybody is. Then the wall falls after all, and the map changes by an edit.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -53,7 +53,8 @@ static waybreaker_status let_fall(const waybreaker_map* map, waybreaker_text** e
     waybreaker_map* edited = NULL;
     const waybreaker_status status = waybreaker_map_with(map, &falls, 1, &edited, error);
     waybreaker_obstacle wall;
-    if (waybreaker_map_obstacle(edited, 1, &wall)) printf("wall %u has %u cells\n", (unsigned)wall.id, (unsigned)wall.cells);
+    if (waybreaker_map_obstacle(edited, 1, &wall))
+        printf("wall %u has %u cells\n", (unsigned)wall.id, (unsigned)wall.cells);
     waybreaker_map_free(edited);
     return status;
 }

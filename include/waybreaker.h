@@ -120,8 +120,8 @@ typedef struct waybreaker_obstacle {
     waybreaker_attributes attributes;
 } waybreaker_obstacle;
 
-// False, and nothing is written, unless `id` is 1 to waybreaker_map_obstacle_count. One that edits have taken away has no
-// cells, and its bounding box is empty: min_x > max_x.
+// False, and nothing is written, unless `id` is 1 to waybreaker_map_obstacle_count. One that edits have taken away has
+// no cells, and its bounding box is empty: min_x > max_x.
 bool waybreaker_map_obstacle(const waybreaker_map* map, uint32_t id, waybreaker_obstacle* obstacle);
 
 typedef struct waybreaker_cell {
@@ -169,14 +169,14 @@ waybreaker_status waybreaker_front(waybreaker_planner* planner, const waybreaker
                                    waybreaker_text** error);
 
 // The rest of a mission planned anew, from what has happened: the plan ("waybreaker-plan/1") that takes over from
-// `plan`, as `waybreaker revise --json` writes it for a `state` ("waybreaker-state/1", docs/live.md). The map is the one
-// that the mission began on: what was found since is in the plans. `reaction`: how long it takes until agents know of the
-// new plan, 0 to 1e9 units of time. `seconds`: how long to plan at most, as limits of missions have it; INFINITY is no
-// limit.
+// `plan`, as `waybreaker revise --json` writes it for a `state` ("waybreaker-state/1", docs/live.md). The map is the
+// one that the mission began on: what was found since is in the plans. `reaction`: how long it takes until agents know
+// of the new plan, 0 to 1e9 units of time. `seconds`: how long to plan at most, as limits of missions have it; INFINITY
+// is no limit.
 //
 // Its "revision" says what has become of `plan`, in "status": "kept", "revised", "no_plan" (and the plan's own "status"
-// why), or "broken": then "halts" says who must stop, before which point of its path, by when. A report that `plan` knows
-// already gives `plan` once more. "supersedes" is the SHA-256 of the bytes that are passed in as `plan`.
+// why), or "broken": then "halts" says who must stop, before which point of its path, by when. A report that `plan`
+// knows already gives `plan` once more. "supersedes" is the SHA-256 of the bytes that are passed in as `plan`.
 waybreaker_status waybreaker_revise(waybreaker_planner* planner, const waybreaker_map* map, const char* plan,
                                     size_t plan_size, const char* state, size_t state_size, double reaction,
                                     double seconds, bool timing_fields, waybreaker_text** revised,

@@ -168,14 +168,14 @@ struct Halt {
 
 // What a plan says of itself that was made while the mission was under way (revise.hpp).
 struct Revised {
-    int number = 1;  // 1 for the first revision, and so on
-    RevisionStatus status = RevisionStatus::revised;  // of the plan before
-    std::vector<Halt> halts = {};                     // if broken
-    std::string reason = {};  // of `no_plan`, where it is no search that says so: for a person, one line
+    int number = 1;              // 1 for the first revision, and so on
     std::uint64_t sequence = 0;  // of the last report that it knows
     double now = 0;              // when that was, in units of time; paths begin then
     std::vector<Decision> decisions = {};
     std::vector<Found> found = {};  // since the mission began, in order: laid over the map, it is the one planned on
+    RevisionStatus status = RevisionStatus::revised;  // of the plan before
+    std::vector<Halt> halts = {};                     // if broken
+    std::string reason = {};  // of `no_plan`, where it is no search that says so: for a person, one line
 };
 
 struct Plan {

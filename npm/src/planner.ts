@@ -64,8 +64,8 @@ export class PlannerMap {
   }
 
   /**
-   * The map with its obstacles changed, one edit after the other; this one stays as it is. All other obstacles keep their ids, and it costs a
-   * small part of a new map. An obstacle that is gone has no cells.
+   * The map with its obstacles changed, one edit after the other; this one stays as it is. All other obstacles keep
+   * their ids, and it costs a small part of a new map. An obstacle that is gone has no cells.
    */
   with(edits: readonly MapEdit[]): PlannerMap {
     const { library, pointer } = this.held();
@@ -269,8 +269,9 @@ export class Planner {
   }
 
   /**
-   * The rest of a mission planned anew, from what has happened: the plan that takes over. The map is the one that the mission began on. No plan
-   * is no error: `status` says so, and `revision` what has become of the plan before. A state that the plan knows already gives it again.
+   * The rest of a mission planned anew, from what has happened: the plan that takes over. The map is the one that the
+   * mission began on. No plan is no error: `status` says so, and `revision` what has become of the plan before. A state
+   * that the plan knows already gives it again.
    */
   revise(map: PlannerMap, plan: Plan | string, state: State | string, options?: ReviseOptions): Plan {
     return JSON.parse(this.reviseText(map, plan, state, options)) as Plan;

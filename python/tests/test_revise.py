@@ -157,7 +157,7 @@ def same_as_command(command: Path, folder: Path, map_file: Path, plan: bytes, st
     files["state"].write_text(json.dumps(state.to_dict()))
 
     def run(*words: Any) -> int:
-        return subprocess.run([str(command), *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+        return subprocess.run([str(command), *[str(word) for word in words]], capture_output=True).returncode
 
     options = ["--reaction", reaction, "--no-timing", "--time-limit", 1e6, "--json", files["new"]]
     assert run("revise", map_file, files["plan"], "--state", files["state"], *options) in (0, 1)

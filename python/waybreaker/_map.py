@@ -50,7 +50,7 @@ class Attributes:
 
 @dataclass(frozen=True)
 class MapEdit:
-    """A change of a map (:meth:`Map.with_edits`), made by :meth:`remove`, :meth:`add`, :meth:`extend` or :meth:`free`."""
+    """A change of a map (:meth:`Map.with_edits`): :meth:`remove`, :meth:`add`, :meth:`extend` and :meth:`free` make one."""
 
     kind: Literal["remove", "add", "extend", "free"]
     obstacle: int = 0
@@ -258,8 +258,8 @@ class Map:
     def with_edits(self, edits: Iterable[MapEdit]) -> Map:
         """The map with its obstacles changed, one edit after the other; this one stays as it is.
 
-        All other obstacles keep their ids. Rows that stay the same are shared. The digest is made of that of this map and
-        of the edits. Raises InputError for cells off the map, for obstacles that are not there, and for attributes out
+        All other obstacles keep their ids. Rows that stay the same are shared. The digest is made of that of this map
+        and of the edits. Raises InputError for cells off the map, for obstacles that are not there, and for attributes out
         of range.
 
         >>> level = Map.from_labels([[0, 7, 0], [0, 7, 9]])

@@ -72,8 +72,9 @@ class Rules:
     square metres. ``protect``: numbers of obstacles that stay, tags (``"amenity=school"``) or names (``"name=St.
     Mary*"``); ``force``: numbers of those that must go; ``opened``: those that open by themselves, each
     ``{"obstacle": number, "at": time}``. Of a mission under way, ``failed`` are numbers of obstacles whose breach has
-    failed, each once for each time; one may be tried again ``retries`` times. ``breach_time`` and ``breach_time_per_cell`` are in units
-    of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share of the objective, 0 to 1.
+    failed, each once for each time; one may be tried again ``retries`` times. ``breach_time`` and
+    ``breach_time_per_cell`` are in units of time, ``separation`` of vehicles in cells, ``minimise_demolition`` a share
+    of the objective, 0 to 1.
     """
 
     removals: Optional[int] = None

@@ -72,12 +72,12 @@ def revise(
     """Plans the rest of a mission anew, from what has happened to its plan, as ``waybreaker revise`` does.
 
     ``map`` is the one that the mission began on. ``plan`` is the plan that holds, a revision as well: a :class:`Plan`,
-    or a plan file as dict or text. ``state`` is a :class:`State`, or the state document as a dict. Agents keep to the old
-    plan until they know of the new one, ``reaction`` units of time after ``state.now``. ``seconds`` is how long to plan
-    at most (None: 10; ``math.inf``: no limit), ``threads`` is as for :func:`plan`.
+    or a plan file as dict or text. ``state`` is a :class:`State`, or the state document as a dict. Agents keep to the
+    old plan until they know of the new one, ``reaction`` units of time after ``state.now``. ``seconds`` is how long to
+    plan at most (None: 10; ``math.inf``: no limit), ``threads`` is as for :func:`plan`.
 
-    What agents are bound to do stays; the rest is planned anew, with a bound, and the old rest is kept if nothing better
-    is found. :attr:`Plan.revision` says what has become of the old plan. No plan is no error: see :attr:`Plan.status`.
+    What agents are bound to do stays; the rest is planned anew, with a bound, and the old rest is kept if nothing
+    better is found. :attr:`Plan.revision` says what has become of the old plan. No plan is no error: see :attr:`Plan.status`.
     A state that the plan knows already gives the plan again. Raises InputError if a document is none, the plan is for
     another map, or the state cannot be one of the plan.
     """
@@ -117,8 +117,8 @@ def check(
     themselves. With ``ignore_digest`` another map will do, if only the plan holds on it. Raises InputError if the
     document is no plan.
 
-    With ``after``, the plan before, and ``state``, from which :func:`revise` made this one, also judges whether it goes on
-    from there: everybody keeps to what it was bound to do, nobody is forgotten, and what is open, failed or used up
+    With ``after``, the plan before, and ``state``, from which :func:`revise` made this one, also judges whether it goes
+    on from there: everybody keeps to what it was bound to do, nobody is forgotten, and what is open, failed or used up
     counts.
     """
     if (after is None) != (state is None):

@@ -101,7 +101,10 @@ AnyState = Union[State, Document]
 
 def _with_tuples(members: Document) -> dict[str, Any]:
     """Places and cells are lists in documents."""
-    return {name: tuple(value) if name in ("at", "goal") and isinstance(value, list) else value for name, value in members.items()}
+    places = ("at", "goal")
+    return {
+        name: tuple(value) if name in places and isinstance(value, list) else value for name, value in members.items()
+    }
 
 
 def state_document(state: AnyState) -> str:

@@ -63,8 +63,7 @@ MapHandle from_grid(const char* name, const std::uint8_t* blocked, int width, in
 }
 
 ObstacleAttributes attributes_of(const waybreaker_attributes& a) {
-    return {
-        .destructible = a.destructible, .source_id = a.source_id, .weight = a.weight, .breach_time = a.breach_time};
+    return {.destructible = a.destructible, .source_id = a.source_id, .weight = a.weight, .breach_time = a.breach_time};
 }
 
 std::vector<ObstacleAttributes> attributes_of(const waybreaker_attributes* attributes, std::size_t count) {
@@ -90,7 +89,9 @@ std::vector<Cell> cells_of(const waybreaker_edit& edit) {
     std::vector<Cell> cells;
     if (edit.cell_count == 0) return cells;
     std::transform(&required(edit.cells, "the array of an edit's cells"), edit.cells + edit.cell_count,
-                   std::back_inserter(cells), [](const waybreaker_cell& c) { return Cell{c.x, c.y}; });
+                   std::back_inserter(cells), [](const waybreaker_cell& c) {
+                       return Cell{c.x, c.y};
+                   });
     return cells;
 }
 
@@ -110,7 +111,8 @@ MapEdit edit_of(const waybreaker_edit& edit) {
 
 MapHandle with(const waybreaker_map& map, const waybreaker_edit* edits, std::size_t count) {
     std::vector<MapEdit> all;
-    if (count > 0) std::transform(&required(edits, "the array of edits"), edits + count, std::back_inserter(all), edit_of);
+    if (count > 0)
+        std::transform(&required(edits, "the array of edits"), edits + count, std::back_inserter(all), edit_of);
     return std::make_unique<waybreaker_map>(waybreaker_map{io::with_edits(map.file, all), map.connectivity});
 }
 
@@ -144,9 +146,8 @@ waybreaker_status waybreaker_map_from_labels(const char* name, const uint32_t* l
 
 waybreaker_status waybreaker_map_with(const waybreaker_map* map, const waybreaker_edit* edits, size_t edit_count,
                                       waybreaker_map** edited, waybreaker_text** error) {
-    return give(edited, error, [&] {
-        return waybreaker::capi::with(waybreaker::capi::required(map, "the map"), edits, edit_count);
-    });
+    return give(edited, error,
+                [&] { return waybreaker::capi::with(waybreaker::capi::required(map, "the map"), edits, edit_count); });
 }
 
 void waybreaker_map_free(waybreaker_map* map) {

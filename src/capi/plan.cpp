@@ -91,10 +91,10 @@ Text document_of(waybreaker_planner& planner, const waybreaker_map& map, std::st
     const MissionOnMap mission = mission_on(map.file, mission_document, running.token());
     const io::MapFile& file = mission.reweighed ? *mission.reweighed : map.file;
     return text_of(with_kept(planner, [&](Planner& kept) {
-        return make(kept, io::PlanContext{.map = file,
-                                          .asked = mission.asked,
-                                          .connectivity = map.connectivity,
-                                          .timing_fields = timing_fields});
+        return make(
+            kept,
+            io::PlanContext{
+                .map = file, .asked = mission.asked, .connectivity = map.connectivity, .timing_fields = timing_fields});
     }));
 }
 
@@ -211,8 +211,8 @@ waybreaker_status waybreaker_revise(waybreaker_planner* planner, const waybreake
                                    .reaction = reaction,
                                    .limits = {.seconds = seconds, .stop = running.token()},
                                    .timing_fields = timing_fields};
-        return capi::text_of(capi::with_kept(
-            on, [&](waybreaker::Planner& kept) { return capi::revised_document(kept, from, asked); }));
+        return capi::text_of(
+            capi::with_kept(on, [&](waybreaker::Planner& kept) { return capi::revised_document(kept, from, asked); }));
     });
 }
 
@@ -235,8 +235,7 @@ waybreaker_status waybreaker_check_after(const waybreaker_map* map, const char* 
         const io::PlanFile judged = capi::plan_on(on, capi::bytes_of(plan, plan_size, "the plan"));
         const io::PlanFile earlier =
             capi::plan_on(on, capi::bytes_of(before, before_size, "the plan before"), "the plan before");
-        const waybreaker::State reported =
-            io::parse_state(capi::bytes_of(state, state_size, "the state"), "the state");
+        const waybreaker::State reported = io::parse_state(capi::bytes_of(state, state_size, "the state"), "the state");
         return capi::report_of(io::judge_after(judged, io::known_map(on.file, judged.plan), earlier, reported), valid);
     });
 }

@@ -29,7 +29,8 @@ void require_map_of(const PlanFile& plan, const MapFile& map, const std::string&
 // The same unless obstacles of the map are made of cells as the plan says.
 void require_connectivity(const PlanFile& plan, Connectivity connectivity, const std::string& name);
 
-// What is wrong with the plan, that it was made for another map included. `map`: as it is known to the plan (known_map).
+// What is wrong with the plan, that it was made for another map included. `map`: as it is known to the plan
+// (known_map).
 std::vector<Violation> judge(const PlanFile& plan, const MapFile& map, const JudgeOptions& options = {});
 
 // The same of a plan that revises another, from a state: also whether it goes on from there (check_continuity).

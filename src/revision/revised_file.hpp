@@ -2,8 +2,8 @@
 //
 //     const io::PlanFile before = io::parse_plan(bytes, "plan.json");
 //     const State state = io::parse_state(report, "state.json");
-//     RevisedFile next = revise(planner, {before, "plan.json", io::sha256_digest(bytes), map, state, "state.json"}, limits);
-//     write(next.json(true));
+//     RevisedFile next = revise(planner, {before, "plan.json", io::sha256_digest(bytes), map, state, "state.json"},
+//     limits); write(next.json(true));
 #pragma once
 
 #include <string>
@@ -45,8 +45,8 @@ struct RevisedFile {
     std::string json(bool timing_fields) const { return io::plan_json(plan, context(timing_fields)); }
 };
 
-// Throws InputError, under the name of the plan if that was made for another map, or of the state if it cannot be one of
-// the plan.
+// Throws InputError, under the name of the plan if that was made for another map, or of the state if it cannot be one
+// of the plan.
 RevisedFile revise(Planner& planner, const Task& task, const Limits& limits);
 
 }  // namespace waybreaker::revision

@@ -124,10 +124,10 @@ TEST_F(CommandAndC, ReviseTheSame) {
     ASSERT_FALSE(removed.empty());
     const std::string first = removed[0]["obstacle"].dump();
     const std::string at = removed[0]["cleared_at"].dump();
-    for (const std::string& news : {R"("now": )" + at + R"(, "failed": [{"obstacle": )" + first + R"(, "at": )" + at + "}]",
-                                    std::string(R"("now": 12, "agents": [{"id": "drone", "passed": 0, "doing": "lost"}])"),
-                                    std::string(R"("now": 5, "found": [{"cells": [[20, 20], [21, 20]]}])"),
-                                    std::string(R"("now": 7)")}) {
+    for (const std::string& news :
+         {R"("now": )" + at + R"(, "failed": [{"obstacle": )" + first + R"(, "at": )" + at + "}]",
+          std::string(R"("now": 12, "agents": [{"id": "drone", "passed": 0, "doing": "lost"}])"),
+          std::string(R"("now": 5, "found": [{"cells": [[20, 20], [21, 20]]}])"), std::string(R"("now": 7)")}) {
         const std::string state = R"({"format": "waybreaker-state/1", "sequence": 1, )" + news + "}";
         put("state.json", state);
         run("revise city.map plan.json --state state.json --reaction 1 --time-limit 1e6 --no-timing --json new.json");

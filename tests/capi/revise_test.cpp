@@ -13,7 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view one_wall = "type octile\nheight 4\nwidth 9\nmap\n....@....\n....@....\n....@....\n.........\n";
+constexpr std::string_view one_wall =
+    "type octile\nheight 4\nwidth 9\nmap\n....@....\n....@....\n....@....\n.........\n";
 
 const std::string breach_the_wall = R"({"format": "waybreaker-mission/1",
     "agents": [{"id": "rover", "kind": "ground", "start": [0, 1], "goal": [8, 1]},
@@ -55,7 +56,8 @@ TEST_F(CRevise, KeepsWhatIsNoWorse) {
 }
 
 TEST_F(CRevise, SaysWhyThereIsNoPlan) {
-    const Answer none = revise(planner, map, plan, reported(R"(, "agents": [{"id": "rover", "passed": 0, "doing": "lost"}])"));
+    const Answer none =
+        revise(planner, map, plan, reported(R"(, "agents": [{"id": "rover", "passed": 0, "doing": "lost"}])"));
     ASSERT_EQ(none.status, WAYBREAKER_OK) << "that there is none is no error";
     const Json document = Json::parse(none.text);
     EXPECT_EQ(document["status"], "no_plan");
@@ -130,12 +132,12 @@ TEST_F(CRevise, TakesNullAsAnError) {
     EXPECT_EQ(revise(planner, OwnedMap(), plan, failure).error, "the map is NULL");
     EXPECT_EQ(check_after(OwnedMap(), plan, plan, failure).error, "the map is NULL");
     waybreaker_text* text = nullptr;
-    EXPECT_EQ(waybreaker_revise(planner.get(), map.get(), nullptr, 3, failure.data(), failure.size(), 0, 1, false, &text,
-                                nullptr),
+    EXPECT_EQ(waybreaker_revise(planner.get(), map.get(), nullptr, 3, failure.data(), failure.size(), 0, 1, false,
+                                &text, nullptr),
               WAYBREAKER_INPUT_ERROR);
-    EXPECT_EQ(waybreaker_revise(planner.get(), map.get(), plan.data(), plan.size(), nullptr, 3, 0, 1, false, &text,
-                                nullptr),
-              WAYBREAKER_INPUT_ERROR);
+    EXPECT_EQ(
+        waybreaker_revise(planner.get(), map.get(), plan.data(), plan.size(), nullptr, 3, 0, 1, false, &text, nullptr),
+        WAYBREAKER_INPUT_ERROR);
     EXPECT_EQ(text, nullptr);
 }
 
