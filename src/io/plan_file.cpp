@@ -207,6 +207,14 @@ Revised revised(const JsonField& field) {
     result.number = int(field["number"].whole_number(1, INT_MAX));
     result.sequence = std::uint64_t(field["sequence"].whole_number(1, INT64_MAX));
     result.now = read_not_negative(field["now"]);
+    if (const auto status = field.find("status")) result.status = status->one_of(revision_words);
+    if (const auto reason = field.find("reason")) result.reason = reason->text();
+    if (const auto halts = field.find("halts")) {
+        for (const JsonField& item : halts->items()) {
+            result.halts.push_back({read_agent_id(item["agent"]), std::size_t(item["point"].whole_number(0, INT_MAX)),
+                                    read_not_negative(item["by"])});
+        }
+    }
     for (const JsonField& item : field["decided"].items()) {
         result.decisions.push_back(
             {read_agent_id(item["agent"]), std::size_t(item["point"].whole_number(0, INT_MAX)), item["time"].number()});

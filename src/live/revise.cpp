@@ -209,6 +209,8 @@ Revised after(const Plan& plan, const State& state, std::span<const Found> found
     revised.sequence = state.sequence;
     revised.now = state.now;
     revised.decisions.clear();
+    revised.halts.clear();
+    revised.reason.clear();
     revised.found.insert(revised.found.end(), found.begin(), found.end());
     return revised;
 }
@@ -235,11 +237,11 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
     next.plan = no_plan_of(left);
     Revised revised = after(plan, state, found);
     if (!any_drives(report, positions)) {
-        next.reason = "no vehicle is left to drive";
+        revised.reason = "no vehicle is left to drive";
     } else {
         next.status = RevisionStatus::broken;
         const auto plan_left = [&](const Mission& placed) {
-            return plan_of(planner, next.map, placed, state, method, limits, next.reason);
+            return plan_of(planner, next.map, placed, state, method, limits, revised.reason);
         };
         for (const Placing placing : {Placing::going_on, Placing::waiting}) {
             Mission placed = left;
@@ -250,9 +252,9 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             keep_if_no_worse(report, positions, outlooks, left, plan_left, next);
             if (next.status != RevisionStatus::no_plan) break;
         }
-        if (next.status != RevisionStatus::no_plan) next.reason.clear();
+        if (next.status != RevisionStatus::no_plan) revised.reason.clear();
         if (next.status == RevisionStatus::broken) {
-            next.halts = halts_of({next.map, left.rules.opened}, report, positions);
+            revised.halts = halts_of({next.map, left.rules.opened}, report, positions);
         } else {
             for (const Agent& agent : next.mission.agents) {
                 const std::size_t point = agent.approach.empty() ? 0 : agent.approach.size() - 1;
@@ -260,6 +262,7 @@ Revision revise(Planner& planner, const Map& map, const Mission& mission, const 
             }
         }
     }
+    revised.status = next.status;
     next.plan.revised = std::move(revised);
     return next;
 }
