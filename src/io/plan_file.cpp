@@ -14,8 +14,6 @@
 namespace waybreaker::io {
 namespace {
 
-constexpr int max_depth = 8;
-
 std::optional<double> number_or_null(const std::optional<JsonField>& field) {
     return field ? std::optional(field->number()) : std::nullopt;
 }
@@ -231,9 +229,7 @@ double cell_size(const JsonField& field) {
 
 }  // namespace
 
-PlanFile parse_plan(std::string_view bytes, const std::string& name) {
-    const auto document = parse_json(bytes, name, max_depth);
-    const JsonField root(document);
+PlanFile read_plan(const JsonField& root) {
     if (root["format"].text() != "waybreaker-plan/1") root["format"].fail("is not waybreaker-plan/1");
     PlanFile file;
     file.plan.status = root["status"].one_of(status_words);
@@ -300,6 +296,11 @@ PlanFile parse_plan(std::string_view bytes, const std::string& name) {
         for (const JsonField& field : next->items()) file.plan.next.push_back(next_breach(field));
     }
     return file;
+}
+
+PlanFile parse_plan(std::string_view bytes, const std::string& name) {
+    const auto document = parse_json(bytes, name, max_plan_depth);
+    return read_plan(JsonField(document));
 }
 
 MapFile known_map(MapFile file, const Plan& plan) {
