@@ -1,6 +1,6 @@
 // waybreaker: the command line. Builds the tree of commands, runs the chosen one, turns errors into one line and an
-// exit status (contract: 0 done, 1 no plan or no valid one, 2 bad usage or input, 3 internal error or an illegal run of a
-// rehearsal, 4 no plan found).
+// exit status (contract: 0 done, 1 no plan or no valid one, 2 bad usage or input, 3 internal error or an illegal run of
+// a rehearsal, 4 no plan found).
 #include <fcntl.h>
 #include <fmt/format.h>
 

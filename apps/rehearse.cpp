@@ -103,9 +103,8 @@ void run(const RehearseOptions& options) {
         const Progress progress("reading " + io::input_name(options.map));
         return to_plan_on(overlays, mapfile::read_map_file(options.map, first.connectivity, first.image));
     }();
-    RehearsalReport report{.options = options.rehearsal,
-                           .time_unit = first.asked.in_seconds ? "s" : "",
-                           .timing = !options.no_timing};
+    RehearsalReport report{
+        .options = options.rehearsal, .time_unit = first.asked.in_seconds ? "s" : "", .timing = !options.no_timing};
     for (const auto& [name, file] : files) {
         if (file.connectivity != first.connectivity)
             throw InputError(name, 0, "was made for other obstacles than " + files.front().first + ": --connectivity");
@@ -131,9 +130,10 @@ void run(const RehearseOptions& options) {
 }
 
 void add_draws(CLI::App& command, RehearsalOptions& options) {
-    add_share(command, "--fail", options.fail,
-              "The chance that a breach leaves the obstacle standing, which is known when it ends. It is tried again as "
-              "often as the mission allows (default: 0)");
+    add_share(
+        command, "--fail", options.fail,
+        "The chance that a breach leaves the obstacle standing, which is known when it ends. It is tried again as "
+        "often as the mission allows (default: 0)");
     command
         .add_option_function<std::string>(
             "--delay", [&options](const std::string& given) { options.delay = delay_from(given); },

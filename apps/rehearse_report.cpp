@@ -169,11 +169,11 @@ std::string rehearsal_csv(const RehearsalReport& report) {
 }
 
 std::string rehearsal_svg(const RehearsalReport& report) {
-    render::Histogram histogram{.title = "How long the mission takes",
-                                .x_label = report.time_unit.empty() ? "makespan"
-                                                                    : fmt::format("makespan ({})", report.time_unit),
-                                .y_label = "runs that arrived (%)",
-                                .series = {}};
+    render::Histogram histogram{
+        .title = "How long the mission takes",
+        .x_label = report.time_unit.empty() ? "makespan" : fmt::format("makespan ({})", report.time_unit),
+        .y_label = "runs that arrived (%)",
+        .series = {}};
     for (const RehearsedPlan& plan : report.plans) {
         render::HistogramSeries& series = histogram.series.emplace_back();
         series.name = report.plans.size() > 1 ? shortened(plan.name) : "rehearsed";

@@ -72,11 +72,11 @@ struct Rehearsed {
     // was.
     double makespan = 0;
     double ground_makespan = 0;
-    int failed = 0;     // breaches
-    int blocked = 0;    // streets
-    int lost = 0;       // aircraft
-    int revisions = 0;  // plans made, whether others came out of it or not
-    int illegal = 0;    // pairs of vehicles that overlapped, and vehicles in obstacles that stood, each once
+    int failed = 0;          // breaches
+    int blocked = 0;         // streets
+    int lost = 0;            // aircraft
+    int revisions = 0;       // plans made, whether others came out of it or not
+    int illegal = 0;         // pairs of vehicles that overlapped, and vehicles in obstacles that stood, each once
     std::string fault = {};  // the first of these, for a person
     friend bool operator==(const Rehearsed&, const Rehearsed&) = default;
 };

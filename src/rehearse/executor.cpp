@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "rehearse/actor.hpp"
+#include "rehearse/blocked_street.hpp"
 #include "rehearse/draws.hpp"
 #include "rehearse/trail.hpp"
 #include "waybreaker/revise.hpp"
@@ -15,57 +16,9 @@
 namespace waybreaker::rehearsal {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 // What happens within so long happens at once: revisions look at times of plans, which are rounded.
 constexpr double at_once = 1e-6;
-// Of the width of a blocked street, half, in cells.
-constexpr double half_street = 1.5;
 constexpr int most_revisions = 1000;
-
-double length_of(const std::vector<Waypoint>& path) {
-    double length = 0;
-    for (std::size_t i = 1; i < path.size(); ++i)
-        length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
-    return length;
-}
-
-// `waiting`: for orders; `held`: until a time; `at_work`: until the breach is done.
-enum class Phase { waiting, held, moving, at_work, arrived, lost };
-
-struct Actor {
-    std::size_t number = 0;  // in the mission
-    AgentKind kind = AgentKind::ground;
-    double speed = 1;
-    double radius = 0;
-    std::vector<Waypoint> path = {};
-    Script script = {};
-    std::size_t stop = 0;  // the last one that it got to
-    Phase phase = Phase::waiting;
-    double since = 0;  // it moves
-    double until = never;
-    bool rolls = false;    // it was on a move when the plan changed: it goes on at once
-    bool delayed = false;  // at this stop, the delay is drawn already
-    std::uint64_t moves = 0;
-    double driven = 0;   // up to the stop, cells
-    double news = never;  // what is drawn happens when it has driven that
-    std::vector<ObstacleId> work = {};  // it is on
-    double arrived_at = 0;
-    Point lost_at = {};
-    Trail trail = {};
-
-    bool ended() const { return phase == Phase::arrived || phase == Phase::lost; }
-    const Stop& here() const { return script[stop]; }
-    double to_next() const { return distance(script[stop].at, script[stop + 1].at); }
-    Point at(double now) const {
-        if (phase == Phase::lost) return lost_at;
-        if (phase != Phase::moving) return here().at;
-        const double length = to_next();
-        const double share = length > 0 ? std::clamp((now - since) * speed / length, 0.0, 1.0) : 1;
-        const Point& a = here().at;
-        const Point& b = script[stop + 1].at;
-        return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-    }
-};
 
 class Execution {
   public:
@@ -290,48 +243,13 @@ class Execution {
         news_ = true;
     }
 
-    void find_blocked_street(Actor& finder) {
-        const std::optional<Point> place = ahead_of(finder, scene_.options.sight);
-        if (!place) return;
-        Found found;
-        for (int y = int(std::floor(place->y - half_street)); y <= int(std::ceil(place->y + half_street)); ++y) {
-            for (int x = int(std::floor(place->x - half_street)); x <= int(std::ceil(place->x + half_street)); ++x) {
-                const Cell cell{x, y};
-                if (!map_->grid().contains(cell) || map_->grid().blocked(cell)) continue;
-                if (distance(Point(cell), *place) <= half_street && !is_taken(cell)) found.cells.push_back(cell);
-            }
-        }
+    void find_blocked_street(const Actor& finder) {
+        Found found = blocked_street(*map_, finder, actors_, scene_.options.sight, now_);
         if (found.cells.empty()) return;
         ++result_.blocked;
         events_.rubble.push_back({found.cells, now_});
         found_.push_back(std::move(found));
         news_ = true;
-    }
-
-    // So far ahead on its path, or nowhere.
-    std::optional<Point> ahead_of(const Actor& actor, double way) const {
-        Point at = actor.at(now_);
-        for (std::size_t i = actor.stop + 1; i < actor.script.size(); ++i) {
-            const Point next = actor.script[i].at;
-            const double length = distance(at, next);
-            if (length >= way && length > 0) {
-                const double share = way / length;
-                return Point(at.x + share * (next.x - at.x), at.y + share * (next.y - at.y));
-            }
-            way -= length;
-            at = next;
-        }
-        return std::nullopt;
-    }
-
-    // No street is blocked where a vehicle is or is to end.
-    bool is_taken(Cell cell) const {
-        constexpr double margin = 1e-3;
-        return std::ranges::any_of(actors_, [&](const Actor& actor) {
-            if (actor.kind == AgentKind::air) return false;
-            const double radius = std::max(actor.radius, 0.1) + margin;
-            return overlaps(cell, actor.at(now_), radius) || overlaps(cell, actor.script.back().at, radius);
-        });
     }
 
     State state() {
@@ -341,7 +259,7 @@ class Execution {
             AgentState& said = state.agents.emplace_back();
             said.id = actor.trail.agent;
             said.at = actor.at(now_);
-            said.passed = passed(actor);
+            said.passed = actor.passed(now_);
             if (actor.phase == Phase::at_work) {
                 said.doing = Doing::breaching;
                 for (const ObstacleId id : actor.work) state.opened.push_back({id, actor.until});
@@ -359,19 +277,6 @@ class Execution {
         state.failed = std::exchange(failed_, {});
         state.found = std::exchange(found_, {});
         return state;
-    }
-
-    // The last point of its planned path that it has left behind; where it stands for a while by the plan, the one that
-    // it would be at by now.
-    std::size_t passed(const Actor& actor) const {
-        const std::size_t last = actor.here().point;
-        if (actor.kind == AgentKind::air || actor.phase == Phase::moving || actor.here().share > 0) return last;
-        const std::vector<Waypoint>& path = actor.path;
-        std::size_t first = last;
-        while (first > 0 && path[first - 1].x == path[last].x && path[first - 1].y == path[last].y) --first;
-        std::size_t now = first;
-        while (now < last && path[now + 1].t <= now_) ++now;
-        return now;
     }
 
     void revise_plan() {

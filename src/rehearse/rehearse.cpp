@@ -21,15 +21,14 @@ void validate(const Mission& mission, const Plan& plan, const RehearsalOptions& 
     require_range(options.sight, least_sight, 1000, "how far a vehicle sees");
     require_range(options.lost, 0, 1, "the chance that an aircraft is lost");
     require_range(options.runs, 1, most_runs, "the number of runs");
-    const auto contradiction = [](const char* what) {
-        throw InputError(ErrorCode::contradiction, "", what);
-    };
+    const auto contradiction = [](const char* what) { throw InputError(ErrorCode::contradiction, "", what); };
     if (plan.status != PlanStatus::solved) contradiction("only a plan that is solved can be rehearsed");
     if (!std::ranges::equal(mission.agents, plan.agents, {}, &Agent::id, &Itinerary::id))
         contradiction("the agents of the plan are not the mission's");
     if (mission.rules.timing == Timing::ignore)
-        contradiction("a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
-                      "enforced");
+        contradiction(
+            "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing "
+            "enforced");
 }
 
 Spread spread_of(std::vector<double> values) {

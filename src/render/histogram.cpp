@@ -149,9 +149,8 @@ class Drawing {
         for (std::size_t i = 0; i < histogram_.series.size(); ++i) {
             const HistogramSeries& series = histogram_.series[i];
             const double x = left + double(i) * (right - left) / double(histogram_series);
-            out_ += fmt::format(
-                "<rect x=\"{:.1f}\" y=\"42\" width=\"14\" height=\"14\" fill=\"{}\" stroke=\"{}\"/>\n", x, fills[i],
-                colours[i]);
+            out_ += fmt::format("<rect x=\"{:.1f}\" y=\"42\" width=\"14\" height=\"14\" fill=\"{}\" stroke=\"{}\"/>\n",
+                                x, fills[i], colours[i]);
             std::string name = series.name;
             if (series.mark) {
                 const std::string_view dash = i == 0 ? " stroke-dasharray=\"7 4\"" : " stroke-dasharray=\"2 3\"";

@@ -12,8 +12,8 @@ namespace waybreaker::render {
 
 struct HistogramSeries {
     std::string name;
-    std::vector<double> values;          // in any order; none is infinite
-    std::optional<double> mark = {};     // a line there
+    std::vector<double> values;       // in any order; none is infinite
+    std::optional<double> mark = {};  // a line there
     std::string mark_name = {};
 };
 

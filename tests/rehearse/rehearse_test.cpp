@@ -148,8 +148,8 @@ Rehearsable crossing() {
         ".......A.......",
         ".......A.......",
     });
-    Mission mission{.agents = {vehicle("one", {0, 2}, {14, 2}), vehicle("two", {3, 0}, {3, 4}),
-                               aircraft("heli", {0, 0}, {0, 0})}};
+    Mission mission{
+        .agents = {vehicle("one", {0, 2}, {14, 2}), vehicle("two", {3, 0}, {3, 4}), aircraft("heli", {0, 0}, {0, 0})}};
     mission.rules.breach_time.per_obstacle = 3;
     return {map, mission, Planner().plan(map, mission)};
 }
@@ -189,14 +189,14 @@ TEST(Rehearse, CountsWhatHappens) {
 TEST(Rehearse, RefusesWhatItCannotPlay) {
     Rehearsable drawn = crossing();
     const auto refused = [&](const RehearsalOptions& options) {
-        return input_error(
-            [&] { static_cast<void>(rehearse(drawn.map, drawn.mission, drawn.plan, options)); });
+        return input_error([&] { static_cast<void>(rehearse(drawn.map, drawn.mission, drawn.plan, options)); });
     };
     EXPECT_EQ(refused({.fail = 1.5}), "the chance that a breach fails must be from 0 to 1, not 1.5");
     EXPECT_EQ(refused({.runs = 0}), "the number of runs must be from 1 to 1e+07, not 0");
     drawn.mission.rules.timing = Timing::ignore;
-    EXPECT_EQ(refused({}),
-              "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing enforced");
+    EXPECT_EQ(
+        refused({}),
+        "a plan that enters obstacles before they are breached cannot be rehearsed: plan it with timing enforced");
     drawn.plan.status = PlanStatus::no_plan;
     EXPECT_EQ(refused({}), "only a plan that is solved can be rehearsed");
 }
