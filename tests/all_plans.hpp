@@ -1,6 +1,6 @@
-// All plans of a small mission of one ground agent: every set of obstacles, every way to share it among the aircraft,
-// every order of a flight, every boundary cell, and the earliest arrival of the ground agent among the centres of all
-// cells, waits included.
+// All plans of a small mission of one ground agent, and of obstacles that open by themselves: every set of obstacles,
+// every way to share it among the aircraft, every order of a flight, every boundary cell, and the earliest arrival of
+// the ground agent among the centres of all cells, waits included.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +27,9 @@ class AllPlans {
             for (const Cell b : cells_) moves_.push_back(move(a, b));
         }
         for (const Obstacle& o : map.obstacles()) {
-            if (o.destructible && std::ranges::find(rules_.protect, o.id) == rules_.protect.end())
-                destructible_.push_back(o.id);
+            const bool opens = std::ranges::find(rules_.opened, o.id, &TimedOpening::obstacle) != rules_.opened.end();
+            const bool stays = std::ranges::find(rules_.protect, o.id) != rules_.protect.end();
+            if (o.destructible && !opens && !stays) destructible_.push_back(o.id);
         }
         choose(0);
     }
@@ -63,7 +64,7 @@ class AllPlans {
         if (std::ranges::all_of(rules_.force, chosen)) {
             std::vector<bool> visited(chosen_.size(), false);
             cleared_.assign(chosen_.size(), 0);
-            fly({.at = aircraft_.front()->start}, visited);
+            take_off({}, visited);
         }
         if (int(chosen_.size()) == rules_.removals) return;
         for (std::size_t i = next; i < destructible_.size(); ++i) {
@@ -82,12 +83,19 @@ class AllPlans {
     // One aircraft in the air, those before it at home.
     struct Flight {
         std::size_t aircraft = 0;
-        Cell at = {};
+        Point at = {};
         double time = 0;
         int breached = 0;
         double last = 0;  // of those at home, and the sum
         double sum = 0;
     };
+
+    void take_off(Flight flight, std::vector<bool>& visited) {
+        const Agent& agent = *aircraft_[flight.aircraft];
+        flight.at = agent.from.value_or(Point(agent.start));
+        flight.time = agent.ready_at;
+        fly(flight, visited);
+    }
 
     void fly(const Flight& flight, std::vector<bool>& visited) {
         const Agent& agent = *aircraft_[flight.aircraft];
@@ -112,7 +120,7 @@ class AllPlans {
         const double last = std::max(flight.last, home);
         const double sum = flight.sum + home;
         const std::size_t next = flight.aircraft + 1;
-        if (next < aircraft_.size()) return fly({next, aircraft_[next]->start, 0, 0, last, sum}, visited);
+        if (next < aircraft_.size()) return take_off({.aircraft = next, .last = last, .sum = sum}, visited);
         if (std::ranges::count(visited, false) > 0 || objective(0, last, sum) >= best_) return;
         best_ = std::min(best_, objective(earliest_arrival(), last, sum));
     }
@@ -127,8 +135,10 @@ class AllPlans {
         double start = t;
         for (const auto& [obstacle, at] : move.touched) {
             const auto found = std::ranges::find(chosen_, obstacle);
-            if (found == chosen_.end()) return none;
-            start = std::max(start, cleared_[std::size_t(found - chosen_.begin())] - at / driver_.speed);
+            const auto opens = std::ranges::find(rules_.opened, obstacle, &TimedOpening::obstacle);
+            if (found == chosen_.end() && opens == rules_.opened.end()) return none;
+            const double open = found != chosen_.end() ? cleared_[std::size_t(found - chosen_.begin())] : opens->at;
+            start = std::max(start, open - at / driver_.speed);
         }
         return start + move.length / driver_.speed;
     }

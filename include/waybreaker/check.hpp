@@ -60,10 +60,10 @@ enum class Rule {
 
 template <>
 inline constexpr std::array<std::string_view, 34> words_of<Rule>{
-    "map",       "status",   "agents",     "start",    "goal",     "time",     "speed",           "vertex",
-    "collision", "obstacle", "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
-    "order",     "next",     "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
-    "bound",     "gap",      "separation", "capacity", "saves",    "gain",     "waits",           "orders",
+    "map",       "status",    "agents",     "start",    "goal",     "time",     "speed",           "vertex",
+    "collision", "obstacle",  "repetition", "removals", "budget",   "cells",    "boundary",        "breach",
+    "order",     "next",      "entered",    "length",   "makespan", "flowtime", "ground_makespan", "before",
+    "bound",     "gap",       "separation", "capacity", "saves",    "gain",     "waits",           "orders",
     "surface",   "continuity"};
 
 struct Violation {

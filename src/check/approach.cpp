@@ -7,8 +7,9 @@
 namespace waybreaker::checker {
 namespace {
 
-constexpr double piece = 0.05;  // cells
-constexpr double spare = 1e-3;  // cells
+constexpr double piece = 0.05;    // cells
+constexpr double spare = 1e-3;    // cells
+constexpr double grazing = 1e-9;  // cells: who touches does not meet
 constexpr int halvings = 50;
 
 class ApproachJudge {
@@ -47,7 +48,8 @@ class ApproachJudge {
             const Waypoint p = between(a, b, share);
             for (int y = int(std::floor(p.y - radius_)); y <= int(std::ceil(p.y + radius_)); ++y) {
                 for (int x = int(std::floor(p.x - radius_)); x <= int(std::ceil(p.x + radius_)); ++x) {
-                    if (meets(p, {x, y}, 0)) judge_contact(a, b, k > 0 ? double(k - 1) / pieces : 0, share, {x, y});
+                    if (meets(p, {x, y}, -grazing))
+                        judge_contact(a, b, k > 0 ? double(k - 1) / pieces : 0, share, {x, y});
                 }
             }
         }
@@ -59,9 +61,9 @@ class ApproachJudge {
         const ObstacleId obstacle = on_map ? map_.obstacle_at(c) : ObstacleId{};
         if (on_map && !obstacle) return;
         const Waypoint p = between(a, b, share);
-        for (int i = 0; i < halvings && !meets(between(a, b, before), c, 0); ++i) {
+        for (int i = 0; i < halvings && !meets(between(a, b, before), c, -grazing); ++i) {
             const double middle = (before + share) / 2;
-            (meets(between(a, b, middle), c, 0) ? share : before) = middle;
+            (meets(between(a, b, middle), c, -grazing) ? share : before) = middle;
         }
         const Waypoint first = between(a, b, share);
         const bool stands = !on_map || first.t + slack(terms_, first.t) < standing_[obstacle.value];

@@ -158,8 +158,8 @@ class OrdersJudge {
 
     void judge_entries_of(std::size_t agent) {
         const Itinerary& ground = plan_.agents[agent];
-        const Drive drive = judge_ground(map_, plan_, ground, asked(agent),
-                                         {terms_.rules, asked(agent).body, terms_.tolerance});
+        const Drive drive =
+            judge_ground(map_, plan_, ground, asked(agent), {terms_.rules, asked(agent).body, terms_.tolerance});
         for (const Breach& breach : plan_.breaches) {
             const auto entry = drive.entries.find(breach.obstacle);
             if (entry == drive.entries.end()) continue;

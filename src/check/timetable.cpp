@@ -44,7 +44,8 @@ Violations judge_ends(const Itinerary& agent, const Agent* asked, const Terms& t
 }
 
 // Times are held against the sum of all moves and waits so far, so that errors within the tolerance cannot add up.
-Violations judge_moves(const Itinerary& agent, const Terms& terms) {
+// On its approach, so many points, it may be slow.
+Violations judge_moves(const Itinerary& agent, std::size_t approach, const Terms& terms) {
     const std::string who = "the " + agent.id + " agent ";
     Violations found;
     double due = agent.path.front().t;
@@ -57,6 +58,7 @@ Violations judge_moves(const Itinerary& agent, const Terms& terms) {
             found.push_back({Rule::time, message, agent.id, {}, place(a), a.t});
         }
         due += way > 0 ? way / agent.speed : b.t - a.t;
+        if (i < approach) due = std::max(due, b.t);
         if (agree(terms, due, b.t)) continue;
         const std::string message = who + "is at " + text(place(b)) + " at " + text(b.t) + "; at speed " +
                                     text(agent.speed) + " it gets there at " + text(due);
@@ -72,7 +74,7 @@ Violations judge_timetable(const Itinerary& agent, const Agent* asked, const Ter
     Violations found = judge_form(agent);
     if (!found.empty()) return found;
     found = judge_ends(agent, asked, terms);
-    append(found, judge_moves(agent, terms));
+    append(found, judge_moves(agent, asked == nullptr ? 0 : asked->approach.size(), terms));
     return found;
 }
 

@@ -61,12 +61,13 @@ class Planning {
   private:
     // Each vehicle past all obstacles. False if a limit ends it.
     bool drive_alone() {
-        const OpenedMap map(problem_.map());
+        const OpenedMap map(problem_.map(), problem_.opened());
+        const std::span<const TimedOpening> openings = problem_.late_openings();
         std::vector<team::Vehicle> vehicles(problem_.vehicles().size());
         std::vector<SearchStatus> ends(vehicles.size());
         const auto drive = [&](std::size_t i, CrossingSearcher& crossing, Searcher& theta) {
             vehicles[i].agent = *problem_.vehicles()[i];
-            ends[i] = team::go_alone(map, interrupts_, crossing, theta, vehicles[i]);
+            ends[i] = team::go_alone(map, openings, interrupts_, crossing, theta, vehicles[i]);
         };
         drive(0, crossing_, theta_);  // first, so that all workers share the maps that it grows
         workers_.for_each(vehicles.size() - 1,

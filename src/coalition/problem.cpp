@@ -51,7 +51,9 @@ Problem::Problem(const Map& map, const Mission& mission, const team::Interrupts&
         }
     }
     const std::size_t must = forced_.size();
-    for (const TimedOpening& opening : mission.rules.opened) forced_.push_back(opening.obstacle);
+    for (const TimedOpening& opening : mission.rules.opened) opened_.push_back(opening.obstacle);
+    std::ranges::sort(opened_);
+    forced_.insert(forced_.end(), opened_.begin(), opened_.end());
     std::ranges::sort(forced_);
     const std::int64_t most =
         std::min({capacity, std::int64_t{mission.rules.removals}, std::int64_t(map.obstacles().size())});

@@ -41,6 +41,12 @@ class Problem {
 
     // What is removed in every plan: what must be, and what opens by itself.
     const Set& forced() const { return forced_; }
+    // Of those, what opens by itself; and when, where obstacles stand in time.
+    const Set& opened() const { return opened_; }
+    std::span<const TimedOpening> late_openings() const {
+        return rules().timing == Timing::enforce ? std::span<const TimedOpening>(rules().opened)
+                                                 : std::span<const TimedOpening>();
+    }
     // When an obstacle opens by itself; empty for all others.
     std::optional<double> given_opening(ObstacleId id) const;
     // How many obstacles may be removed beside those, and what they may weigh.
@@ -88,6 +94,7 @@ class Problem {
     std::vector<const Agent*> vehicles_;
     std::vector<const Agent*> aircraft_;
     Set forced_;
+    Set opened_;
     int spare_removals_ = 0;
     double spare_budget_ = infinity;
     std::vector<double> least_openings_;  // by id

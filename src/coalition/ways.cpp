@@ -192,7 +192,8 @@ std::vector<Set> Ways::gaining(std::size_t vehicle, const Set& set, bool relaxed
 
 Way Ways::closed_way(std::size_t vehicle) const {
     const team::Vehicle& closed = closed_[vehicle];
-    Way way = way_of(closed.agent, shorter(closed.agent, {closed.way.begin(), closed.way.end()}, {}), {});
+    const Set& opened = problem_.opened();
+    Way way = way_of(closed.agent, shorter(closed.agent, {closed.way.begin(), closed.way.end()}, opened), opened);
     way.expanded = closed.expanded;
     way.generated = closed.generated;
     return way;

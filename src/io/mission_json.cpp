@@ -95,6 +95,7 @@ void read_start(const JsonField& field, Agent& agent) {
     const auto whole = [](double value) { return int(std::lround(std::clamp(value, -1e9, 1e9))); };
     agent.from = Point(parts[0].number(), parts[1].number());
     agent.start = {whole(agent.from->x), whole(agent.from->y)};
+    if (agent.from == Point(agent.start)) agent.from.reset();
 }
 
 Json number(double value) {

@@ -15,6 +15,7 @@ constexpr int most_stops = 12;
 constexpr double between_stops = 0.5;
 // Who comes just when an obstacle opens comes in time, give or take what places between points lose.
 constexpr double punctual = 1e-7;
+constexpr double grazing = 1e-6;  // cells
 // Of bases held against each other, before it is given up.
 constexpr std::size_t most_tries = 10'000;
 
@@ -44,7 +45,9 @@ std::optional<Base> to_next_bend(const Position& position, double decided, bool 
         if (ends) return Base(ahead.begin(), ahead.end());
         const bool leaves_before = last + 1 < ahead.size() && ahead[last].t < decided;
         if (!leaves_before) {
-            return standing_until({ahead.begin(), ahead.begin() + std::ptrdiff_t(i) + 1}, decided);
+            std::size_t end = i + 1;
+            while (end <= last && ahead[end].t <= decided) ++end;
+            return standing_until({ahead.begin(), ahead.begin() + std::ptrdiff_t(end)}, decided);
         }
         i = last;
     }
@@ -72,6 +75,8 @@ std::optional<double> Ground::first_hit(const std::vector<Waypoint>& path, const
         least = {std::min(least.x, p.x), std::min(least.y, p.y)};
         most = {std::max(most.x, p.x), std::max(most.y, p.y)};
     }
+    // Places between points are rounded: who grazes a wall must not touch it.
+    const double radius = std::max(standing_radius(body) - grazing, 0.0);
     // A single point is a stand.
     std::vector<Waypoint> standing = path;
     if (path.size() == 1) standing.push_back(path.front());
@@ -80,7 +85,7 @@ std::optional<double> Ground::first_hit(const std::vector<Waypoint>& path, const
         if (obstacle.gone() || obstacle.bounds.min.x > most.x + reach || obstacle.bounds.max.x < least.x - reach ||
             obstacle.bounds.min.y > most.y + reach || obstacle.bounds.max.y < least.y - reach)
             continue;
-        const std::optional<double> touched = first_touch(map, obstacle.id, standing, standing_radius(body));
+        const std::optional<double> touched = first_touch(map, obstacle.id, standing, radius);
         if (!touched || (first && *first <= *touched)) continue;
         const auto opens = std::ranges::find(openings, obstacle.id, &TimedOpening::obstacle);
         if (opens == openings.end() || opens->at > *touched + punctual) first = touched;

@@ -73,18 +73,8 @@ std::optional<Plan> remainder_of(const Report& report, std::span<const Position>
     return rest;
 }
 
-void compare(Plan& rest, const Plan& other, const Mission& left) {
-    const Objective objective = left.rules.objective;
+void compare(Plan& rest, const Plan& other, Objective objective) {
     rest.before = other.before;
-    if (other.status != PlanStatus::solved) {
-        // Nothing is known of the vehicles alone.
-        rest.before = {};
-        rest.before.routes.clear();
-        for (const Agent& agent : left.agents) {
-            Route& route = rest.before.routes.emplace_back(Route{agent.kind});
-            if (agent.kind == AgentKind::air) route.length = distance(agent.begin(), Point(agent.goal));
-        }
-    }
     rest.limit_reached = other.limit_reached;
     const std::optional<double> reached = value(rest.after, objective);
     if (!other.bound || !reached) return;

@@ -16,6 +16,6 @@ namespace waybreaker::live {
 std::optional<Plan> remainder_of(const Report& report, std::span<const Position> positions,
                                  std::span<const Outlook> outlooks, const Map& known, const Mission& left);
 // Takes those of another plan of the same mission.
-void compare(Plan& rest, const Plan& other, const Mission& left);
+void compare(Plan& rest, const Plan& other, Objective objective);
 
 }  // namespace waybreaker::live

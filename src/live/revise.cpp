@@ -12,6 +12,7 @@
 #include "live/remainder.hpp"
 #include "live/state.hpp"
 #include "mission/waits.hpp"
+#include "model/objective.hpp"
 #include "orders/orders.hpp"
 
 namespace waybreaker {
@@ -84,8 +85,8 @@ bool place_agents(const Report& report, std::span<const Position> positions, std
         const Itinerary& planned = report.plan.agents[i];
         if (agent.kind == AgentKind::ground) {
             vehicles.push_back(agents.size());
-            choices.push_back(stays ? std::vector<Base>{arrived(planned, positions[i], report.state.now)}
-                                    : bases_of(ground, agent, positions[i], report.decided));
+            // One that has arrived may have to make way, from now on.
+            choices.push_back(bases_of(ground, agent, positions[i], report.decided));
         } else if (stays && (agent.breaches == 0 || left.rules.removals == 0)) {
             begin_on(known, arrived(planned, positions[i], report.state.now), agent);
         } else {
@@ -129,6 +130,33 @@ double reached(const Plan& plan, Objective objective) {
     return value(plan.after, objective).value_or(std::numeric_limits<double>::infinity());
 }
 
+// The vehicles as if each were alone.
+Outcome alone(const Mission& placed, const std::function<Plan(const Mission&)>& plan) {
+    Outcome before;
+    before.routes.clear();
+    Finish finish;
+    bool all = true;
+    for (const Agent& agent : placed.agents) {
+        Route& route = before.routes.emplace_back(Route{agent.kind});
+        if (agent.kind == AgentKind::air) {
+            route.length = distance(agent.begin(), Point(agent.goal));
+        } else {
+            Mission own{{agent}, placed.rules};
+            own.agents.front().approach.clear();
+            own.rules.force.clear();
+            const Plan its = plan(own);
+            if (its.status == PlanStatus::solved) route = its.after.ground();
+        }
+        all = all && route.length;
+        if (route.length) finish.add(agent.kind, agent.ready_at + *route.length / agent.speed);
+    }
+    if (!all) return before;
+    before.makespan = finish.makespan();
+    before.flowtime = finish.flowtime;
+    before.ground_makespan = finish.ground;
+    return before;
+}
+
 bool same_bases(const Mission& a, const Mission& b) {
     return std::ranges::equal(a.agents, b.agents, {}, &Agent::approach, &Agent::approach);
 }
@@ -143,7 +171,8 @@ void keep_if_no_worse(const Report& report, std::span<const Position> positions,
     if (!rest || reached(*rest, objective) > reached(next.plan, objective) * (1 + 1e-9)) return;
     // What is proven is of agents that are free at the same places.
     if (!same_bases(placed, next.mission)) next.plan = plan(placed);
-    live::compare(*rest, next.plan, placed);
+    live::compare(*rest, next.plan, objective);
+    if (next.plan.status != PlanStatus::solved) rest->before = alone(placed, plan);
     add_waits(next.map, placed, *rest);
     add_orders(next.map, placed, *rest);
     next.status = RevisionStatus::kept;

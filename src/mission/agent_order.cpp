@@ -23,9 +23,11 @@ AgentOrder::AgentOrder(const Mission& mission) : ordered_(mission), from_(missio
     std::iota(from_.begin(), from_.end(), std::size_t{0});
     const auto key = [&](std::size_t i) {
         const Agent& agent = mission.agents[i];
+        std::vector<std::tuple<double, double, double>> approach;
+        for (const Waypoint& at : agent.approach) approach.emplace_back(at.t, at.y, at.x);
         return std::tuple(agent.kind, agent.start.y, agent.start.x, agent.goal.y, agent.goal.x, agent.speed,
                           agent.body.radius, agent.body.corners, agent.ready_at, agent.breaches, agent.begin().y,
-                          agent.begin().x);
+                          agent.begin().x, std::move(approach));
     };
     std::ranges::stable_sort(from_, {}, key);
     for (std::size_t i = 0; i < from_.size(); ++i) ordered_.agents[i] = mission.agents[from_[i]];

@@ -160,7 +160,8 @@ Plan instead(const Plan& own, Plan better, Objective objective) {
 }
 
 // Agents that are on their way already begin there.
-void begin_on_approach(const Mission& mission, Plan& plan) {
+void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
+    if (std::ranges::all_of(mission.agents, [](const Agent& agent) { return agent.approach.empty(); })) return;
     for (std::size_t i = 0; i < mission.agents.size(); ++i) {
         const Agent& agent = mission.agents[i];
         if (agent.approach.empty()) continue;
@@ -175,11 +176,21 @@ void begin_on_approach(const Mission& mission, Plan& plan) {
         route.length = path_length(route.path);
         plan.agents[i].path = std::move(path);
     }
+    for (Breach& breach : plan.breaches) {
+        breach.entered_at.reset();
+        for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+            if (plan.agents[i].kind == AgentKind::air) continue;
+            const auto entered = first_touch(map, breach.obstacle, plan.agents[i].path, mission.agents[i].body.reach());
+            if (entered && (!breach.entered_at || *entered < *breach.entered_at)) breach.entered_at = entered;
+        }
+        if (breach.entered_at && mission.rules.timing == Timing::enforce)
+            breach.entered_at = std::max(*breach.entered_at, breach.cleared_at);
+    }
 }
 
 Plan finished(const Map& map, const Mission& mission, Plan plan) {
     if (plan.status != PlanStatus::solved) return plan;
-    begin_on_approach(mission, plan);
+    begin_on_approach(map, mission, plan);
     add_waits(map, mission, plan);
     add_orders(map, mission, plan);
     return plan;

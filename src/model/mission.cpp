@@ -133,11 +133,17 @@ void validate_beginning(const Map& map, const Agent& agent) {
         if (!near) refuse("takes off elsewhere than in its start cell");
     }
     double last = 0;
+    const Waypoint* before = nullptr;
     for (const Waypoint& p : agent.approach) {
         require_range(p.x, -0.5, map.width() - 0.5, "x of the " + agent.id + " agent's approach");
         require_range(p.y, -0.5, map.height() - 0.5, "y of the " + agent.id + " agent's approach");
         require_range(p.t, last, most_breach_time, "the times of the " + agent.id + " agent's approach");
         last = p.t;
+        constexpr double rounding = 1e-6;
+        const double driven = before == nullptr ? 0 : distance(Point(before->x, before->y), Point(p.x, p.y));
+        if (driven > 0 && driven > agent.speed * (p.t - before->t) * (1 + rounding) + rounding)
+            refuse("is faster on its approach than it can be");
+        before = &p;
     }
     if (agent.approach.empty()) return;
     const Waypoint& end = agent.approach.back();

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "model/timeline.hpp"
 #include "waybreaker/map_edit.hpp"
 
 namespace waybreaker {
@@ -23,6 +24,20 @@ OpenedByThemselves::OpenedByThemselves(const Map& map, const Mission& mission) :
     }
     std::erase_if(rules.opened, [&](const TimedOpening& opening) { return opening.at <= first_move; });
     if (!edits.empty()) opened_ = map.with(edits);
+}
+
+std::optional<ObstacleId> most_waited_for(const Map& map, const Agent& agent, std::span<const Point> path,
+                                          std::span<const TimedOpening> openings) {
+    const std::vector<Waypoint> driven = timed(path, agent.speed, agent.ready_at);
+    std::optional<ObstacleId> most;
+    double longest = 0;
+    for (const TimedOpening& opening : openings) {
+        const auto touched = first_touch(map, opening.obstacle, driven, standing_radius(agent.body));
+        if (!touched || opening.at - *touched <= longest) continue;
+        longest = opening.at - *touched;
+        most = opening.obstacle;
+    }
+    return most;
 }
 
 }  // namespace waybreaker

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "waybreaker/map.hpp"
 #include "waybreaker/mission.hpp"
@@ -24,5 +25,9 @@ class OpenedByThemselves {
     std::optional<Map> opened_;
     Mission mission_;
 };
+
+// Of those that open late on a path, the one that the agent waits for longest; none if it never waits.
+std::optional<ObstacleId> most_waited_for(const Map& map, const Agent& agent, std::span<const Point> path,
+                                          std::span<const TimedOpening> openings);
 
 }  // namespace waybreaker

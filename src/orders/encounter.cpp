@@ -18,10 +18,14 @@ Encounter::Encounter(const Stretch& first, const Stretch& second, double reach)
       lasts_(second.length > 0 ? second.length : 1),
       offset_(second.start - first.start) {
     // Within reach of either end of the first's move, or of the line between them.
+    const Interval at_end = met(offset_ - first.length * first.direction);
     places_ = met(offset_);
-    places_.join(met(offset_ - first.length * first.direction));
+    places_.join(at_end);
     if (first.length > 0) places_.join(met_between_ends());
-    if (!empty()) worst_ = std::clamp(place_of_worst(), places_.from, places_.to);
+    if (empty()) return;
+    // Rounding must not decide whether it has to get to its end, where it may vanish.
+    worst_ = std::clamp(at_end.empty() ? place_of_worst() : at_end.from, places_.from, places_.to);
+    most_ = at_end.empty() ? beside(worst_).to : first.length;
 }
 
 // The places on the second's move that are within reach of a place.
@@ -46,10 +50,9 @@ Interval Encounter::met_between_ends() const {
     return places;
 }
 
-// Where the first has to be furthest: at its end, or where the way between the two is at right angles to the second's.
+// Where the first has to be furthest short of its end: where the way between the two is at right angles to the
+// second's.
 double Encounter::place_of_worst() const {
-    const Interval at_end = met(offset_ - first_.length * first_.direction);
-    if (!at_end.empty()) return at_end.from;
     const double turn = cross(first_.direction, second_.direction);
     constexpr double parallel = 1e-9;
     if (std::abs(turn) < parallel) return dot(first_.direction, second_.direction) > 0 ? places_.to : places_.from;
@@ -69,7 +72,7 @@ Interval Encounter::beside(double place) const {
 }
 
 double Encounter::furthest(double place) const {
-    return beside(place).to;
+    return place < worst_ ? beside(place).to : most_;
 }
 
 double Encounter::met_at(double place_of_first) const {

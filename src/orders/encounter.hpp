@@ -15,7 +15,7 @@ class Encounter {
     // The places on the second's move where the first could be touched. REQUIRES of what follows: not empty.
     const safe_interval::Interval& places() const { return places_; }
     // How far the first has to be, so that the second does not touch it at that place, and has not if it comes from
-    // where it leaves; grows up to `worst`, and falls from there.
+    // where it leaves; grows up to `worst`, and is no more from there.
     double furthest(double place) const;
     double worst() const { return worst_; }
     // The first place on the second's move where it touches the first one that stands at its own place.
@@ -37,6 +37,7 @@ class Encounter {
     safe_interval::Vector offset_;  // from the first's start to the second's
     safe_interval::Interval places_;
     double worst_ = 0;
+    double most_ = 0;  // how far the first has to be there
 };
 
 }  // namespace waybreaker::orders

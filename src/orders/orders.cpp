@@ -16,12 +16,17 @@ namespace {
 
 using orders::Precision;
 
-// When its agent breaches an obstacle: the point of its path at which it is done.
+// When its agent has breached an obstacle: it has got to the point of its path where it has stayed for that, or it
+// passes the place without a stop.
 Moment breach_of(const Breach& breach, std::size_t agent, const std::vector<Waypoint>& path) {
-    constexpr double rounding = 1e-9;
-    const double done = breach.cleared_at - rounding * std::max(1.0, breach.cleared_at);
-    const auto after = std::ranges::partition_point(path, [&](const Waypoint& at) { return at.t < done; });
-    return {agent, std::size_t(std::min(after, path.end() - 1) - path.begin()), 0};
+    const double rounding = 1e-9 * std::max(1.0, breach.cleared_at);
+    const auto next =
+        std::ranges::partition_point(path, [&](const Waypoint& at) { return at.t < breach.cleared_at - rounding; });
+    if (next == path.end()) return {agent, path.size() - 1, 0};
+    const auto point = std::size_t(next - path.begin());
+    if (point == 0 || next->t <= breach.cleared_at + rounding) return {agent, point, 0};
+    const double begun = path[point - 1].t;
+    return {agent, point - 1, (breach.cleared_at - begun) / (next->t - begun)};
 }
 
 // Of one ground and one air agent the plan does not say who breaches.
@@ -40,10 +45,12 @@ void add_opening_orders(const Map& map, const Mission& mission, Plan& plan) {
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
             if (plan.agents[i].kind == AgentKind::air) continue;
             const std::vector<Waypoint>& path = plan.agents[i].path;
-            const auto touch = first_touch_on(map, breach.obstacle, path, standing_radius(mission.agents[i].body));
+            // Who only grazes it, give or take rounding, does not enter.
+            const double radius = std::max(standing_radius(mission.agents[i].body) - order_clearance, 0.0);
+            const auto touch = first_touch_on(map, breach.obstacle, path, radius);
             if (!touch) continue;
             const Moment after = orders::departure(i, path, touch->move, touch->share);
-            const double slack = orders::slack_of(plan.agents[by].path[before.point].t, touch->time);
+            const double slack = orders::slack_of(breach.cleared_at, touch->time);
             plan.orders.push_back({before, after, OrderReason::opening, breach.obstacle, slack});
         }
     }

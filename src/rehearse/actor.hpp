@@ -1,3 +1,4 @@
+<<<<<<< HEAD
 // Actor: an agent that is played, where it is on its script and what it does.
 #pragma once
 
@@ -6,10 +7,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+=======
+// Actor: an agent of a mission that is played, and what it does.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+>>>>>>> live
 #include <vector>
 
 #include "rehearse/script.hpp"
 #include "rehearse/trail.hpp"
+<<<<<<< HEAD
+=======
+#include "waybreaker/map.hpp"
+#include "waybreaker/plan.hpp"
+>>>>>>> live
 
 namespace waybreaker::rehearsal {
 
@@ -51,6 +67,7 @@ struct Actor {
         const Point& b = script[stop + 1].at;
         return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
     }
+<<<<<<< HEAD
     // The last point of its planned path that it has left behind; where it stands for a while by the plan, the one that
     // it would be at by now.
     std::size_t passed(double now) const {
@@ -70,5 +87,16 @@ inline double length_of(const std::vector<Waypoint>& path) {
         length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
     return length;
 }
+=======
+    // So far ahead on its path, or nowhere.
+    std::optional<Point> ahead(double way, double now) const;
+    // The last point of its planned path that it has left behind; where it stands for a while by the plan, the one that
+    // it would be at by now.
+    std::size_t passed(double now) const;
+};
+
+// The cells of a street that is blocked there; none where a vehicle is or is to end.
+std::vector<Cell> rubble_at(const Map& map, Point place, const std::vector<Actor>& actors, double now);
+>>>>>>> live
 
 }  // namespace waybreaker::rehearsal

@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "rehearse/actor.hpp"
+<<<<<<< HEAD
 #include "rehearse/blocked_street.hpp"
+=======
+>>>>>>> live
 #include "rehearse/draws.hpp"
 #include "rehearse/trail.hpp"
 #include "waybreaker/revise.hpp"
@@ -20,6 +23,16 @@ namespace {
 constexpr double at_once = 1e-6;
 constexpr int most_revisions = 1000;
 
+<<<<<<< HEAD
+=======
+double length_of(const std::vector<Waypoint>& path) {
+    double length = 0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+        length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+    return length;
+}
+
+>>>>>>> live
 class Execution {
   public:
     Execution(const Scene& scene, std::uint64_t run, Planner& planner, std::vector<double>& revise_ms)
@@ -45,9 +58,7 @@ class Execution {
         }
         if (scene.plan.revised) now_ = scene.plan.revised->now;
         if (scene.plan.revised) sequence_ = scene.plan.revised->sequence;
-        for (const TimedOpening& opening : scene.mission.rules.opened) {
-            coming_.push_back(opening);
-        }
+        coming_ = scene.mission.rules.opened;
         std::ranges::stable_sort(coming_, std::ranges::greater(), &TimedOpening::at);
     }
 
@@ -105,15 +116,13 @@ class Execution {
         now_ = std::max(now_, actor.until);
         switch (actor.phase) {
             case Phase::held:
+            case Phase::waiting:
                 actor.until = never;
                 return go_on(actor);
             case Phase::at_work:
                 return finish_work(actor);
             case Phase::moving:
                 return move(actor);
-            case Phase::waiting:
-                actor.until = never;
-                return go_on(actor);
             case Phase::arrived:
             case Phase::lost:
                 actor.until = never;
@@ -243,8 +252,15 @@ class Execution {
         news_ = true;
     }
 
+<<<<<<< HEAD
     void find_blocked_street(const Actor& finder) {
         Found found = blocked_street(*map_, finder, actors_, scene_.options.sight, now_);
+=======
+    void find_blocked_street(Actor& finder) {
+        const std::optional<Point> place = finder.ahead(scene_.options.sight, now_);
+        if (!place) return;
+        Found found{rubble_at(*map_, *place, actors_, now_)};
+>>>>>>> live
         if (found.cells.empty()) return;
         ++result_.blocked;
         events_.rubble.push_back({found.cells, now_});

@@ -5,6 +5,7 @@
 #include "core/stopwatch.hpp"
 #include "drive/shortened.hpp"
 #include "map/line_of_sight.hpp"
+#include "model/opened.hpp"
 #include "model/timeline.hpp"
 
 namespace waybreaker {
@@ -55,6 +56,24 @@ Candidate candidate_of(const Task& task, Opening opening) {
         schedule = scheduled(task, opening);
     }
     return {std::move(opening), std::move(schedule), watch.seconds()};
+}
+
+Candidate around_late_openings(const Task& task, const Searchers& searchers, Candidate through) {
+    if (task.rules.opened.empty() || task.rules.timing == Timing::ignore) return through;
+    const std::vector<ObstacleId> removed = through.opening.removed;
+    std::vector<ObstacleId> open_ones = removed;
+    std::vector<Point> path = through.opening.ground.path;
+    while (!path.empty() && !task.deadline.passed()) {
+        const auto late = most_waited_for(task.map, task.driver, path, task.rules.opened);
+        if (!late) break;
+        std::erase(open_ones, *late);
+        Opening around = open(task.trip(), searchers, open_ones);
+        path = around.ground.path;
+        around.removed = removed;
+        Candidate other = candidate_of(task, std::move(around));
+        if (cost(task, other) < cost(task, through) * (1 - rounding)) through = std::move(other);
+    }
+    return through;
 }
 
 double cost(const Task& task, const Candidate& candidate) {

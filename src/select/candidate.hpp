@@ -26,6 +26,10 @@ struct Candidate {
 // but for what must be removed; not where obstacles do not stand in time (the paper).
 Candidate candidate_of(const Task& task, Opening opening);
 
+// The same set; where the path leads through what opens late by itself, the best of that and of paths around the one
+// that is waited for longest, then around that and the next, and so on.
+Candidate around_late_openings(const Task& task, const Searchers& searchers, Candidate through);
+
 // The objective; infinity where there is no ground path.
 double cost(const Task& task, const Candidate& candidate);
 

@@ -149,10 +149,9 @@ class PathsInTime {
     bool limited_ = false;
 };
 
-}  // namespace
-
-Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
-                   std::vector<ObstacleId> removed, const Cutoff& cutoff, const CrossingResult* found, double seconds) {
+Candidate evaluated(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
+                    std::vector<ObstacleId> removed, const Cutoff& cutoff, const CrossingResult* found,
+                    double seconds) {
     std::ranges::sort(removed);
     const double costliest = costliest_path(task, cutoff.reached, opening_times);
     const bool is_known = found != nullptr && !opening_times.matter();
@@ -182,6 +181,14 @@ Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& o
     if (paths.may_gain(best)) take_better(paths.improved(start, known));
     best.opening.limited = best.opening.limited || paths.limited();
     return best;
+}
+
+}  // namespace
+
+Candidate evaluate(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,
+                   std::vector<ObstacleId> removed, const Cutoff& cutoff, const CrossingResult* found, double seconds) {
+    Candidate best = evaluated(task, searchers, opening_times, std::move(removed), cutoff, found, seconds);
+    return around_late_openings(task, searchers, std::move(best));
 }
 
 Evaluation::Evaluation(const Task& task, const Searchers& searchers, OpeningTimes& opening_times,

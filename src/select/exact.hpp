@@ -9,7 +9,7 @@ class ExactSelector : public Selector {
   public:
     explicit ExactSelector(const Searchers& searchers) : searchers_(searchers) {}
     Candidate baseline(const Task& task) override {
-        return candidate_of(task, open(task.trip(), searchers_, task.opened()));
+        return around_late_openings(task, searchers_, candidate_of(task, open(task.trip(), searchers_, task.opened())));
     }
     // The best candidate there is, and what it had to beat on the way there; none if nothing beats `start`. Sets of
     // obstacles come in the order of what their shortest path proves they cost at least; they end where that is no

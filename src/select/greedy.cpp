@@ -6,7 +6,7 @@
 namespace waybreaker {
 
 Candidate GreedySelector::baseline(const Task& task) {
-    return candidate_of(task, open(task.trip(), searchers_, task.opened()));
+    return around_late_openings(task, searchers_, candidate_of(task, open(task.trip(), searchers_, task.opened())));
 }
 
 std::vector<GreedyStep> greedy_steps(const Task& task, CrossingSearcher& crossing) {
@@ -35,7 +35,7 @@ Selected GreedySelector::select(const Task& task, const Candidate& /*start*/) {
     Selected selected;
     for (const GreedyStep& step : greedy_steps(task, searchers_.crossing)) {
         Opening opening = open(task.trip(), searchers_, step.removed, step.found, step.seconds);
-        selected.candidates.push_back(candidate_of(task, std::move(opening)));
+        selected.candidates.push_back(around_late_openings(task, searchers_, candidate_of(task, std::move(opening))));
     }
     selected.limited = task.deadline.passed();
     return selected;

@@ -62,7 +62,8 @@ Candidate HitsSelector::baseline(const Task& task) {
     const Stopwatch watch;
     SearchResult search = search_counting_hits(task, searchers_.cells);
     hits_ = std::move(search.hits);
-    return candidate_of(task, opening_of(task.opened(), search, watch.seconds()));
+    return around_late_openings(task, searchers_,
+                                candidate_of(task, opening_of(task.opened(), search, watch.seconds())));
 }
 
 Selected HitsSelector::select(const Task& task, const Candidate& start) {
@@ -78,7 +79,8 @@ Selected HitsSelector::select(const Task& task, const Candidate& start) {
     double best = cost(task, start);
     for (std::size_t count = task.given.size() + 1; count <= chosen.size(); ++count) {
         if (best <= floor * (1 + 1e-9) || task.deadline.passed()) break;
-        candidates.push_back(opened(task, searchers_.cells, std::span(chosen).first(count)));
+        candidates.push_back(
+            around_late_openings(task, searchers_, opened(task, searchers_.cells, std::span(chosen).first(count))));
         best = std::min(best, cost(task, candidates.back()));
         if (candidates.back().opening.status == SearchStatus::stopped) break;
     }

@@ -14,7 +14,7 @@ class NoSelector : public Selector {
   public:
     explicit NoSelector(const Searchers& searchers) : searchers_(searchers) {}
     Candidate baseline(const Task& task) override {
-        return candidate_of(task, open(task.trip(), searchers_, task.opened()));
+        return around_late_openings(task, searchers_, candidate_of(task, open(task.trip(), searchers_, task.opened())));
     }
     Selected select(const Task& /*task*/, const Candidate& /*start*/) override { return {}; }
 

@@ -80,10 +80,12 @@ double objective_alone(std::span<const Vehicle> vehicles, Objective objective) {
 TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupts& interrupts,
                    CrossingSearcher& crossing, Searcher& theta, const std::function<void(const Cost&)>& improved) {
     TeamPlan plan;
+    Ground ground{map};
+    if (mission.rules.timing == Timing::enforce) ground.openings = mission.rules.opened;
     for (const Agent& agent : mission.agents) {
         if (agent.kind != AgentKind::ground) continue;
         plan.vehicles.emplace_back().agent = agent;
-        plan.status = go_alone(map, interrupts, crossing, theta, plan.vehicles.back());
+        plan.status = go_alone(map, ground.openings, interrupts, crossing, theta, plan.vehicles.back());
         if (plan.status != SearchStatus::found) return plan;
     }
     const auto enough = [&](std::span<Vehicle> vehicles) {
@@ -95,8 +97,6 @@ TeamPlan plan_team(const OpenedMap& map, const Mission& mission, const Interrupt
         if (interrupts.gap == 0) return 0.0;
         return objective_of(vehicles, &Vehicle::bound, mission.rules.objective) * (1 + interrupts.gap);
     };
-    Ground ground{map};
-    if (mission.rules.timing == Timing::enforce) ground.openings = mission.rules.opened;
     return plan_paths(ground, std::move(plan.vehicles), mission.rules, interrupts, enough, improved);
 }
 

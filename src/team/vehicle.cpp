@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/opened.hpp"
+#include "safe_interval/driven.hpp"
+
 namespace waybreaker::team {
 namespace {
 
@@ -20,6 +23,26 @@ double lower_bound(const OpenedMap& map, const Interrupts& interrupts, CrossingS
     options.limits = interrupts.limits();
     const CrossingResult found = crossing.find(map.map(), agent.start, agent.goal, options);
     return std::max(straight, found.status == SearchStatus::found ? found.lower_bound : 0.0);
+}
+
+// Takes the best of its way and of those around what it would wait for longest, then around that and the next, and so
+// on. `removed`: all that opens sooner or later.
+void go_around_late(const Trip& trip, std::span<const TimedOpening> openings, const Searchers& searchers,
+                    std::vector<ObstacleId> removed, const SafeIntervalOptions& driving, Vehicle& vehicle) {
+    std::vector<Cell> way = vehicle.way;
+    while (!way.empty() && !trip.deadline.passed()) {
+        const std::vector<Point> path(way.begin(), way.end());
+        const auto late = most_waited_for(trip.map, trip.driver, path, openings);
+        if (!late) return;
+        std::erase(removed, *late);
+        const Opening around = open(trip, searchers, removed);
+        way = cells_of(around.ground.path);
+        if (around.status != SearchStatus::found) return;
+        const double arrival = safe_interval::driven(trip.map, way, driving).back().t;
+        if (arrival >= vehicle.alone) continue;
+        vehicle.alone = arrival;
+        vehicle.way = way;
+    }
 }
 
 }  // namespace
@@ -48,8 +71,8 @@ std::vector<Cell> cells_of(std::span<const Point> path) {
     return cells;
 }
 
-SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
-                      Vehicle& vehicle) {
+SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openings, const Interrupts& interrupts,
+                      CrossingSearcher& crossing, Searcher& theta, Vehicle& vehicle) {
     const Stopwatch watch;
     const Agent& agent = vehicle.agent;
     const Trip trip = trip_of(map.map(), agent, interrupts);
@@ -60,11 +83,14 @@ SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, Crossi
     vehicle.generated = way.ground.generated;
     vehicle.limited = way.limited;
     if (way.status != SearchStatus::found) return way.status;
-    // Leg by leg, as it will be driven.
-    vehicle.alone = agent.ready_at;
-    for (std::size_t i = 1; i < vehicle.way.size(); ++i) {
-        vehicle.alone += distance(vehicle.way[i - 1], vehicle.way[i]) / agent.speed;
-    }
+    // As it will be driven.
+    SafeIntervalOptions driving;
+    driving.body = agent.body;
+    driving.speed = agent.speed;
+    driving.ready_at = agent.ready_at;
+    driving.openings = openings;
+    vehicle.alone = safe_interval::driven(map.map(), vehicle.way, driving).back().t;
+    go_around_late(trip, openings, {theta, crossing}, removed, driving, vehicle);
     const double least =
         std::min(lower_bound(map, interrupts, crossing, vehicle), way.ground.length.value_or(infinity));
     vehicle.bound = agent.ready_at + least / agent.speed;

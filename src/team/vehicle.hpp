@@ -15,7 +15,7 @@ namespace waybreaker::team {
 struct Vehicle {
     Agent agent;
     std::vector<Cell> way;  // the shortest that was found for it alone
-    double alone = 0;       // when it arrives on that, without a stop
+    double alone = 0;       // when it arrives on that, with no stop but for what opens late
     double bound = 0;       // it arrives no earlier, whatever the others do
     bool limited = false;   // a limit ended the search for its way: there may be a shorter one
     std::uint64_t expanded = 0;
@@ -52,8 +52,9 @@ Trip trip_of(const Map& map, const Agent& agent, const Interrupts& interrupts);
 // The cells of a path that bends at centres.
 std::vector<Cell> cells_of(std::span<const Point> path);
 
-// Its shortest way, as in a mission of its own. `found`: the vehicle is complete. Anything else is why it is not.
-SearchStatus go_alone(const OpenedMap& map, const Interrupts& interrupts, CrossingSearcher& crossing, Searcher& theta,
-                      Vehicle& vehicle);
+// Its shortest way, as in a mission of its own; or the earliest one found, where obstacles of those removed open late.
+// `found`: the vehicle is complete. Anything else is why it is not.
+SearchStatus go_alone(const OpenedMap& map, std::span<const TimedOpening> openings, const Interrupts& interrupts,
+                      CrossingSearcher& crossing, Searcher& theta, Vehicle& vehicle);
 
 }  // namespace waybreaker::team

@@ -25,6 +25,15 @@ site::OverlayUse any_use() {
     return site::OverlayUse(*number(0, int(site::overlay_use_words.size()) - 1));
 }
 
+// Maybe it is on its way already.
+void set_out(Agent& agent) {
+    const bool aside = *rc::gen::arbitrary<bool>();
+    if (aside && agent.kind == AgentKind::air) agent.from = Point(agent.start.x + 0.125, agent.start.y);
+    agent.ready_at = *rc::gen::element(0.0, 2.5);
+    const Point start = agent.begin();
+    if (*rc::gen::arbitrary<bool>()) agent.approach = {{0.1, 0, 0.5}, {start.x, start.y, agent.ready_at}};
+}
+
 MissionDocument any_document() {
     MissionDocument document;
     for (int i = *number(1, 3); i > 0; --i) {
@@ -37,6 +46,7 @@ MissionDocument any_document() {
         if (kind == AgentKind::air) document.mission.agents.back().breaches = *rc::gen::element(any_number, 0, 3);
         if (kind == AgentKind::ground)
             document.mission.agents.back().body = {*rc::gen::element(0.5, 0.0, 1.25), any_corners()};
+        set_out(document.mission.agents.back());
     }
     document.mission.rules = {
         .removals = *number(0, 9),
@@ -46,6 +56,7 @@ MissionDocument any_document() {
         .breach_time = {*rc::gen::element(0.0, 0.1), *rc::gen::element(0.0, 7.0)},
         .timing = *rc::gen::element(Timing::enforce, Timing::ignore),
         .objective = *rc::gen::element(Objective::makespan, Objective::flowtime, Objective::ground_makespan)};
+    if (*rc::gen::arbitrary<bool>()) document.mission.rules.opened = {{{4}, 0}, {{2}, 12.25}};
     document.method = {.select = *rc::gen::element(Selection::exact, Selection::hits),
                        .flight = *rc::gen::element(FlightRule::optimal, FlightRule::nearest),
                        .planner = *rc::gen::element(Algorithm::optimal, Algorithm::theta, Algorithm::jps),
@@ -80,6 +91,7 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
         const Agent& b = written.mission.agents[i];
         RC_ASSERT(a.id == b.id && a.kind == b.kind && a.start == b.start && a.goal == b.goal);
         RC_ASSERT(a.speed == b.speed && a.body == b.body && a.breaches == b.breaches);
+        RC_ASSERT(a.ready_at == b.ready_at && a.from == b.from && a.approach == b.approach);
     }
     const Rules& rules = read.mission.rules;
     RC_ASSERT(rules.removals == written.mission.rules.removals);
@@ -94,6 +106,7 @@ RC_GTEST_PROP(MissionFile, ComesBackAsItWasWritten, ()) {
         RC_ASSERT(read.protect_tags[i].text() == written.protect_tags[i].text());
     }
     RC_ASSERT(rules.force == written.mission.rules.force);
+    RC_ASSERT(rules.opened == written.mission.rules.opened);
     RC_ASSERT(rules.breach_time.per_obstacle == written.mission.rules.breach_time.per_obstacle);
     RC_ASSERT(rules.breach_time.per_cell == written.mission.rules.breach_time.per_cell);
     RC_ASSERT(rules.timing == written.mission.rules.timing);
@@ -147,6 +160,9 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     };
     EXPECT_EQ(refusal(agent(R"("speed": 0)")), "m.json:1:119: agents[0].speed is not between 1e-06 and 1e+06");
     EXPECT_EQ(refusal(agent(R"("ready_at": 1e10)")), "m.json:1:122: agents[0].ready_at is not between 0 and 1e+09");
+    EXPECT_EQ(refusal(agent(R"("approach": [[1, 2]])")), "m.json:1:123: agents[0].approach[0] is not [x, y, t]");
+    EXPECT_EQ(refusal(with(R"("agents": [{"id": "a", "kind": "ground", "start": [1.5, 2], "goal": [3, 4]}])")),
+              "m.json:1:90: agents[0].start[0] is not a whole number");
     const auto says = [&](const std::string& members) {
         const std::string error = refusal(with(agents + (", " + members)));
         return error.substr(error.find(' ') + 1);

@@ -196,6 +196,13 @@ const char* const small_plan = R"({
 }
 )";
 
+// What its vehicle waits for.
+const Json small_order = {{"before", {{"agent", "air"}, {"point", 0}, {"fraction", 1 / 3.0}}},
+                          {"after", {{"agent", "ground"}, {"point", 0}, {"fraction", 1 / 3.0}}},
+                          {"why", "opening"},
+                          {"obstacle", 1},
+                          {"slack", 0.0}};
+
 // The small plan with one member replaced; its place as a JSON pointer.
 std::string with(const std::string& pointer, const Json& value) {
     Json json = Json::parse(small_plan);
@@ -217,9 +224,22 @@ std::string plan_refusal(const std::string& bytes) {
 }
 
 TEST(PlanFile, IsReadAndHolds) {
-    const PlanFile file = parse_plan(small_plan, "p.json");
+    const PlanFile file = parse_plan(with("/orders", Json::array({small_order})), "p.json");
     EXPECT_TRUE(check(map_from_ascii("..#."), file.asked.mission, file.plan).empty());
     EXPECT_EQ(file.plan.agents[0].goal, (Cell{3, 0})) << "where its path ends, as nothing else is said";
+}
+
+TEST(PlanFile, MaySayNothingOfOrders) {
+    EXPECT_FALSE(parse_plan(small_plan, "p.json").states_orders);
+    const PlanFile file = parse_plan(with("/orders", Json::array({small_order})), "p.json");
+    EXPECT_TRUE(file.states_orders);
+    ASSERT_EQ(file.plan.orders.size(), 1U);
+    const Order& order = file.plan.orders[0];
+    EXPECT_EQ(order.before, (Moment{1, 0, 1 / 3.0}));
+    EXPECT_EQ(order.after, (Moment{0, 0, 1 / 3.0}));
+    EXPECT_EQ(order.reason, OrderReason::opening);
+    EXPECT_EQ(order.obstacle, ObstacleId{1});
+    EXPECT_EQ(order.slack, 0);
 }
 
 TEST(PlanFile, MaySayMore) {
@@ -278,6 +298,17 @@ TEST(PlanFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(plan_refusal(with("/agents/1/kind", 3)), "agents[1].kind is none of ground, air");
     EXPECT_EQ(plan_refusal(with("/agents/1/path", Json::array())), "agents[1].path is empty");
     EXPECT_EQ(plan_refusal(with("/agents/1/path/1", {1, 2})), "agents[1].path[1] is not [x, y, t]");
+    const auto order_refusal = [](const std::string& pointer, const Json& value) {
+        Json order = small_order;
+        order[Json::json_pointer(pointer)] = value;
+        return plan_refusal(with("/orders", Json::array({order})));
+    };
+    EXPECT_EQ(order_refusal("/before/agent", "nobody"), "orders[0].before.agent is no agent of the plan");
+    EXPECT_EQ(order_refusal("/before/point", 2), "orders[0].before.point is not between 0 and 1");
+    EXPECT_EQ(order_refusal("/after/point", 1), "orders[0].after.fraction is beyond the last point of the path");
+    EXPECT_EQ(order_refusal("/after/fraction", 1), "orders[0].after.fraction is not at least 0 and below 1");
+    EXPECT_EQ(order_refusal("/why", "luck"), "orders[0].why is none of opening, passing");
+    EXPECT_EQ(order_refusal("/slack", nullptr), "orders[0].slack is not a number");
     EXPECT_EQ(plan_refusal(with("/agents/1/path/1/2", "late")), "agents[1].path[1][2] is not a number");
 }
 

@@ -71,7 +71,7 @@ TEST_F(PlanJson, HasTheKeysOfTheContractInItsOrder) {
     plan.bound = 4.0;
     const Json plan_file = json();
     EXPECT_EQ(keys(plan_file), (Keys{"format", "status", "map", "options", "mission", "before", "after", "bound",
-                                     "removed", "agents", "seconds"}));
+                                     "removed", "agents", "orders", "seconds"}));
     EXPECT_EQ(keys(plan_file["map"]), (Keys{"source", "width", "height", "cell_size", "digest"}));
     EXPECT_EQ(keys(plan_file["options"]),
               (Keys{"planner", "heuristic", "weight", "tie_break", "select", "flight", "timing", "objective",
@@ -269,7 +269,8 @@ TEST_F(PlanJson, IsWrittenForPeople) {
   "agents": [
     {"id": "ground", "kind": "ground", "speed": 1.0, "start": [0, 0], "goal": [4, 2], "path": [[0, 0, 0.0], [4, 1.5, 4.5]]},
     {"id": "air", "kind": "air", "speed": 2.0, "start": [0, 0], "goal": [4, 2], "path": [[0, 0, 0.0], [4, 2, 2.25]]}
-  ]
+  ],
+  "orders": []
 }
 )");
 }

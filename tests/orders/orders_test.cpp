@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ascii_map.hpp"
 #include "checked_plan.hpp"
 #include "vehicle.hpp"
@@ -97,6 +99,19 @@ TEST(Orders, OfWhoStandsInTheWay) {
     ASSERT_EQ(plan.orders.size(), 1U);
     EXPECT_EQ(plan.orders[0].before, (Moment{0, 1, 0}));
     EXPECT_NEAR(plan.orders[0].slack, 1, 1e-6);
+}
+
+TEST(Orders, OfWhoVanishesBesideTheOther) {
+    Mission mission;
+    mission.rules.at_goal = AtGoal::leave;
+    mission.agents = {vehicle("first", {1, 1}, {4, 1}), vehicle("second", {6, 0}, {3, 1})};
+    // From (4, 0) on the second would touch who stands at (4, 1).
+    Plan plan = driven(mission, {{{1, 1, 0}, {4, 1, 3}}, {{6, 0, 2}, {4, 0, 4}, {3, 1, 4 + std::sqrt(2)}}});
+    add_orders(free_ground, mission, plan);
+    ASSERT_FALSE(plan.orders.empty());
+    for (const Order& order : plan.orders) EXPECT_EQ(order.after.agent, 1U);
+    EXPECT_EQ(plan.orders.back().before, (Moment{0, 1, 0}));
+    EXPECT_LT(plan.orders.back().after.fraction, 1e-7);
 }
 
 TEST(Orders, OfVehiclesOnlyWhereTimingIsIgnored) {

@@ -24,6 +24,9 @@ inline Point simulated_place(const std::vector<Waypoint>& path, double time) {
 
 // What has been breached by then; all that will be, where time does not count.
 inline bool simulated_as_gone(const Mission& mission, const Plan& plan, ObstacleId obstacle, double time) {
+    const bool ignores = mission.rules.timing == Timing::ignore;
+    const auto opens = std::ranges::find(mission.rules.opened, obstacle, &TimedOpening::obstacle);
+    if (opens != mission.rules.opened.end() && (ignores || opens->at <= time)) return true;
     return std::ranges::any_of(plan.breaches, [&](const Breach& breach) {
         return breach.obstacle == obstacle && (mission.rules.timing == Timing::ignore || breach.cleared_at <= time);
     });
@@ -45,6 +48,12 @@ double simulated_depth(const Map& map, Point at, double radius, Gone gone) {
     return depth;
 }
 
+// Whether an agent is anywhere: who is on its way already comes later, and who leaves is gone.
+inline bool simulated_as_there(const Mission& mission, const Itinerary& agent, double time) {
+    if (time < agent.path.front().t) return false;
+    return mission.rules.at_goal == AtGoal::stay || time < agent.path.back().t;
+}
+
 // What goes wrong while the ground agents drive; empty if nothing does.
 inline std::string simulate(const Map& map, const Mission& mission, const Plan& plan, double step) {
     constexpr double slack = 1e-6;
@@ -54,14 +63,13 @@ inline std::string simulate(const Map& map, const Mission& mission, const Plan& 
         const auto is_gone = [&](ObstacleId id) { return simulated_as_gone(mission, plan, id, time + slack); };
         for (std::size_t i = 0; i < plan.agents.size(); ++i) {
             if (plan.agents[i].kind == AgentKind::air) continue;
-            const bool gone = mission.rules.at_goal == AtGoal::leave && time >= plan.agents[i].path.back().t;
-            if (gone) continue;
+            if (!simulated_as_there(mission, plan.agents[i], time)) continue;
             const double radius = mission.agents[i].body.radius;
             const Point at = simulated_place(plan.agents[i].path, time);
             if (simulated_depth(map, at, radius, is_gone) > slack) return plan.agents[i].id + " is in a wall";
             for (std::size_t j = 0; j < i; ++j) {
                 if (plan.agents[j].kind == AgentKind::air) continue;
-                if (mission.rules.at_goal == AtGoal::leave && time >= plan.agents[j].path.back().t) continue;
+                if (!simulated_as_there(mission, plan.agents[j], time)) continue;
                 const double needed = radius + mission.agents[j].body.radius + mission.rules.separation;
                 if (distance(at, simulated_place(plan.agents[j].path, time)) < needed - slack) {
                     return plan.agents[j].id + " and " + plan.agents[i].id + " overlap at " + std::to_string(time);
