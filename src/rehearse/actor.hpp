@@ -1,13 +1,3 @@
-<<<<<<< HEAD
-// Actor: an agent that is played, where it is on its script and what it does.
-#pragma once
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-=======
 // Actor: an agent of a mission that is played, and what it does.
 #pragma once
 
@@ -16,16 +6,12 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
->>>>>>> live
 #include <vector>
 
 #include "rehearse/script.hpp"
 #include "rehearse/trail.hpp"
-<<<<<<< HEAD
-=======
 #include "waybreaker/map.hpp"
 #include "waybreaker/plan.hpp"
->>>>>>> live
 
 namespace waybreaker::rehearsal {
 
@@ -67,27 +53,6 @@ struct Actor {
         const Point& b = script[stop + 1].at;
         return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
     }
-<<<<<<< HEAD
-    // The last point of its planned path that it has left behind; where it stands for a while by the plan, the one that
-    // it would be at by now.
-    std::size_t passed(double now) const {
-        const std::size_t last = here().point;
-        if (kind == AgentKind::air || phase == Phase::moving || here().share > 0) return last;
-        std::size_t first = last;
-        while (first > 0 && path[first - 1].x == path[last].x && path[first - 1].y == path[last].y) --first;
-        while (first < last && path[first + 1].t <= now) ++first;
-        return first;
-    }
-};
-
-// Of a path, in cells.
-inline double length_of(const std::vector<Waypoint>& path) {
-    double length = 0;
-    for (std::size_t i = 1; i < path.size(); ++i)
-        length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
-    return length;
-}
-=======
     // So far ahead on its path, or nowhere.
     std::optional<Point> ahead(double way, double now) const;
     // The last point of its planned path that it has left behind; where it stands for a while by the plan, the one that
@@ -97,6 +62,5 @@ inline double length_of(const std::vector<Waypoint>& path) {
 
 // The cells of a street that is blocked there; none where a vehicle is or is to end.
 std::vector<Cell> rubble_at(const Map& map, Point place, const std::vector<Actor>& actors, double now);
->>>>>>> live
 
 }  // namespace waybreaker::rehearsal

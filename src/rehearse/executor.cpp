@@ -8,10 +8,6 @@
 #include <utility>
 
 #include "rehearse/actor.hpp"
-<<<<<<< HEAD
-#include "rehearse/blocked_street.hpp"
-=======
->>>>>>> live
 #include "rehearse/draws.hpp"
 #include "rehearse/trail.hpp"
 #include "waybreaker/revise.hpp"
@@ -23,8 +19,6 @@ namespace {
 constexpr double at_once = 1e-6;
 constexpr int most_revisions = 1000;
 
-<<<<<<< HEAD
-=======
 double length_of(const std::vector<Waypoint>& path) {
     double length = 0;
     for (std::size_t i = 1; i < path.size(); ++i)
@@ -32,7 +26,6 @@ double length_of(const std::vector<Waypoint>& path) {
     return length;
 }
 
->>>>>>> live
 class Execution {
   public:
     Execution(const Scene& scene, std::uint64_t run, Planner& planner, std::vector<double>& revise_ms)
@@ -252,15 +245,10 @@ class Execution {
         news_ = true;
     }
 
-<<<<<<< HEAD
-    void find_blocked_street(const Actor& finder) {
-        Found found = blocked_street(*map_, finder, actors_, scene_.options.sight, now_);
-=======
     void find_blocked_street(Actor& finder) {
         const std::optional<Point> place = finder.ahead(scene_.options.sight, now_);
         if (!place) return;
         Found found{rubble_at(*map_, *place, actors_, now_)};
->>>>>>> live
         if (found.cells.empty()) return;
         ++result_.blocked;
         events_.rubble.push_back({found.cells, now_});
