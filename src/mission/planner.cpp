@@ -13,6 +13,8 @@
 #include "crossing/access.hpp"
 #include "mission/agent_order.hpp"
 #include "mission/explain.hpp"
+#include "mission/instead.hpp"
+#include "mission/late_openings.hpp"
 #include "mission/plan_status.hpp"
 #include "mission/team_demolition.hpp"
 #include "mission/team_plan.hpp"
@@ -145,20 +147,6 @@ Plan explained_team(const Map& map, const Mission& mission, const Method& method
     return plan;
 }
 
-// A plan that removes less, for a mission whose own plan is worse; what is proven is of the latter.
-Plan instead(const Plan& own, Plan better, Objective objective) {
-    better.limit_reached = own.limit_reached;
-    better.seconds = own.seconds;
-    better.bound = own.bound;
-    better.gap.reset();
-    if (own.bound) {
-        const double reached = value(better.after, objective).value_or(std::numeric_limits<double>::infinity());
-        better.bound = std::min(*own.bound, reached);
-        better.gap = *better.bound > 0 ? reached / *better.bound - 1 : 0;
-    }
-    return better;
-}
-
 // Agents that are on their way already begin there.
 void begin_on_approach(const Map& map, const Mission& mission, Plan& plan) {
     if (std::ranges::all_of(mission.agents, [](const Agent& agent) { return agent.approach.empty(); })) return;
@@ -214,7 +202,12 @@ Plan Planner::plan(const Map& map, const Mission& mission, const Method& method,
     const OpenedByThemselves opened(map, mission);
     const ActivePart active(opened.mission());
     const AgentOrder order(active.mission());
-    Plan plan = plan_active(opened.map(), order.mission(), method, limits);
+    Plan plan = around_late(opened.map(), order.mission(), limits, [&](const Mission& asked, double seconds) {
+        Limits left = limits;
+        left.seconds = seconds;
+        if (asked.rules.opened.size() < opened.mission().rules.opened.size()) left.progress = nullptr;
+        return plan_active(opened.map(), asked, method, left);
+    });
     return finished(map, mission, active.whole(map, order.restored(std::move(plan))));
 }
 

@@ -162,7 +162,7 @@ TEST(MissionFile, IsRefusedWithPlaceAndReason) {
     EXPECT_EQ(refusal(agent(R"("ready_at": 1e10)")), "m.json:1:122: agents[0].ready_at is not between 0 and 1e+09");
     EXPECT_EQ(refusal(agent(R"("approach": [[1, 2]])")), "m.json:1:123: agents[0].approach[0] is not [x, y, t]");
     EXPECT_EQ(refusal(with(R"("agents": [{"id": "a", "kind": "ground", "start": [1.5, 2], "goal": [3, 4]}])")),
-              "m.json:1:90: agents[0].start[0] is not a whole number");
+              "m.json:1:87: agents[0].start[0] is not a whole number");
     const auto says = [&](const std::string& members) {
         const std::string error = refusal(with(agents + (", " + members)));
         return error.substr(error.find(' ') + 1);

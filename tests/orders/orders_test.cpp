@@ -32,7 +32,7 @@ TEST(Orders, OfAnOpening) {
     // It touches the obstacle when it leaves (2, 0): on its way from (0, 0), where it has waited.
     EXPECT_EQ(order.after.agent, 0U);
     EXPECT_EQ(order.after.point, 1U);
-    EXPECT_NEAR(order.after.fraction, 2.0 / 6, 1e-9);
+    EXPECT_NEAR(order.after.fraction, 2.0 / 6, order_clearance);
     EXPECT_EQ(order.slack, 0);
 }
 

@@ -1,0 +1,66 @@
+#include "mission/late_openings.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/stopwatch.hpp"
+#include "mission/instead.hpp"
+#include "model/timeline.hpp"
+
+namespace waybreaker {
+namespace {
+
+// Of what opens by itself, the last that a ground agent enters at once: it has waited for it; and what opens when all
+// have arrived.
+std::vector<ObstacleId> late_for(const Map& map, const Mission& mission, const Plan& plan) {
+    double arrived = 0;
+    double latest = -1;
+    ObstacleId waited_for;
+    for (std::size_t i = 0; i < plan.agents.size(); ++i) {
+        if (plan.agents[i].kind == AgentKind::air) continue;
+        arrived = std::max(arrived, plan.agents[i].path.back().t);
+        for (const TimedOpening& opening : mission.rules.opened) {
+            const double radius = standing_radius(mission.agents[i].body);
+            const auto touched = first_touch(map, opening.obstacle, plan.agents[i].path, radius);
+            if (!touched || *touched > opening.at + 1e-6 * (1 + opening.at) || opening.at <= latest) continue;
+            latest = opening.at;
+            waited_for = opening.obstacle;
+        }
+    }
+    std::vector<ObstacleId> late;
+    for (const TimedOpening& opening : mission.rules.opened) {
+        const bool is_useless = plan.status == PlanStatus::solved && opening.at >= arrived;
+        if (is_useless || opening.obstacle == waited_for) late.push_back(opening.obstacle);
+    }
+    return late;
+}
+
+}  // namespace
+
+Plan around_late(const Map& map, Mission mission, const Limits& limits,
+                 const std::function<Plan(const Mission&, double)>& planned) {
+    const Deadline deadline(limits.seconds);
+    Plan best = planned(mission, limits.seconds);
+    if (mission.rules.opened.empty() || mission.rules.timing == Timing::ignore) return best;
+    const auto reached = [&](const Plan& plan) {
+        return value(plan.after, mission.rules.objective).value_or(std::numeric_limits<double>::infinity());
+    };
+    std::vector<ObstacleId> late = late_for(map, mission, best);
+    while (!late.empty() && best.gap.value_or(1) > 1e-9 && !deadline.passed()) {
+        for (const ObstacleId id : late) {
+            std::erase_if(mission.rules.opened, [id](const TimedOpening& opening) { return opening.obstacle == id; });
+            mission.rules.protect.push_back(id);
+        }
+        Plan other = planned(mission, deadline.left());
+        late = late_for(map, mission, other);
+        if (!(reached(other) < reached(best) * (1 - 1e-9))) continue;
+        other.before = best.before;
+        best = instead(best, std::move(other), mission.rules.objective);
+    }
+    return best;
+}
+
+}  // namespace waybreaker
