@@ -62,7 +62,7 @@ Position position_of(const Itinerary& agent, const AgentState* state, double now
         const bool works = agent.kind == AgentKind::air && i > position.next;
         double t = path[i].t;
         if (!position.on_time) {
-            const double stays_until = works ? last.t + path[i].t - path[i - 1].t : std::max(path[i].t, last.t);
+            const double stays_until = works ? last.t + (path[i].t - path[i - 1].t) : std::max(path[i].t, last.t);
             t = stays && driven == 0 ? stays_until : last.t + driven / agent.speed;
         }
         position.ahead.push_back({path[i].x, path[i].y, t});
